@@ -1,0 +1,86 @@
+# make           set up everything, write and compile the PUMA 560's kernels, show the counts
+# make test      set up everything, run the tests
+# make help      the rest
+
+PYTHON ?= python3
+ROBOT ?= puma560.yaml
+WORKERS ?= 2
+
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --disable-pip-version-check --no-input install --quiet --quiet
+PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup
+
+SHELL := /bin/sh
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.NOTPARALLEL:
+
+.PHONY: kernels
+kernels: $(VENV)/.installed
+	@$(BIN)/robodyn gen $(ROBOT) --compile
+
+.PHONY: test
+test: $(VENV)/.installed-dev
+	$(PYTEST)
+
+.PHONY: prove-all
+prove-all: $(VENV)/.installed-dev  ## the long comparisons that `make test` leaves out
+	$(PYTEST) -m slow
+
+.PHONY: generated
+generated: $(VENV)/.installed  ## write the kernels of all bundled robots into generated/
+	@set -e; robots=$$($(BIN)/robodyn robots --names); \
+	for robot in $$robots; do $(BIN)/robodyn gen $$robot -o generated/$$robot; done
+
+.PHONY: generated-check
+generated-check: $(VENV)/.installed  ## hold generated/ against what would be written now
+	@robots=$$($(BIN)/robodyn robots --names) || exit; status=0; \
+	for robot in $$robots; do $(BIN)/robodyn gen $$robot -o generated/$$robot --check || status=1; done; exit $$status
+
+.PHONY: lint
+lint: $(VENV)/.installed-dev  ## ruff and mypy
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+.PHONY: format
+format: $(VENV)/.installed-dev  ## let ruff mend what it can
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+.PHONY: clean
+clean:  ## remove the environment, build outputs and caches; generated/ stays
+	rm -rf $(VENV) build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	find benchmarks cli codegen tests -name __pycache__ -type d -prune -exec rm -rf {} +
+
+.PHONY: help
+help:
+	@echo "make                  set up everything, write and compile the kernels of $(ROBOT), show the counts"
+	@echo "make test             set up everything, run the tests"
+	@sed -n 's/^\([a-z-]*\):.*  ## \(.*\)/make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "%-21s %s\n", $$1, $$2}'
+	@echo "Variables: PYTHON=$(PYTHON) (3.11 or newer), ROBOT=$(ROBOT), WORKERS=$(WORKERS) (tests at a time)"
+
+# The environment. Debian's python3 comes without ensurepip, which `venv` needs; there pip itself fills the gap.
+
+$(VENV)/.created:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	    echo "robodyn needs Python 3.11 or newer, and $(PYTHON) is $$($(PYTHON) --version 2>&1);" \
+	        "name another with: make PYTHON=python3.12" >&2; exit 1; }
+	@echo "Setting up $(VENV), once" >&2
+	@rm -rf $(VENV)
+	@$(PYTHON) -m venv $(VENV) >/dev/null 2>&1 \
+	    || { $(PYTHON) -m venv --clear --without-pip $(VENV) \
+	         && $(PYTHON) -m pip --disable-pip-version-check --python $(VENV)/bin/python install --quiet --quiet pip; } \
+	    || { rm -rf $(VENV); \
+	         echo "Could not set up $(VENV); on Debian and Ubuntu: apt-get install python3-venv python3-pip" >&2; exit 1; }
+	@touch $@
+
+$(VENV)/.installed: pyproject.toml $(VENV)/.created
+	@$(PIP) --editable .
+	@touch $@
+
+$(VENV)/.installed-dev: pyproject.toml $(VENV)/.created
+	@echo "Installing robodyn with what its tests need" >&2
+	@$(PIP) --editable '.[test,lint]'
+	@touch $@ $(VENV)/.installed

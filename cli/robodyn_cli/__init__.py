@@ -1,0 +1,1 @@
+"""The command line of robodyn: one file a command, no mathematics."""

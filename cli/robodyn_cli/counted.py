@@ -1,0 +1,56 @@
+"""Counts as rows: the same for ``gen`` and ``flops``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from robodyn.counts import Beside, Count
+    from robodyn.robot import Robot
+
+
+def record(robot: Robot, function: str, formulation: str, found: Count) -> dict[str, Any]:
+    """A count as ``--json`` prints it."""
+    from robodyn.counts import beside
+
+    printed = beside(robot, function, found)
+    return {
+        "robot": robot.name,
+        "function": function,
+        "formulation": formulation,
+        **found.to_dict(),
+        "thesis": None if printed is None else printed.to_dict(),
+    }
+
+
+def lines(robot: Robot, rows: Iterable[tuple[str, str, Count]]) -> list[str]:
+    """A table of counts, one row a ``(heading, function, count)``, the thesis's figure beside ours."""
+    from robodyn.counts import beside
+
+    heads = ("", "mul", "add", "div", "total", "minus", "sin/cos", "thesis", "verdict")
+    table: list[tuple[str, ...]] = [heads]
+    notes: dict[str, None] = {}
+    for heading, function, found in rows:
+        printed = beside(robot, function, found)
+        thesis = f"{printed.mul}+{printed.add} = {printed.total}" if printed else "-"
+        numbers = (found.mul, found.add, found.div, found.total, found.neg, found.sincos)
+        table.append((heading, *map(str, numbers), thesis, printed.verdict if printed else "-"))
+        if printed:
+            notes[_note(printed)] = None
+    return [*_aligned(table), *notes]
+
+
+def _note(printed: Beside) -> str:
+    return f"thesis: Table {printed.table}, {printed.row}: {printed.note}"
+
+
+def _aligned(table: Sequence[tuple[str, ...]]) -> list[str]:
+    widths = [max(len(row[k]) for row in table) for k in range(len(table[0]))]
+    return [
+        "  ".join(
+            cell.ljust(width) if k in (0, 7, 8) else cell.rjust(width)
+            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in table
+    ]

@@ -1,0 +1,69 @@
+"""``robodyn flops``: operation counts, beside the thesis's, and held to a budget."""
+
+from __future__ import annotations
+
+import click
+
+from robodyn_cli.common import echo_json, json_option, robot_argument
+from robodyn_cli.counted import lines, record
+from robodyn_cli.options import load, model_options
+
+
+@click.command()
+@robot_argument
+@click.option("--function", default="inverse_dynamics", show_default=True, help="A function, or all.")
+@click.option("--budget", metavar="KIND=N,...", help="Most operations, e.g. mul=208,add=152,total=360.")
+@model_options
+@json_option
+def command(
+    robot: str,
+    function: str,
+    budget: str | None,
+    formulation: str,
+    optimize: str,
+    no_regroup: bool,
+    engine: str,
+    fold_rotor: bool,
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Count multiplications and additions, and hold them to a budget.
+
+    Every binary * is one multiplication (by constants, by 2 and squares too), every binary + or - one
+    addition; unary minus and sine/cosine are free and shown apart. For example,
+    fc3_x = 4.8*(a3_x - 0.07*lam3_12) is two multiplications and one addition. Exits 1 where a
+    budget is exceeded. With --function or --formulation "all" --json prints a list.
+    """
+    from robodyn.counts import Count, count, parse_budget
+    from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS
+    from robodyn.errors import CheckError
+    from robodyn.generate import Options, SingularArm, program
+
+    limit = None if budget is None else parse_budget(budget)
+    functions = tuple(FUNCTIONS) if function == "all" else (function,)
+    formulations = FORMULATIONS if formulation == "all" else (formulation,)
+    choices = [
+        (f, form, Options((f,), form, optimize, not no_regroup, engine=engine))  # type: ignore[arg-type]
+        for form in formulations
+        for f in functions
+    ]
+    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    found: list[tuple[str, str, Count]] = []
+    for f, form, options in choices:
+        try:
+            found.append((f, form, count(program(described, f, options))))
+        except SingularArm:
+            if function != "all":
+                raise
+    if as_json:
+        records = [record(described, f, form, c) for f, form, c in found]
+        echo_json(records if "all" in (function, formulation) else records[0])
+    else:
+        click.echo(f"{described.name}: {described.title}" if described.title else described.name)
+        many = len(formulations) > 1
+        for line in lines(described, [(f"{f}, {form}" if many else f, f, c) for f, form, c in found]):
+            click.echo(line)
+    if limit is not None:
+        over = [f"{described.name} {f}: {text}" for f, _, c in found for text in limit.exceeded(c)]
+        if over:
+            raise CheckError("; ".join(over), remedy="raise the budget or simplify the model")

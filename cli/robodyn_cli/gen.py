@@ -1,0 +1,142 @@
+"""``robodyn gen``: from a robot to C and Fortran."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from robodyn_cli.common import compare_files, echo_json, json_option, robot_argument, talk, write_files
+from robodyn_cli.counted import lines, record
+from robodyn_cli.options import listed, load, model_options
+
+if TYPE_CHECKING:
+    from robodyn.generate import Generated
+
+
+@click.command()
+@robot_argument
+@click.option("-o", "--output", metavar="DIR", help="Where to write.  [default: generated/NAME]")
+@click.option("--lang", default="c,fortran", show_default=True, help="Languages, with commas.")
+@click.option("--compile", "compile_", is_flag=True, help="Build and load the kernels, too.")
+@click.option("--scalar", default="double", show_default=True, help="double or float.")
+@click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm, or given in sc.")
+@click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
+@model_options
+@click.option("--latex", is_flag=True, help="Also write NAME.tex, the recursion typeset (through sympy).")
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 if the files in DIR differ.")
+@json_option
+def command(
+    robot: str,
+    output: str | None,
+    lang: str,
+    compile_: bool,
+    scalar: str,
+    trig: str,
+    functions: str | None,
+    formulation: str,
+    optimize: str,
+    no_regroup: bool,
+    engine: str,
+    fold_rotor: bool,
+    strict: bool,
+    latex: bool,
+    check: bool,
+    as_json: bool,
+) -> None:
+    """Write the C and Fortran of a robot's dynamics, and print the counts.
+
+    DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
+    forward_dynamics. The same input gives the same bytes, on any machine.
+    """
+    from robodyn.errors import CheckError, InputError
+    from robodyn.generate import Options, generate
+
+    options = Options(
+        functions=None if functions is None else listed(functions),
+        formulation=formulation,
+        optimize=optimize,  # type: ignore[arg-type]  # checked by Options
+        regroup=not no_regroup,
+        scalar=scalar,  # type: ignore[arg-type]
+        trig=trig,  # type: ignore[arg-type]
+        engine=engine,  # type: ignore[arg-type]
+    )
+    languages = listed(lang)
+    if not languages:
+        raise InputError("no language asked for", expected="c, fortran or both")
+    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    made = generate(described, options)
+    for function in made.left_out:
+        talk(f"robodyn: note: {described.name} has no {function}: a joint moves without inertia")
+    files = made.files(languages)
+    if latex:
+        from robodyn.dynamics.through_sympy import symbolic
+
+        files[f"{described.name}.tex"] = symbolic(described, formulation=formulation).latex()
+    folder = Path(output) if output is not None else Path("generated") / described.name
+    if check:
+        different = compare_files(folder, files)
+        if different:
+            raise CheckError(
+                f"{', '.join(str(folder / name) for name in different)}: not what robodyn generates",
+                remedy="run the same command without --check",
+            )
+        if as_json:
+            echo_json({"robot": described.name, "checked": [str(folder / name) for name in files]})
+        else:
+            click.echo(f"{described.name}: {len(files)} files in {folder} are up to date")
+        return
+    built = _compiled(made, languages, explicit=lang != "c,fortran") if compile_ else None
+    write_files(folder, files)
+    if as_json:
+        echo_json(
+            {
+                "robot": described.name,
+                "files": [str(folder / name) for name in files],
+                "functions": [record(described, f, formulation, c) for f, c in made.counts.items()],
+                "compiled": built,
+            }
+        )
+        return
+    click.echo(f"{described.name}: wrote {', '.join(str(folder / name) for name in files)}")
+    for line in lines(described, [(f, f, c) for f, c in made.counts.items()]):
+        click.echo(line)
+    for language, text in (built or {}).items():
+        click.echo(f"{language}: {text}")
+
+
+def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool) -> dict[str, Any]:
+    """Build and load each language; where both are there, compare them bit by bit."""
+    from robodyn.build import load as load_kernel
+    from robodyn.errors import ToolError
+
+    kernels: dict[str, Any] = {}
+    said: dict[str, Any] = {}
+    for language in languages:
+        try:
+            kernel = load_kernel(made.signatures, made.files((language,)), language=language)  # type: ignore[arg-type]
+        except ToolError as error:
+            if language == "fortran" and not explicit:
+                said[language] = f"written, not compiled: {error}"
+                continue
+            raise
+        kernels[language] = kernel
+        said[language] = f"compiled with {kernel.compiler}, loaded"
+    if len(kernels) == 2:
+        same = _same_bits(made, *kernels.values())
+        said["c and fortran"] = "the same bits on 100 states" if same else "DIFFERENT bits"
+    return said
+
+
+def _same_bits(made: Generated, one: Any, other: Any) -> bool:
+    import numpy as np
+
+    random = np.random.default_rng(0)
+    params = dict.fromkeys(made.signatures[0].parameters, 1.0) or None
+    for interface in made.signatures:
+        arrays = [random.uniform(-1, 1, (100, size)) for _, size in interface.inputs]
+        mine, theirs = (getattr(k, interface.function)(*arrays, params=params) for k in (one, other))
+        if not np.array_equal(mine, theirs, equal_nan=True):
+            return False
+    return True

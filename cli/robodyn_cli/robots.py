@@ -1,0 +1,46 @@
+"""``robodyn robots``: the bundled robots."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from robodyn_cli.common import echo_json, json_option
+
+if TYPE_CHECKING:
+    from robodyn.robot import Robot
+
+
+@click.command()
+@click.option("--names", is_flag=True, help="Print nothing but the names, one a line.")
+@json_option
+def command(names: bool, as_json: bool) -> None:
+    """List the bundled robots.
+
+    Each with its joints from base to tip, R for a revolute and P for a prismatic one. With --json a list of
+    objects {"name", "joints", "title"}, or of names with --names.
+    """
+    import robodyn.robot
+
+    found = robodyn.robot.bundled_names()
+    if names:
+        if as_json:
+            echo_json(list(found))
+        else:
+            for name in found:
+                click.echo(name)
+        return
+    robots = [robodyn.robot.load(name, warn=lambda _: None) for name in found]  # doubts belong to `gen`
+    rows = [(robot.name, _letters(robot), robot.title) for robot in robots]
+    if as_json:
+        echo_json([dict(zip(("name", "joints", "title"), row, strict=True)) for row in rows])
+        return
+    name_width, joints_width = (max((len(row[column]) for row in rows), default=0) for column in (0, 1))
+    for name, joints, title in rows:
+        click.echo(f"{name:{name_width}}  {joints:{joints_width}}  {title}".rstrip())
+
+
+def _letters(robot: Robot) -> str:
+    """The kinds of a robot's joints, base to tip, as ``RRPRRR``."""
+    return "".join(link.joint.kind[0].upper() for link in robot.links)

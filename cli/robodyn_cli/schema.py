@@ -1,0 +1,20 @@
+"""``robodyn schema``: the JSON Schema of the robot description."""
+
+from __future__ import annotations
+
+import click
+
+from robodyn_cli.common import echo_json, json_option
+
+
+@click.command()
+@json_option
+def command(as_json: bool) -> None:
+    """Print the JSON Schema of the robot description.
+
+    Give it to an editor, which then completes keys and marks mistakes while you write the YAML. It is JSON
+    with and without --json.
+    """
+    import robodyn.robot
+
+    echo_json(robodyn.robot.json_schema())

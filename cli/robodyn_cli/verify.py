@@ -1,0 +1,114 @@
+"""``robodyn verify``: is the compiled kernel right?"""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from robodyn_cli.common import echo_json, json_option, robot_argument
+from robodyn_cli.options import load, model_options
+
+if TYPE_CHECKING:
+    from robodyn.generate import Generated
+
+
+@click.command()
+@robot_argument
+@click.option(
+    "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Sample size."
+)
+@click.option("--seed", type=int, default=0, show_default=True, help="Seed of the sample.")
+@click.option("--scalar", default="double", show_default=True, help="double or float.")
+@click.option("--lang", default="c", show_default=True, help="c or fortran.")
+@model_options
+@json_option
+def command(
+    robot: str,
+    states: int,
+    seed: int,
+    scalar: str,
+    lang: str,
+    formulation: str,
+    optimize: str,
+    no_regroup: bool,
+    engine: str,
+    fold_rotor: bool,
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Set the compiled kernels against independent references.
+
+    The programs are compared with plain Newton-Euler on exact fractions, where they must be equal; the
+    compiled kernels with plain Newton-Euler in double, with exact torques, and, up to three joints, with
+    the Lagrangian. Shows the worst error, relative to the largest torque, and the state that made it.
+    Exits 1 if one is above 1e-10 (float: 1e-5).
+    """
+    from robodyn.build import load as load_kernel
+    from robodyn.errors import CheckError, InputError
+    from robodyn.generate import Options, generate
+    from robodyn.verify import verify
+
+    if lang not in ("c", "fortran"):
+        raise InputError(f"unknown language {lang!r}", expected="c or fortran")
+    options = Options(
+        formulation=formulation,
+        optimize=optimize,  # type: ignore[arg-type]  # checked by Options
+        regroup=not no_regroup,
+        scalar=scalar,  # type: ignore[arg-type]
+        engine=engine,  # type: ignore[arg-type]
+    )
+    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    made = generate(described, options)
+    kernel = load_kernel(made.signatures, made.files((lang,)), language=lang)  # type: ignore[arg-type]
+    exact = _exactly(made)
+    with _Bar() as step:
+        report = verify(described, kernel, states=states, seed=seed, progress=step)
+    passed = report.passed and all(exact.values())
+    if as_json:
+        echo_json({**report.to_dict(), "equal_on_fractions": exact, "passed": passed})
+    else:
+        click.echo(report.to_text())
+        if report.worst is not None:
+            state = "; ".join(f"{name} = {list(x)}" for name, x in report.worst.to_dict()["inputs"].items())
+            click.echo(f"the worst error is at {state}")
+        for function, equal in exact.items():
+            click.echo(
+                f"{function}: {'equal to' if equal else 'NOT EQUAL to'} plain Newton-Euler on fractions"
+            )
+    if not passed:
+        raise CheckError(f"{described.name}: the kernel is not what the references say")
+
+
+def _exactly(made: Generated) -> dict[str, bool]:
+    from robodyn.verify.equality import equals_recursion
+
+    robot = made.unit.robot
+    if robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links):
+        return {}  # tanh has no exact value
+    return {
+        interface.function: equals_recursion(robot, interface.function, program)
+        for interface, program in made.unit.functions
+    }
+
+
+class _Bar:
+    """A progress bar on a terminal, nothing in a pipe."""
+
+    def __enter__(self) -> Any:
+        if not sys.stderr.isatty():
+            return None
+        self.bar: Any = None
+
+        def step(done: int, total: int) -> None:
+            if self.bar is None:
+                self.bar = click.progressbar(length=total, label="comparing", file=sys.stderr)
+                self.bar.__enter__()
+            self.bar.update(done - self.bar.pos)
+
+        return step
+
+    def __exit__(self, *error: object) -> None:
+        if getattr(self, "bar", None) is not None:
+            self.bar.__exit__(None, None, None)

@@ -1,0 +1,61 @@
+"""robodyn: from the description of a robot arm to small, counted, verified C and Fortran.
+
+    >>> import robodyn
+    >>> robot = robodyn.load("puma560")                              # a bundled name or a YAML file
+    >>> robodyn.generate(robot).counts["inverse_dynamics"].total     # operations
+    >>> kernel = robodyn.compile(robot)                              # needs a C compiler
+    >>> kernel.inverse_dynamics(q, qd, qdd)                          # [n] or [N, n], N m
+    >>> robodyn.symbolic(robot).tau                                  # the model as sympy expressions
+
+Names are imported when they are first used, so that a program pays only for what it calls.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from robodyn.build.robot_kernel import compile
+    from robodyn.dynamics.through_sympy import symbolic
+    from robodyn.errors import CheckError, InputError, RobodynError, ToolError
+    from robodyn.generate import Generated, Options, generate, program
+    from robodyn.robot import Robot, load
+
+_HOMES = {
+    "CheckError": "robodyn.errors",
+    "Generated": "robodyn.generate",
+    "InputError": "robodyn.errors",
+    "Options": "robodyn.generate",
+    "RobodynError": "robodyn.errors",
+    "Robot": "robodyn.robot",
+    "ToolError": "robodyn.errors",
+    "compile": "robodyn.build.robot_kernel",
+    "generate": "robodyn.generate",
+    "load": "robodyn.robot",
+    "program": "robodyn.generate",
+    "symbolic": "robodyn.dynamics.through_sympy",
+}
+
+__all__ = [
+    "CheckError",
+    "Generated",
+    "InputError",
+    "Options",
+    "RobodynError",
+    "Robot",
+    "ToolError",
+    "compile",
+    "generate",
+    "load",
+    "program",
+    "symbolic",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOMES:
+        value = getattr(importlib.import_module(_HOMES[name]), name)
+        globals()[name] = value  # not asked for again; and a module of the same name must not win
+        return value
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,150 @@
+"""What a kernel accepts from Python, checked: arrays of states, run-time parameters, arrays to write to."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError
+
+Array = NDArray[Any]
+Shape = tuple[int, ...]
+
+_REAL = frozenset("iuf")
+_KINDS = {"b": "booleans", "c": "complex numbers", "O": "Python objects", "S": "bytes", "U": "text"}
+
+
+def shape_text(shape: Sequence[int | str]) -> str:
+    """A shape as it is written in the documentation: ``[N, 6]``."""
+    return f"[{', '.join(str(k) for k in shape)}]"
+
+
+def read_input(where: str, name: str, length: int, value: object, dtype: np.dtype[Any]) -> Array:
+    """``value`` as a contiguous, aligned array of ``dtype``, ``[length]`` or ``[N, length]``.
+
+    Real numbers of any other type are rounded to ``dtype``; where that is single precision a double is
+    rounded too (and one beyond its range becomes infinite), for that is what the kernel computes in.
+    An array that already fits is not copied.
+
+    Raises
+    ------
+    InputError: not an array of real numbers, or of another shape.
+    """
+    array = value if type(value) is np.ndarray else _as_array(where, name, length, value)
+    if array.dtype.kind not in _REAL:
+        found = _KINDS.get(array.dtype.kind, f"{array.dtype}")
+        raise InputError(
+            f"{where}: {name} is not an array of real numbers",
+            found=f"{found} of shape {shape_text(array.shape)}",
+            expected=f"{dtype}, or real numbers that can be converted to it",
+        )
+    shape = array.shape
+    if not 1 <= len(shape) <= 2 or shape[-1] != length:
+        raise InputError(
+            f"{where}: {name} has the wrong shape", found=shape_text(shape), expected=_either(length)
+        )
+    if array.dtype == dtype and array.flags.c_contiguous and array.flags.aligned:
+        return array
+    with np.errstate(over="ignore"):
+        return np.array(array, dtype=dtype, order="C", copy=True, subok=False)
+
+
+def _as_array(where: str, name: str, length: int, value: object) -> Array:
+    if isinstance(value, np.ma.MaskedArray):
+        raise InputError(f"{where}: {name} is a masked array", remedy="fill or drop what is masked")
+    try:
+        return np.asarray(value)
+    except (ValueError, TypeError, OverflowError) as error:
+        raise InputError(
+            f"{where}: {name} is not an array of numbers", found=str(error), expected=_either(length)
+        ) from None
+
+
+def _either(length: int) -> str:
+    return f"{shape_text([length])} or {shape_text(['N', length])}"
+
+
+def common_lead(where: str, names: Sequence[str], arrays: Sequence[Array]) -> Shape:
+    """What stands before a state's own shape: ``(N,)`` in a batch, ``()`` for a single state.
+
+    Raises
+    ------
+    InputError: the arrays do not agree.
+    """
+    lead = arrays[0].shape[:-1]
+    for array in arrays:
+        if array.shape[:-1] != lead:
+            raise InputError(
+                f"{where}: the arrays do not hold the same number of states",
+                found=", ".join(f"{n} {shape_text(a.shape)}" for n, a in zip(names, arrays, strict=True)),
+                expected="one state in each, or N in each",
+            )
+    return lead
+
+
+def check_output(
+    where: str, name: str, shape: Shape, value: object, dtype: np.dtype[Any], inputs: Mapping[str, object]
+) -> Array:
+    """``value`` if the kernel can write its result straight into it.
+
+    Raises
+    ------
+    InputError: another shape or type, not contiguous, read-only, or in memory that an input lies in.
+    """
+    wanted = f"{dtype} {shape_text(shape)}, contiguous and writable"
+    what = f"{where}: out cannot take {name}"
+    if not isinstance(value, np.ndarray):
+        raise InputError(what, found=type(value).__name__, expected=f"an array, {wanted}")
+    if value.shape != shape or value.dtype != dtype:
+        raise InputError(what, found=f"{value.dtype} {shape_text(value.shape)}", expected=wanted)
+    if not value.flags.c_contiguous or not value.flags.aligned:
+        raise InputError(what, found="an array with gaps or out of line (a slice?)", expected=wanted)
+    if not value.flags.writeable:
+        raise InputError(what, found="a read-only array", expected=wanted)
+    for other, array in inputs.items():
+        if isinstance(array, np.ndarray) and np.shares_memory(value, array):
+            raise InputError(what, found=f"memory that {other} lies in", expected="memory of its own")
+    return value
+
+
+def read_parameters(
+    where: str, names: Sequence[str], params: Mapping[str, float] | None, dtype: np.dtype[Any]
+) -> Array:
+    """The values of all run-time parameters, in the order of ``names``; NaN and infinity pass.
+
+    Raises
+    ------
+    InputError: one is missing, unknown, or not a real number.
+    """
+    given: Mapping[str, float] = {} if params is None else params
+    if not isinstance(given, Mapping):
+        raise InputError(
+            f"{where}: params is not a mapping", found=type(params).__name__, expected="{name: number}"
+        )
+    missing = [name for name in names if name not in given]
+    unknown = [str(name) for name in given if name not in names]
+    if missing or unknown:
+        problems = [f"missing: {', '.join(missing)}"] if missing else []
+        problems += [f"unknown: {', '.join(unknown)}"] if unknown else []
+        raise InputError(
+            f"{where}: params do not fit",
+            found="; ".join(problems),
+            expected=f"numbers for {', '.join(names)}" if names else "none: there are no run-time parameters",
+        )
+    values = [_real(where, name, given[name]) for name in names]
+    with np.errstate(over="ignore"):
+        return np.array(values, dtype=np.float64).astype(dtype)
+
+
+def _real(where: str, name: str, value: object) -> float:
+    if isinstance(value, (int, float, Fraction, np.integer, np.floating)) and not isinstance(value, bool):
+        try:
+            return float(value)
+        except OverflowError:
+            return math.inf if value > 0 else -math.inf
+    raise InputError(f"{where}: parameter {name} is not a number", found=repr(value), expected="a number")

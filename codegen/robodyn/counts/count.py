@@ -1,0 +1,56 @@
+"""Counting a program's operations.
+
+The thesis's convention: every binary ``*`` is one multiplication (by constants, by 2, squares too),
+every binary ``+`` or ``-`` one addition. Unary minus and sine/cosine are free and shown apart. A worked
+line: ``fc3_x = 4.8*(a3_x - 0.07*lam3_12)`` is two multiplications and one addition.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+
+from robodyn.ir.program import Program
+
+
+@dataclass(frozen=True, slots=True)
+class Count:
+    """Operations by kind. ``other`` are calls of tanh and sign, which friction may need."""
+
+    mul: int = 0
+    add: int = 0
+    div: int = 0
+    sqrt: int = 0
+    neg: int = 0
+    sincos: int = 0
+    other: int = 0
+
+    @property
+    def total(self) -> int:
+        """``mul + add + div + sqrt``."""
+        return self.mul + self.add + self.div + self.sqrt
+
+    def to_dict(self) -> dict[str, int]:
+        """The kinds and the total, as ``flops --json`` prints them."""
+        return {**asdict(self), "total": self.total}
+
+    def __str__(self) -> str:
+        text = f"{self.mul} multiplications, {self.add} additions"
+        for number, name in ((self.div, "divisions"), (self.sqrt, "square roots")):
+            if number:
+                text += f", {number} {name}"
+        return f"{text} = {self.total}"
+
+
+_KIND = {
+    "mul": "mul", "add": "add", "sub": "add", "div": "div", "sqrt": "sqrt", "neg": "neg",
+    "sin": "sincos", "cos": "sincos", "tanh": "other", "sign": "other",
+}  # fmt: skip
+
+
+def count(program: Program) -> Count:
+    """The operations of ``program``."""
+    totals: dict[str, int] = {}
+    for operation in program.operations:
+        kind = _KIND[operation.op]
+        totals[kind] = totals.get(kind, 0) + 1
+    return Count(**totals)

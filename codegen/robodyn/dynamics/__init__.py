@@ -1,0 +1,1 @@
+"""The formulations: each a recursion over any scalar that reads like the equations in the book."""

@@ -1,0 +1,167 @@
+"""An arm in scalars of one kind, and where it is: what every recursion starts from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from robodyn.dynamics.vectors import Vector
+from robodyn.robot.model import Robot
+from robodyn.robot.values import Affine, Angle, Value
+
+
+@dataclass(frozen=True, slots=True)
+class Symmetric:
+    """A symmetric 3x3 tensor by its six entries."""
+
+    xx: Any
+    yy: Any
+    zz: Any
+    xy: Any
+    xz: Any
+    yz: Any
+
+    def times(self, u: Vector) -> Vector:
+        """The tensor times ``u``."""
+        return (
+            self.xx * u[0] + self.xy * u[1] + self.xz * u[2],
+            self.xy * u[0] + self.yy * u[1] + self.yz * u[2],
+            self.xz * u[0] + self.yz * u[1] + self.zz * u[2],
+        )
+
+    def entries(self) -> tuple[Any, ...]:
+        """``xx yy zz xy xz yz``."""
+        return (self.xx, self.yy, self.zz, self.xy, self.xz, self.yz)
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A link and its joint: DH numbers (cosine and sine of alpha), inertial numbers, what sits in the joint.
+
+    ``com`` [m] and ``inertia`` [kg m^2] (about the centre of mass) are along the link's own axes.
+    """
+
+    revolute: bool
+    cos_alpha: Any
+    sin_alpha: Any
+    a: Any
+    d: Any
+    theta: Angle
+    mass: Any
+    com: Vector
+    inertia: Symmetric
+    motor_inertia: Any
+    viscous: Any
+    coulomb: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """Bodies from base to tip and gravity [m/s^2] in the base frame."""
+
+    bodies: tuple[Body, ...]
+    gravity: Vector
+    rest_velocity: Any | None
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """A state of the arm, joint by joint: ``c, s`` [n] of the rotation about z (offsets included),
+    ``d`` [n] the displacement along z (a prismatic joint's variable included), rates ``qd`` [n] and
+    ``qdd`` [n]."""
+
+    c: tuple[Any, ...]
+    s: tuple[Any, ...]
+    d: tuple[Any, ...]
+    qd: tuple[Any, ...]
+    qdd: tuple[Any, ...]
+
+
+def build_arm(robot: Robot, number: Callable[[Fraction], Any], parameter: Callable[[str], Any]) -> Arm:
+    """``robot`` with ``number`` applied to its constants and ``parameter`` to its run-time names.
+
+    With ``torque_side: link`` rotor and friction are not in the torque and are left out.
+    """
+
+    def scalar(value: Value) -> Any:
+        if isinstance(value, Affine):
+            total = number(value.constant) if value.constant else 0
+            for name, factor in value.terms:
+                total = total + (parameter(name) if factor == 1 else number(factor) * parameter(name))
+            return total
+        return number(value)
+
+    none = number(Fraction(0))
+    motor = robot.torque_side == "motor"
+    bodies = []
+    for link in robot.links:
+        joint, i = link.joint, link.inertia
+        x, y, z = link.com
+        bodies.append(
+            Body(
+                revolute=joint.kind == "revolute",
+                cos_alpha=number(joint.alpha.cos),
+                sin_alpha=number(joint.alpha.sin),
+                a=scalar(joint.a),
+                d=scalar(joint.d),
+                theta=joint.theta,
+                mass=scalar(link.mass),
+                com=(scalar(x), scalar(y), scalar(z)),
+                inertia=Symmetric(*(scalar(v) for v in (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz))),
+                motor_inertia=scalar(joint.motor_inertia) if motor else none,
+                viscous=scalar(joint.viscous) if motor else none,
+                coulomb=scalar(joint.coulomb) if motor else none,
+            )
+        )
+    gx, gy, gz = robot.gravity
+    rest = None if robot.rest_velocity is None else number(robot.rest_velocity)
+    return Arm(tuple(bodies), (number(gx), number(gy), number(gz)), rest)
+
+
+def build_motion(
+    arm: Arm,
+    q: Sequence[Any],
+    qd: Sequence[Any],
+    qdd: Sequence[Any],
+    trigonometry: Callable[[Any, Angle], tuple[Any, Any]],
+    number: Callable[[Fraction], Any],
+) -> Motion:
+    """The motion at ``q, qd, qdd``; ``trigonometry(q_i, offset)`` is (cos, sin) of their sum."""
+    c, s, d = [], [], []
+    for body, x in zip(arm.bodies, q, strict=True):
+        if body.revolute:
+            cosine, sine = trigonometry(x, body.theta)
+            d.append(body.d)
+        else:
+            cosine, sine = number(body.theta.cos), number(body.theta.sin)
+            d.append(body.d + x)
+        c.append(cosine)
+        s.append(sine)
+    return Motion(tuple(c), tuple(s), tuple(d), tuple(qd), tuple(qdd))
+
+
+def into_child(body: Body, c: Any, s: Any, u: Vector) -> Vector:
+    """``R^T u``: a vector of the parent's frame along the axes of the link's frame."""
+    return about_z(c, -s, about_x(body.cos_alpha, -body.sin_alpha, u))
+
+
+def into_parent(body: Body, c: Any, s: Any, u: Vector) -> Vector:
+    """``R u``: a vector of the link's frame along the axes of the parent's frame."""
+    return about_x(body.cos_alpha, body.sin_alpha, about_z(c, s, u))
+
+
+def about_x(c: Any, s: Any, u: Vector) -> Vector:
+    """``u`` turned about x by the angle of cosine ``c`` and sine ``s``."""
+    return (u[0], c * u[1] - s * u[2], s * u[1] + c * u[2])
+
+
+def about_z(c: Any, s: Any, u: Vector) -> Vector:
+    """``u`` turned about z by the angle of cosine ``c`` and sine ``s``."""
+    return (c * u[0] - s * u[1], s * u[0] + c * u[1], u[2])
+
+
+def origin(body: Body, d: Any) -> Vector:
+    """``p``: the origin of the link's frame in the parent's frame [m]."""
+    return (body.a, -(body.sin_alpha * d), body.cos_alpha * d)

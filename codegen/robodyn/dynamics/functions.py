@@ -1,0 +1,149 @@
+"""The kernels of an arm: which inputs they have, and the recursion that gives their outputs.
+
+Here a robot becomes a graph: the recursions of this room run on nodes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
+from robodyn.dynamics.base_parameters import base_newton_euler
+from robodyn.dynamics.mass_matrix import mass_matrix, solve_symmetric
+from robodyn.dynamics.modified_newton_euler import modified_newton_euler
+from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.regroup import MomentForm, lumps_of, regrouped, suited_forms
+from robodyn.dynamics.vectors import Mark
+from robodyn.errors import InputError
+from robodyn.ir import Graph, Label, Node, Program, Signature
+from robodyn.ir.graph import lower
+from robodyn.ir.signature import ScalarType
+from robodyn.robot.model import Robot
+from robodyn.robot.values import Angle
+
+#: Inputs of each function, beside what it returns.
+FUNCTIONS: dict[str, tuple[tuple[str, ...], str]] = {
+    "inverse_dynamics": (("q", "qd", "qdd"), "tau"),
+    "gravity": (("q",), "tau"),
+    "bias": (("q", "qd"), "tau"),
+    "mass_matrix": (("q",), "M"),
+    "forward_dynamics": (("q", "qd", "tau"), "qdd"),
+}
+
+#: Formulations of the inverse dynamics.
+FORMULATIONS = ("modified_newton_euler", "newton_euler")
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """How the recursion is written: the formulation, and whether base parameters are regrouped (in the
+    modified Newton-Euler recursion). ``forms`` picks the form of each link's moment; empty, the forms
+    that suit the arm."""
+
+    formulation: str = "modified_newton_euler"
+    regroup: bool = True
+    forms: tuple[MomentForm, ...] = ()
+
+
+def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Signature:
+    """The interface of ``function`` of ``robot``; :class:`InputError` for an unknown function."""
+    if function not in FUNCTIONS:
+        raise InputError(
+            f"unknown function {function!r}",
+            expected=f"one of {', '.join(FUNCTIONS)}",
+            remedy="choose one of those",
+        )
+    arguments, result = FUNCTIONS[function]
+    n = robot.n
+    size = n * n if result == "M" else n
+    return Signature(
+        robot=robot.name,
+        function=function,
+        inputs=tuple((name, n) for name in arguments),
+        outputs=((result, size),),
+        parameters=robot.parameters,
+        scalar=scalar,
+    )
+
+
+def build(robot: Robot, function: str, choice: Choice) -> Program:
+    """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
+    nothing dead, no pass run yet."""
+    graph = Graph()
+    interface = signature(robot, function)
+    given = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
+    arm = build_arm(robot, exact, graph.input)
+
+    def motion(qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        return build_motion(arm, given["q"], qd, qdd, lambda x, angle: turned(graph, x, angle), exact)
+
+    def mark(value: Any, label: Label) -> Any:
+        return graph.label(value, label)
+
+    values = outputs_of(function, arm, choice, given, motion, mark)
+    (result, _), *_ = interface.outputs
+    return lower(graph, [(result, values)])
+
+
+def outputs_of(
+    function: str,
+    arm: Arm,
+    choice: Choice,
+    given: Mapping[str, Sequence[Any]],
+    motion: Callable[[Sequence[Any], Sequence[Any]], Motion],
+    mark: Mark,
+) -> list[Any]:
+    """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``given``.
+
+    ``motion(qd, qdd)`` is the arm's motion at the given joint positions.
+    """
+    zeros = [0] * len(arm.bodies)
+    inverse = _inverse_dynamics(arm, choice)
+    if function == "inverse_dynamics":
+        return inverse(motion(given["qd"], given["qdd"]), mark)
+    if function == "gravity":
+        return inverse(motion(zeros, zeros), mark)
+    if function == "bias":
+        return inverse(motion(given["qd"], zeros), mark)
+    lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
+    matrix = mass_matrix(arm, motion(zeros, zeros), lumps, mark)
+    if function == "mass_matrix":
+        return [entry for row in matrix for entry in row]
+    bias = inverse(motion(given["qd"], zeros), mark)
+    right = [tau - h for tau, h in zip(given["tau"], bias, strict=True)]
+    return solve_symmetric(matrix, right, mark)
+
+
+def turned(graph: Graph, q: Node, offset: Angle) -> tuple[Any, Any]:
+    """Cosine and sine of ``q + offset``; an offset of quarter turns costs nothing."""
+    joint = graph.keys[q.position][1].index + 1
+    angle: Any = q
+    cosine, sine = exact(offset.cos), exact(offset.sin)
+    if offset.quarter is None:
+        angle = graph.label(q + Fraction(offset.radians), Label(joint, "angle", ""))
+        cosine, sine = 1, 0
+    c = graph.label(graph.cos(angle), Label(joint, "c", ""))
+    s = graph.label(graph.sin(angle), Label(joint, "s", ""))
+    return cosine * c - sine * s, cosine * s + sine * c
+
+
+def exact(x: Fraction) -> Fraction | int:
+    """``x``, as an integer where it is one: arithmetic among 0 and 1 is most of a recursion's."""
+    return x.numerator if x.denominator == 1 else x
+
+
+def _inverse_dynamics(arm: Arm, choice: Choice) -> Callable[[Motion, Mark], list[Any]]:
+    if choice.formulation == "newton_euler":
+        return lambda motion, mark: newton_euler(arm, motion, mark)
+    if choice.formulation != "modified_newton_euler":
+        raise InputError(
+            f"unknown formulation {choice.formulation!r}", expected=f"one of {', '.join(FORMULATIONS)}"
+        )
+    if not choice.regroup:
+        return lambda motion, mark: modified_newton_euler(arm, motion, mark)
+    forms = choice.forms or suited_forms(arm)
+    lumps = regrouped(arm, forms)
+    return lambda motion, mark: base_newton_euler(arm, motion, lumps, forms, mark)

@@ -1,0 +1,96 @@
+"""Mass matrix by composite bodies, and forward dynamics by factoring it; over any scalar.
+
+Sources: Walker and Orin 1982 (composite rigid bodies); Featherstone 2008, chapter 6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, Motion, into_parent, origin
+from robodyn.dynamics.joints import is_zero
+from robodyn.dynamics.regroup import Lump, about_axis_z, in_parent, merged
+from robodyn.dynamics.vectors import Mark, Vector, cross, named, plus, unmarked
+from robodyn.ir.program import Label
+
+
+def mass_matrix(arm: Arm, motion: Motion, lumps: Sequence[Lump], mark: Mark = unmarked) -> list[list[Any]]:
+    """Mass matrix [n, n] (kg m^2, kg m, kg), rotor inertias on its diagonal."""
+    n = len(arm.bodies)
+    matrix: list[list[Any]] = [[0] * n for _ in range(n)]
+    composite: Lump | None = None
+    for j in reversed(range(n)):
+        body = arm.bodies[j]
+        if composite is None:
+            composite = lumps[j]
+        else:
+            tip = j + 1
+            turned = about_axis_z(composite, motion.c[tip], motion.s[tip])
+            composite = _marked(merged(lumps[j], in_parent(turned, arm, tip, motion.d[tip])), j + 1, mark)
+        (x, y, _), k = composite.first, composite.second
+        # Force and moment that a unit acceleration of joint j alone needs, about the frame's origin.
+        if body.revolute:
+            f: Vector = (-y, x, 0)
+            moment: Vector = (-k.xz, -k.yz, k.xx + k.yy)
+            own = moment[2]
+        else:
+            f = (0, 0, composite.mass)
+            moment = (y, -x, 0)
+            own = f[2]
+        if not is_zero(body.motor_inertia):
+            own = own + body.motor_inertia
+        matrix[j][j] = mark(own, Label(j + 1, "m", str(j + 1)))
+        for i in reversed(range(j)):
+            child = arm.bodies[i + 1]
+            f = into_parent(child, motion.c[i + 1], motion.s[i + 1], f)
+            moment = into_parent(child, motion.c[i + 1], motion.s[i + 1], moment)
+            moment = plus(moment, cross(origin(child, motion.d[i + 1]), f))
+            f = named(mark, f, i + 1, "fu")
+            moment = named(mark, moment, i + 1, "nu")
+            value = moment[2] if arm.bodies[i].revolute else f[2]
+            matrix[i][j] = matrix[j][i] = mark(value, Label(i + 1, "m", str(j + 1)))
+    return matrix
+
+
+def _marked(lump: Lump, link: int, mark: Mark) -> Lump:
+    first = named(mark, lump.first, link, "h")
+    entries = zip(lump.second.entries(), ("xx", "yy", "zz", "xy", "xz", "yz"), strict=True)
+    second = type(lump.second)(*(mark(value, Label(link, "k", axes)) for value, axes in entries))
+    return Lump(lump.mass, first, second)
+
+
+def solve_symmetric(
+    matrix: Sequence[Sequence[Any]], right: Sequence[Any], mark: Mark = unmarked
+) -> list[Any]:
+    """Solution [n] of a positive definite system by ``L D L^T``; n divisions, no square root.
+
+    ``matrix`` [n, n] is read on and below its diagonal.
+    """
+    n = len(right)
+    lower: list[list[Any]] = [[0] * n for _ in range(n)]
+    scaled: list[list[Any]] = [[0] * n for _ in range(n)]  # L D
+    inverse: list[Any] = [0] * n
+    for j in range(n):
+        pivot = matrix[j][j]
+        for k in range(j):
+            pivot = pivot - lower[j][k] * scaled[j][k]
+        inverse[j] = mark(1 / mark(pivot, Label(j + 1, "pivot", "")), Label(j + 1, "ipivot", ""))
+        for i in range(j + 1, n):
+            entry = matrix[i][j]
+            for k in range(j):
+                entry = entry - lower[i][k] * scaled[j][k]
+            scaled[i][j] = mark(entry, Label(i + 1, "ld", str(j + 1)))
+            lower[i][j] = mark(entry * inverse[j], Label(i + 1, "l", str(j + 1)))
+    y: list[Any] = []
+    for i in range(n):
+        total = right[i]
+        for k in range(i):
+            total = total - lower[i][k] * y[k]
+        y.append(mark(total, Label(i + 1, "y", "")))
+    x = [y[i] * inverse[i] for i in range(n)]
+    for i in reversed(range(n)):
+        for k in range(i + 1, n):
+            x[i] = x[i] - lower[k][i] * x[k]
+        x[i] = mark(x[i], Label(i + 1, "qdd", ""))
+    return x

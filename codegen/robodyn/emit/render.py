@@ -1,0 +1,270 @@
+"""From programs to files: one object makes the header and the source, the templates only place lines."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from robodyn.counts.count import Count, count
+from robodyn.emit.spelling import WIDTH, Spelling, c_spelling, fortran_spelling
+from robodyn.emit.statements import Apply, Body, Expression, statements
+from robodyn.ir.program import Program
+from robodyn.ir.signature import Signature
+from robodyn.resources import data_dir
+from robodyn.robot.model import Robot
+
+if TYPE_CHECKING:
+    import jinja2
+
+LANGUAGES = ("c", "fortran")
+
+#: What an array of an interface holds; the unit at prismatic joints stands in brackets.
+ARRAYS: dict[str, str] = {
+    "q": "joint positions [rad, prismatic m]",
+    "qd": "joint velocities [rad/s, prismatic m/s]",
+    "qdd": "joint accelerations [rad/s^2, prismatic m/s^2]",
+    "tau": "joint torques [N m, prismatic N]",
+    "M": "mass matrix, row by row [kg m^2, kg m, kg]",
+    "sc": "sines and cosines, as listed below",
+}
+
+PURPOSES: dict[str, str] = {
+    "inverse_dynamics": "torques that give the accelerations qdd",
+    "gravity": "torques that hold the arm at rest",
+    "bias": "torques at zero acceleration: Coriolis, centrifugal, gravity, friction",
+    "mass_matrix": "mass matrix, rotor inertias on its diagonal",
+    "forward_dynamics": "accelerations that the torques tau give",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """What goes into one header and one source: a robot's functions with their programs.
+
+    ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
+    are lines for the head of the file.
+    """
+
+    robot: Robot
+    functions: tuple[tuple[Signature, Program], ...]
+    sc: tuple[str, ...] = ()
+    notes: tuple[str, ...] = field(default=())
+
+
+def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
+    """The files of ``unit`` in ``languages`` (``c``, ``fortran``): text by file name."""
+    name = unit.robot.name
+    bodies = [(signature, count(program), statements(program)) for signature, program in unit.functions]
+    files: dict[str, str] = {}
+    if "c" in languages:
+        context = _context(unit, [_c_function(*body) for body in bodies], "c")
+        files[f"{name}.h"] = _template("c/kernel.h.j2").render(context)
+        files[f"{name}.c"] = _template("c/kernel.c.j2").render(context)
+    if "fortran" in languages:
+        context = _context(unit, [_fortran_function(*body) for body in bodies], "fortran")
+        files[f"{name}.f90"] = _template("fortran/kernel.f90.j2").render(context)
+    return files
+
+
+@cache
+def _environment() -> jinja2.Environment:
+    import jinja2
+
+    return jinja2.Environment(
+        loader=jinja2.FileSystemLoader(data_dir("templates")),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,  # C and Fortran, not HTML; texts from files pass through _comment
+    )
+
+
+def _template(name: str) -> jinja2.Template:
+    return _environment().get_template(name)
+
+
+def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict[str, Any]:
+    signature = unit.functions[0][0]
+    single = signature.scalar == "float"
+    return {
+        "name": unit.robot.name,
+        "guard": f"{unit.robot.name.upper()}_H",
+        "scalar": signature.scalar,
+        "kind": "c_float" if single else "c_double",
+        "parameters": signature.parameters,
+        "functions": functions,
+        "head": _head(unit, language),
+    }
+
+
+def _head(unit: Unit, language: str) -> list[str]:
+    """The comment at the top: what this is, units, argument order, counts by kind."""
+    robot = unit.robot
+    width = WIDTH - 4
+    lines: list[str] = []
+
+    def say(text: str, indent: str = "") -> None:
+        lines.extend(textwrap.wrap(_comment(text), width, subsequent_indent=indent + "  ") or [""])
+
+    say(f"{robot.name}: {robot.title or 'a serial arm'}")
+    if robot.source:
+        say(f"Numbers: {robot.source}")
+    say("Written by robodyn; do not edit, generate again.")
+    lines.append("")
+    say(
+        "Joints, base to tip: " + ", ".join(f"{i} {link.joint.kind}" for i, link in enumerate(robot.links, 1))
+    )
+    say(f"Gravity in the base frame: {', '.join(repr(float(g)) for g in robot.gravity)} m/s^2")
+    say("Arguments, in SI units, joint 1 first:")
+    arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
+    for array in arrays:
+        say(f"  {array:4} {ARRAYS[array]}", "      ")
+    if robot.torque_side == "link":
+        say("Torques act behind the gear: rotor inertia and friction are not in them.")
+    if unit.functions[0][0].parameters:
+        say(f"Run-time parameters, in {robot.name}_params: {', '.join(unit.functions[0][0].parameters)}")
+    if unit.sc:
+        say("sc, the sines and cosines that the functions read:")
+        for k, text in enumerate(unit.sc):
+            say(f"  sc[{k}] = {text}" if language == "c" else f"  sc({k + 1}) = {text}")
+    for note in unit.notes:
+        say(note)
+    lines.append("")
+    say("Operations (every binary * is a multiplication, every binary + or - an addition):")
+    for signature, program in unit.functions:
+        say(f"  {signature.function}: {_counted(count(program))}", "    ")
+    return lines
+
+
+def _counted(found: Count) -> str:
+    parts = [str(found), f"{found.neg} unary minus", f"{found.sincos} sine/cosine"]
+    if found.other:
+        parts.append(f"{found.other} tanh/sign")
+    return "; ".join(parts)
+
+
+def _comment(text: str) -> str:
+    """``text`` from a file, made harmless inside a comment of C, C++ or Fortran: ASCII, one line, no
+    comment marks, no trigraphs, no line splice."""
+    text = "".join(ch if " " <= ch <= "~" else ("?" if ch > " " else " ") for ch in text)
+    for mark in ("*/", "/*", "//", "??"):
+        while mark in text:
+            text = text.replace(mark, f"{mark[0]} {mark[1]}")
+    return text.replace("\\", "/")
+
+
+def _c_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:
+    spelling = c_spelling(single=signature.scalar == "float")
+    real = f"{signature.robot}_real"
+    arguments = [f"const {real} {array}[{size}]" for array, size in signature.inputs]
+    arguments += [f"{real} {array}[{size}]" for array, size in signature.outputs]
+    if signature.parameters:
+        arguments.append(f"const {signature.robot}_params *p")
+
+    def second_read(argument: Expression) -> str:
+        if isinstance(argument, str):
+            return argument
+        text = spelling.text(argument)
+        return text.replace("q[", "again[", 1)
+
+    reads_angle = any(_sine_of_input(s.expression) for s in body.statements)
+    lines: list[str] = []
+    for statement in body.statements:
+        if statement.heading:
+            lines.append(f"    /* {statement.heading} */")
+        kind = f"const volatile {real}" if statement.angle else f"const {real}"
+        text = f"{kind} {statement.name} = {spelling.text(statement.expression, second_read)};"
+        lines.extend(spelling.wrapped(text, "    "))
+    results = [
+        line
+        for array, elements in body.outputs
+        for i, e in enumerate(elements)
+        for line in spelling.wrapped(f"{array}[{i}] = {spelling.text(e)};", "    ")
+    ]
+    read = _inputs_read(body)
+    unused = [array for array, _ in signature.inputs if array not in read]
+    if signature.parameters and not any(name in read for name in signature.parameters):
+        unused.append("p")
+    return {
+        "symbol": signature.symbol,
+        "arguments": arguments,
+        "prototype": _prototype(f"void {signature.symbol}(", arguments),
+        "purpose": PURPOSES[signature.function],
+        "counted": _counted(counted),
+        "lines": lines,
+        "results": results,
+        "unused": unused,
+        "again": reads_angle,
+    }
+
+
+def _prototype(head: str, arguments: list[str]) -> str:
+    """``head`` with its arguments, without the closing parenthesis, in lines of moderate length."""
+    line = head + ", ".join(arguments)
+    if len(line) < WIDTH - 2:
+        return line
+    return head + (",\n" + " " * 4).join(["\n    " + arguments[0], *arguments[1:]])
+
+
+def _fortran_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:
+    spelling = fortran_spelling(single=signature.scalar == "float")
+    lines: list[str] = []
+    for statement in body.statements:
+        if statement.heading:
+            lines.append(f"    ! {statement.heading}")
+        lines.extend(spelling.wrapped(f"{statement.name} = {spelling.text(statement.expression)}", "    "))
+    results = [
+        line
+        for array, elements in body.outputs
+        for i, e in enumerate(elements)
+        for line in spelling.wrapped(f"{array}({i + 1}) = {spelling.text(e)}", "    ")
+    ]
+    names = [statement.name for statement in body.statements]
+    locals_ = [", ".join(names[i : i + 8]) for i in range(0, len(names), 8)]
+    arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
+    if signature.parameters:
+        arguments.append("p")
+    read = _inputs_read(body)
+    unused = [array for array, _ in signature.inputs if array not in read]
+    if signature.parameters and not any(name in read for name in signature.parameters):
+        unused.append("p%" + signature.parameters[0])
+    return {
+        "symbol": signature.symbol,
+        "bound": signature.fortran_symbol,
+        "arguments": ", ".join(arguments),
+        "inputs": signature.inputs,
+        "outputs": signature.outputs,
+        "purpose": PURPOSES[signature.function],
+        "counted": _counted(counted),
+        "locals": locals_,
+        "lines": lines,
+        "results": results,
+        "unused": unused,
+    }
+
+
+def _sine_of_input(expression: Expression) -> bool:
+    return (
+        isinstance(expression, Apply) and expression.op == "sin" and not isinstance(expression.args[0], str)
+    )
+
+
+def _inputs_read(body: Body) -> set[str]:
+    """Names of arrays and parameters that the statements and results read."""
+    found: set[str] = set()
+    stack: list[Expression] = [s.expression for s in body.statements]
+    stack += [e for _, elements in body.outputs for e in elements]
+    while stack:
+        expression = stack.pop()
+        if isinstance(expression, Apply):
+            stack.extend(expression.args)
+        elif not isinstance(expression, str) and hasattr(expression, "array"):
+            found.add(expression.array)
+    return found
+
+
+__all__ = ["ARRAYS", "LANGUAGES", "PURPOSES", "Spelling", "Unit", "render"]

@@ -1,0 +1,139 @@
+"""How a language writes numbers, operators and long lines."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from robodyn.emit.statements import Apply, Expression
+from robodyn.errors import InputError
+from robodyn.ir.program import Input
+
+WIDTH = 100
+
+# Binding strength of the operators, weakest first; a name or a call binds strongest.
+_SUM, _PRODUCT, _UNARY, _ATOM = 1, 2, 3, 4
+_OPERATORS = {"add": ("+", _SUM), "sub": ("-", _SUM), "mul": ("*", _PRODUCT), "div": ("/", _PRODUCT)}
+
+
+@dataclass(frozen=True, slots=True)
+class Spelling:
+    """A language: how it writes a literal, an input and the functions; ``single`` for float."""
+
+    literal: Callable[[str], str]
+    element: Callable[[str, int], str]
+    member: Callable[[str], str]
+    functions: Mapping[str, Callable[[str], str]]
+    single: bool
+    continuation: str
+
+    def number(self, value: Fraction) -> str:
+        """``value`` rounded once to the scalar type, in the fewest digits that give it back."""
+        return self.literal(shortest(value, single=self.single))
+
+    def text(self, expression: Expression, twice: Callable[[Expression], str] | None = None) -> str:
+        """``expression`` in this language; parentheses keep its grouping, so that its rounding is
+        the program's. ``twice`` writes the argument of a sine."""
+        return self._text(expression, twice)[0]
+
+    def _text(self, expression: Expression, twice: Callable[[Expression], str] | None) -> tuple[str, int]:
+        if isinstance(expression, str):
+            return expression, _ATOM
+        if isinstance(expression, Input):
+            if expression.index is None:
+                return self.member(expression.array), _ATOM
+            return self.element(expression.array, expression.index), _ATOM
+        if isinstance(expression, Fraction):
+            return self.number(expression), (_UNARY if expression < 0 else _ATOM)
+        return self._operation(expression, twice)
+
+    def _operation(self, expression: Apply, twice: Callable[[Expression], str] | None) -> tuple[str, int]:
+        op, args = expression
+        if op == "sin" and twice is not None:
+            return self.functions[op](twice(args[0])), _ATOM
+        if op in self.functions:
+            return self.functions[op](self._text(args[0], twice)[0]), _ATOM
+        if op == "neg":
+            text, strength = self._text(args[0], twice)
+            return ("-" + (text if strength == _ATOM else f"({text})")), _UNARY
+        symbol, own = _OPERATORS[op]
+        left, left_strength = self._text(args[0], twice)
+        right, right_strength = self._text(args[1], twice)
+        if left_strength < own:
+            left = f"({left})"
+        if right_strength <= own or right.startswith("-"):  # Fortran forbids two signs in a row
+            right = f"({right})"
+        return (f"{left}*{right}" if op == "mul" else f"{left} {symbol} {right}"), own
+
+    def wrapped(self, line: str, indent: str) -> list[str]:
+        """``line`` on as many lines as it needs, broken at blanks."""
+        lines: list[str] = []
+        current = indent
+        for word in line.split(" "):
+            if current.strip() and len(current) + 1 + len(word) > WIDTH - len(self.continuation):
+                lines.append(current + self.continuation)
+                current = indent + "    " + word
+            else:
+                current += word if not current.strip() else f" {word}"
+        return [*lines, current]
+
+
+def shortest(value: Fraction, *, single: bool) -> str:
+    """The shortest decimal that reads back as ``value`` rounded to double or float."""
+    try:
+        double = float(value)
+        if not single:
+            return repr(double)
+        (rounded,) = struct.unpack("f", struct.pack("f", double))
+    except OverflowError:
+        kind = "float" if single else "double"
+        raise InputError(
+            f"a constant of the model does not fit into a {kind}",
+            found=f"about 1e{len(str(abs(value.numerator))) - len(str(value.denominator))}",
+            remedy="check the units of the robot file" + (" or use --scalar double" if single else ""),
+        ) from None
+    for digits in range(1, 10):
+        text = f"{rounded:.{digits}g}"
+        if struct.unpack("f", struct.pack("f", float(text)))[0] == rounded:
+            return repr(float(text))
+    return repr(rounded)
+
+
+def c_spelling(*, single: bool, parameters: str = "p->") -> Spelling:
+    """C99, also valid C++."""
+    f = "f" if single else ""
+    zero, one = (f"0.0{f}", f"1.0{f}")
+    return Spelling(
+        literal=lambda digits: digits + f,
+        element=lambda array, i: f"{array}[{i}]",
+        member=lambda name: parameters + name,
+        functions={
+            "sin": lambda x: f"sin{f}({x})",
+            "cos": lambda x: f"cos{f}({x})",
+            "tanh": lambda x: f"tanh{f}({x})",
+            "sqrt": lambda x: f"sqrt{f}({x})",
+            "sign": lambda x: f"({x} > {zero} ? {one} : ({x} < {zero} ? -{one} : {zero}))",
+        },
+        single=single,
+        continuation="",
+    )
+
+
+def fortran_spelling(*, single: bool) -> Spelling:
+    """Fortran 2008, free form; the kind of all reals is ``rk``."""
+    return Spelling(
+        literal=lambda digits: digits + "_rk",
+        element=lambda array, i: f"{array}({i + 1})",
+        member=lambda name: f"p%{name}",
+        functions={
+            "sin": lambda x: f"sin({x})",
+            "cos": lambda x: f"cos({x})",
+            "tanh": lambda x: f"tanh({x})",
+            "sqrt": lambda x: f"sqrt({x})",
+            "sign": lambda x: f"merge(1.0_rk, merge(-1.0_rk, 0.0_rk, {x} < 0.0_rk), {x} > 0.0_rk)",
+        },
+        single=single,
+        continuation=" &",
+    )

@@ -1,0 +1,138 @@
+"""A program as statements: named values of the recursion, each with its expression and heading."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+from robodyn.ir.program import Input, Label, Operand, Program
+
+#: What a quantity is, and its unit, for headings.
+QUANTITIES: dict[str, str] = {
+    "sc": "sines and cosines of the joint angles",
+    "w": "angular velocity [rad/s]",
+    "alpha": "angular acceleration [rad/s^2]",
+    "ww": "products of the angular velocity [1/s^2]",
+    "lam": "lambda matrix: takes a position to its acceleration [1/s^2]",
+    "a": "acceleration of the frame's origin, gravity taken off [m/s^2]",
+    "ac": "acceleration of the centre of mass, gravity taken off [m/s^2]",
+    "fc": "force that moves the link [N]",
+    "nc": "moment that turns the link [N m]",
+    "f": "force through the joint [N]",
+    "n": "moment through the joint, about the frame's origin [N m]",
+    "tau": "joint torque [N m], at a prismatic joint force [N]",
+    "h": "first moment of the composite body, about the frame's origin [kg m]",
+    "k": "second moment of the composite body [kg m^2]",
+    "fu": "force for a unit acceleration of a joint further out",
+    "nu": "moment for a unit acceleration of a joint further out",
+    "m": "mass matrix, its row of this joint",
+    "pivot": "factorisation M = L D L^T",
+    "y": "forward substitution",
+    "qdd": "joint acceleration [rad/s^2], at a prismatic joint [m/s^2]",
+}
+
+
+class Apply(NamedTuple):
+    """An operation in an expression."""
+
+    op: str
+    args: tuple[Expression, ...]
+
+
+#: A name, an input, a constant, or an operation on expressions.
+Expression = str | Input | Fraction | Apply
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """``name = expression``. ``heading`` opens a group of statements; ``angle`` marks the argument of a
+    sine and a cosine."""
+
+    name: str
+    expression: Expression
+    heading: str | None = None
+    angle: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """The statements of a function and its results, one expression an element, array by array."""
+
+    statements: tuple[Statement, ...]
+    outputs: tuple[tuple[str, tuple[Expression, ...]], ...]
+
+
+#: Steps written into one statement at most, so that a line can be read.
+_LONGEST = 10
+
+
+def statements(program: Program) -> Body:
+    """``program`` as statements: labelled values and values used twice have names, the rest is written
+    where it is used. The order and grouping of operations are the program's."""
+    uses = program.uses()
+    operations = program.operations
+    in_output = {x for x in program.results() if isinstance(x, int)}
+    arguments = {x for op in operations if op.op in ("sin", "cos") for x in op.args if isinstance(x, int)}
+    size: list[int] = []
+    text: list[Expression] = []
+    made: list[Statement] = []
+    taken: set[str] = set()
+    heading: str | None = None
+    serial = 0
+
+    def expression(operand: Operand) -> Expression:
+        return text[operand] if isinstance(operand, int) else operand
+
+    for i, (op, args, label) in enumerate(operations):
+        whole = Apply(op, tuple(expression(arg) for arg in args))
+        steps = 1 + sum(size[arg] for arg in args if isinstance(arg, int))
+        is_trig = op in ("sin", "cos")
+        named = (
+            label is not None
+            or uses[i] > 1
+            or is_trig
+            or i in in_output
+            or i in arguments
+            or steps >= _LONGEST
+        )
+        if not named:
+            text.append(whole)
+            size.append(steps)
+            continue
+        if label is None:
+            serial += 1
+        name = _unique(_name(label, serial), taken)
+        group = _heading(label)
+        made.append(Statement(name, whole, group if group != heading else None, i in arguments))
+        heading = group if group is not None else heading
+        text.append(name)
+        size.append(0)
+    outputs = tuple((name, tuple(map(expression, elements))) for name, elements in program.outputs)
+    return Body(tuple(made), outputs)
+
+
+def _name(label: Label | None, serial: int) -> str:
+    return f"t{serial}" if label is None else str(label)
+
+
+def _unique(name: str, taken: set[str]) -> str:
+    # Fortran does not tell capitals apart.
+    candidate, k = name, 2
+    while candidate.lower() in taken:
+        candidate = f"{name}_{k}"
+        k += 1
+    taken.add(candidate.lower())
+    return candidate
+
+
+def _heading(label: Label | None) -> str | None:
+    if label is None:
+        return None
+    if label.quantity in ("c", "s", "angle"):
+        return QUANTITIES["sc"]
+    family = {"ipivot": "pivot", "l": "pivot", "ld": "pivot"}.get(label.quantity, label.quantity)
+    meaning = QUANTITIES.get(family)
+    if meaning is None:
+        return None
+    return meaning if family == "pivot" else f"link {label.link}: {meaning}"

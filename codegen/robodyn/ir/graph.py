@@ -1,0 +1,364 @@
+"""A graph of hash-consed nodes that behave like numbers.
+
+Equal nodes are one node the moment they are written, so common-subexpression elimination is not a
+search. A node is a sign and a position: ``x - y`` and ``y - x`` are one position with two signs, and
+a minus costs nothing until a program is written out (:func:`lower`).
+
+Constants stay plain :class:`~fractions.Fraction`; arithmetic among constants never enters the graph,
+and ``0 * x``, ``1 * x``, ``x + 0`` give what they should at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any, Union
+
+from robodyn.ir.program import Input, Label, Operand, Operation, Program
+
+Scalar = Union["Node", Fraction, int]
+
+
+class Node:
+    """A signed value of a graph; ``+ - * /`` with nodes, integers and fractions."""
+
+    __slots__ = ("graph", "position", "sign")
+
+    def __init__(self, graph: Graph, position: int, sign: int) -> None:
+        self.graph = graph
+        self.position = position
+        self.sign = sign
+
+    def __neg__(self) -> Node:
+        return Node(self.graph, self.position, -self.sign)
+
+    def __add__(self, other: Scalar) -> Scalar:
+        if isinstance(other, (Node, Fraction, int)):
+            return self.graph.add(self, other)
+        return NotImplemented
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Scalar) -> Scalar:
+        if isinstance(other, (Node, Fraction, int)):
+            return self.graph.add(self, -other)
+        return NotImplemented
+
+    def __rsub__(self, other: Fraction | int) -> Scalar:
+        return self.graph.add(-self, other)
+
+    def __mul__(self, other: Scalar) -> Scalar:
+        if isinstance(other, (Node, Fraction, int)):
+            return self.graph.mul(self, other)
+        return NotImplemented
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Scalar) -> Scalar:
+        if isinstance(other, Node):
+            return self.graph.div(self, other)
+        if isinstance(other, (Fraction, int)):
+            return self.graph.mul(self, 1 / Fraction(other))
+        return NotImplemented
+
+    def __rtruediv__(self, other: Fraction | int) -> Scalar:
+        return self.graph.div(other, self)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Node):
+            return False
+        same_graph = self.graph is other.graph
+        return same_graph and (self.position, self.sign) == (other.position, other.sign)
+
+    def __hash__(self) -> int:
+        return hash((self.position, self.sign))
+
+    def __repr__(self) -> str:
+        return f"{'-' if self.sign < 0 else ''}%{self.position}"
+
+
+class Graph:
+    """Owner of nodes. ``fold=False`` merges equal nodes and does no algebra besides."""
+
+    def __init__(self, *, fold: bool = True) -> None:
+        self.fold = fold
+        # A key is (op, ...) over positions; its place in the list is the position. Operands always
+        # have smaller positions, so the order of creation is an order of evaluation.
+        self.keys: list[tuple[Any, ...]] = []
+        #: What each position, taken with sign +1, is part of.
+        self.labels: dict[int, Label] = {}
+        self._table: dict[tuple[Any, ...], int] = {}
+
+    # -- leaves ---------------------------------------------------------------------------------
+    def input(self, array: str, index: int | None = None) -> Node:
+        """The input ``array[index]``, or the run-time parameter ``array``."""
+        return self._node(("input", Input(array, index)))
+
+    def constant(self, value: Fraction | int) -> Node:
+        """A constant as a node; rarely needed, since constants mix with nodes as they are."""
+        return self._node(("const", abs(Fraction(value))), -1 if value < 0 else 1)
+
+    def label(self, value: Any, label: Label) -> Any:
+        """Name ``value`` if it is a node that has no name yet; hand it back."""
+        if isinstance(value, Node) and self.keys[value.position][0] not in ("input", "const"):
+            self.labels.setdefault(value.position, label if value.sign > 0 else label.flipped())
+        return value
+
+    # -- operations -----------------------------------------------------------------------------
+    def add(self, a: Scalar, b: Scalar) -> Scalar:
+        """``a + b``."""
+        if not isinstance(a, Node):
+            if not isinstance(b, Node):
+                return a + b
+            return self.add(b, a)
+        if not isinstance(b, Node):
+            if b == 0:
+                return a
+            b = self.constant(b)
+        if self.fold:
+            keys = self.keys
+            if a.position == b.position:
+                return self.mul(Node(self, a.position, 1), a.sign + b.sign)
+            if keys[a.position][0] == "scale" or keys[b.position][0] == "scale":
+                (ka, xa), (kb, xb) = self._scaled(a), self._scaled(b)
+                if xa == xb:  # k x + l x = (k + l) x
+                    return self.mul(Node(self, xa, 1), ka + kb)
+            (rest_a, ca), (rest_b, cb) = self._offset(a), self._offset(b)
+            if ca and cb:  # (x + c) + (y + d) = (x + y) + (c + d)
+                return self.add(rest_a, rest_b) + (ca + cb)
+        if a.position > b.position:
+            a, b = b, a
+        return self._node(("add", a.position, a.sign * b.sign, b.position), a.sign)
+
+    def mul(self, a: Scalar, b: Scalar) -> Scalar:
+        """``a * b``."""
+        if not isinstance(a, Node):
+            if not isinstance(b, Node):
+                return a * b
+            return self.mul(b, a)
+        if not isinstance(b, Node):
+            if not b:
+                return 0
+            sign = a.sign if b > 0 else -a.sign
+            if b == 1 or b == -1:
+                return Node(self, a.position, sign)
+            factor = Fraction(b if b > 0 else -b)
+            position = a.position
+            if self.fold:
+                key = self.keys[position]
+                if key[0] == "const":
+                    constant: Fraction = sign * factor * key[1]
+                    return constant
+                if key[0] == "scale":
+                    factor *= key[1]
+                    position = key[2]
+                    if factor == 1:
+                        return Node(self, position, sign)
+            return self._node(("scale", factor, position), sign)
+        i, j = a.position, b.position
+        return self._node(("mul", i, j) if i <= j else ("mul", j, i), a.sign * b.sign)
+
+    def div(self, a: Scalar, b: Scalar) -> Scalar:
+        """``a / b``."""
+        if not isinstance(b, Node):
+            return self.mul(a, 1 / Fraction(b))
+        if not isinstance(a, Node):
+            if a == 0:
+                return 0
+            a = self.constant(a)
+        if self.fold and a.position == b.position:
+            return a.sign * b.sign
+        return self._node(("div", a.position, b.position), a.sign * b.sign)
+
+    def sin(self, a: Scalar) -> Scalar:
+        """Sine; odd."""
+        return self._odd("sin", a)
+
+    def cos(self, a: Scalar) -> Scalar:
+        """Cosine; even."""
+        if not isinstance(a, Node):
+            if a == 0:
+                return 1
+            a = self.constant(a)
+        return self._node(("cos", a.position))
+
+    def sqrt(self, a: Scalar) -> Scalar:
+        """Square root."""
+        if not isinstance(a, Node):
+            a = self.constant(a)
+        return self._node(("sqrt", a.position, a.sign))
+
+    def tanh(self, a: Scalar) -> Scalar:
+        """Hyperbolic tangent; odd."""
+        return self._odd("tanh", a)
+
+    def sign(self, a: Scalar) -> Scalar:
+        """Sign, 0 at 0; odd."""
+        return self._odd("sign", a)
+
+    def apply(self, op: str, args: Sequence[Scalar]) -> Scalar:
+        """An operation by its name in a program."""
+        if op == "sub":
+            return self.add(args[0], -args[1])
+        if op == "neg":
+            return -args[0]
+        function = getattr(self, op)
+        result: Scalar = function(*args)
+        return result
+
+    def replay(self, program: Program, replacement: dict[int, Scalar] | None = None) -> list[Scalar]:
+        """Build ``program`` in this graph; the values of its outputs, one after another.
+
+        ``replacement`` gives values that stand in for operations (by position).
+        """
+        values: list[Scalar] = []
+
+        def value(operand: Operand) -> Scalar:
+            if isinstance(operand, int):
+                return values[operand]
+            if isinstance(operand, Input):
+                return self.input(*operand)
+            return operand
+
+        for i, (op, args, label) in enumerate(program.operations):
+            if replacement is not None and i in replacement:
+                values.append(replacement[i])
+                continue
+            made = self.apply(op, [value(arg) for arg in args])
+            if label is not None:
+                self.label(made, label)
+            values.append(made)
+        return [value(operand) for operand in program.results()]
+
+    # -- inside ---------------------------------------------------------------------------------
+    def _node(self, key: tuple[Any, ...], sign: int = 1) -> Node:
+        # Hashing a Fraction takes a modular inverse; its two integers do as well.
+        op = key[0]
+        known = (op, key[1].numerator, key[1].denominator, *key[2:]) if op in ("scale", "const") else key
+        position = self._table.get(known)
+        if position is None:
+            position = len(self.keys)
+            self.keys.append(key)
+            self._table[known] = position
+        return Node(self, position, sign)
+
+    def _odd(self, op: str, a: Scalar) -> Scalar:
+        if not isinstance(a, Node):
+            if a == 0:
+                return 0
+            a = self.constant(a)
+        return self._node((op, a.position), a.sign)
+
+    def _offset(self, a: Node) -> tuple[Scalar, Fraction | int]:
+        """``a`` as a value plus a constant."""
+        key = self.keys[a.position]
+        if key[0] == "const":
+            return 0, a.sign * key[1]
+        if key[0] == "add":
+            _, i, relative, j = key
+            if self.keys[j][0] == "const":
+                return Node(self, i, a.sign), a.sign * relative * self.keys[j][1]
+            if self.keys[i][0] == "const":
+                return Node(self, j, a.sign * relative), a.sign * self.keys[i][1]
+        return a, 0
+
+    def _scaled(self, a: Node) -> tuple[Fraction | int, int]:
+        """``a`` as a factor times a position."""
+        key = self.keys[a.position]
+        if key[0] == "scale":
+            return a.sign * key[1], key[2]
+        return a.sign, a.position
+
+
+Outputs = Iterable[tuple[str, Sequence[Scalar]]]
+
+
+def needed(graph: Graph, outputs: Outputs) -> list[int]:
+    """Positions that ``outputs`` need, in the order of creation."""
+    wanted: set[int] = set()
+    stack = [v.position for _, values in outputs for v in values if isinstance(v, Node)]
+    while stack:
+        position = stack.pop()
+        if position not in wanted:
+            wanted.add(position)
+            stack.extend(children(graph.keys[position]))
+    return sorted(wanted)
+
+
+def lower(graph: Graph, outputs: Outputs, stored: Mapping[int, int] | None = None) -> Program:
+    """The straight-line program of what ``outputs`` need, in the order of creation.
+
+    ``stored`` gives the sign with which a position is computed where that is not +1; a ``neg`` stands
+    where signs do not fit. :mod:`robodyn.passes.negate` chooses signs so that few are left.
+    """
+    outputs = [(name, list(values)) for name, values in outputs]
+    signs = stored or {}
+    operations: list[Operation] = []
+    place: dict[int, Operand] = {}
+    negated: dict[int, Operand] = {}
+
+    def emit(op: str, *args: Operand, label: Label | None = None) -> Operand:
+        operations.append(Operation(op, args, label))
+        return len(operations) - 1
+
+    def operand(position: int, sign: int) -> Operand:
+        """``sign`` times the value at ``position``."""
+        there = place[position]
+        if sign == signs.get(position, 1):
+            return there
+        if isinstance(there, Fraction):
+            return -there
+        if position not in negated:
+            negated[position] = emit("neg", there)
+        return negated[position]
+
+    for position in needed(graph, outputs):
+        key = graph.keys[position]
+        op = key[0]
+        own = signs.get(position, 1)
+        label = graph.labels.get(position)
+        if label is not None and own < 0:
+            label = label.flipped()
+        if op in ("input", "const"):
+            place[position] = key[1]
+        elif op == "add":
+            _, i, relative, j = key
+            first, second = own * signs.get(i, 1), own * relative * signs.get(j, 1)
+            if first < 0 and second > 0:
+                (i, first), (j, second) = (j, second), (i, first)
+            left = operand(i, first * signs.get(i, 1))
+            right = place[j]
+            place[position] = emit("add" if second > 0 else "sub", left, right, label=label)
+        elif op == "scale":
+            factor = key[1] * own * signs.get(key[2], 1)
+            place[position] = emit("mul", factor, place[key[2]], label=label)
+        elif op in ("mul", "div"):
+            sign = own * signs.get(key[1], 1) * signs.get(key[2], 1)
+            left = operand(key[1], sign * signs.get(key[1], 1))
+            place[position] = emit(op, left, place[key[2]], label=label)
+        elif op == "sqrt":
+            place[position] = emit(op, operand(key[1], key[2]), label=label)
+        elif op == "cos":
+            place[position] = emit(op, place[key[1]], label=label)
+        else:
+            place[position] = emit(op, operand(key[1], 1), label=label)
+
+    def result(value: Scalar) -> Operand:
+        return operand(value.position, value.sign) if isinstance(value, Node) else Fraction(value)
+
+    results = tuple((name, tuple(map(result, values))) for name, values in outputs)
+    return Program(tuple(operations), results, origin=(graph, outputs))
+
+
+def children(key: tuple[Any, ...]) -> tuple[int, ...]:
+    """Positions that a key reads."""
+    op = key[0]
+    if op in ("input", "const"):
+        return ()
+    if op == "add":
+        return (key[1], key[3])
+    if op == "scale":
+        return (key[2],)
+    if op == "sqrt":
+        return (key[1],)
+    return tuple(key[1:])

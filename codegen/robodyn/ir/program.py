@@ -1,0 +1,120 @@
+"""Straight-line programs: a list of single operations, each labelled with what it is part of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+
+class Input(NamedTuple):
+    """An input: element ``index`` (from 0) of an array, or a run-time parameter (``index`` None)."""
+
+    array: str
+    index: int | None  # type: ignore[assignment]  # hides tuple.index, which nobody wants
+
+    def __str__(self) -> str:
+        return self.array if self.index is None else f"{self.array}{self.index + 1}"
+
+
+class Label(NamedTuple):
+    """What an operation completes: link (from 1; 0 the base), quantity, component.
+
+    ``Label(3, "w", "x")`` is the angular velocity of link 3 along its x axis; with ``negative`` the
+    operation gives minus that.
+    """
+
+    link: int
+    quantity: str
+    axis: str
+    negative: bool = False
+
+    def __str__(self) -> str:
+        text = f"{self.quantity}{self.link}" + (f"_{self.axis}" if self.axis else "")
+        return f"neg_{text}" if self.negative else text
+
+    def flipped(self) -> Label:
+        """The label of minus the value."""
+        return self._replace(negative=not self.negative)
+
+
+#: The value of an earlier operation (its position), an input, or a constant.
+Operand = int | Input | Fraction
+
+#: Operations with two operands and with one.
+BINARY = ("add", "sub", "mul", "div")
+UNARY = ("neg", "sqrt", "sin", "cos", "tanh", "sign")
+
+
+class Operation(NamedTuple):
+    """``op`` applied to ``args``; what it is part of stands in ``label``."""
+
+    op: str
+    args: tuple[Operand, ...]
+    label: Label | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """Assignments in an order in which each uses only what stands before it.
+
+    ``outputs`` are ``(array name, elements)`` in the order of the signature.
+    """
+
+    operations: tuple[Operation, ...]
+    outputs: tuple[tuple[str, tuple[Operand, ...]], ...]
+    #: The graph that the program was written out from, with its outputs there: passes start from it
+    #: instead of building it again. Whoever has it reads it only.
+    origin: Any = field(default=None, compare=False, repr=False)
+
+    def results(self) -> tuple[Operand, ...]:
+        """All elements of all outputs, one after another."""
+        return tuple(operand for _, elements in self.outputs for operand in elements)
+
+    def inputs(self) -> tuple[Input, ...]:
+        """The inputs that are read, in the order of their first use."""
+        seen: dict[Input, None] = {}
+        for operation in self.operations:
+            for arg in operation.args:
+                if isinstance(arg, Input):
+                    seen[arg] = None
+        for operand in self.results():
+            if isinstance(operand, Input):
+                seen[operand] = None
+        return tuple(seen)
+
+    def uses(self) -> list[int]:
+        """How often each operation's value is read, by operations and outputs."""
+        count = [0] * len(self.operations)
+        for operation in self.operations:
+            for arg in operation.args:
+                if isinstance(arg, int):
+                    count[arg] += 1
+        for operand in self.results():
+            if isinstance(operand, int):
+                count[operand] += 1
+        return count
+
+    def with_results(self, results: tuple[Operand, ...]) -> Program:
+        """The same operations with other outputs, given one after another."""
+        position = 0
+        outputs = []
+        for name, elements in self.outputs:
+            outputs.append((name, results[position : position + len(elements)]))
+            position += len(elements)
+        return replace(self, outputs=tuple(outputs), origin=None)
+
+    def dump(self) -> str:
+        """A readable listing, one operation a line."""
+        return "\n".join(self._lines())
+
+    def _lines(self) -> Iterator[str]:
+        def show(operand: Operand) -> str:
+            return f"%{operand}" if isinstance(operand, int) else str(operand)
+
+        for i, (op, args, label) in enumerate(self.operations):
+            note = f"   # {label}" if label else ""
+            yield f"%{i} = {op} {', '.join(map(show, args))}{note}"
+        for name, elements in self.outputs:
+            yield f"{name} = [{', '.join(map(show, elements))}]"

@@ -1,0 +1,34 @@
+"""What a kernel looks like from outside: its name, its arrays, its run-time parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+ScalarType = Literal["double", "float"]
+
+
+@dataclass(frozen=True, slots=True)
+class Signature:
+    """The interface of one emitted function.
+
+    ``inputs`` and ``outputs`` are ``(name, length)`` in the order of the C arguments; a matrix is one
+    row-major array. ``parameters`` are the members of ``NAME_params``, which comes last if there are any.
+    """
+
+    robot: str
+    function: str
+    inputs: tuple[tuple[str, int], ...]
+    outputs: tuple[tuple[str, int], ...]
+    parameters: tuple[str, ...] = ()
+    scalar: ScalarType = "double"
+
+    @property
+    def symbol(self) -> str:
+        """The C symbol."""
+        return f"{self.robot}_{self.function}"
+
+    @property
+    def fortran_symbol(self) -> str:
+        """The symbol of the Fortran version, so that both can stand in one program."""
+        return f"{self.symbol}_f"

@@ -1,0 +1,31 @@
+"""Passes from program to program, one file each; what a level of optimisation runs."""
+
+from robodyn.passes.cse import cse
+from robodyn.passes.dce import dce
+from robodyn.passes.factor import factor
+from robodyn.passes.fold import fold
+from robodyn.passes.negate import negate
+from robodyn.passes.order import order
+from robodyn.passes.pipeline import Pass, PassError, run
+
+#: Always run: they change signs and order, no operation.
+SPELLING: tuple[Pass, ...] = (negate, order)
+#: The passes of ``--optimize fast`` for any program.
+FAST: tuple[Pass, ...] = (fold, cse, dce, factor, negate, order)
+#: The same for a program fresh from a graph, which has merged, folded and dropped already.
+FRESH: tuple[Pass, ...] = (factor, negate, order)
+
+__all__ = [
+    "FAST",
+    "FRESH",
+    "SPELLING",
+    "Pass",
+    "PassError",
+    "cse",
+    "dce",
+    "factor",
+    "fold",
+    "negate",
+    "order",
+    "run",
+]

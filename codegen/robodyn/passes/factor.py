@@ -1,0 +1,161 @@
+"""Factor: ``a x + b x`` becomes ``(a + b) x`` where the products serve nothing else."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from robodyn.ir.graph import Graph, Node, Scalar, children, lower, needed
+from robodyn.ir.program import Program
+from robodyn.passes.replay import as_graph
+
+Term = tuple[int, int]  # position and sign
+Outputs = list[tuple[str, list[Any]]]
+
+
+def factor(program: Program) -> Program:
+    """``program`` with sums of products factored until that saves nothing more."""
+    graph, outputs = as_graph(program, fold=True)
+    first = best = _Factoring(graph, outputs)
+    while True:
+        factored = best.factored()
+        if factored is None:
+            break
+        better = _Factoring(*factored)
+        if better.cost >= best.cost:
+            break
+        best = better
+    return program if best is first else lower(best.graph, best.outputs)
+
+
+class _Factoring:
+    """One round over all sums of a graph."""
+
+    def __init__(self, graph: Graph, outputs: Outputs) -> None:
+        self.graph, self.outputs = graph, outputs
+        keys = graph.keys
+        self.positions = needed(graph, outputs)
+        self.cost = sum(keys[p][0] in ("add", "mul", "scale", "div") for p in self.positions)
+        self.uses = uses = [0] * len(keys)
+        sums = []
+        for p in self.positions:
+            key = keys[p]
+            for child in children(key):
+                uses[child] += 1
+            if key[0] == "add":
+                sums.append(p)
+        for _, values in outputs:
+            for v in values:
+                if isinstance(v, Node):
+                    uses[v.position] += 1
+        # Additions that serve one other addition only are part of that one's sum.
+        self.inner = {
+            child
+            for p in sums
+            for child in (keys[p][1], keys[p][3])
+            if keys[child][0] == "add" and uses[child] == 1
+        }
+        self.roots = [p for p in sums if p not in self.inner]
+
+    def factored(self) -> tuple[Graph, Outputs] | None:
+        """The graph with every factorable sum factored, and its outputs; None if there is none."""
+        keys, labels = self.graph.keys, self.graph.labels
+        sums: dict[int, tuple[list[Term], Any]] = {}
+        for p in self.roots:
+            terms = self._terms(p)
+            common = self._common(terms)
+            if common is not None:
+                sums[p] = (terms, common)
+        if not sums:
+            return None
+        target = Graph()
+        made: dict[int, Scalar] = {}
+        dissolved = {p for root in sums for p in self._inside(root)}
+        for p in self.positions:
+            if p in dissolved:
+                continue
+            made[p] = self._factored(*sums[p], made) if p in sums else _copy(keys[p], target, made)
+            if p in labels:
+                target.label(made[p], labels[p])
+        outputs = [
+            (name, [made[v.position] * v.sign if isinstance(v, Node) else v for v in values])
+            for name, values in self.outputs
+        ]
+        return target, outputs
+
+    def _terms(self, root: int) -> list[Term]:
+        """The terms of the sum at ``root``, left to right."""
+        keys = self.graph.keys
+        terms: list[Term] = []
+        stack: list[Term] = [(root, 1)]
+        while stack:
+            p, sign = stack.pop()
+            if p == root or p in self.inner:
+                _, i, relative, j = keys[p]
+                stack.append((j, sign * relative))
+                stack.append((i, sign))
+            else:
+                terms.append((p, sign))
+        return terms
+
+    def _inside(self, root: int) -> list[int]:
+        """The additions inside the sum at ``root``, itself left out."""
+        found: list[int] = []
+        stack = [root]
+        while stack:
+            key = self.graph.keys[stack.pop()]
+            for child in (key[1], key[3]):
+                if child in self.inner:
+                    found.append(child)
+                    stack.append(child)
+        return found
+
+    def _common(self, terms: list[Term]) -> Any:
+        """The factor that most products of ``terms`` share, or None."""
+        counts: dict[Any, int] = {}
+        for p, _ in terms:
+            if self.uses[p] == 1:
+                for f in dict.fromkeys(_factors(self.graph.keys[p])):
+                    counts[f] = counts.get(f, 0) + 1
+        best = max(counts, key=lambda f: counts[f], default=None)
+        return best if best is not None and counts[best] > 1 else None
+
+    def _factored(self, terms: list[Term], common: Any, made: dict[int, Scalar]) -> Any:
+        group: Scalar = 0
+        rest: Scalar = 0
+        for p, sign in terms:
+            factors = _factors(self.graph.keys[p])
+            if self.uses[p] == 1 and common in factors:
+                cofactor = factors[1] if factors[0] == common else factors[0]
+                group = group + sign * _value(cofactor, made)
+            else:
+                rest = rest + sign * made[p]
+        return _value(common, made) * group + rest
+
+
+def _factors(key: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The two factors of a product: positions, or a constant as ``(numerator, denominator)``."""
+    if key[0] == "mul":
+        return key[1], key[2]
+    if key[0] == "scale":
+        return (key[1].numerator, key[1].denominator), key[2]
+    return ()
+
+
+def _value(factor: Any, made: dict[int, Scalar]) -> Any:
+    return made[factor] if isinstance(factor, int) else Fraction(*factor)
+
+
+def _copy(key: tuple[Any, ...], target: Graph, made: dict[int, Scalar]) -> Any:
+    op = key[0]
+    if op == "input":
+        return target.input(*key[1])
+    if op == "const":
+        return key[1]
+    if op == "scale":
+        return made[key[2]] * key[1]
+    if op == "add":
+        return made[key[1]] + key[2] * made[key[3]]
+    if op == "sqrt":
+        return target.sqrt(made[key[1]] * key[2])
+    return target.apply(op, [made[p] for p in key[1:]])

@@ -1,0 +1,78 @@
+"""Sines and cosines given by the caller: an array ``sc`` takes the place of ``q``.
+
+A change of interface rather than a pass: the program afterwards reads ``sc`` and calls no sine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from robodyn.ir.evaluate import angle_form
+from robodyn.ir.program import Input, Operand, Operation, Program
+from robodyn.passes.dce import dce
+
+#: One element of ``sc``: "cos" or "sin" of whole multiples of joint angles plus a constant [rad], or
+#: "q", a prismatic joint's displacement.
+Given = tuple[str, tuple[tuple[Input, int], ...], Fraction]
+
+
+def given_layout(programs: Sequence[Program]) -> tuple[Given, ...]:
+    """What ``sc`` holds for all of ``programs``: sines and cosines, then displacements, by joint."""
+    found: set[Given] = set()
+    for program in programs:
+        for op, args, _ in program.operations:
+            if op in ("sin", "cos"):
+                found.add((op, *angle_form(program, args[0])))
+        found.update(("q", ((x, 1),), Fraction(0)) for x in _displacements(program))
+    return tuple(sorted(found, key=lambda g: (g[0] == "q", g[1], g[2], g[0])))
+
+
+def _displacements(program: Program) -> list[Input]:
+    """Joint variables that are read other than as angles."""
+    angles: set[int] = set()
+    stack = [x for op in program.operations if op.op in ("sin", "cos") for x in op.args if isinstance(x, int)]
+    while stack:
+        i = stack.pop()
+        angles.add(i)
+        stack.extend(x for x in program.operations[i].args if isinstance(x, int))
+    reads: dict[Input, None] = {}
+    for i, (op, args, _) in enumerate(program.operations):
+        if op not in ("sin", "cos") and i not in angles:
+            reads.update((x, None) for x in args if isinstance(x, Input) and x.array == "q")
+    reads.update((x, None) for x in program.results() if isinstance(x, Input) and x.array == "q")
+    return list(reads)
+
+
+def trig_given(program: Program, layout: Sequence[Given]) -> Program:
+    """``program`` with the elements of ``layout`` read from ``sc``."""
+    place = {given: Input("sc", k) for k, given in enumerate(layout)}
+    values: list[Operand] = []
+    operations: list[Operation] = []
+
+    def moved(operand: Operand) -> Operand:
+        if isinstance(operand, int):
+            return values[operand]
+        if isinstance(operand, Input) and operand.array == "q":
+            return place.get(("q", ((operand, 1),), Fraction(0)), operand)
+        return operand
+
+    for op, args, label in program.operations:
+        if op in ("sin", "cos"):
+            values.append(place[(op, *angle_form(program, args[0]))])
+            continue
+        operations.append(Operation(op, tuple(map(moved, args)), label))
+        values.append(len(operations) - 1)
+    outputs = tuple((name, tuple(map(moved, elements))) for name, elements in program.outputs)
+    return dce(Program(tuple(operations), outputs))
+
+
+def describe(given: Given) -> str:
+    """``cos(q2 + q3)``, or ``q3`` for a displacement."""
+    kind, terms, constant = given
+    if kind == "q":
+        return str(terms[0][0])
+    text = " + ".join(str(x) if m == 1 else f"{m}*{x}" for x, m in terms).replace("+ -", "- ")
+    if constant:
+        text += f" {'-' if constant < 0 else '+'} {abs(float(constant))!r}"
+    return f"{kind}({text})"

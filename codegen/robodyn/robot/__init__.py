@@ -1,0 +1,48 @@
+"""Robots: the description, its reader and writer, and the bundled arms.
+
+What only some programs need (writer, schema, starter, rotor folding) is imported when it is first used.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from robodyn.robot.bundled import bundled_names, bundled_text, load
+from robodyn.robot.model import Comparison, Inertia, Joint, Limits, Link, Robot
+from robodyn.robot.reader import DoubtfulRobot, read_bytes, read_text
+
+if TYPE_CHECKING:
+    from robodyn.robot.rotor import fold_rotor
+    from robodyn.robot.schema import json_schema
+    from robodyn.robot.starter import starter
+    from robodyn.robot.writer import to_yaml
+
+_LATER = {"fold_rotor": "rotor", "json_schema": "schema", "starter": "starter", "to_yaml": "writer"}
+
+__all__ = [
+    "Comparison",
+    "DoubtfulRobot",
+    "Inertia",
+    "Joint",
+    "Limits",
+    "Link",
+    "Robot",
+    "bundled_names",
+    "bundled_text",
+    "fold_rotor",
+    "json_schema",
+    "load",
+    "read_bytes",
+    "read_text",
+    "starter",
+    "to_yaml",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _LATER:
+        value = getattr(importlib.import_module(f"{__name__}.{_LATER[name]}"), name)
+        globals()[name] = value  # the module starter must not stand in for the function of its name
+        return value
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,92 @@
+"""The robots that come with robodyn, and loading by path or by name."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from pathlib import Path
+
+from robodyn.errors import InputError, Place
+from robodyn.resources import data_dir
+from robodyn.robot.document import FILE_SIZE
+from robodyn.robot.model import Robot
+from robodyn.robot.names import text_fault
+from robodyn.robot.reader import Warn, read_bytes
+
+_SUFFIX = ".yaml"
+
+
+def bundled_names() -> tuple[str, ...]:
+    """Names of the bundled robots, sorted.
+
+    Raises
+    ------
+    ToolError: the folder of the robots is missing from the installation.
+    """
+    return tuple(sorted(path.stem for path in data_dir("robots").glob("*" + _SUFFIX)))
+
+
+def bundled_text(name: str) -> str:
+    """The YAML of the bundled robot ``name`` (``puma560`` or ``puma560.yaml``).
+
+    Raises
+    ------
+    InputError: there is no such robot.
+    """
+    path = _bundled_path(name)
+    if path is None:
+        raise _not_there(name, name)
+    return path.read_text(encoding="utf-8")
+
+
+def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | None = None) -> Robot:
+    """The robot in the file ``spec``, or the bundled robot of that name.
+
+    An existing file wins over a bundled name. Physically doubtful numbers are told to ``warn``, one line
+    of text each (by default they become a warning); ``strict`` refuses them.
+
+    Raises
+    ------
+    InputError: no such file or name, an unreadable file, or one that is not a robot description.
+    """
+    name = os.fspath(spec)
+    # What a file system allows and a terminal does not print is escaped in messages.
+    label = ascii(name)[1:-1] if text_fault(name) else name
+    try:
+        data = _start_of(Path(name))
+    except (FileNotFoundError, NotADirectoryError, IsADirectoryError, ValueError):
+        path = _bundled_path(name)  # a folder of that name does not hide the robot
+        if path is None:
+            raise _not_there(name, label) from None
+        data, label = _start_of(path), path.name
+    except OSError as error:
+        raise InputError(
+            "the file cannot be read", where=Place(label), found=(error.strerror or str(error)).lower()
+        ) from None
+    return read_bytes(data, label, strict=strict, warn=warn)
+
+
+def _start_of(path: Path) -> bytes:
+    """The file's bytes, one more than are allowed at most: an endless file ends here too."""
+    with path.open("rb") as file:
+        return file.read(FILE_SIZE + 1)
+
+
+def _bundled_path(name: str) -> Path | None:
+    stem = name.removesuffix(_SUFFIX)
+    return data_dir("robots") / (stem + _SUFFIX) if stem in bundled_names() else None
+
+
+def _not_there(name: str, label: str) -> InputError:
+    where = Place(label) if name else None
+    if name and Path(name.replace("\0", "")).is_dir():
+        return InputError("this is a folder", where=where, expected="a robot description, such as arm.yaml")
+    names = bundled_names()
+    stem = Path(name).name.lower().removesuffix(_SUFFIX).removesuffix(".yml")
+    near = [stem] if stem in names else difflib.get_close_matches(stem, names, 3, 0.5)
+    return InputError(
+        "there is neither a file nor a bundled robot of this name",
+        where=where,
+        expected=f"a path, or one of {', '.join(names)}",
+        remedy=f"did you mean {' or '.join(near)}?" if near else None,
+    )

@@ -1,0 +1,75 @@
+"""Standard Denavit-Hartenberg rows to modified (Craig) ones.
+
+Standard row i holds a_i and alpha_i of the link itself: frame i, in which the link's centre of mass and
+inertia are given, lies at the link's far end, ``Rot(z, theta) Trans(z, d) Trans(x, a) Rot(x, alpha)``
+from frame i-1. Modified frame i is the one reached after ``Rot(z, theta) Trans(z, d)`` already, so each
+row hands its a and alpha to the next (Craig, Introduction to Robotics, section 3.4).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from fractions import Fraction
+
+from robodyn.robot.model import Inertia, Link, Vector
+from robodyn.robot.numbers import rounded
+from robodyn.robot.values import ZERO, Angle, Value, angle
+
+
+def from_standard(links: Iterable[Link]) -> tuple[Link, ...]:
+    """The same arm with modified rows; ``links`` hold alpha_i, a_i and inertials of standard frames.
+
+    The transformation behind the last link (to its tool frame) is absorbed by its centre and inertia. Right
+    angles keep every number exact; at other twists centres and inertias are rounded to double.
+
+    Raises
+    ------
+    OverflowError: a number grows beyond double.
+    """
+    converted = []
+    a: Value = ZERO
+    alpha = angle(ZERO)
+    for link in links:
+        own_a, own_alpha = link.joint.a, link.joint.alpha
+        converted.append(
+            replace(
+                link,
+                joint=replace(link.joint, a=a, alpha=alpha),
+                com=_centre(link, own_a, own_alpha),
+                inertia=_turned(link.inertia, own_alpha),
+            )
+        )
+        a, alpha = own_a, own_alpha
+    return tuple(converted)
+
+
+def _centre(link: Link, a: Value, alpha: Angle) -> Vector:
+    """Centre of mass seen from the modified frame: (a, 0, 0) + Rot(x, alpha) com."""
+    x, y, z = link.com
+    if link.mass == 0 and link.com == (ZERO, ZERO, ZERO):
+        return link.com  # a link without mass has no centre: do not invent one
+    c, s = alpha.cos, alpha.sin
+    return a + x, _kept(y * c - z * s, alpha), _kept(y * s + z * c, alpha)
+
+
+def _turned(inertia: Inertia, alpha: Angle) -> Inertia:
+    """Rot(x, alpha) I Rot(x, alpha)^T."""
+    yy, zz, xy, xz, yz = inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz
+    c, s = alpha.cos, alpha.sin
+    cc, cs, ss = c * c, c * s, s * s
+    return Inertia(
+        xx=inertia.xx,
+        yy=_kept(yy * cc - yz * (2 * cs) + zz * ss, alpha),
+        zz=_kept(yy * ss + yz * (2 * cs) + zz * cc, alpha),
+        xy=_kept(xy * c - xz * s, alpha),
+        xz=_kept(xy * s + xz * c, alpha),
+        yz=_kept((yy - zz) * cs + yz * (cc - ss), alpha),
+    )
+
+
+def _kept(value: Value, alpha: Angle) -> Value:
+    """Exact at right angles; elsewhere the cosine is good to 1e-30 only and its digits are of no use."""
+    if isinstance(value, Fraction) and value == 0:
+        return ZERO
+    return value if alpha.quarter is not None else rounded(value)

@@ -1,0 +1,321 @@
+"""YAML text to a tree of nodes that know their line and column; nothing is interpreted yet.
+
+The tree is built from the parser's events, by a loop and not by recursion, so that a hostile file can
+neither exhaust the stack nor grow: depth, number of nodes and size after aliases are bounded. A scalar
+keeps its raw text: YAML 1.1 would read ``yes`` as true, ``1:30`` as 90, ``010`` as 8 and ``1e-3`` as text.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeAlias
+
+from robodyn.errors import InputError, Place
+from robodyn.robot.names import shown
+
+#: Largest file that is read [bytes].
+FILE_SIZE = 1 << 20
+#: Deepest nesting of lists and mappings; the format itself needs 7.
+DEPTH = 32
+#: Largest number of nodes, aliases expanded; 100 links with everything stated need about 6000.
+NODES = 100_000
+
+# What YAML does not allow in a file: control characters (and NUL), lone surrogates, non-characters.
+_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """A word, number or text as written; ``verbatim``: its characters stand in the file one by one."""
+
+    text: str
+    line: int
+    column: int
+    plain: bool
+    verbatim: bool
+    size: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    """A list."""
+
+    items: tuple[Node, ...]
+    line: int
+    column: int
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Mapping:
+    """A mapping in the order of the file; keys are unique."""
+
+    entries: tuple[tuple[Scalar, Node], ...]
+    line: int
+    column: int
+    size: int
+
+
+Node: TypeAlias = Scalar | Sequence | Mapping
+
+
+class Mark(Protocol):
+    """A place as PyYAML gives it, from the C parser or from the Python one; counts from 0."""
+
+    @property
+    def line(self) -> int: ...
+    @property
+    def column(self) -> int: ...
+
+
+def describe(node: Node) -> str:
+    """``node`` for the "found" of a message."""
+    if isinstance(node, Sequence):
+        return f"a list of {len(node.items)}" if node.items else "an empty list"
+    if isinstance(node, Mapping):
+        return "a mapping" if node.entries else "an empty mapping"
+    return shown(node.text) if node.text or not node.plain else "nothing"
+
+
+def decode(data: bytes, file: str) -> str:
+    """The text of a file: UTF-8, with or without byte order mark.
+
+    Raises
+    ------
+    InputError: the file is too large or not UTF-8; with the place of the first wrong byte.
+    """
+    if len(data) > FILE_SIZE:
+        raise InputError(
+            "the file is too large",
+            where=Place(file),
+            found="more than 1 MiB",
+            expected="a robot description of at most 1 MiB",
+        )
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise InputError(
+            "the file is not UTF-8 text", where=Place(file, 1, 1), found="UTF-16", remedy="save it as UTF-8"
+        )
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        before = data[: error.start]
+        line = before.count(b"\n") + 1
+        column = len(before[before.rfind(b"\n") + 1 :].decode("utf-8", "replace")) + 1
+        raise InputError(
+            "the file is not UTF-8 text",
+            where=Place(file, line, column),
+            found=f"byte 0x{data[error.start]:02x}",
+            remedy="save it as UTF-8",
+        ) from None
+
+
+def compose(text: str, file: str) -> Node:
+    """The root node of the one YAML document in ``text``.
+
+    Raises
+    ------
+    InputError: not YAML, empty, several documents, duplicate keys, tags, too deep or too large.
+    """
+    import yaml  # not at the top: whoever takes a Robot from elsewhere does not pay for it
+
+    text = text.removeprefix("\ufeff")
+    if len(text) > FILE_SIZE:
+        decode(b" " * (FILE_SIZE + 1), file)
+    bad = _FORBIDDEN.search(text)
+    if bad:
+        line = text.count("\n", 0, bad.start()) + 1
+        raise InputError(
+            "the file contains a character that text does not have",
+            where=Place(file, line, bad.start() - text.rfind("\n", 0, bad.start())),
+            found=f"U+{ord(bad.group()):04X}",
+            expected="printable text",
+            remedy="delete it; is this a text file?",
+        )
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    try:
+        root = _Builder(file).build(yaml.parse(text, Loader=loader))
+    except yaml.YAMLError as error:
+        raise _not_yaml(error, text, file) from None
+    if root is None:
+        raise InputError(
+            "the file is empty",
+            where=Place(file, 1, 1),
+            expected="a robot description",
+            remedy="robodyn new writes a starter file",
+        )
+    return root
+
+
+def _not_yaml(error: Exception, text: str, file: str) -> InputError:
+    """The parser's complaint as one line."""
+    mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
+    problem = getattr(error, "problem", None) or getattr(error, "reason", None) or "cannot be read"
+    if mark is None:
+        return InputError(f"not valid YAML: {problem}", where=Place(file))
+    lines = text.splitlines()
+    line = lines[mark.line] if mark.line < len(lines) else ""
+    if line[mark.column : mark.column + 1] == "\t" or "\t" in line[: len(line) - len(line.lstrip())]:
+        remedy = "indent with spaces, not tabs"
+    elif "mapping values are not allowed" in problem:
+        remedy = "put text that contains ': ' in quotes, and each key on a line of its own"
+    elif "could not find expected ':'" in problem:
+        remedy = "every key is followed by a colon and a space"
+    else:
+        remedy = "check the indentation, and that every bracket and quote is closed"
+    context = getattr(error, "context", None)
+    return InputError(
+        f"not valid YAML: {problem}" + (f" ({context})" if context else ""),
+        where=Place(file, mark.line + 1, mark.column + 1),
+        remedy=remedy,
+    )
+
+
+class _Open:
+    """A list or mapping whose end has not been met."""
+
+    __slots__ = ("anchor", "children", "is_mapping", "keys", "mark")
+
+    def __init__(self, mark: Mark, anchor: str | None, is_mapping: bool) -> None:
+        self.mark = mark
+        self.anchor = anchor
+        self.children: list[Node] = []
+        self.keys: dict[str, Scalar] = {}
+        self.is_mapping = is_mapping
+
+
+class _Builder:
+    """Builds the tree from events; ``anchors`` hold finished nodes, so that none can contain itself."""
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self.stack: list[_Open] = []
+        self.anchors: dict[str, Node] = {}
+        self.root: Node | None = None
+        self.count = 0
+
+    def build(self, events: Iterable[Any]) -> Node | None:
+        from yaml import events as kinds
+
+        documents = 0
+        for event in events:
+            mark: Mark = event.start_mark
+            if isinstance(event, kinds.ScalarEvent):
+                self._finish(self._scalar(event), event.anchor, mark)
+            elif isinstance(event, (kinds.MappingStartEvent, kinds.SequenceStartEvent)):
+                self._refuse_tag(event)
+                if len(self.stack) == DEPTH:
+                    raise self._error(
+                        mark,
+                        "lists and mappings are nested too deep",
+                        expected=f"at most {DEPTH} levels",
+                    )
+                is_mapping = isinstance(event, kinds.MappingStartEvent)
+                self.stack.append(_Open(mark, event.anchor, is_mapping))
+            elif isinstance(event, (kinds.MappingEndEvent, kinds.SequenceEndEvent)):
+                self._close()
+            elif isinstance(event, kinds.AliasEvent):
+                self._alias(event)
+            elif isinstance(event, kinds.DocumentStartEvent):
+                documents += 1
+                if documents > 1:
+                    raise self._error(
+                        mark,
+                        "a second YAML document begins here",
+                        expected="one robot a file",
+                        remedy="put each robot in a file of its own",
+                    )
+        return self.root
+
+    def _error(
+        self,
+        mark: Mark,
+        what: str,
+        *,
+        found: str | None = None,
+        expected: str | None = None,
+        remedy: str | None = None,
+    ) -> InputError:
+        where = Place(self.file, mark.line + 1, mark.column + 1)
+        return InputError(what, where=where, found=found, expected=expected, remedy=remedy)
+
+    def _refuse_tag(self, event: Any) -> None:
+        tag = getattr(event, "tag", None)
+        if tag is not None:
+            raise self._error(
+                event.start_mark,
+                "YAML tags are not used here",
+                found=shown(tag.replace("tag:yaml.org,2002:", "!!")),
+                remedy="delete the tag",
+            )
+
+    def _scalar(self, event: Any) -> Scalar:
+        self._refuse_tag(event)
+        start, end, text = event.start_mark, event.end_mark, event.value
+        plain = event.style is None or event.style == ""
+        marks = 0 if plain else 2
+        verbatim = start.line == end.line and end.column - start.column - marks == len(text)
+        return Scalar(text, start.line + 1, start.column + 1, plain, verbatim)
+
+    def _alias(self, event: Any) -> None:
+        node = self.anchors.get(event.anchor)
+        if node is None:
+            inside = any(open_.anchor == event.anchor for open_ in self.stack)
+            raise self._error(
+                event.start_mark,
+                f"the alias *{event.anchor[:40]} "
+                + ("contains itself" if inside else "has no anchor before it"),
+                expected=f"an &{event.anchor[:40]} that ends before this line",
+                remedy="write the value out",
+            )
+        self._finish(node, None, event.start_mark)
+
+    def _finish(self, node: Node, anchor: str | None, mark: Mark) -> None:
+        """A node is complete: it goes to its parent, and under its anchor."""
+        self.count += 1
+        if self.count > NODES:
+            raise self._too_large(mark)
+        if anchor is not None:
+            self.anchors[anchor] = node
+        if not self.stack:
+            self.root = node
+            return
+        parent = self.stack[-1]
+        if parent.is_mapping and len(parent.children) == len(parent.keys):
+            self._key(parent, node, mark)
+        else:
+            parent.children.append(node)
+
+    def _key(self, parent: _Open, node: Node, mark: Mark) -> None:
+        if not isinstance(node, Scalar):
+            raise self._error(mark, "a key must be a word", found=describe(node))
+        if node.text in parent.keys:
+            raise self._error(
+                mark,
+                f"the key {shown(node.text)} stands here a second time",
+                found=f"the first in line {parent.keys[node.text].line}",
+                remedy="delete one of the two",
+            )
+        parent.keys[node.text] = node
+
+    def _close(self) -> None:
+        done = self.stack.pop()
+        size = 1 + len(done.keys) + sum(child.size for child in done.children)
+        if size > NODES:
+            raise self._too_large(done.mark)
+        line, column = done.mark.line + 1, done.mark.column + 1
+        node: Node
+        if done.is_mapping:
+            entries = tuple(zip(done.keys.values(), done.children, strict=True))
+            node = Mapping(entries, line, column, size)
+        else:
+            node = Sequence(tuple(done.children), line, column, size)
+        self._finish(node, done.anchor, done.mark)
+
+    def _too_large(self, mark: Mark) -> InputError:
+        return self._error(
+            mark,
+            "the description is too large",
+            expected=f"at most {NODES} values, aliases written out",
+        )

@@ -1,0 +1,92 @@
+"""Inertia tensors that no body has: a negative principal moment, a broken triangle inequality.
+
+Decided with exact rationals: every principal moment is at most the sum of the two others if and only if
+``trace/2 * 1 - I``, the second moments of the mass, has no negative eigenvalue, which its principal
+minors tell (Traversaro et al., IROS 2016; Wensing et al., RA-L 2018).
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from robodyn.robot.model import Inertia, Joint
+from robodyn.robot.numbers import brief
+
+_AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
+# Rounding noise of converted tensors, as a share of the trace, is not worth a word.
+_NOISE = Fraction(1, 10**9)
+_Entries = tuple[Fraction, Fraction, Fraction, Fraction, Fraction, Fraction]
+
+
+def inertia_doubt(inertia: Inertia) -> str | None:
+    """What is unphysical about the tensor [kg m^2], or None.
+
+    A tensor with run-time parameters in it is not judged.
+    """
+    values = tuple(getattr(inertia, axes) for axes in _AXES)
+    if not all(isinstance(value, Fraction) for value in values):
+        return None
+    xx, yy, zz, xy, xz, yz = values
+    half = (xx + yy + zz) / 2
+    noise = _NOISE * abs(half)
+    # Physical second moments are sufficient for positive principal moments too: one test in the usual case.
+    if _has_no_negative_eigenvalue((half - xx + noise, half - yy + noise, half - zz + noise, -xy, -xz, -yz)):
+        return None
+    for axis, moment in zip("xyz", (xx, yy, zz), strict=True):
+        if moment < 0:
+            return f"I{axis}{axis} = {brief(moment)} kg m^2 is negative"
+    for (p, one), (q, two), (r, three) in (
+        (("x", xx), ("y", yy), ("z", zz)),
+        (("x", xx), ("z", zz), ("y", yy)),
+        (("y", yy), ("z", zz), ("x", xx)),
+    ):
+        if one + two + noise < three:
+            left, right = _told_apart(one + two, three)
+            return f"I{p}{p} + I{q}{q} = {left} < I{r}{r} = {right} kg m^2"
+    # The diagonal is fine: the products of inertia are too large for it.
+    low, middle, high = _principal_moments((xx, yy, zz, xy, xz, yz))
+    if not _has_no_negative_eigenvalue((xx + noise, yy + noise, zz + noise, xy, xz, yz)):
+        return f"the principal moment {low:.6g} kg m^2 is negative"
+    return f"of the principal moments {low:.6g} + {middle:.6g} < {high:.6g} kg m^2"
+
+
+def only_about_base_axis(joint: Joint, inertia: Inertia) -> bool:
+    """Whether nothing but Izz is stated of a link that turns about an axis fixed in the base.
+
+    Then no other entry enters any torque, and tables (the thesis's too) leave them out: no doubt.
+    """
+    return joint.kind == "revolute" and not any(getattr(inertia, axes) for axes in _AXES if axes != "zz")
+
+
+def _has_no_negative_eigenvalue(entries: _Entries) -> bool:
+    """Whether all seven principal minors of the symmetric matrix are 0 or more."""
+    xx, yy, zz, xy, xz, yz = entries
+    if xx < 0 or yy < 0 or zz < 0:
+        return False
+    if xx * yy < xy * xy or xx * zz < xz * xz or yy * zz < yz * yz:
+        return False
+    return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz) >= 0
+
+
+def _principal_moments(entries: _Entries) -> tuple[float, float, float]:
+    """Eigenvalues of the symmetric matrix, ascending, in closed form; for messages."""
+    scale = max(abs(entry) for entry in entries)
+    xx, yy, zz, xy, xz, yz = (float(entry / scale) for entry in entries)
+    mean = (xx + yy + zz) / 3
+    a, b, c = xx - mean, yy - mean, zz - mean
+    radius = math.sqrt((a * a + b * b + c * c + 2 * (xy * xy + xz * xz + yz * yz)) / 6)
+    if radius == 0:
+        return (mean * float(scale),) * 3
+    determinant = a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz)
+    third = math.acos(max(-1.0, min(1.0, determinant / (2 * radius**3)))) / 3
+    roots = sorted(mean + 2 * radius * math.cos(third + 2 * math.pi * k / 3) for k in range(3))
+    low, middle, high = (root * float(scale) for root in roots)
+    return low, middle, high
+
+
+def _told_apart(left: Fraction, right: Fraction) -> tuple[str, str]:
+    """Both for a message, with as many digits as it takes to see that they differ."""
+    if brief(left) != brief(right):
+        return brief(left), brief(right)
+    return repr(float(left)), repr(float(right))

@@ -1,0 +1,301 @@
+"""Typed values out of the nodes of a description, each checked, each error with its place."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable
+from fractions import Fraction
+from typing import NoReturn
+
+from robodyn.errors import InputError, Place
+from robodyn.robot import numbers
+from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
+from robodyn.robot.keys import OTHER_NAMES, Key
+from robodyn.robot.model import Vector
+from robodyn.robot.names import shown, text_fault
+from robodyn.robot.values import ZERO, Angle, Value, angle
+
+# Plain words by which YAML means that nothing stands there.
+_NOTHING = ("", "~", "null", "Null", "NULL")
+_SIGNS = {
+    "nonnegative": ("is negative", "0{unit} or more"),
+    "positive": ("is not positive", "more than 0{unit}"),
+    "share": ("is not a share", "more than 0 and at most 1"),
+}
+
+
+class Source:
+    """The file that is read, and what holds for all of it: run-time names, and the way of doubts."""
+
+    def __init__(self, file: str, strict: bool, warn: Callable[[str], object]) -> None:
+        self.file = file
+        self.strict = strict
+        self.warn = warn
+        self.names: dict[str, tuple[str, Place]] = {}
+
+    def place(self, node: Node, offset: int = 0) -> Place:
+        """The place of ``node``, or of a character of a scalar where the text stands there one by one."""
+        if isinstance(node, Scalar) and node.verbatim and offset:
+            return Place(self.file, node.line, node.column + offset + (not node.plain))
+        return Place(self.file, node.line, node.column)
+
+    def fail(
+        self,
+        node: Node,
+        what: str,
+        *,
+        found: str | None = None,
+        expected: str | None = None,
+        remedy: str | None = None,
+    ) -> NoReturn:
+        """Raise an InputError at ``node``."""
+        raise InputError(what, where=self.place(node), found=found, expected=expected, remedy=remedy)
+
+    def doubt(self, node: Node, what: str, remedy: str) -> None:
+        """A number that physics hardly allows: a warning, with ``strict`` an InputError."""
+        error = InputError(what, where=self.place(node), remedy=remedy)
+        if self.strict:
+            raise error
+        self.warn(str(error))
+
+    def name(self, name: str, place: Place) -> None:
+        """Note a run-time parameter; two names that Fortran cannot tell apart are refused."""
+        first, before = self.names.setdefault(name.lower(), (name, place))
+        if first != name:
+            raise InputError(
+                "two run-time parameters differ only by case, which Fortran does not see",
+                where=place,
+                found=f"{shown(name)} after {shown(first)} in line {before.line}",
+                remedy="write both alike, or choose another name",
+            )
+
+
+class Section:
+    """One mapping of the file, read with its table of keys.
+
+    ``label`` says for messages whose it is: "link 3"; "" for the whole description.
+    """
+
+    def __init__(self, source: Source, label: str, node: Node, table: tuple[Key, ...]) -> None:
+        self.source = source
+        self.label = label
+        self.node = node
+        self.keys = {key.name: key for key in table}
+        self.values: dict[str, Node] = {}
+        example = ", ".join(f"{key.name}: ..." for key in table[:3])
+        whole = label or "the description"
+        if isinstance(node, Scalar) and node.plain and node.text in _NOTHING:
+            source.fail(
+                node, f"{whole} has no value", expected=f"{{{example}}}", remedy="fill it in or leave it out"
+            )
+        if not isinstance(node, Mapping):
+            source.fail(node, f"{whole} must be a mapping", found=describe(node), expected=f"{{{example}}}")
+        for key, value in node.entries:
+            if key.text not in self.keys:
+                self._unknown(key)
+            self.values[key.text] = value
+        for name, known in self.keys.items():
+            if known.required and name not in self.values:
+                self.source.fail(
+                    node, self.path(f"the key '{name}' is missing"), expected=f"{name}: {expectation(known)}"
+                )
+
+    def _unknown(self, key: Scalar) -> NoReturn:
+        known = list(self.keys)
+        word = key.text.lower()
+        if key.text == "<<":
+            remedy = "merge keys are not supported: write the keys out"
+        else:
+            near = [w for w in (word, OTHER_NAMES.get(word)) if w in self.keys]
+            near = near or difflib.get_close_matches(word, known, 1)
+            remedy = f"did you mean '{near[0]}'?" if near else "delete it, or put it where it belongs"
+        self.source.fail(
+            key,
+            self.path("unknown key"),
+            found=shown(key.text),
+            expected=f"one of {', '.join(known)}",
+            remedy=remedy,
+        )
+
+    def path(self, name: str) -> str:
+        """``link 3: mass``, for messages."""
+        return f"{self.label}: {name}" if self.label else name
+
+    def scalar(self, name: str) -> Scalar | None:
+        """The scalar at ``name``; None where the key is left out."""
+        node = self.values.get(name)
+        return None if node is None else self._word(node, self.keys[name], self.path(name))
+
+    def _word(self, node: Node, key: Key, path: str) -> Scalar:
+        expected = expectation(key)
+        if not isinstance(node, Scalar):
+            self.source.fail(node, f"{path} must be a single value", found=describe(node), expected=expected)
+        if node.plain and node.text in _NOTHING:
+            self.source.fail(
+                node, f"{path} has no value", expected=expected, remedy="fill it in or leave the key out"
+            )
+        return node
+
+    def text(self, name: str) -> str:
+        """Free text on one line; "" where the key is left out. Line breaks become spaces."""
+        node = self.scalar(name)
+        if node is None:
+            return ""
+        text = " ".join(line.strip() for line in node.text.splitlines()).strip()
+        fault = text_fault(text)
+        if fault:
+            self.source.fail(
+                node, f"{self.path(name)} {fault}", found=shown(text), remedy="shorten it or clean it up"
+            )
+        return text
+
+    def choice(self, name: str) -> str | None:
+        """One of the key's choices; None where it is left out."""
+        node = self.scalar(name)
+        if node is None:
+            return None
+        if node.text not in self.keys[name].choices:
+            near = difflib.get_close_matches(node.text.lower(), self.keys[name].choices, 1)
+            self.source.fail(
+                node,
+                f"{self.path(name)} is unknown",
+                found=describe(node),
+                expected=" or ".join(self.keys[name].choices),
+                remedy=f"did you mean '{near[0]}'?" if near else None,
+            )
+        return node.text
+
+    def section(self, name: str) -> Section | None:
+        """The mapping at ``name``; None where the key is left out."""
+        node = self.values.get(name)
+        if node is None:
+            return None
+        return Section(self.source, self.path(name), node, self.keys[name].members)
+
+    def items(self, name: str, count: int | None = None) -> tuple[Node, ...] | None:
+        """The entries of the list at ``name``, ``count`` of them; None where the key is left out."""
+        node = self.values.get(name)
+        if node is None:
+            return None
+        expected = expectation(self.keys[name])
+        if not isinstance(node, Sequence):
+            self.source.fail(
+                node, f"{self.path(name)} must be a list", found=describe(node), expected=expected
+            )
+        if count is not None and len(node.items) != count:
+            self.source.fail(
+                node, f"{self.path(name)} must have {count} entries", found=describe(node), expected=expected
+            )
+        return node.items
+
+    def number(self, name: str) -> Value:
+        """A number that may be a run-time parameter; 0 where the key is left out."""
+        node = self.values.get(name)
+        return ZERO if node is None else self._number(node, self.keys[name], self.path(name))
+
+    def constant(self, name: str) -> Fraction | None:
+        """A number known now; None where the key is left out."""
+        value = self.number(name) if name in self.values else None
+        assert value is None or isinstance(value, Fraction)
+        return value
+
+    def vector(self, name: str) -> Vector | None:
+        """Three numbers; None where the key is left out."""
+        items = self.items(name, 3)
+        if items is None:
+            return None
+        key = self.keys[name]
+        x, y, z = (
+            self._number(node, key, f"{self.path(name)} {axis}")
+            for node, axis in zip(items, "xyz", strict=True)
+        )
+        return x, y, z
+
+    def range(self, name: str) -> tuple[Fraction, Fraction] | None:
+        """Lowest and highest; None where the key is left out."""
+        items = self.items(name, 2)
+        if items is None:
+            return None
+        low, high = (self._number(node, self.keys[name], self.path(name)) for node in items)
+        assert isinstance(low, Fraction)
+        assert isinstance(high, Fraction)
+        if low >= high:
+            self.source.fail(
+                self.values[name],
+                f"{self.path(name)} is empty",
+                found=f"[{numbers.brief(low)}, {numbers.brief(high)}]",
+                expected="[lowest, highest] with lowest < highest",
+            )
+        return low, high
+
+    def angle(self, name: str) -> Angle:
+        """A constant angle [rad]; 0 where the key is left out. More than one turn is doubted."""
+        node = self.values.get(name)
+        if node is None:
+            return angle(ZERO)
+        value = self._parse(node, self.keys[name], self.path(name)).value
+        assert isinstance(value, Fraction)
+        read = angle(value)
+        if abs(read.radians) > 6.2832:
+            text = numbers.brief(value)
+            self.source.doubt(
+                node,
+                f"{self.path(name)} = {text} rad is more than one turn",
+                f"angles are in rad: write {text}*pi/180 if degrees are meant",
+            )
+        return read
+
+    def _parse(self, node: Node, key: Key, path: str) -> numbers.Number:
+        scalar = self._word(node, key, path)
+        try:
+            number = numbers.parse(scalar.text, names=key.names)
+        except numbers.NumberError as error:
+            raise InputError(
+                f"{path}: {error.what}",
+                where=self.source.place(scalar, error.position),
+                found=error.found,
+                expected=error.expected,
+                remedy=error.remedy,
+            ) from None
+        for name, position in number.names:
+            self.source.name(name, self.source.place(scalar, position))
+        return number
+
+    def _number(self, node: Node, key: Key, path: str) -> Value:
+        read = self._parse(node, key, path)
+        # pi is irrational: elsewhere than in an angle the double is what counts.
+        value = numbers.rounded(read.value) if read.has_pi else read.value
+        if isinstance(value, Fraction) and not _allowed(value, key):
+            what, expected = _SIGNS[key.sign]
+            unit = f" {key.unit.partition(',')[0]}" if key.unit else ""
+            self.source.fail(
+                node, f"{path} {what}", found=numbers.brief(value) + unit, expected=expected.format(unit=unit)
+            )
+        return value
+
+
+def _allowed(value: Fraction, key: Key) -> bool:
+    if key.sign == "any":
+        return True
+    if key.sign == "nonnegative":
+        return value >= 0
+    return value > 0 and (key.sign == "positive" or value <= 1)
+
+
+def expectation(key: Key) -> str:
+    """What should stand at ``key``, for the "expected" of a message."""
+    if key.kind == "choice":
+        return " or ".join(key.choices)
+    unit = f" [{key.unit}]" if key.unit else ""
+    words = {
+        "name": "a name",
+        "text": "text",
+        "number": "a number" + (", or a name" if key.names else ""),
+        "angle": "an angle, such as -pi/2",
+        "vector": "three numbers [x, y, z]",
+        "range": "[lowest, highest]",
+        "list": "a list",
+        "group": "a mapping",
+        "rest": "exact, or smooth: {velocity: 1e-3}",
+    }
+    return words[key.kind] + unit

@@ -1,0 +1,205 @@
+"""Every key of the robot description, in one table: the reader and the JSON Schema are made from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH
+
+Kind = Literal["name", "text", "choice", "number", "angle", "vector", "range", "group", "list", "rest"]
+Sign = Literal["any", "nonnegative", "positive", "share"]
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """One key: what may stand there, in which unit, and what is assumed where it is left out.
+
+    ``names``: a run-time parameter may stand for the number. ``default`` is the text of the assumed
+    value, for people; ``members`` are the keys of a group or of each entry of a list.
+    """
+
+    name: str
+    kind: Kind
+    doc: str
+    unit: str = ""
+    required: bool = False
+    names: bool = False
+    sign: Sign = "any"
+    default: str = ""
+    choices: tuple[str, ...] = ()
+    members: tuple[Key, ...] = ()
+
+
+#: Most links a robot may have.
+LINKS = 100
+#: tanh(qd / velocity) replaces the sign of the velocity where ``smooth`` gives no velocity.
+REST_VELOCITY = "1e-3"
+
+COMPARE = (
+    Key("table", "text", 'Table of the thesis, such as "2.10".', required=True),
+    Key("row", "text", "Row of that table, such as puma_6.", required=True),
+)
+INERTIA = tuple(
+    Key(axes, "number", f"I{axes}, entry of the inertia tensor.", "kg m^2", names=True, default="0")
+    for axes in ("xx", "yy", "zz", "xy", "xz", "yz")
+)
+LIMITS = (
+    Key("position", "range", "Lowest and highest position.", "rad, prismatic m"),
+    Key("velocity", "number", "Greatest speed.", "rad/s, prismatic m/s", sign="positive"),
+    Key("acceleration", "number", "Greatest acceleration.", "rad/s^2, prismatic m/s^2", sign="positive"),
+    Key("torque", "number", "Greatest torque.", "N m, prismatic N", sign="positive"),
+)
+FRICTION = (
+    Key(
+        "viscous",
+        "number",
+        "Viscous friction.",
+        "N m s/rad, prismatic N s/m",
+        names=True,
+        sign="nonnegative",
+        default="0",
+    ),
+    Key(
+        "coulomb",
+        "number",
+        "Coulomb friction.",
+        "N m, prismatic N",
+        names=True,
+        sign="nonnegative",
+        default="0",
+    ),
+)
+LINK = (
+    Key("name", "text", "Name of the link.", default="link1, link2, ..."),
+    Key(
+        "joint",
+        "choice",
+        "Kind of the joint before the link.",
+        required=True,
+        choices=("revolute", "prismatic"),
+    ),
+    Key("alpha", "angle", "alpha_{i-1}: twist, about x of the frame before.", "rad", default="0"),
+    Key("a", "number", "a_{i-1}: length, along x of the frame before.", "m", names=True, default="0"),
+    Key("d", "number", "d_i: offset, along z; prismatic: constant added to q.", "m", names=True, default="0"),
+    Key("theta", "angle", "theta_i: angle, about z; revolute: constant added to q.", "rad", default="0"),
+    Key("mass", "number", "Mass of the link.", "kg", names=True, sign="nonnegative", default="0"),
+    Key(
+        "com", "vector", "Centre of mass [x, y, z] in the link's frame.", "m", names=True, default="[0, 0, 0]"
+    ),
+    Key(
+        "inertia",
+        "group",
+        "Inertia tensor about the centre of mass, along the axes of the link's frame.",
+        "kg m^2",
+        members=INERTIA,
+    ),
+    Key(
+        "motor_inertia",
+        "number",
+        "Rotor inertia reflected to the joint; it multiplies the joint's own acceleration only.",
+        "kg m^2, prismatic kg",
+        names=True,
+        sign="nonnegative",
+        default="0",
+    ),
+    Key("limits", "group", "Limits of the joint.", members=LIMITS),
+    Key(
+        "confidence",
+        "number",
+        "The inertial numbers are right to about this share of their size.",
+        sign="share",
+        default="0.1",
+    ),
+    Key("friction", "group", "Friction in the joint.", members=FRICTION),
+    Key("effects", "list", "Effects at this joint. Not supported yet: must be empty."),
+)
+ROBOT = (
+    Key(
+        "name",
+        "name",
+        f"A C identifier of at most {ROBOT_NAME_LENGTH} characters; it prefixes every emitted symbol.",
+        required=True,
+    ),
+    Key("title", "text", f"One line of at most {TEXT_LENGTH} characters."),
+    Key("source", "text", f"Where the numbers come from: one line of at most {TEXT_LENGTH} characters."),
+    Key(
+        "gravity",
+        "vector",
+        "Acceleration of free fall [x, y, z] in the base frame.",
+        "m/s^2",
+        default="[0, 0, -9.81]",
+    ),
+    Key("compare", "group", "The row of the thesis that this robot is set beside.", members=COMPARE),
+    Key(
+        "convention",
+        "choice",
+        "mdh: modified (Craig) Denavit-Hartenberg; sdh: standard, rows hold a_i and alpha_i, is converted.",
+        choices=("mdh", "sdh"),
+        default="mdh",
+    ),
+    Key(
+        "links",
+        "list",
+        f"The links with their joints, base to tip, 1 to {LINKS}.",
+        required=True,
+        members=LINK,
+    ),
+    Key(
+        "torque_side",
+        "choice",
+        "motor: the motor torque, reflected to the joint (rotor, friction in it); link: behind the gear.",
+        choices=("motor", "link"),
+        default="motor",
+    ),
+    Key(
+        "friction_at_rest",
+        "rest",
+        "exact: sgn(0) = 0; smooth: {velocity: v}: tanh(qd/v) in place of the sign.",
+        choices=("exact", "smooth"),
+        default="exact",
+        members=(
+            Key(
+                "velocity",
+                "number",
+                "Speed over which the sign is smoothed.",
+                "rad/s, prismatic m/s",
+                sign="positive",
+                default=REST_VELOCITY,
+            ),
+        ),
+    ),
+    Key("effects", "list", "Effects of the whole robot. Not supported yet: must be empty."),
+)
+
+#: What other formats call our keys.
+OTHER_NAMES = {
+    "type": "joint",
+    "kind": "joint",
+    "joint_type": "joint",
+    "m": "mass",
+    "weight": "mass",
+    "r": "com",
+    "cog": "com",
+    "center_of_mass": "com",
+    "centre_of_mass": "com",
+    "offset": "theta",
+    "rotor_inertia": "motor_inertia",
+    "armature": "motor_inertia",
+    "jm": "motor_inertia",
+    "imotor": "motor_inertia",
+    "ixx": "xx",
+    "iyy": "yy",
+    "izz": "zz",
+    "ixy": "xy",
+    "ixz": "xz",
+    "iyz": "yz",
+    "yx": "xy",
+    "zx": "xz",
+    "zy": "yz",
+    "joints": "links",
+    "g": "gravity",
+    "effort": "torque",
+    "damping": "viscous",
+    "dh": "convention",
+}

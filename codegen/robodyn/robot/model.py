@@ -1,0 +1,123 @@
+"""A serial arm as data: frozen, SI units, modified (Craig) Denavit-Hartenberg frames.
+
+Frame i is reached from frame i-1 by ``Rot(x, alpha) Trans(x, a) Rot(z, theta + q) Trans(z, d)``
+(revolute) or ``Rot(x, alpha) Trans(x, a) Rot(z, theta) Trans(z, d + q)`` (prismatic). Numbers are
+:data:`~robodyn.robot.values.Value`: an exact rational, or an affine form in run-time parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Literal
+
+from robodyn.robot.values import ZERO, Affine, Angle, Value, parameters_of
+
+JointKind = Literal["revolute", "prismatic"]
+Vector = tuple[Value, Value, Value]
+
+
+@dataclass(frozen=True, slots=True)
+class Inertia:
+    """Inertia tensor about the centre of mass, along the link's axes [kg m^2].
+
+    ``xy`` and its like are the entries of the tensor (minus the products of inertia).
+    """
+
+    xx: Value = ZERO
+    yy: Value = ZERO
+    zz: Value = ZERO
+    xy: Value = ZERO
+    xz: Value = ZERO
+    yz: Value = ZERO
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Limits of a joint; rad or m, per second, per second squared; N m or N. None: not stated."""
+
+    position: tuple[Fraction, Fraction] | None = None
+    velocity: Fraction | None = None
+    acceleration: Fraction | None = None
+    torque: Fraction | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """The joint before a link: its kind, its four DH numbers, and what sits in it.
+
+    ``motor_inertia`` is reflected to the joint [kg m^2, prismatic kg]; ``viscous`` [N m s/rad or
+    N s/m] and ``coulomb`` [N m or N] are the friction shorthand.
+    """
+
+    kind: JointKind
+    alpha: Angle
+    a: Value
+    d: Value
+    theta: Angle
+    motor_inertia: Value = ZERO
+    viscous: Value = ZERO
+    coulomb: Value = ZERO
+    limits: Limits = field(default_factory=Limits)
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A link with the joint that carries it: mass [kg], centre of mass [m] in its own frame."""
+
+    name: str
+    joint: Joint
+    mass: Value = ZERO
+    com: Vector = (ZERO, ZERO, ZERO)
+    inertia: Inertia = field(default_factory=Inertia)
+    confidence: Fraction = Fraction(1, 10)
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """The row of a table of the thesis that a robot is set beside."""
+
+    table: str
+    row: str
+
+
+@dataclass(frozen=True, slots=True)
+class Robot:
+    """A serial arm, base to tip.
+
+    ``rest_velocity`` is None where friction at rest is exact (sgn 0 = 0), else the velocity [rad/s or
+    m/s] over which ``tanh(qd / rest_velocity)`` replaces the sign. ``torque_side`` says whether the
+    joint torque is the motor's (rotor and friction are in it) or the link's (they are not).
+    """
+
+    name: str
+    links: tuple[Link, ...]
+    title: str = ""
+    source: str = ""
+    gravity: tuple[Fraction, Fraction, Fraction] = (ZERO, ZERO, Fraction(-981, 100))
+    compare: Comparison | None = None
+    torque_side: Literal["motor", "link"] = "motor"
+    rest_velocity: Fraction | None = None
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return len(self.links)
+
+    def values(self) -> Iterator[Value]:
+        """Every number that may be a run-time parameter, base to tip."""
+        for link in self.links:
+            i, j = link.inertia, link.joint
+            yield from (j.a, j.d, link.mass, *link.com)
+            yield from (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz)
+            yield from (j.motor_inertia, j.viscous, j.coulomb)
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the run-time parameters, in the order of the emitted ``NAME_params``."""
+        seen: dict[str, None] = {}
+        for value in self.values():
+            if isinstance(value, Affine):
+                seen.update(dict.fromkeys(parameters_of(value)))
+        return tuple(seen)

@@ -1,0 +1,162 @@
+"""Which words may become names in C, C++, Fortran and Python, and which texts may become comments."""
+
+from __future__ import annotations
+
+import keyword
+import re
+
+from robodyn.errors import InputError
+
+#: Longest name of a robot. Fortran allows 63 characters, and the longest suffix takes 20 of them.
+ROBOT_NAME_LENGTH = 40
+#: Longest name of a run-time parameter: what C99 promises to tell apart.
+PARAMETER_NAME_LENGTH = 31
+#: Longest free text: a title, a source, the name of a link.
+TEXT_LENGTH = 200
+
+_C = """
+auto break case char const continue default do double else enum extern float for goto if inline int
+long register restrict return short signed sizeof static struct switch typedef union unsigned void
+volatile while alignas alignof bool constexpr false nullptr static_assert thread_local true typeof
+typeof_unqual
+"""
+_CPP = """
+and and_eq asm bitand bitor catch char8_t char16_t char32_t class co_await co_return co_yield compl
+concept const_cast consteval constinit decltype delete dynamic_cast explicit export friend mutable
+namespace new noexcept not not_eq operator or or_eq private protected public reinterpret_cast
+requires static_cast template this throw try typeid typename using virtual wchar_t xor xor_eq
+"""
+# Fortran reserves nothing, but a program in which these are names is read by nobody.
+_FORTRAN = """
+abstract allocatable allocate associate backspace bind block call character class close common
+complex concurrent contains critical cycle data deallocate dimension elemental elseif elsewhere end
+enddo endfile endif entry enumerator equivalence exit extends external final forall format function
+generic go implicit import in inout inquire integer intent interface intrinsic logical module
+namelist none nullify only open optional out parameter pointer precision print procedure program
+pure read real recursive result return rewind save select sequence stop submodule subroutine target
+then to type use where write
+"""
+# Object-like macros of <math.h>, <complex.h>, <stdio.h> and of gcc's GNU dialects: as a member of a
+# struct they would be replaced by a number.
+_MACROS = """
+M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2
+FP_NAN FP_INFINITE FP_ZERO FP_SUBNORMAL FP_NORMAL FP_FAST_FMA FP_FAST_FMAF FP_ILOGB0 FP_ILOGBNAN
+HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY MAXFLOAT MATH_ERRNO MATH_ERREXCEPT math_errhandling
+I NULL EOF BUFSIZ RAND_MAX stdin stdout stderr errno linux unix i386 signgam DOMAIN SING OVERFLOW
+UNDERFLOW PLOSS TLOSS
+"""
+_LANGUAGES = {
+    word: language
+    for language, words in (
+        ("Python", " ".join(keyword.kwlist).lower()),
+        ("Fortran", _FORTRAN),
+        ("C++", _CPP),
+        ("C", _C),
+    )
+    for word in words.split()
+}
+# Words that stand for a number, or for none, in somebody's mind: never the name of one.
+_VALUE_WORDS = frozenset(
+    ["pi", "nan", "inf", "infinity", "null", "nil", "true", "false", "yes", "no", "on", "off"]
+)
+# NAME.h must not stand in for a header of the C library, and NAME.c must be a file on every system.
+_HEADERS = """
+assert complex ctype errno fenv inttypes iso646 limits locale math setjmp signal stdalign stdarg
+stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+"""
+_DEVICES = ["con", "prn", "aux", "nul", *(f"{port}{i}" for port in ("com", "lpt") for i in range(1, 10))]
+
+_IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+# Line separators, and the marks that turn the direction of writing: in a comment the text would not be
+# what it looks like, and compilers warn of it.
+_INVISIBLE = frozenset("\u200e\u200f\u2028\u2029\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\ufeff")
+
+
+def _unprintable(text: str) -> str | None:
+    """The first control character, surrogate or invisible mark in ``text``."""
+    for c in text:
+        if c < " " or "\x7f" <= c <= "\x9f" or "\ud800" <= c <= "\udfff" or c in _INVISIBLE:
+            return c
+    return None
+
+
+def shown(text: str, length: int = 40) -> str:
+    """``text`` quoted for an error message: shortened, control characters escaped, one line."""
+    short = text if len(text) <= length else text[: length - 3] + "..."
+    return ascii(short) if _unprintable(short) else f"'{short}'"
+
+
+def _identifier_fault(name: str, length: int) -> str | None:
+    if not _IDENTIFIER.match(name):
+        if name.startswith("_"):
+            return "begins with an underscore, which Fortran forbids"
+        return "is not a name in C and Fortran"
+    if len(name) > length:
+        return f"has {len(name)} characters, {length} are allowed"
+    language = _LANGUAGES.get(name.lower())
+    return f"is a keyword of {language}" if language else None
+
+
+def robot_name_fault(name: str) -> str | None:
+    """What keeps ``name`` from being a robot's name, or None.
+
+    It prefixes every emitted symbol and is the stem of every emitted file.
+    """
+    fault = _identifier_fault(name, ROBOT_NAME_LENGTH)
+    if fault is None and name.lower() in _HEADERS.split():
+        fault = f"would make a file that hides the C header <{name.lower()}.h>"
+    if fault is None and name.lower() in _DEVICES:
+        fault = "is the name of a device on Windows"
+    return fault
+
+
+def parameter_name_fault(name: str) -> str | None:
+    """What keeps ``name`` from being a run-time parameter's name, or None.
+
+    A parameter is a member of the struct ``NAME_params`` (``p->m_tool``, in Fortran ``p%m_tool``), so
+    only keywords and macros can clash.
+    """
+    if name.lower() in _VALUE_WORDS:
+        return "is not a number, nor free to be a name"
+    fault = _identifier_fault(name, PARAMETER_NAME_LENGTH)
+    if fault is None and name in _MACROS.split():
+        fault = "is a macro of the C library"
+    return fault
+
+
+def text_fault(text: str) -> str | None:
+    """What keeps ``text`` from being a title, a source or a link's name, or None.
+
+    Such text is written into comments of the emitted files. ``*/`` and the like may be in it: the
+    emitter escapes them.
+    """
+    if len(text) > TEXT_LENGTH:
+        return f"has {len(text)} characters, {TEXT_LENGTH} are allowed"
+    bad = _unprintable(text)
+    return f"contains the control character U+{ord(bad):04X}" if bad else None
+
+
+def check_robot_name(name: str) -> str:
+    """``name`` itself if it may name a robot.
+
+    Raises
+    ------
+    InputError: it may not.
+    """
+    fault = robot_name_fault(name)
+    if fault:
+        raise InputError(
+            f"the robot's name {fault}",
+            found=shown(name),
+            expected=ROBOT_NAME_EXPECTED,
+            remedy="choose another name",
+        )
+    return name
+
+
+ROBOT_NAME_EXPECTED = (
+    f"a letter, then letters, digits or underscores, at most {ROBOT_NAME_LENGTH} characters, no keyword"
+)
+PARAMETER_NAME_EXPECTED = (
+    f"a letter, then letters, digits or underscores, at most {PARAMETER_NAME_LENGTH} characters, no keyword"
+)

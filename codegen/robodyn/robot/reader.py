@@ -1,0 +1,202 @@
+"""A robot description to a Robot; every complaint with file, line and column."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+
+from robodyn.robot import numbers
+from robodyn.robot.dh import from_standard
+from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
+from robodyn.robot.doubts import inertia_doubt, only_about_base_axis
+from robodyn.robot.fields import Section, Source, expectation
+from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT
+from robodyn.robot.model import Comparison, Inertia, Joint, JointKind, Limits, Link, Robot
+from robodyn.robot.names import ROBOT_NAME_EXPECTED, robot_name_fault, shown
+
+Warn = Callable[[str], object]
+
+
+class DoubtfulRobot(UserWarning):
+    """Numbers of a robot that physics hardly allows; see ``strict``."""
+
+
+def _warn(text: str) -> None:
+    warnings.warn(text, DoubtfulRobot, stacklevel=2)
+
+
+def read_text(text: str, file: str = "<text>", *, strict: bool = False, warn: Warn | None = None) -> Robot:
+    """The robot that the YAML ``text`` describes; ``file`` is what messages call it.
+
+    Physically doubtful numbers are told to ``warn``, one line of text each (by default they become a
+    :class:`DoubtfulRobot` warning); ``strict`` refuses them.
+
+    Raises
+    ------
+    InputError: the text is not a robot description; message and place say why.
+    """
+    source = Source(file, strict, warn or _warn)
+    return _robot(Section(source, "", compose(text, file), ROBOT))
+
+
+def read_bytes(data: bytes, file: str, *, strict: bool = False, warn: Warn | None = None) -> Robot:
+    """As :func:`read_text`, from the bytes of a file, which must be UTF-8.
+
+    Raises
+    ------
+    InputError: as :func:`read_text`, and for other encodings and files over 1 MiB.
+    """
+    return read_text(decode(data, file), file, strict=strict, warn=warn)
+
+
+def _robot(section: Section) -> Robot:
+    name = _robot_name(section)
+    title, from_ = section.text("title"), section.text("source")
+    gravity = section.vector("gravity")
+    compared = section.section("compare")
+    comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
+    convention = section.choice("convention") or "mdh"
+    links = _links(section, convention)
+    side = section.choice("torque_side")
+    rest = _rest_velocity(section)
+    _refuse_effects(section)
+    robot = Robot(name, links, title, from_, compare=comparison, rest_velocity=rest)
+    if gravity is not None:
+        x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
+        robot = replace(robot, gravity=(x, y, z))
+    return replace(robot, torque_side="link") if side == "link" else robot
+
+
+def _robot_name(section: Section) -> str:
+    node = section.scalar("name")
+    assert node is not None  # the key is required
+    fault = robot_name_fault(node.text)
+    if fault:
+        section.source.fail(
+            node,
+            f"the robot's name {fault}",
+            found=shown(node.text),
+            expected=ROBOT_NAME_EXPECTED,
+            remedy="choose another name; 'title' takes any text",
+        )
+    return node.text
+
+
+def _links(section: Section, convention: str) -> tuple[Link, ...]:
+    source = section.source
+    nodes = section.items("links") or ()
+    if not 1 <= len(nodes) <= LINKS:
+        source.fail(
+            section.values["links"],
+            f"{section.path('links')} must have 1 to {LINKS} entries",
+            found=describe(section.values["links"]),
+            expected="one entry a joint, base to tip",
+        )
+    sections = [Section(source, f"link {i}", node, LINK) for i, node in enumerate(nodes, 1)]
+    written = tuple(_link(part, i) for i, part in enumerate(sections, 1))
+    _refuse_twins(sections, written)
+    links = written
+    if convention == "sdh":
+        try:
+            links = from_standard(written)
+        except OverflowError:
+            source.fail(
+                section.values["links"],
+                "the links' numbers are too large to be converted to modified DH",
+                expected="numbers well below 1e308",
+            )
+    for i, (part, link) in enumerate(zip(sections, written, strict=True)):
+        reason = inertia_doubt(link.inertia)
+        if reason and not (i == 0 and only_about_base_axis(links[0].joint, links[0].inertia)):
+            source.doubt(
+                part.values["inertia"],
+                f"{part.label}: inertia is not physical: {reason}",
+                "check the table, or move a rotor's share to motor_inertia",
+            )
+    return links
+
+
+def _refuse_twins(sections: list[Section], links: tuple[Link, ...]) -> None:
+    first: dict[str, int] = {}
+    for i, (section, link) in enumerate(zip(sections, links, strict=True), 1):
+        if first.setdefault(link.name, i) != i:
+            node = section.values.get("name", section.node)
+            section.source.fail(
+                node,
+                f"link {i}: another link has this name",
+                found=f"{shown(link.name)}, as link {first[link.name]}",
+                remedy="give each link a name of its own, or none",
+            )
+
+
+def _link(section: Section, i: int) -> Link:
+    kind: JointKind = "prismatic" if section.choice("joint") == "prismatic" else "revolute"
+    name = section.text("name")
+    if not name and "name" in section.values:
+        section.source.fail(
+            section.values["name"], f"{section.path('name')} is empty", expected="text, or no such key"
+        )
+    friction = section.section("friction")
+    # Read in the order of the table, so that the first fault named is the first in a well-kept file.
+    alpha, a, d, theta = (
+        section.angle("alpha"),
+        section.number("a"),
+        section.number("d"),
+        section.angle("theta"),
+    )
+    mass, com = section.number("mass"), section.vector("com")
+    tensor = section.section("inertia")
+    motor_inertia = section.number("motor_inertia")
+    limits = _limits(section)
+    confidence = section.constant("confidence")
+    joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits)
+    if friction:
+        joint = replace(joint, viscous=friction.number("viscous"), coulomb=friction.number("coulomb"))
+    _refuse_effects(section)
+    link = Link(name or f"link{i}", joint, mass)
+    if com is not None:
+        link = replace(link, com=com)
+    if tensor:
+        link = replace(link, inertia=Inertia(*(tensor.number(key.name) for key in INERTIA)))
+    return link if confidence is None else replace(link, confidence=confidence)
+
+
+def _limits(section: Section) -> Limits:
+    limits = section.section("limits")
+    if limits is None:
+        return Limits()
+    return Limits(
+        limits.range("position"),
+        limits.constant("velocity"),
+        limits.constant("acceleration"),
+        limits.constant("torque"),
+    )
+
+
+def _rest_velocity(section: Section) -> Fraction | None:
+    """``exact``, ``smooth`` or ``smooth: {velocity: v}``; None for exact."""
+    key = section.keys["friction_at_rest"]
+    node: Node | None = section.values.get(key.name)
+    if node is None or (isinstance(node, Scalar) and node.text == "exact"):
+        return None
+    path = section.path(key.name)
+    if isinstance(node, Scalar) and node.text == "smooth":
+        return numbers.number(REST_VELOCITY)
+    if not (isinstance(node, Mapping) and len(node.entries) == 1 and node.entries[0][0].text == "smooth"):
+        section.source.fail(node, f"{path} is unknown", found=describe(node), expected=expectation(key))
+    smooth = Section(section.source, f"{path}: smooth", node.entries[0][1], key.members)
+    return smooth.constant("velocity") or numbers.number(REST_VELOCITY)
+
+
+def _refuse_effects(section: Section) -> None:
+    items = section.items("effects")
+    if items:
+        section.source.fail(
+            items[0],
+            f"{section.path('effects')} are not supported yet",
+            found=describe(section.values["effects"]),
+            expected="no entry",
+            remedy="delete the list; viscous and Coulomb friction go to 'friction'",
+        )

@@ -1,0 +1,103 @@
+"""The description's JSON Schema, so that editors complete and check a robot file."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robodyn.robot.keys import LINKS, REST_VELOCITY, ROBOT, Key
+from robodyn.robot.names import PARAMETER_NAME_LENGTH, ROBOT_NAME_LENGTH, TEXT_LENGTH
+from robodyn.robot.numbers import LENGTH
+
+Schema = dict[str, Any]
+
+_LITERAL = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
+_NAME = f"[A-Za-z][A-Za-z0-9_]{{0,{PARAMETER_NAME_LENGTH - 1}}}"
+_ARITHMETIC = rf"^(?:[-+*/() ]|pi\b|{_LITERAL})+$"
+_WITH_NAMES = rf"^(?:[-+*/() ]|{_NAME}\b|{_LITERAL})+$"
+
+
+def json_schema() -> Schema:
+    """JSON Schema (2020-12) of the robot description, with descriptions and units.
+
+    It is made from the table of keys that the reader uses. What a schema cannot say (parameters that
+    differ by case, tensors that no body has) is left to the reader.
+    """
+    schema: Schema = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "robodyn robot description",
+        "description": "A serial arm, base to tip, in SI units.",
+    }
+    schema.update(_object(ROBOT))
+    schema["$defs"] = {
+        "arithmetic": {
+            "type": "string",
+            "maxLength": LENGTH,
+            "pattern": _ARITHMETIC,
+            "description": "Arithmetic with numbers, pi and + - * / ( ), such as -pi/2.",
+        },
+        "arithmetic_with_names": {
+            "type": "string",
+            "maxLength": LENGTH,
+            "pattern": _WITH_NAMES,
+            "description": "Arithmetic as above; a name becomes a run-time parameter of the kernels.",
+        },
+    }
+    return schema
+
+
+def _object(keys: tuple[Key, ...]) -> Schema:
+    schema: Schema = {
+        "type": "object",
+        "properties": {key.name: _documented(key) for key in keys},
+        "additionalProperties": False,
+    }
+    required = [key.name for key in keys if key.required]
+    return {**schema, "required": required} if required else schema
+
+
+def _documented(key: Key) -> Schema:
+    description = key.doc + (f" [{key.unit}]" if key.unit else "")
+    if key.names:
+        description += " A name makes it a run-time parameter."
+    if key.default:
+        description += f" Default: {key.default}."
+    return {"description": description, **_of_kind(key)}
+
+
+def _of_kind(key: Key) -> Schema:
+    if key.kind == "name":
+        return {"type": "string", "pattern": f"^[A-Za-z][A-Za-z0-9_]{{0,{ROBOT_NAME_LENGTH - 1}}}$"}
+    if key.kind == "text":
+        # YAML makes a number of a bare 2.10: the reader takes the text as it stands.
+        return {"type": ["string", "number"], "maxLength": TEXT_LENGTH}
+    if key.kind == "choice":
+        return {"enum": list(key.choices)}
+    if key.kind in ("number", "angle"):
+        return _number(key)
+    if key.kind in ("vector", "range"):
+        count = 3 if key.kind == "vector" else 2
+        return {"type": "array", "items": _number(key), "minItems": count, "maxItems": count}
+    if key.kind == "group":
+        return _object(key.members)
+    if key.kind == "rest":
+        smooth = {"type": "object", "properties": {"smooth": _object(key.members)}, "required": ["smooth"]}
+        example = {"smooth": {"velocity": float(REST_VELOCITY)}}
+        return {
+            "anyOf": [{"enum": list(key.choices)}, {**smooth, "additionalProperties": False}],
+            "examples": ["exact", example],
+        }
+    if not key.members:
+        return {"type": "array", "maxItems": 0}
+    return {"type": "array", "items": _object(key.members), "minItems": 1, "maxItems": LINKS}
+
+
+def _number(key: Key) -> Schema:
+    number: Schema = {"type": "number"}
+    if key.sign == "nonnegative":
+        number["minimum"] = 0
+    elif key.sign != "any":
+        number["exclusiveMinimum"] = 0
+    if key.sign == "share":
+        number["maximum"] = 1
+    text = "arithmetic_with_names" if key.names else "arithmetic"
+    return {"anyOf": [number, {"$ref": f"#/$defs/{text}"}]}

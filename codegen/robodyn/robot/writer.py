@@ -1,0 +1,149 @@
+"""A Robot back to its description: what is written reads back to an equal Robot."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from robodyn.robot import numbers
+from robodyn.robot.model import Joint, Limits, Link, Robot
+from robodyn.robot.values import ZERO, Affine, Angle, Value, angle
+
+# Smallest part of pi that is looked for behind an angle: pi/360 is half a degree.
+_PARTS = 360
+
+
+def to_yaml(robot: Robot) -> str:
+    """The description of ``robot`` as YAML text, ending in a line break; the same text for equal robots.
+
+    Keys that hold their default are left out, save the rigid-body ones. Every number is written exactly
+    where that takes at most 200 characters (always, for numbers that were read from a description), else
+    as the nearest double.
+    """
+    lines = [f"name: {robot.name}"]
+    lines += [
+        f"{key}: {_quoted(text)}" for key, text in (("title", robot.title), ("source", robot.source)) if text
+    ]
+    lines.append(f"gravity: {_list(robot.gravity)}")
+    if robot.compare:
+        lines.append(f"compare: {{table: {_quoted(robot.compare.table)}, row: {_quoted(robot.compare.row)}}}")
+    lines.append("links:")
+    for i, link in enumerate(robot.links, 1):
+        lines += _link_lines(link, i)
+    if robot.torque_side != "motor":
+        lines.append(f"torque_side: {robot.torque_side}")
+    if robot.rest_velocity is not None:
+        lines.append(f"friction_at_rest: {{smooth: {{velocity: {_number(robot.rest_velocity)}}}}}")
+    return "\n".join(lines) + "\n"
+
+
+def _link_lines(link: Link, i: int) -> list[str]:
+    joint, inertia = link.joint, link.inertia
+    lines = [] if link.name == f"link{i}" else [f"name: {_quoted(link.name)}"]
+    lines += [
+        f"joint: {joint.kind}",
+        f"alpha: {_angle(joint.alpha)}",
+        f"a: {_number(joint.a)}",
+        f"d: {_number(joint.d)}",
+        f"theta: {_angle(joint.theta)}",
+        f"mass: {_number(link.mass)}",
+        f"com: {_list(link.com)}",
+        f"inertia: {_group({axes: getattr(inertia, axes) for axes in ('xx', 'yy', 'zz', 'xy', 'xz', 'yz')})}",
+    ]
+    if joint.motor_inertia != ZERO:
+        lines.append(f"motor_inertia: {_number(joint.motor_inertia)}")
+    if joint.limits != Limits():
+        lines.append(f"limits: {_limits(joint.limits)}")
+    if link.confidence != Fraction(1, 10):
+        lines.append(f"confidence: {_number(link.confidence)}")
+    if (joint.viscous, joint.coulomb) != (ZERO, ZERO):
+        lines.append(f"friction: {_friction(joint)}")
+    return [("  - " if k == 0 else "    ") + line for k, line in enumerate(lines)]
+
+
+def _limits(limits: Limits) -> str:
+    parts = [] if limits.position is None else [f"position: {_list(limits.position)}"]
+    for name in ("velocity", "acceleration", "torque"):
+        value = getattr(limits, name)
+        if value is not None:
+            parts.append(f"{name}: {_number(value)}")
+    return "{" + ", ".join(parts) + "}"
+
+
+def _friction(joint: Joint) -> str:
+    terms = {"viscous": joint.viscous, "coulomb": joint.coulomb}
+    return _group({name: value for name, value in terms.items() if value != ZERO})
+
+
+def _group(values: dict[str, Value]) -> str:
+    return "{" + ", ".join(f"{name}: {_number(value)}" for name, value in values.items()) + "}"
+
+
+def _list(values: tuple[Value, ...]) -> str:
+    return "[" + ", ".join(_number(value) for value in values) + "]"
+
+
+def _quoted(text: str) -> str:
+    """A double-quoted YAML scalar; what does not print is escaped."""
+    escapes = {'"': '\\"', "\\": "\\\\"}
+    return '"' + "".join(escapes.get(c, c if c.isprintable() else _escaped(c)) for c in text) + '"'
+
+
+def _escaped(character: str) -> str:
+    code = ord(character)
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+def _number(value: Value) -> str:
+    text = _affine(value) if isinstance(value, Affine) else _rational(value)
+    if len(text) <= numbers.LENGTH:
+        return text
+    value = numbers.rounded(value)
+    return _affine(value) if isinstance(value, Affine) else _rational(value)
+
+
+def _affine(value: Affine) -> str:
+    text = "" if value.constant == 0 else _rational(value.constant)
+    for name, coefficient in value.terms:
+        size = "" if abs(coefficient) == 1 else _rational(abs(coefficient)) + "*"
+        sign = "-" if coefficient < 0 else "+" if text else ""
+        text += (f" {sign} " if text else sign) + size + name
+    return text
+
+
+def _rational(value: Fraction) -> str:
+    """``0.4318``, ``1e-12``, or ``1/3`` where no decimal ends."""
+    twos = fives = 0
+    rest = value.denominator
+    while rest % 2 == 0:
+        rest, twos = rest // 2, twos + 1
+    while rest % 5 == 0:
+        rest, fives = rest // 5, fives + 1
+    if rest != 1:
+        return f"{value.numerator}/{value.denominator}"
+    places = max(twos, fives)
+    digits = str(abs(value.numerator) * 10**places // value.denominator)
+    kept = digits.rstrip("0") or "0"
+    exponent = len(digits) - 1 - places if value else 0
+    sign = "-" if value < 0 else ""
+    if -5 <= exponent < 16:
+        padded = digits.zfill(places + 1)
+        whole, decimals = padded[: len(padded) - places], padded[len(padded) - places :].rstrip("0")
+        return sign + whole + ("." + decimals if decimals else "")
+    return sign + kept[0] + ("." + kept[1:] if kept[1:] else "") + f"e{exponent}"
+
+
+def _angle(value: Angle) -> str:
+    """A part of pi where one reads back as the same angle, else the double that makes the angle."""
+    if value.quarter is not None:
+        return _part_of_pi(Fraction(value.quarter, 2))
+    text = _part_of_pi(Fraction(value.radians / math.pi).limit_denominator(_PARTS))
+    read = numbers.parse(text).value
+    return text if isinstance(read, Fraction) and angle(read) == value else repr(value.radians)
+
+
+def _part_of_pi(part: Fraction) -> str:
+    if part == 0:
+        return "0"
+    size = "pi" if abs(part.numerator) == 1 else f"{abs(part.numerator)}*pi"
+    return ("-" if part < 0 else "") + size + ("" if part.denominator == 1 else f"/{part.denominator}")

@@ -1,0 +1,252 @@
+"""Compiled kernels against the independent references: how far off, where, and whether it matters.
+
+The yardstick of torques is T, the largest torque (in absolute value, over all joints) that the reference's
+inverse dynamics needs anywhere in the sample; of mass matrices it is the largest entry in the sample. The
+**error** of a comparison is the largest difference of any joint at any state, divided by its yardstick. It
+must not exceed the tolerance: 1e-10 in double, 1e-5 in single precision. A number that is not finite where
+the reference's is counts as infinitely wrong.
+
+Forward dynamics is judged by its torque: the accelerations that the kernel gives are put into the reference's
+inverse dynamics and must need the torque that the kernel was given. (A direct comparison would measure the
+condition of the mass matrix instead.) States at which the mass matrix, scaled to a unit diagonal, is singular
+to the kernel's precision are left out, and counted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError, ToolError
+from robodyn.robot.model import Robot
+from robodyn.verify.lagrangian import LIMIT
+from robodyn.verify.oracles import (
+    Oracle,
+    differences,
+    exact_oracle,
+    lagrangian_oracle,
+    reference_oracle,
+)
+from robodyn.verify.reference import Floats, Reference
+from robodyn.verify.report import Comparison, VerifyReport
+from robodyn.verify.sample import draw, draw_parameters
+
+if TYPE_CHECKING:
+    from robodyn.build import Kernel
+
+#: What the error may be at most, by scalar type.
+TOLERANCE: Mapping[str, float] = {"double": 1e-10, "float": 1e-5}
+#: How many states are compared with the exact torque.
+EXACT_STATES = 5
+
+Progress = Callable[[int, int], None]
+Trig = Callable[[Floats], Floats]
+
+_KNOWN = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
+
+
+def verify(
+    robot: Robot,
+    kernel: Kernel,
+    *,
+    states: int = 200,
+    seed: int = 0,
+    parameters: Mapping[str, float] | None = None,
+    exact_states: int = EXACT_STATES,
+    lagrangian: bool | None = None,
+    trig: Trig | None = None,
+    progress: Progress | None = None,
+) -> VerifyReport:
+    """Compare every function that ``kernel`` offers with every reference.
+
+    Parameters
+    ----------
+    robot: what the kernel was made of.
+    states, seed: size and seed of the sample (:func:`robodyn.verify.sample.draw`).
+    parameters: values of the run-time parameters, SI units; random ones if not given.
+    exact_states: how many states to compare with the exact torques; of mass matrices at most two.
+    lagrangian: whether to compare with the Lagrangian; if not said, up to three joints.
+    trig: for kernels that take ``sc``: the function that makes it ``[N, ...]`` of ``q`` ``[N, n]``.
+    progress: called with (comparisons done, comparisons in all).
+
+    Raises
+    ------
+    InputError: the kernel is another robot's; ``trig`` is missing; ``parameters`` do not fit.
+    ToolError: the Lagrangian is asked for, and sympy is missing.
+    """
+    if kernel.robot != robot.name:
+        raise InputError("the kernel is another robot's", found=kernel.robot, expected=robot.name)
+    values = draw_parameters(robot, parameters, seed, kernel.dtype)
+    run = _Run(robot, kernel, values, states, seed, trig)
+    oracles = [(reference_oracle(robot, values), states)]
+    if exact_states > 0:
+        oracles.append((exact_oracle(robot, values), exact_states))
+    skipped: dict[str, str] = {}
+    if lagrangian or (lagrangian is None and robot.n <= LIMIT):
+        try:
+            oracles.append((lagrangian_oracle(robot, values), states))
+        except ToolError as error:
+            if lagrangian:
+                raise
+            skipped["the Lagrangian"] = error.message()
+    functions = []
+    for name in kernel.functions:
+        reason = run.obstacle(name)
+        if reason is None:
+            functions.append(name)
+        else:
+            skipped[name] = reason
+    total = len(functions) * len(oracles)
+    comparisons = []
+    for done, (name, (oracle, count)) in enumerate(
+        ((name, pair) for name in functions for pair in oracles), start=1
+    ):
+        comparisons.append(run.compare(name, oracle, count))
+        if progress is not None:
+            progress(done, total)
+    return VerifyReport(
+        robot=robot.name,
+        scalar=kernel.scalar,
+        language=kernel.language,
+        seed=seed,
+        states=states,
+        largest_torque=run.largest,
+        parameters=values,
+        comparisons=tuple(comparisons),
+        skipped=skipped,
+    )
+
+
+class _Run:
+    """A kernel, its sample, and what the kernel makes of it."""
+
+    def __init__(
+        self,
+        robot: Robot,
+        kernel: Kernel,
+        values: Mapping[str, float],
+        states: int,
+        seed: int,
+        trig: Trig | None,
+    ) -> None:
+        self.kernel = kernel
+        self.values = values
+        self.tolerance = TOLERANCE[kernel.scalar]
+        sample = draw(robot, states, seed, kernel.dtype)
+        reference = Reference(robot, values)
+        tau = reference.inverse_dynamics(sample.q, sample.qd, sample.qdd)
+        self.largest = float(np.abs(tau).max())
+        self.matrix = reference.mass_matrix(sample.q)
+        self.regular = _regular(self.matrix, kernel.dtype)
+        rounded = tau.astype(kernel.dtype).astype(np.float64)
+        self.inputs: dict[str, Floats] = {"q": sample.q, "qd": sample.qd, "qdd": sample.qdd, "tau": rounded}
+        if any(name == "sc" for s in kernel.signatures.values() for name, _ in s.inputs):
+            if trig is None:
+                raise InputError(
+                    f"the kernel of {robot.name} takes sines and cosines",
+                    expected="trig, a function that makes them of q",
+                )
+            self.inputs["sc"] = np.asarray(trig(sample.q), kernel.dtype).astype(np.float64)
+        self.results: dict[str, Floats] = {}
+
+    def obstacle(self, function: str) -> str | None:
+        """Why ``function`` cannot be compared."""
+        if function not in _KNOWN:
+            return "no reference knows it"
+        unknown = [name for name, _ in self.kernel.signatures[function].inputs if name not in self.inputs]
+        if unknown:
+            return f"its input {', '.join(unknown)} is unknown"
+        if function == "forward_dynamics" and not self.regular.any():
+            return "the mass matrix is singular at every state"
+        return None
+
+    def compare(self, function: str, oracle: Oracle, count: int) -> Comparison:
+        """``function`` against ``oracle`` at ``count`` states, evenly picked."""
+        places = np.arange(len(self.regular))
+        if function == "forward_dynamics":
+            places = places[self.regular]
+        left_out = len(self.regular) - len(places)
+        if function == "mass_matrix" and oracle.name == "exact":
+            count = min(count, 2)
+        if count < len(places):
+            places, left_out = places[np.linspace(0, len(places) - 1, count).astype(int)], 0
+        actual = self._result(function)[places]
+        q, qd, qdd, tau = (self.inputs[name][places] for name in ("q", "qd", "qdd", "tau"))
+        yardstick = self.largest
+        if function == "mass_matrix":
+            expected = oracle.mass_matrix(q)
+            yardstick = float(np.abs(self.matrix).max())
+        elif function == "forward_dynamics":
+            sound = np.isfinite(actual)
+            found = oracle.torque(q, qd, np.where(sound, actual, 0.0))
+            error = differences(tau, found)
+            error[~sound.all(axis=1)] = np.inf
+            return self._comparison(function, oracle, places, left_out, error, yardstick, None)
+        elif function == "gravity":
+            expected = oracle.gravity(q)
+        elif function == "bias":
+            expected = oracle.bias(q, qd)
+        else:
+            expected = oracle.torque(q, qd, qdd)
+        error = differences(actual, expected)
+        ulps = self._ulps(error, expected, yardstick) if oracle.name == "exact" else None
+        return self._comparison(function, oracle, places, left_out, error, yardstick, ulps)
+
+    def _result(self, function: str) -> Floats:
+        """What the kernel gives at all states of the sample, computed once."""
+        if function not in self.results:
+            arrays = [self.inputs[name] for name, _ in self.kernel.signatures[function].inputs]
+            call = getattr(self.kernel, function)
+            needs = self.kernel.signatures[function].parameters
+            found = call(*arrays, params=self.values if needs else None)
+            self.results[function] = np.asarray(found, np.float64)
+        return self.results[function]
+
+    def _comparison(
+        self,
+        function: str,
+        oracle: Oracle,
+        places: NDArray[np.intp],
+        left_out: int,
+        error: Floats,
+        yardstick: float,
+        ulps: float | None,
+    ) -> Comparison:
+        worst = np.unravel_index(int(np.argmax(error)), error.shape)
+        state = int(places[worst[0]])
+        largest = float(error[worst])
+        return Comparison(
+            function=function,
+            against=oracle.name,
+            states=len(places),
+            left_out=left_out,
+            error=largest / yardstick if yardstick > 0 else (0.0 if largest == 0 else np.inf),
+            tolerance=self.tolerance,
+            joint=int(worst[1]) + 1,
+            column=int(worst[2]) + 1 if error.ndim == 3 else None,
+            state=state,
+            inputs={
+                name: tuple(self.inputs[name][state].tolist())
+                for name, _ in self.kernel.signatures[function].inputs
+            },
+            ulps=ulps,
+        )
+
+    def _ulps(self, error: Floats, expected: NDArray[Any], yardstick: float) -> float:
+        """The largest error in units in the last place of each joint's largest torque."""
+        sizes = np.abs(expected).astype(np.float64)
+        unit = sizes.max(axis=0) if error.ndim == 2 else np.full(sizes.shape[1:], yardstick)
+        unit = np.where(unit > 0, unit, yardstick if yardstick > 0 else 1.0)
+        return float((error / np.spacing(unit.astype(self.kernel.dtype)).astype(np.float64)).max())
+
+
+def _regular(matrix: Floats, dtype: np.dtype[Any]) -> NDArray[np.bool_]:
+    """At which states ``[N]`` the mass matrix can be inverted in ``dtype``."""
+    diagonal = np.einsum("kii->ki", matrix)
+    fit = (diagonal > 0).all(axis=1)
+    scale = 1 / np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
+    condition = np.linalg.cond(matrix * scale[:, :, None] * scale[:, None, :])
+    return np.asarray(fit & (condition < 0.01 / float(np.finfo(dtype).eps)))

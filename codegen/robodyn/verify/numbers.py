@@ -1,0 +1,39 @@
+"""The numbers of a robot with its run-time parameters filled in; all that the references share."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from robodyn.errors import InputError
+from robodyn.robot.model import Robot
+from robodyn.robot.values import Affine, Value
+
+#: Values of run-time parameters by name, SI units.
+Parameters = Mapping[str, float]
+
+
+def number(value: Value, parameters: Parameters) -> Fraction:
+    """``value`` with the parameters filled in, exactly (a double is a rational)."""
+    if isinstance(value, Affine):
+        terms = (coefficient * Fraction(float(parameters[name])) for name, coefficient in value.terms)
+        return value.constant + sum(terms, Fraction(0))
+    return value
+
+
+def filled(robot: Robot, parameters: Parameters | None) -> Parameters:
+    """``parameters`` as a mapping that has every run-time parameter of ``robot``.
+
+    Raises
+    ------
+    InputError: one is missing.
+    """
+    given = parameters or {}
+    missing = [name for name in robot.parameters if name not in given]
+    if missing:
+        raise InputError(
+            f"{robot.name} has run-time parameters without a value",
+            found=f"no value of {', '.join(missing)}",
+            expected=f"numbers for {', '.join(robot.parameters)}",
+        )
+    return given

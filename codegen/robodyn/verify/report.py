@@ -1,0 +1,152 @@
+"""What a verification found, for people and for programs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """One function against one reference.
+
+    Attributes
+    ----------
+    function, against: name of the function; ``reference``, ``exact`` or ``lagrangian``.
+    states, left_out: how many states were compared, and how many could not be.
+    error: the largest difference divided by the yardstick (see :mod:`robodyn.verify.check`).
+    tolerance: what the error may be at most.
+    joint, column: the joint (from 1) with that difference; of a matrix its row, and the column (from 1).
+    state, inputs: number of the state (from 0) and what the kernel was given there.
+    ulps: against ``exact``: the largest difference in units in the last place (of the kernel's type) of the
+        largest torque that the joint needs at the states compared, for a matrix of the yardstick; else None.
+    """
+
+    function: str
+    against: str
+    states: int
+    left_out: int
+    error: float
+    tolerance: float
+    joint: int
+    column: int | None
+    state: int
+    inputs: Mapping[str, tuple[float, ...]]
+    ulps: float | None
+
+    @property
+    def passed(self) -> bool:
+        """Whether the error is within the tolerance; never if it is not a number."""
+        return self.error <= self.tolerance
+
+    def to_dict(self) -> dict[str, Any]:
+        """For JSON; an infinite error is null."""
+        return {
+            "function": self.function,
+            "against": self.against,
+            "passed": self.passed,
+            "error": _finite(self.error),
+            "tolerance": self.tolerance,
+            "states": self.states,
+            "left_out": self.left_out,
+            "joint": self.joint,
+            "column": self.column,
+            "state": self.state,
+            "inputs": {name: [_finite(x) for x in values] for name, values in self.inputs.items()},
+            "ulps": None if self.ulps is None else _finite(self.ulps),
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class VerifyReport:
+    """All comparisons of one kernel.
+
+    ``largest_torque`` [N m or N] is the yardstick of torques, ``parameters`` the values of the run-time
+    parameters, ``skipped`` what was not compared and why.
+    """
+
+    robot: str
+    scalar: str
+    language: str
+    seed: int
+    states: int
+    largest_torque: float
+    parameters: Mapping[str, float]
+    comparisons: tuple[Comparison, ...]
+    skipped: Mapping[str, str]
+
+    @property
+    def passed(self) -> bool:
+        """Whether something was compared and all of it is within its tolerance."""
+        return bool(self.comparisons) and all(c.passed for c in self.comparisons)
+
+    @property
+    def worst(self) -> Comparison | None:
+        """The comparison that is nearest to its tolerance, or farthest beyond."""
+        return max(self.comparisons, key=lambda c: c.error / c.tolerance, default=None)
+
+    def to_dict(self) -> dict[str, Any]:
+        """For JSON."""
+        return {
+            "robot": self.robot,
+            "scalar": self.scalar,
+            "language": self.language,
+            "passed": self.passed,
+            "states": self.states,
+            "seed": self.seed,
+            "largest_torque": self.largest_torque,
+            "parameters": dict(self.parameters),
+            "comparisons": [c.to_dict() for c in self.comparisons],
+            "skipped": dict(self.skipped),
+        }
+
+    def to_text(self) -> str:
+        """A table, and the state of the worst comparison if it failed."""
+        title = f"{self.robot} ({self.scalar}, {self.language}): {self.states} states, seed {self.seed}"
+        lines = [f"{title}, largest torque {self.largest_torque:.4g}"]
+        head = ("function", "against", "states", "error", "allowed", "joint", "state", "ulp", "")
+        rows = [head, *(_row(c) for c in self.comparisons)]
+        widths = [max(len(row[k]) for row in rows) for k in range(len(head))]
+        for row in rows:
+            cells = [
+                cell.ljust(w) if k < 2 else cell.rjust(w)
+                for k, (cell, w) in enumerate(zip(row, widths, strict=True))
+            ]
+            lines.append("  ".join(cells).rstrip())
+        lines += [f"not compared: {what}: {why}" for what, why in self.skipped.items()]
+        if self.passed:
+            lines.append("all within tolerance")
+        elif not self.comparisons:
+            lines.append("nothing was compared")
+        else:
+            failed = sum(not c.passed for c in self.comparisons)
+            lines.append(f"FAILED: {failed} of {len(self.comparisons)}")
+            worst = self.worst
+            assert worst is not None
+            lines.append(f"worst: {worst.function} against {worst.against}, joint {worst.joint}, at")
+            lines += [f"  {name} = [{', '.join(repr(x) for x in xs)}]" for name, xs in worst.inputs.items()]
+        return "\n".join(lines)
+
+
+def _row(c: Comparison) -> tuple[str, ...]:
+    joint = str(c.joint) if c.column is None else f"{c.joint},{c.column}"
+    states = str(c.states) if not c.left_out else f"{c.states} (-{c.left_out})"
+    ulps = "" if c.ulps is None else f"{c.ulps:.1f}"
+    verdict = "" if c.passed else "FAILED"
+    return (
+        c.function,
+        c.against,
+        states,
+        f"{c.error:.1e}",
+        f"{c.tolerance:.0e}",
+        joint,
+        str(c.state),
+        ulps,
+        verdict,
+    )
+
+
+def _finite(x: float) -> float | None:
+    return x if math.isfinite(x) else None

@@ -1,0 +1,89 @@
+"""States to compare at, the same for the same seed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from robodyn.errors import InputError
+from robodyn.robot.model import Joint, Robot
+from robodyn.verify.numbers import Parameters, filled
+from robodyn.verify.reference import Floats
+
+_REST = 4  # how many states of a sample have joints at rest
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """States ``[N, n]``: rad or m, and per second. Every number is one of the kernel's own type."""
+
+    q: Floats
+    qd: Floats
+    qdd: Floats
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+
+def draw(robot: Robot, states: int, seed: int, dtype: np.dtype[Any]) -> Sample:
+    """``states`` random states within the joints' limits.
+
+    Where a limit is not stated, q is within pi or 0.5 m, qd within 3, qdd within 10 (SI). Of twenty
+    states or more the last four are at rest, where friction and terms that multiply a velocity show
+    themselves: nothing moves; likewise with q = 0; nothing moves but accelerates; steady motion.
+
+    Raises
+    ------
+    InputError: less than one state.
+    """
+    if states < 1:
+        raise InputError("there is nothing to compare", found=f"{states} states", expected="one or more")
+    rng = np.random.default_rng(seed)
+    bounds = np.array([_bounds(link.joint) for link in robot.links])  # [n, 3, 2]
+    low, high = bounds[:, :, 0], bounds[:, :, 1]
+    drawn = low + (high - low) * rng.random((states, robot.n, 3))
+    if states >= 5 * _REST:
+        drawn[-4, :, 2] = 0.0
+        drawn[-3, :, 1] = 0.0
+        drawn[-2, :, 1:] = 0.0
+        drawn[-1] = 0.0
+    rounded = drawn.astype(dtype).astype(np.float64)
+    q, qd, qdd = (np.ascontiguousarray(rounded[:, :, k]) for k in range(3))
+    return Sample(q, qd, qdd)
+
+
+def draw_parameters(
+    robot: Robot, parameters: Parameters | None, seed: int, dtype: np.dtype[Any]
+) -> dict[str, float]:
+    """Values of the run-time parameters in the kernel's type: those given, else random in 0.1 .. 1 (SI).
+
+    Raises
+    ------
+    InputError: some are given and others are not, or one is unknown.
+    """
+    if parameters:
+        unknown = [name for name in parameters if name not in robot.parameters]
+        if unknown:
+            raise InputError(
+                f"{robot.name} has no such run-time parameter",
+                found=", ".join(unknown),
+                expected=", ".join(robot.parameters) or "none",
+            )
+        values = dict(filled(robot, parameters))
+    else:
+        rng = np.random.default_rng([seed, 1])
+        values = {name: float(rng.uniform(0.1, 1.0)) for name in robot.parameters}
+    return {name: float(dtype.type(values[name])) for name in robot.parameters}
+
+
+def _bounds(joint: Joint) -> list[tuple[float, float]]:
+    """Bounds of q, qd and qdd."""
+    limits = joint.limits
+    reach = 0.5 if joint.kind == "prismatic" else math.pi
+    position = limits.position or (-reach, reach)
+    speed = 3.0 if limits.velocity is None else float(limits.velocity)
+    rate = 10.0 if limits.acceleration is None else float(limits.acceleration)
+    return [(float(position[0]), float(position[1])), (-speed, speed), (-rate, rate)]

@@ -1,0 +1,1775 @@
+! iiwa: KUKA iiwa 14 geometry, random full inertias
+! Numbers: published iiwa geometry; inertial parameters drawn at random
+! Written by robodyn; do not edit, generate again.
+!
+! Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute, 7
+!   revolute
+! Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
+! Arguments, in SI units, joint 1 first:
+!   q    joint positions [rad, prismatic m]
+!   qd   joint velocities [rad/s, prismatic m/s]
+!   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+!   tau  joint torques [N m, prismatic N]
+!   M    mass matrix, row by row [kg m^2, kg m, kg]
+! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+!   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+!   makes no difference is moved to its parent.
+!
+! Operations (every binary * is a multiplication, every binary + or - an addition):
+!   inverse_dynamics: 296 multiplications, 281 additions = 577; 8 unary minus; 12 sine/cosine
+!   gravity: 64 multiplications, 38 additions = 102; 4 unary minus; 12 sine/cosine
+!   bias: 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
+!   mass_matrix: 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
+!   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12
+!       sine/cosine
+module iiwa_dynamics
+  use, intrinsic :: iso_c_binding, only: rk => c_double
+  implicit none
+  private
+
+  public :: iiwa_inverse_dynamics
+  public :: iiwa_gravity
+  public :: iiwa_bias
+  public :: iiwa_mass_matrix
+  public :: iiwa_forward_dynamics
+
+contains
+
+  ! torques that give the accelerations qdd
+  ! 296 multiplications, 281 additions = 577; 8 unary minus; 12 sine/cosine
+  pure subroutine iiwa_inverse_dynamics(q, qd, qdd, tau) &
+      bind(c, name="iiwa_inverse_dynamics_f")
+    real(rk), intent(in) :: q(7)
+    real(rk), intent(in) :: qd(7)
+    real(rk), intent(in) :: qdd(7)
+    real(rk), intent(out) :: tau(7)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, c7, s7, t1, w2_x, w2_y, ww2_yz
+    real(rk) :: ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33
+    real(rk) :: a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, alpha3_z, w3_z
+    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12
+    real(rk) :: lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, a3_z
+    real(rk) :: t2, t3, a3_x, a3_y, w4_x, w4_y, alpha4_x, alpha4_y
+    real(rk) :: alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx, ww4_yy, ww4_zz
+    real(rk) :: neg_lam4_11, lam4_12, lam4_13, lam4_21, lam4_22, lam4_23, lam4_31, lam4_32
+    real(rk) :: lam4_33, a4_x, a4_y, w5_x, t4, w5_y, alpha5_x, alpha5_y
+    real(rk) :: alpha5_z, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz
+    real(rk) :: neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32
+    real(rk) :: neg_lam5_33, a5_z, t5, t6, a5_x, a5_y, w6_x, t7
+    real(rk) :: w6_y, alpha6_x, alpha6_y, alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy
+    real(rk) :: ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22
+    real(rk) :: lam6_23, lam6_31, lam6_32, neg_lam6_33, neg_a6_x, a6_y, w7_x, w7_y
+    real(rk) :: alpha7_x, alpha7_y, alpha7_z, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx
+    real(rk) :: ww7_yy, ww7_zz, neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23
+    real(rk) :: lam7_31, lam7_32, neg_lam7_33, a7_z, t8, t9, a7_x, a7_y
+    real(rk) :: nc1_z, nc2_x, nc2_y, t10, nc2_z, fc3_x, fc3_y, nc3_x
+    real(rk) :: nc3_y, t11, nc3_z, fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y
+    real(rk) :: t12, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t13
+    real(rk) :: nc5_z, fc6_x, fc6_y, fc6_z, neg_nc6_x, nc6_y, t14, nc6_z
+    real(rk) :: neg_fc7_x, fc7_y, fc7_z, neg_nc7_x, nc7_y, t15, nc7_z, t16
+    real(rk) :: neg_n6_x, n6_y, t17, n6_z, f6_x, f6_y, f6_z, n5_x
+    real(rk) :: n5_y, n5_z, f5_x, f5_y, f5_z, t18, neg_n4_x, n4_y
+    real(rk) :: t19, n4_z, f4_x, f4_y, f4_z, n3_x, n3_y, n3_z
+    real(rk) :: f3_x, f3_y, neg_n2_x, n2_y, n2_z, n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    t1 = -qd(1)
+    ! link 2: angular velocity [rad/s]
+    w2_x = t1*s2
+    w2_y = t1*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_yz = qd(2)*w2_y
+    ww2_zx = qd(2)*w2_x
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = ww2_yz - qdd(1)*s2
+    neg_alpha2_y = qdd(1)*c2 + ww2_zx
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    lam2_12 = ww2_xy - qdd(2)
+    lam2_13 = ww2_zx - neg_alpha2_y
+    lam2_21 = qdd(2) + ww2_xy
+    neg_lam2_22 = ww2_xx + ww2_zz
+    lam2_23 = ww2_yz - alpha2_x
+    lam2_31 = ww2_zx + neg_alpha2_y
+    lam2_32 = ww2_yz + alpha2_x
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + qd(2)*s3
+    w3_y = qd(2)*c3 - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - qdd(2)*s3)
+    alpha3_y = qdd(2)*c3 - s3*alpha2_x - qd(3)*w3_x
+    alpha3_z = qdd(3) + neg_alpha2_y
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(3) - w2_y
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    ww3_xx = w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_12 = ww3_xy - alpha3_z
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_21 = alpha3_z + ww3_xy
+    neg_lam3_22 = ww3_xx + ww3_zz
+    lam3_23 = ww3_yz - alpha3_x
+    neg_lam3_31 = alpha3_y - ww3_zx
+    lam3_32 = alpha3_x + ww3_yz
+    neg_lam3_33 = ww3_xx + ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = -0.4_rk*neg_lam2_22 - a2_y
+    t2 = -0.4_rk*lam2_32
+    t3 = 0.4_rk*lam2_12 - a2_x
+    a3_x = s3*t2 - c3*t3
+    a3_y = s3*t3 + c3*t2
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x + s4*w3_z
+    w4_y = c4*w3_z - s4*w3_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*alpha3_z)
+    alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
+    alpha4_z = qdd(4) - alpha3_y
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) - w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    neg_ww4_xx = -w4_x*w4_x
+    ww4_yy = w4_y*w4_y
+    ww4_zz = w4_z*w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = ww4_yy + ww4_zz
+    lam4_12 = ww4_xy - alpha4_z
+    lam4_13 = alpha4_y + ww4_zx
+    lam4_21 = alpha4_z + ww4_xy
+    lam4_22 = neg_ww4_xx - ww4_zz
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_31 = ww4_zx - alpha4_y
+    lam4_32 = alpha4_x + ww4_yz
+    lam4_33 = neg_ww4_xx - ww4_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_z
+    a4_y = c4*a3_z - s4*a3_x
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x - s5*w4_z
+    t4 = -s5
+    w5_y = t4*w4_x - c5*w4_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = qd(5)*w5_y - (s5*alpha4_z - c5*alpha4_x)
+    alpha5_y = t4*alpha4_x - c5*alpha4_z - qd(5)*w5_x
+    alpha5_z = qdd(5) + alpha4_y
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) + w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_yz = w5_y*w5_z
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_yy = w5_y*w5_y
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_yy + ww5_zz
+    lam5_12 = ww5_xy - alpha5_z
+    lam5_13 = alpha5_y + ww5_zx
+    lam5_21 = alpha5_z + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = alpha5_x + ww5_yz
+    neg_lam5_33 = ww5_xx + ww5_yy
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_z = a4_y + 0.4_rk*lam4_22
+    t5 = a3_y - 0.4_rk*lam4_32
+    t6 = -0.4_rk*lam4_12 - a4_x
+    a5_x = s5*t5 - c5*t6
+    a5_y = s5*t6 + c5*t5
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x - s6*w5_z
+    t7 = -s6
+    w6_y = t7*w5_x - c6*w5_z
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = qd(6)*w6_y - (s6*alpha5_z - c6*alpha5_x)
+    alpha6_y = t7*alpha5_x - c6*alpha5_z - qd(6)*w6_x
+    alpha6_z = qdd(6) + alpha5_y
+    ! link 6: angular velocity [rad/s]
+    w6_z = qd(6) + w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ww6_xy = w6_x*w6_y
+    ww6_xx = w6_x*w6_x
+    ww6_yy = w6_y*w6_y
+    ww6_zz = w6_z*w6_z
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_11 = ww6_yy + ww6_zz
+    lam6_12 = ww6_xy - alpha6_z
+    lam6_13 = alpha6_y + ww6_zx
+    lam6_21 = alpha6_z + ww6_xy
+    neg_lam6_22 = ww6_xx + ww6_zz
+    lam6_23 = ww6_yz - alpha6_x
+    lam6_31 = ww6_zx - alpha6_y
+    lam6_32 = alpha6_x + ww6_yz
+    neg_lam6_33 = ww6_xx + ww6_yy
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a6_x = s6*a5_z - c6*a5_x
+    a6_y = t7*a5_x - c6*a5_z
+    ! link 7: angular velocity [rad/s]
+    w7_x = c7*w6_x + s7*w6_z
+    w7_y = c7*w6_z - s7*w6_x
+    ! link 7: angular acceleration [rad/s^2]
+    alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha6_z)
+    alpha7_y = c7*alpha6_z - s7*alpha6_x - qd(7)*w7_x
+    alpha7_z = qdd(7) - alpha6_y
+    ! link 7: angular velocity [rad/s]
+    w7_z = qd(7) - w6_y
+    ! link 7: products of the angular velocity [1/s^2]
+    ww7_yz = w7_y*w7_z
+    ww7_zx = w7_x*w7_z
+    ww7_xy = w7_x*w7_y
+    ww7_xx = w7_x*w7_x
+    ww7_yy = w7_y*w7_y
+    ww7_zz = w7_z*w7_z
+    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam7_11 = ww7_yy + ww7_zz
+    lam7_12 = ww7_xy - alpha7_z
+    lam7_13 = alpha7_y + ww7_zx
+    lam7_21 = alpha7_z + ww7_xy
+    neg_lam7_22 = ww7_xx + ww7_zz
+    lam7_23 = ww7_yz - alpha7_x
+    lam7_31 = ww7_zx - alpha7_y
+    lam7_32 = alpha7_x + ww7_yz
+    neg_lam7_33 = ww7_xx + ww7_yy
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_z = -0.126_rk*neg_lam6_22 - a6_y
+    t8 = a5_y - 0.126_rk*lam6_32
+    t9 = neg_a6_x + 0.126_rk*lam6_12
+    a7_x = s7*t8 - c7*t9
+    a7_y = s7*t9 + c7*t8
+    ! link 1: moment that turns the link [N m]
+    nc1_z = 0.8058116303302202_rk*qdd(1)
+    ! link 2: moment that turns the link [N m]
+    nc2_x = 0.20091837135316784_rk*lam2_21 - 0.5218524991029152_rk*lam2_31 - &
+        (-4.238401785575742_rk*lam2_32 - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
+    nc2_y = 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) - 0.5265869353045646_rk*lam2_31 - &
+        (-0.26458063578324464_rk*lam2_12 - 0.5218524991029152_rk*lam2_32)
+    t10 = 0.5265869353045646_rk*lam2_21 - 4.238401785575742_rk*lam2_12 - &
+        0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22) + (-0.20091837135316784_rk*lam2_23 - &
+        0.26458063578324464_rk*lam2_13)
+    nc2_z = t10 + (13.292379489096295_rk*c2 - 76.6738398539524_rk*s2)
+    ! link 3: force that moves the link [N]
+    fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
+    fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
+    ! link 3: moment that turns the link [N m]
+    nc3_x = -0.04389618410240257_rk*a3_z - (0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
+        0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
+        0.16230144331072144_rk*lam3_21))
+    nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
+        neg_lam3_33) + (0.1005265342798281_rk*lam3_32 - 0.06405373385272267_rk*lam3_12) + &
+        1.0168650139155704_rk*a3_z
+    t11 = 0.20191091047133833_rk*lam3_21 - 0.45257769458388303_rk*lam3_12 - &
+        0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) + (0.16230144331072144_rk*lam3_23 + &
+        0.06405373385272267_rk*lam3_13)
+    nc3_z = t11 - (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
+    ! link 4: force that moves the link [N]
+    fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
+    fc4_y = 8.054835434921454_rk*lam4_22 - 0.5168019281781282_rk*lam4_21
+    fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
+    ! link 4: moment that turns the link [N m]
+    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(lam4_33 - lam4_22) - &
+        (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
+        8.054835434921454_rk*a3_y
+    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 + lam4_33) - 0.24852411424661205_rk*lam4_31 - &
+        (-0.09675036990607108_rk*lam4_12 - 0.20921122087079386_rk*lam4_32) - &
+        0.5168019281781282_rk*a3_y
+    t12 = 0.24852411424661205_rk*lam4_21 - 3.569490999313376_rk*lam4_12 - &
+        0.20921122087079386_rk*(neg_lam4_11 + lam4_22) - (0.013124222729483126_rk*lam4_23 + &
+        0.09675036990607108_rk*lam4_13)
+    nc4_z = t12 - (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
+    ! link 5: force that moves the link [N]
+    fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
+    fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
+    fc5_z = 0.4193059538543958_rk*lam5_32 - 0.25252954507510866_rk*lam5_31
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.4193059538543958_rk*a5_z - (0.05680835589544868_rk*(neg_lam5_22 - neg_lam5_33) - &
+        0.20655564034097101_rk*lam5_32 - (0.041147842218669614_rk*lam5_21 - &
+        0.03284626166448073_rk*lam5_31))
+    nc5_y = 0.041147842218669614_rk*(neg_lam5_11 - neg_lam5_33) - 0.09474888781047501_rk*lam5_31 + &
+        (0.03284626166448073_rk*lam5_32 - 0.05680835589544868_rk*lam5_12) + &
+        0.25252954507510866_rk*a5_z
+    t13 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
+        0.03284626166448073_rk*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614_rk*lam5_23 - &
+        0.05680835589544868_rk*lam5_13)
+    nc5_z = t13 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
+    ! link 6: force that moves the link [N]
+    fc6_x = 1.5656307599463828_rk*neg_lam6_11 - 1.291128497815195_rk*lam6_12
+    fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
+    fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
+    ! link 6: moment that turns the link [N m]
+    neg_nc6_x = -2.0289563933923875_rk*lam6_32 - 0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) &
+        - (0.042925575293549574_rk*lam6_21 - 0.36144292274665746_rk*lam6_31) + &
+        1.291128497815195_rk*a5_y
+    nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
+        (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
+        1.5656307599463828_rk*a5_y
+    t14 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
+        0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
+        0.0870114460092663_rk*lam6_13)
+    nc6_z = t14 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
+    ! link 7: force that moves the link [N]
+    neg_fc7_x = 0.9999503996366931_rk*neg_lam7_11 - 0.708306797966195_rk*lam7_12
+    fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
+    fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
+    ! link 7: moment that turns the link [N m]
+    neg_nc7_x = -0.2922782720134952_rk*lam7_32 - 0.061680050398747424_rk*(neg_lam7_22 - &
+        neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - 0.2114247825686032_rk*lam7_31) - &
+        0.708306797966195_rk*a7_z
+    nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) - &
+        (0.2114247825686032_rk*lam7_32 - 0.061680050398747424_rk*lam7_12) - &
+        0.9999503996366931_rk*a7_z
+    t15 = 0.19090892097190032_rk*lam7_21 - 0.2922782720134952_rk*lam7_12 + &
+        0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) + (0.2024621683128357_rk*lam7_23 - &
+        0.061680050398747424_rk*lam7_13)
+    nc7_z = t15 + (0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x)
+    t16 = s7*neg_fc7_x - c7*fc7_y
+    ! link 6: moment through the joint, about the frame's origin [N m]
+    neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126_rk*t16 - neg_nc6_x)
+    n6_y = nc6_y - nc7_z
+    t17 = c7*neg_fc7_x + s7*fc7_y
+    n6_z = nc6_z - 0.126_rk*t17 - (s7*neg_nc7_x - c7*nc7_y)
+    ! link 6: force through the joint [N]
+    f6_x = fc6_x - t17
+    f6_y = fc6_y - fc7_z
+    f6_z = fc6_z - t16
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y)
+    n5_y = nc5_y + n6_z
+    n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y)
+    ! link 5: force through the joint [N]
+    f5_x = fc5_x + (c6*f6_x - s6*f6_y)
+    f5_y = fc5_y + f6_z
+    f5_z = fc5_z - (s6*f6_x + c6*f6_y)
+    t18 = s5*f5_x + c5*f5_y
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4_rk*t18)
+    n4_y = nc4_y + n5_z
+    t19 = c5*f5_x - s5*f5_y
+    n4_z = t4*n5_x - c5*n5_y + (nc4_z - 0.4_rk*t19)
+    ! link 4: force through the joint [N]
+    f4_x = fc4_x + t19
+    f4_y = fc4_y + f5_z
+    f4_z = fc4_z - t18
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y)
+    n3_y = nc3_y - n4_z
+    n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y)
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x + (c4*f4_x - s4*f4_y)
+    f3_y = fc3_y - f4_z
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    neg_n2_x = s3*n3_y - c3*n3_x + (0.4_rk*(s3*f3_x + c3*f3_y) - nc2_x)
+    n2_y = nc2_y - n3_z
+    n2_z = nc2_z + 0.4_rk*(c3*f3_x - s3*f3_y) - (-s3*n3_x - c3*n3_y)
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = nc1_z + (s2*neg_n2_x - c2*n2_y)
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = n5_z
+    tau(6) = n6_z
+    tau(7) = nc7_z
+  end subroutine
+
+  ! torques that hold the arm at rest
+  ! 64 multiplications, 38 additions = 102; 4 unary minus; 12 sine/cosine
+  pure subroutine iiwa_gravity(q, tau) &
+      bind(c, name="iiwa_gravity_f")
+    real(rk), intent(in) :: q(7)
+    real(rk), intent(out) :: tau(7)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, c7, s7, a2_x, a2_y, a3_x, t1
+    real(rk) :: a3_y, a4_x, t2, a4_y, a5_x, a5_y, a6_x, t3
+    real(rk) :: a6_y, a7_x, a7_y, nc2_z, nc3_x, nc3_y, nc3_z, nc4_x
+    real(rk) :: nc4_y, nc4_z, nc5_x, nc5_y, nc5_z, nc6_x, nc6_y, nc6_z
+    real(rk) :: nc7_x, nc7_y, nc7_z, n6_x, n6_y, n6_z, n5_x, n5_y
+    real(rk) :: n5_z, n4_x, n4_y, n4_z, n3_x, n3_y, n3_z, n2_x
+    real(rk) :: n2_z, n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_x = c3*a2_x
+    t1 = -s3
+    a3_y = t1*a2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x - s4*a2_y
+    t2 = -s4
+    a4_y = t2*a3_x - c4*a2_y
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a3_y
+    a5_y = c5*a3_y - s5*a4_x
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x - s6*a4_y
+    t3 = -s6
+    a6_y = t3*a5_x - c6*a4_y
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_x = c7*a6_x + s7*a5_y
+    a7_y = c7*a5_y - s7*a6_x
+    ! link 2: moment that turns the link [N m]
+    nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2
+    ! link 3: moment that turns the link [N m]
+    nc3_x = -0.43062156604456925_rk*c2
+    nc3_y = 9.975445786511747_rk*c2
+    nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y
+    ! link 4: moment that turns the link [N m]
+    nc4_x = -8.054835434921454_rk*a3_y
+    nc4_y = -0.5168019281781282_rk*a3_y
+    nc4_z = -8.054835434921454_rk*a4_x - 0.5168019281781282_rk*a4_y
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.4193059538543958_rk*a4_y
+    nc5_y = 0.25252954507510866_rk*a4_y
+    nc5_z = -0.4193059538543958_rk*a5_x - 0.25252954507510866_rk*a5_y
+    ! link 6: moment that turns the link [N m]
+    nc6_x = -1.291128497815195_rk*a5_y
+    nc6_y = 1.5656307599463828_rk*a5_y
+    nc6_z = 1.291128497815195_rk*a6_x - 1.5656307599463828_rk*a6_y
+    ! link 7: moment that turns the link [N m]
+    nc7_x = -0.708306797966195_rk*a6_y
+    nc7_y = 0.9999503996366931_rk*a6_y
+    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x
+    ! link 6: moment through the joint, about the frame's origin [N m]
+    n6_x = nc6_x - (s7*nc7_y - c7*nc7_x)
+    n6_y = nc6_y - nc7_z
+    n6_z = nc6_z - (-s7*nc7_x - c7*nc7_y)
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x - (s6*n6_y - c6*n6_x)
+    n5_y = nc5_y + n6_z
+    n5_z = nc5_z + (t3*n6_x - c6*n6_y)
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_y = nc4_y + n5_z
+    n4_z = nc4_z - (s5*n5_x + c5*n5_y)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = nc3_x - (s4*n4_y - c4*n4_x)
+    n3_y = nc3_y - n4_z
+    n3_z = nc3_z - (t2*n4_x - c4*n4_y)
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_x = c3*n3_x - s3*n3_y
+    n2_z = nc2_z - (t1*n3_x - c3*n3_y)
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = c2*n3_z - s2*n2_x
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = n5_z
+    tau(6) = n6_z
+    tau(7) = nc7_z
+  end subroutine
+
+  ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
+  ! 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
+  pure subroutine iiwa_bias(q, qd, tau) &
+      bind(c, name="iiwa_bias_f")
+    real(rk), intent(in) :: q(7)
+    real(rk), intent(in) :: qd(7)
+    real(rk), intent(out) :: tau(7)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, c7, s7, t1, w2_x, w2_y, alpha2_x
+    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33
+    real(rk) :: a2_x, a2_y, w3_x, w3_y, alpha3_x, t2, alpha3_y, w3_z
+    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12
+    real(rk) :: lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, a3_z
+    real(rk) :: t3, t4, a3_x, a3_y, w4_x, w4_y, alpha4_x, alpha4_y
+    real(rk) :: w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx, ww4_yy, ww4_zz, neg_lam4_11
+    real(rk) :: lam4_12, lam4_13, lam4_21, lam4_22, lam4_23, lam4_31, lam4_32, lam4_33
+    real(rk) :: a4_x, a4_y, w5_x, t5, w5_y, alpha5_x, alpha5_y, w5_z
+    real(rk) :: ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12
+    real(rk) :: lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_z
+    real(rk) :: t6, t7, a5_x, a5_y, w6_x, t8, w6_y, alpha6_x
+    real(rk) :: alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
+    real(rk) :: neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32
+    real(rk) :: neg_lam6_33, neg_a6_x, a6_y, w7_x, w7_y, alpha7_x, alpha7_y, w7_z
+    real(rk) :: ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11, lam7_12
+    real(rk) :: lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33, a7_z
+    real(rk) :: t9, t10, a7_x, a7_y, nc2_x, nc2_y, nc2_z, fc3_x
+    real(rk) :: fc3_y, nc3_x, nc3_y, t11, nc3_z, fc4_x, fc4_y, fc4_z
+    real(rk) :: neg_nc4_x, nc4_y, t12, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x
+    real(rk) :: nc5_y, t13, nc5_z, fc6_x, fc6_y, fc6_z, neg_nc6_x, nc6_y
+    real(rk) :: t14, nc6_z, fc7_x, fc7_y, fc7_z, neg_nc7_x, nc7_y, t15
+    real(rk) :: nc7_z, t16, neg_n6_x, n6_y, t17, n6_z, f6_x, f6_y
+    real(rk) :: f6_z, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, t18
+    real(rk) :: neg_n4_x, n4_y, t19, n4_z, f4_x, f4_y, f4_z, n3_x
+    real(rk) :: n3_y, n3_z, f3_x, f3_y, neg_n2_x, n2_y, n2_z, n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    t1 = -qd(1)
+    ! link 2: angular velocity [rad/s]
+    w2_x = t1*s2
+    w2_y = t1*c2
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = qd(2)*w2_y
+    alpha2_y = -qd(2)*w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    neg_lam2_22 = ww2_xx + ww2_zz
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + qd(2)*s3
+    w3_y = qd(2)*c3 - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = c3*alpha2_x + qd(3)*w3_y
+    t2 = -s3
+    alpha3_y = t2*alpha2_x - qd(3)*w3_x
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(3) - w2_y
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    ww3_xx = w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_12 = alpha2_y + ww3_xy
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_21 = ww3_xy - alpha2_y
+    neg_lam3_22 = ww3_xx + ww3_zz
+    lam3_23 = ww3_yz - alpha3_x
+    neg_lam3_31 = alpha3_y - ww3_zx
+    lam3_32 = alpha3_x + ww3_yz
+    neg_lam3_33 = ww3_xx + ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = -0.4_rk*neg_lam2_22 - a2_y
+    t3 = -0.8_rk*alpha2_x
+    t4 = 0.4_rk*ww2_xy - a2_x
+    a3_x = s3*t3 - c3*t4
+    a3_y = s3*t4 + c3*t3
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x + s4*w3_z
+    w4_y = c4*w3_z - s4*w3_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = qd(4)*w4_y - (s4*alpha2_y - c4*alpha3_x)
+    alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd(4)*w4_x
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) - w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    neg_ww4_xx = -w4_x*w4_x
+    ww4_yy = w4_y*w4_y
+    ww4_zz = w4_z*w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = ww4_yy + ww4_zz
+    lam4_12 = alpha3_y + ww4_xy
+    lam4_13 = alpha4_y + ww4_zx
+    lam4_21 = ww4_xy - alpha3_y
+    lam4_22 = neg_ww4_xx - ww4_zz
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_31 = ww4_zx - alpha4_y
+    lam4_32 = alpha4_x + ww4_yz
+    lam4_33 = neg_ww4_xx - ww4_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_z
+    a4_y = c4*a3_z - s4*a3_x
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x - s5*w4_z
+    t5 = -s5
+    w5_y = t5*w4_x - c5*w4_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = qd(5)*w5_y - (-c5*alpha4_x - s5*alpha3_y)
+    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) + w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_yz = w5_y*w5_z
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_yy = w5_y*w5_y
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_yy + ww5_zz
+    lam5_12 = ww5_xy - alpha4_y
+    lam5_13 = alpha5_y + ww5_zx
+    lam5_21 = alpha4_y + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = alpha5_x + ww5_yz
+    neg_lam5_33 = ww5_xx + ww5_yy
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_z = a4_y + 0.4_rk*lam4_22
+    t6 = a3_y - 0.4_rk*lam4_32
+    t7 = -0.4_rk*lam4_12 - a4_x
+    a5_x = s5*t6 - c5*t7
+    a5_y = s5*t7 + c5*t6
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x - s6*w5_z
+    t8 = -s6
+    w6_y = t8*w5_x - c6*w5_z
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = qd(6)*w6_y - (s6*alpha4_y - c6*alpha5_x)
+    alpha6_y = t8*alpha5_x - c6*alpha4_y - qd(6)*w6_x
+    ! link 6: angular velocity [rad/s]
+    w6_z = qd(6) + w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ww6_xy = w6_x*w6_y
+    ww6_xx = w6_x*w6_x
+    ww6_yy = w6_y*w6_y
+    ww6_zz = w6_z*w6_z
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_11 = ww6_yy + ww6_zz
+    lam6_12 = ww6_xy - alpha5_y
+    lam6_13 = alpha6_y + ww6_zx
+    lam6_21 = alpha5_y + ww6_xy
+    neg_lam6_22 = ww6_xx + ww6_zz
+    lam6_23 = ww6_yz - alpha6_x
+    lam6_31 = ww6_zx - alpha6_y
+    lam6_32 = alpha6_x + ww6_yz
+    neg_lam6_33 = ww6_xx + ww6_yy
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a6_x = s6*a5_z - c6*a5_x
+    a6_y = t8*a5_x - c6*a5_z
+    ! link 7: angular velocity [rad/s]
+    w7_x = c7*w6_x + s7*w6_z
+    w7_y = c7*w6_z - s7*w6_x
+    ! link 7: angular acceleration [rad/s^2]
+    alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha5_y)
+    alpha7_y = c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
+    ! link 7: angular velocity [rad/s]
+    w7_z = qd(7) - w6_y
+    ! link 7: products of the angular velocity [1/s^2]
+    ww7_yz = w7_y*w7_z
+    ww7_zx = w7_x*w7_z
+    ww7_xy = w7_x*w7_y
+    ww7_xx = w7_x*w7_x
+    ww7_yy = w7_y*w7_y
+    ww7_zz = w7_z*w7_z
+    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam7_11 = ww7_yy + ww7_zz
+    lam7_12 = alpha6_y + ww7_xy
+    lam7_13 = alpha7_y + ww7_zx
+    lam7_21 = ww7_xy - alpha6_y
+    neg_lam7_22 = ww7_xx + ww7_zz
+    lam7_23 = ww7_yz - alpha7_x
+    lam7_31 = ww7_zx - alpha7_y
+    lam7_32 = alpha7_x + ww7_yz
+    neg_lam7_33 = ww7_xx + ww7_yy
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_z = -0.126_rk*neg_lam6_22 - a6_y
+    t9 = a5_y - 0.126_rk*lam6_32
+    t10 = neg_a6_x + 0.126_rk*lam6_12
+    a7_x = s7*t9 - c7*t10
+    a7_y = s7*t10 + c7*t9
+    ! link 2: moment that turns the link [N m]
+    nc2_x = 1.0437049982058304_rk*alpha2_y + 0.20091837135316784_rk*ww2_xy - &
+        (-8.476803571151484_rk*alpha2_x - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
+    nc2_y = 1.0531738706091291_rk*alpha2_y + 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) + &
+        (0.26458063578324464_rk*ww2_xy + 1.0437049982058304_rk*alpha2_x)
+    nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2 - (3.711814850271177_rk*ww2_xy + &
+        0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22))
+    ! link 3: force that moves the link [N]
+    fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
+    fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
+    ! link 3: moment that turns the link [N m]
+    nc3_x = -0.04389618410240257_rk*a3_z - (0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
+        0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
+        0.16230144331072144_rk*lam3_21))
+    nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
+        neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) + &
+        1.0168650139155704_rk*a3_z
+    t11 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
+        0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144_rk*lam3_23 + &
+        0.06405373385272267_rk*lam3_13)
+    nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y - t11
+    ! link 4: force that moves the link [N]
+    fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
+    fc4_y = 8.054835434921454_rk*lam4_22 - 0.5168019281781282_rk*lam4_21
+    fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
+    ! link 4: moment that turns the link [N m]
+    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(lam4_33 - lam4_22) - &
+        (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
+        8.054835434921454_rk*a3_y
+    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 + lam4_33) - 0.24852411424661205_rk*lam4_31 + &
+        (0.09675036990607108_rk*lam4_12 + 0.20921122087079386_rk*lam4_32) - &
+        0.5168019281781282_rk*a3_y
+    t12 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
+        0.20921122087079386_rk*(neg_lam4_11 + lam4_22) + (0.013124222729483126_rk*lam4_23 + &
+        0.09675036990607108_rk*lam4_13)
+    neg_nc4_z = t12 + (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
+    ! link 5: force that moves the link [N]
+    fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
+    fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
+    fc5_z = 0.4193059538543958_rk*lam5_32 - 0.25252954507510866_rk*lam5_31
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.4193059538543958_rk*a5_z - (0.05680835589544868_rk*(neg_lam5_22 - neg_lam5_33) - &
+        0.20655564034097101_rk*lam5_32 - (0.041147842218669614_rk*lam5_21 - &
+        0.03284626166448073_rk*lam5_31))
+    nc5_y = 0.041147842218669614_rk*(neg_lam5_11 - neg_lam5_33) - 0.09474888781047501_rk*lam5_31 + &
+        (0.03284626166448073_rk*lam5_32 - 0.05680835589544868_rk*lam5_12) + &
+        0.25252954507510866_rk*a5_z
+    t13 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
+        0.03284626166448073_rk*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614_rk*lam5_23 - &
+        0.05680835589544868_rk*lam5_13)
+    nc5_z = t13 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
+    ! link 6: force that moves the link [N]
+    fc6_x = 1.5656307599463828_rk*neg_lam6_11 - 1.291128497815195_rk*lam6_12
+    fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
+    fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
+    ! link 6: moment that turns the link [N m]
+    neg_nc6_x = -2.0289563933923875_rk*lam6_32 - 0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) &
+        - (0.042925575293549574_rk*lam6_21 - 0.36144292274665746_rk*lam6_31) + &
+        1.291128497815195_rk*a5_y
+    nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
+        (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
+        1.5656307599463828_rk*a5_y
+    t14 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
+        0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
+        0.0870114460092663_rk*lam6_13)
+    nc6_z = t14 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
+    ! link 7: force that moves the link [N]
+    fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
+    fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
+    fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
+    ! link 7: moment that turns the link [N m]
+    neg_nc7_x = -0.2922782720134952_rk*lam7_32 - 0.061680050398747424_rk*(neg_lam7_22 - &
+        neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - 0.2114247825686032_rk*lam7_31) - &
+        0.708306797966195_rk*a7_z
+    nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) + &
+        (0.061680050398747424_rk*lam7_12 - 0.2114247825686032_rk*lam7_32) - &
+        0.9999503996366931_rk*a7_z
+    t15 = 0.2922782720134952_rk*lam7_12 - 0.19090892097190032_rk*lam7_21 - &
+        0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357_rk*lam7_23 - &
+        0.061680050398747424_rk*lam7_13)
+    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t15
+    t16 = -s7*fc7_x - c7*fc7_y
+    ! link 6: moment through the joint, about the frame's origin [N m]
+    neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126_rk*t16 - neg_nc6_x)
+    n6_y = nc6_y - nc7_z
+    t17 = s7*fc7_y - c7*fc7_x
+    n6_z = nc6_z - 0.126_rk*t17 - (s7*neg_nc7_x - c7*nc7_y)
+    ! link 6: force through the joint [N]
+    f6_x = fc6_x - t17
+    f6_y = fc6_y - fc7_z
+    f6_z = fc6_z - t16
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y)
+    n5_y = nc5_y + n6_z
+    n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y)
+    ! link 5: force through the joint [N]
+    f5_x = fc5_x + (c6*f6_x - s6*f6_y)
+    f5_y = fc5_y + f6_z
+    f5_z = fc5_z - (s6*f6_x + c6*f6_y)
+    t18 = s5*f5_x + c5*f5_y
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4_rk*t18)
+    n4_y = nc4_y + n5_z
+    t19 = c5*f5_x - s5*f5_y
+    n4_z = t5*n5_x - c5*n5_y - (neg_nc4_z + 0.4_rk*t19)
+    ! link 4: force through the joint [N]
+    f4_x = fc4_x + t19
+    f4_y = fc4_y + f5_z
+    f4_z = fc4_z - t18
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y)
+    n3_y = nc3_y - n4_z
+    n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y)
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x + (c4*f4_x - s4*f4_y)
+    f3_y = fc3_y - f4_z
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    neg_n2_x = s3*n3_y - c3*n3_x + (0.4_rk*(s3*f3_x + c3*f3_y) - nc2_x)
+    n2_y = nc2_y - n3_z
+    n2_z = nc2_z + 0.4_rk*(c3*f3_x - s3*f3_y) - (t2*n3_x - c3*n3_y)
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*neg_n2_x - c2*n2_y
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = n5_z
+    tau(6) = n6_z
+    tau(7) = nc7_z
+  end subroutine
+
+  ! mass matrix, rotor inertias on its diagonal
+  ! 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
+  pure subroutine iiwa_mass_matrix(q, M) &
+      bind(c, name="iiwa_mass_matrix_f")
+    real(rk), intent(in) :: q(7)
+    real(rk), intent(out) :: M(49)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, c7, s7, neg_fu6_x, fu6_z, nu6_x, nu6_z
+    real(rk) :: neg_fu5_x, fu5_z, nu5_x, nu5_z, fu4_x, fu4_z, nu4_x, t1
+    real(rk) :: nu4_z, fu3_x, neg_nu3_x, nu3_z, fu2_x, neg_fu2_z, nu2_x, nu2_z
+    real(rk) :: nu1_z, h6_x, t2, t3, t4, k6_xx, k6_xy, k6_xz
+    real(rk) :: k6_yz, m6_6, fu5_x, fu5_z_2, nu5_x_2, nu5_z_2, fu4_x_2, fu4_z_2
+    real(rk) :: nu4_x_2, nu4_z_2, fu3_x_2, nu3_x, nu3_z_2, fu2_x_2, fu2_z, nu2_x_2
+    real(rk) :: nu2_z_2, nu1_z_2, t5, t6, t7, t8, k5_zz, h5_x
+    real(rk) :: h5_y, k5_xx, k5_yy, k5_xy, k5_xz, k5_yz, m5_5, neg_fu4_x
+    real(rk) :: fu4_z_3, nu4_x_3, nu4_z_3, t9, fu3_x_3, neg_nu3_x_2, nu3_z_3, fu2_x_3
+    real(rk) :: neg_fu2_z_2, nu2_x_3, nu2_z_3, nu1_z_3, t10, t11, t12, t13
+    real(rk) :: k4_zz, neg_h4_x, h4_y, t14, k4_xx, t15, k4_yy, k4_xy
+    real(rk) :: k4_xz, k4_yz, m4_4, fu3_x_4, fu3_z, nu3_x_2, nu3_z_4, fu2_x_4
+    real(rk) :: fu2_z_2, nu2_x_4, nu2_z_4, nu1_z_4, t16, t17, t18, t19
+    real(rk) :: k3_zz, h3_x, h3_y, t20, k3_xx, k3_yy, k3_xy, k3_xz
+    real(rk) :: k3_yz, m3_3, fu2_x_5, neg_fu2_z_3, nu2_x_5, nu2_z_5, nu1_z_5, t21
+    real(rk) :: t22, t23, t24, k2_zz, t25, k2_yy, k2_xy, k2_xz
+    real(rk) :: k2_yz, t26, m2_2, nu1_z_6, t27, m1_1
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    ! link 6: force for a unit acceleration of a joint further out
+    neg_fu6_x = 0.708306797966195_rk*c7 + 0.9999503996366931_rk*s7
+    fu6_z = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
+    ! link 6: moment for a unit acceleration of a joint further out
+    nu6_x = -0.126_rk*fu6_z - (0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7)
+    nu6_z = -0.126_rk*neg_fu6_x - (0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7)
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_x = c6*neg_fu6_x
+    fu5_z = s6*neg_fu6_x
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x = c6*nu6_x + 0.48318719298539553_rk*s6
+    nu5_z = 0.48318719298539553_rk*c6 - s6*nu6_x
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = -c5*neg_fu5_x - s5*fu6_z
+    fu4_z = s5*neg_fu5_x - c5*fu6_z
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = 0.4_rk*fu4_z - (s5*nu6_z - c5*nu5_x)
+    t1 = -s5
+    nu4_z = t1*nu5_x - c5*nu6_z - 0.4_rk*fu4_x
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c4*fu4_x - s4*fu5_z
+    ! link 3: moment for a unit acceleration of a joint further out
+    neg_nu3_x = s4*nu5_z - c4*nu4_x
+    nu3_z = s4*nu4_x + c4*nu5_z
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = c3*fu3_x + s3*fu4_z
+    neg_fu2_z = c3*fu4_z - s3*fu3_x
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x = 0.4_rk*neg_fu2_z - (c3*neg_nu3_x - s3*nu4_z)
+    nu2_z = 0.4_rk*fu2_x - (s3*neg_nu3_x + c3*nu4_z)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z = c2*nu3_z - s2*nu2_x
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_x = fu6_z - 1.5656307599463828_rk
+    t2 = c7*c7
+    t3 = c7*s7
+    t4 = 0.10136935104159488_rk*t2 + 0.4228495651372064_rk*t3
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xx = 0.7162734907179903_rk - t4
+    k6_xy = nu6_x - 0.36144292274665746_rk
+    k6_xz = 0.2114247825686032_rk*(2.0_rk*t2 - 1.0_rk) - 0.10136935104159488_rk*t3 - &
+        0.042925575293549574_rk
+    k6_yz = nu6_z + 0.0870114460092663_rk
+    ! link 6: mass matrix, its row of this joint
+    m6_6 = 2.745229884110378_rk - t4
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_x = 1.291128497815195_rk*c6 - s6*h6_x
+    fu5_z_2 = -c6*h6_x - 1.291128497815195_rk*s6
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x_2 = s6*k6_yz - c6*k6_xz
+    nu5_z_2 = s6*k6_xz + c6*k6_yz
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x_2 = c5*fu5_x
+    fu4_z_2 = t1*fu5_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_2 = c5*nu5_x_2 - s5*m6_6 + 0.4_rk*fu4_z_2
+    nu4_z_2 = -0.4_rk*fu4_x_2 - (s5*nu5_x_2 + c5*m6_6)
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_2 = c4*fu4_x_2 - s4*fu5_z_2
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = c4*nu4_x_2 - s4*nu5_z_2
+    nu3_z_2 = s4*nu4_x_2 + c4*nu5_z_2
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_2 = c3*fu3_x_2 + s3*fu4_z_2
+    fu2_z = s3*fu3_x_2 - c3*fu4_z_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_2 = c3*nu3_x + s3*nu4_z_2 - 0.4_rk*fu2_z
+    nu2_z_2 = s3*nu3_x - c3*nu4_z_2 + 0.4_rk*fu2_x_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_2 = c2*nu3_z_2 - s2*nu2_x_2
+    t5 = c6*c6
+    t6 = t4 + 1.3126829026743974_rk
+    t7 = c6*s6
+    t8 = t5*t6 + k6_xy*(2.0_rk*t7)
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_zz = k6_xx + t8
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = -fu5_z_2 - 0.25252954507510866_rk
+    h5_y = neg_fu6_x + 0.4193059538543958_rk
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xx = 2.1237052812028625_rk - t8
+    k5_yy = t4 + 0.39746456131287133_rk
+    k5_xy = -nu5_x_2 - 0.03284626166448073_rk
+    k5_xz = t6*t7 + k6_xy*(1.0_rk - 2.0_rk*t5) - 0.041147842218669614_rk
+    k5_yz = -nu5_z_2 - 0.05680835589544868_rk
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t4 - t8 + 2.521169842515734_rk
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = c5*h5_y + s5*h5_x
+    fu4_z_3 = s5*h5_y - c5*h5_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_3 = 0.4_rk*fu4_z_3 - (c5*k5_xz - s5*k5_yz)
+    nu4_z_3 = s5*k5_xz + c5*k5_yz + 0.4_rk*neg_fu4_x
+    t9 = -c4
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_3 = t9*neg_fu4_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    neg_nu3_x_2 = s4*m5_5 - c4*nu4_x_3
+    nu3_z_3 = s4*nu4_x_3 + c4*m5_5
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_3 = c3*fu3_x_3 + s3*fu4_z_3
+    neg_fu2_z_2 = c3*fu4_z_3 - s3*fu3_x_3
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_3 = 0.4_rk*neg_fu2_z_2 - (c3*neg_nu3_x_2 - s3*nu4_z_3)
+    nu2_z_3 = 0.4_rk*fu2_x_3 - (s3*neg_nu3_x_2 + c3*nu4_z_3)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_3 = c2*nu3_z_3 - s2*nu2_x_3
+    t10 = c5*c5
+    t11 = t4 + t8 - 1.7262407198899914_rk
+    t12 = c5*s5
+    t13 = t10*t11 + k5_xy*(2.0_rk*t12)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_zz = k5_xx + t13
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    neg_h4_x = fu4_z_3 + 0.5168019281781282_rk
+    h4_y = fu5_x + 8.054835434921454_rk
+    t14 = k5_yy - t13
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = t14 + 0.24852411424661205_rk
+    t15 = k5_zz + 0.8_rk*fu5_x
+    k4_yy = t15 + 3.569490999313376_rk
+    k4_xy = -nu4_x_3 - 0.20921122087079386_rk
+    k4_xz = t11*t12 + k5_xy*(1.0_rk - 2.0_rk*t10) - 0.013124222729483126_rk
+    k4_yz = 0.09675036990607108_rk - nu4_z_3
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t14 + t15 + 3.818015113559988_rk
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_4 = s4*neg_h4_x - c4*h4_y
+    fu3_z = t9*neg_h4_x - s4*h4_y
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_2 = s4*k4_yz - c4*k4_xz
+    nu3_z_4 = t9*k4_yz - s4*k4_xz
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_4 = c3*fu3_x_4
+    fu2_z_2 = s3*fu3_x_4
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_4 = -0.4_rk*fu2_z_2 - (-c3*nu3_x_2 - s3*m4_4)
+    nu2_z_4 = 0.4_rk*fu2_x_4 - (c3*m4_4 - s3*nu3_x_2)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_4 = c2*nu3_z_4 - s2*nu2_x_4
+    t16 = c4*c4
+    t17 = t14 - t15 - 3.3209668850667637_rk
+    t18 = c4*s4
+    t19 = t16*t17 - k4_xy*(2.0_rk*t18)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_zz = k4_xx - t19
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = fu3_z - 1.0168650139155704_rk
+    h3_y = neg_fu4_x - 0.04389618410240257_rk
+    t20 = k4_yy + t19
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = t20 + 0.20191091047133833_rk
+    k3_yy = k4_zz + 0.45257769458388303_rk
+    k3_xy = nu3_x_2 - 0.1005265342798281_rk
+    k3_xz = t17*t18 - k4_xy*(1.0_rk - 2.0_rk*t16) + 0.16230144331072144_rk
+    k3_yz = nu3_z_4 - 0.06405373385272267_rk
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = k4_zz + t20 + 0.6544886050552213_rk
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_5 = -s3*h3_x - c3*h3_y
+    neg_fu2_z_3 = s3*h3_y - c3*h3_x
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_5 = 0.4_rk*neg_fu2_z_3 - (c3*k3_xz - s3*k3_yz)
+    nu2_z_5 = 0.4_rk*fu2_x_5 - (s3*k3_xz + c3*k3_yz)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_5 = c2*m3_3 - s2*nu2_x_5
+    t21 = c3*s3
+    t22 = c3*c3
+    t23 = t20 - k4_zz - 0.2506667841125447_rk
+    t24 = k3_xy*(2.0_rk*t21) - t22*t23
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = k3_xx + t24
+    t25 = k3_zz - 0.8_rk*fu3_x_4
+    k2_yy = t25 + 4.238401785575742_rk
+    k2_xy = nu2_x_5 - 0.5218524991029152_rk
+    k2_xz = t23*t21 - k3_xy*(1.0_rk - 2.0_rk*t22) - 0.20091837135316784_rk
+    k2_yz = nu2_z_5 + 0.26458063578324464_rk
+    t26 = t24 - k3_yy
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = 4.764988720880306_rk - (t26 - t25)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_6 = s2*k2_xz + c2*k2_yz
+    t27 = k2_zz + (k2_yy - (c2*c2*(t26 + t25 + 3.711814850271177_rk) + k2_xy*(2.0_rk*(c2*s2))))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t27 + 0.8058116303302202_rk
+    M(1) = m1_1
+    M(2) = nu1_z_6
+    M(3) = nu1_z_5
+    M(4) = nu1_z_4
+    M(5) = nu1_z_3
+    M(6) = nu1_z_2
+    M(7) = nu1_z
+    M(8) = nu1_z_6
+    M(9) = m2_2
+    M(10) = nu2_z_5
+    M(11) = nu2_z_4
+    M(12) = nu2_z_3
+    M(13) = nu2_z_2
+    M(14) = nu2_z
+    M(15) = nu1_z_5
+    M(16) = nu2_z_5
+    M(17) = m3_3
+    M(18) = nu3_z_4
+    M(19) = nu3_z_3
+    M(20) = nu3_z_2
+    M(21) = nu3_z
+    M(22) = nu1_z_4
+    M(23) = nu2_z_4
+    M(24) = nu3_z_4
+    M(25) = m4_4
+    M(26) = nu4_z_3
+    M(27) = nu4_z_2
+    M(28) = nu4_z
+    M(29) = nu1_z_3
+    M(30) = nu2_z_3
+    M(31) = nu3_z_3
+    M(32) = nu4_z_3
+    M(33) = m5_5
+    M(34) = nu5_z_2
+    M(35) = nu5_z
+    M(36) = nu1_z_2
+    M(37) = nu2_z_2
+    M(38) = nu3_z_2
+    M(39) = nu4_z_2
+    M(40) = nu5_z_2
+    M(41) = m6_6
+    M(42) = nu6_z
+    M(43) = nu1_z
+    M(44) = nu2_z
+    M(45) = nu3_z
+    M(46) = nu4_z
+    M(47) = nu5_z
+    M(48) = nu6_z
+    M(49) = 0.48318719298539553_rk
+  end subroutine
+
+  ! accelerations that the torques tau give
+  ! 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12 sine/cosine
+  pure subroutine iiwa_forward_dynamics(q, qd, tau, qdd) &
+      bind(c, name="iiwa_forward_dynamics_f")
+    real(rk), intent(in) :: q(7)
+    real(rk), intent(in) :: qd(7)
+    real(rk), intent(in) :: tau(7)
+    real(rk), intent(out) :: qdd(7)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, c7, s7, neg_fu6_x, fu6_z, nu6_x, nu6_z
+    real(rk) :: neg_fu5_x, fu5_z, nu5_x, nu5_z, t1, fu4_x, fu4_z, nu4_x
+    real(rk) :: t2, nu4_z, fu3_x, neg_nu3_x, nu3_z, fu2_x, neg_fu2_z, nu2_x
+    real(rk) :: nu2_z, nu1_z, h6_x, t3, t4, t5, k6_xx, k6_xy
+    real(rk) :: k6_xz, k6_yz, m6_6, fu5_x, fu5_z_2, nu5_x_2, nu5_z_2, fu4_x_2
+    real(rk) :: fu4_z_2, nu4_x_2, nu4_z_2, fu3_x_2, nu3_x, nu3_z_2, fu2_x_2, fu2_z
+    real(rk) :: nu2_x_2, nu2_z_2, nu1_z_2, t6, t7, t8, t9, k5_zz
+    real(rk) :: h5_x, h5_y, k5_xx, k5_yy, k5_xy, k5_xz, k5_yz, m5_5
+    real(rk) :: neg_fu4_x, fu4_z_3, nu4_x_3, nu4_z_3, t10, fu3_x_3, neg_nu3_x_2, nu3_z_3
+    real(rk) :: fu2_x_3, neg_fu2_z_2, nu2_x_3, nu2_z_3, nu1_z_3, t11, t12, t13
+    real(rk) :: t14, k4_zz, neg_h4_x, h4_y, t15, k4_xx, t16, k4_yy
+    real(rk) :: k4_xy, k4_xz, k4_yz, m4_4, fu3_x_4, fu3_z, nu3_x_2, nu3_z_4
+    real(rk) :: fu2_x_4, fu2_z_2, nu2_x_4, nu2_z_4, nu1_z_4, t17, t18, t19
+    real(rk) :: t20, k3_zz, h3_x, h3_y, t21, k3_xx, k3_yy, k3_xy
+    real(rk) :: k3_xz, k3_yz, m3_3, t22, fu2_x_5, neg_fu2_z_3, nu2_x_5, nu2_z_5
+    real(rk) :: nu1_z_5, t23, t24, t25, t26, k2_zz, t27, k2_yy
+    real(rk) :: k2_xy, k2_xz, k2_yz, t28, m2_2, nu1_z_6, t29, m1_1
+    real(rk) :: t30, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy
+    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_x, a2_y, w3_x, w3_y
+    real(rk) :: alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy
+    real(rk) :: ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31
+    real(rk) :: lam3_32, neg_lam3_33, a3_z, t31, t32, a3_x, a3_y, w4_x
+    real(rk) :: w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx
+    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, lam4_22, lam4_23
+    real(rk) :: lam4_31, lam4_32, lam4_33, a4_x, a4_y, w5_x, w5_y, alpha5_x
+    real(rk) :: alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz
+    real(rk) :: neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32
+    real(rk) :: neg_lam5_33, a5_z, t33, t34, a5_x, a5_y, w6_x, t35
+    real(rk) :: w6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx
+    real(rk) :: ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23
+    real(rk) :: lam6_31, lam6_32, neg_lam6_33, neg_a6_x, a6_y, w7_x, w7_y, alpha7_x
+    real(rk) :: alpha7_y, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz
+    real(rk) :: neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32
+    real(rk) :: neg_lam7_33, a7_z, t36, t37, a7_x, a7_y, nc2_x, nc2_y
+    real(rk) :: nc2_z, fc3_x, fc3_y, nc3_x, nc3_y, t38, nc3_z, fc4_x
+    real(rk) :: fc4_y, fc4_z, neg_nc4_x, nc4_y, t39, neg_nc4_z, fc5_x, fc5_y
+    real(rk) :: fc5_z, nc5_x, nc5_y, t40, nc5_z, fc6_x, fc6_y, fc6_z
+    real(rk) :: neg_nc6_x, nc6_y, t41, nc6_z, fc7_x, fc7_y, fc7_z, neg_nc7_x
+    real(rk) :: nc7_y, t42, nc7_z, t43, neg_n6_x, n6_y, t44, n6_z
+    real(rk) :: f6_x, f6_y, f6_z, n5_x, n5_y, n5_z, f5_x, f5_y
+    real(rk) :: f5_z, t45, neg_n4_x, n4_y, t46, n4_z, f4_x, f4_y
+    real(rk) :: f4_z, n3_x, n3_y, n3_z, f3_x, f3_y, neg_n2_x, n2_y
+    real(rk) :: n2_z, n1_z, y1, ipivot1, l2_1, l3_1, l4_1, l5_1
+    real(rk) :: l6_1, l7_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2
+    real(rk) :: ld5_2, l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3
+    real(rk) :: ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, ld7_3, l7_3
+    real(rk) :: pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, ld7_4, l7_4
+    real(rk) :: pivot5, ipivot5, ld6_5, l6_5, ld7_5, l7_5, pivot6, ipivot6
+    real(rk) :: ld7_6, l7_6, t47, pivot7, ipivot7, y2, y3, y4
+    real(rk) :: y5, y6, t48, y7, qdd7, qdd6, qdd5, qdd4
+    real(rk) :: qdd3, t49, qdd2, t50, qdd1
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    ! link 6: force for a unit acceleration of a joint further out
+    neg_fu6_x = 0.708306797966195_rk*c7 + 0.9999503996366931_rk*s7
+    fu6_z = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
+    ! link 6: moment for a unit acceleration of a joint further out
+    nu6_x = -0.126_rk*fu6_z - (0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7)
+    nu6_z = -0.126_rk*neg_fu6_x - (0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7)
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_x = c6*neg_fu6_x
+    fu5_z = s6*neg_fu6_x
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x = c6*nu6_x + 0.48318719298539553_rk*s6
+    nu5_z = 0.48318719298539553_rk*c6 - s6*nu6_x
+    t1 = -c5
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = t1*neg_fu5_x - s5*fu6_z
+    fu4_z = s5*neg_fu5_x - c5*fu6_z
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = 0.4_rk*fu4_z - (s5*nu6_z - c5*nu5_x)
+    t2 = -s5
+    nu4_z = t2*nu5_x - c5*nu6_z - 0.4_rk*fu4_x
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c4*fu4_x - s4*fu5_z
+    ! link 3: moment for a unit acceleration of a joint further out
+    neg_nu3_x = s4*nu5_z - c4*nu4_x
+    nu3_z = s4*nu4_x + c4*nu5_z
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = c3*fu3_x + s3*fu4_z
+    neg_fu2_z = c3*fu4_z - s3*fu3_x
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x = 0.4_rk*neg_fu2_z - (c3*neg_nu3_x - s3*nu4_z)
+    nu2_z = 0.4_rk*fu2_x - (s3*neg_nu3_x + c3*nu4_z)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z = c2*nu3_z - s2*nu2_x
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_x = fu6_z - 1.5656307599463828_rk
+    t3 = c7*c7
+    t4 = c7*s7
+    t5 = 0.10136935104159488_rk*t3 + 0.4228495651372064_rk*t4
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xx = 0.7162734907179903_rk - t5
+    k6_xy = nu6_x - 0.36144292274665746_rk
+    k6_xz = 0.2114247825686032_rk*(2.0_rk*t3 - 1.0_rk) - 0.10136935104159488_rk*t4 - &
+        0.042925575293549574_rk
+    k6_yz = nu6_z + 0.0870114460092663_rk
+    ! link 6: mass matrix, its row of this joint
+    m6_6 = 2.745229884110378_rk - t5
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_x = 1.291128497815195_rk*c6 - s6*h6_x
+    fu5_z_2 = -c6*h6_x - 1.291128497815195_rk*s6
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x_2 = s6*k6_yz - c6*k6_xz
+    nu5_z_2 = s6*k6_xz + c6*k6_yz
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x_2 = c5*fu5_x
+    fu4_z_2 = t2*fu5_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_2 = c5*nu5_x_2 - s5*m6_6 + 0.4_rk*fu4_z_2
+    nu4_z_2 = -0.4_rk*fu4_x_2 - (s5*nu5_x_2 + c5*m6_6)
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_2 = c4*fu4_x_2 - s4*fu5_z_2
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = c4*nu4_x_2 - s4*nu5_z_2
+    nu3_z_2 = s4*nu4_x_2 + c4*nu5_z_2
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_2 = c3*fu3_x_2 + s3*fu4_z_2
+    fu2_z = s3*fu3_x_2 - c3*fu4_z_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_2 = c3*nu3_x + s3*nu4_z_2 - 0.4_rk*fu2_z
+    nu2_z_2 = s3*nu3_x - c3*nu4_z_2 + 0.4_rk*fu2_x_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_2 = c2*nu3_z_2 - s2*nu2_x_2
+    t6 = c6*c6
+    t7 = t5 + 1.3126829026743974_rk
+    t8 = c6*s6
+    t9 = t6*t7 + k6_xy*(2.0_rk*t8)
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_zz = k6_xx + t9
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = -fu5_z_2 - 0.25252954507510866_rk
+    h5_y = neg_fu6_x + 0.4193059538543958_rk
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xx = 2.1237052812028625_rk - t9
+    k5_yy = t5 + 0.39746456131287133_rk
+    k5_xy = -nu5_x_2 - 0.03284626166448073_rk
+    k5_xz = t7*t8 + k6_xy*(1.0_rk - 2.0_rk*t6) - 0.041147842218669614_rk
+    k5_yz = -nu5_z_2 - 0.05680835589544868_rk
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t5 - t9 + 2.521169842515734_rk
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = c5*h5_y + s5*h5_x
+    fu4_z_3 = s5*h5_y - c5*h5_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_3 = 0.4_rk*fu4_z_3 - (c5*k5_xz - s5*k5_yz)
+    nu4_z_3 = s5*k5_xz + c5*k5_yz + 0.4_rk*neg_fu4_x
+    t10 = -c4
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_3 = t10*neg_fu4_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    neg_nu3_x_2 = s4*m5_5 - c4*nu4_x_3
+    nu3_z_3 = s4*nu4_x_3 + c4*m5_5
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_3 = c3*fu3_x_3 + s3*fu4_z_3
+    neg_fu2_z_2 = c3*fu4_z_3 - s3*fu3_x_3
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_3 = 0.4_rk*neg_fu2_z_2 - (c3*neg_nu3_x_2 - s3*nu4_z_3)
+    nu2_z_3 = 0.4_rk*fu2_x_3 - (s3*neg_nu3_x_2 + c3*nu4_z_3)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_3 = c2*nu3_z_3 - s2*nu2_x_3
+    t11 = c5*c5
+    t12 = t5 + t9 - 1.7262407198899914_rk
+    t13 = c5*s5
+    t14 = t11*t12 + k5_xy*(2.0_rk*t13)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_zz = k5_xx + t14
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    neg_h4_x = fu4_z_3 + 0.5168019281781282_rk
+    h4_y = fu5_x + 8.054835434921454_rk
+    t15 = k5_yy - t14
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = t15 + 0.24852411424661205_rk
+    t16 = k5_zz + 0.8_rk*fu5_x
+    k4_yy = t16 + 3.569490999313376_rk
+    k4_xy = -nu4_x_3 - 0.20921122087079386_rk
+    k4_xz = t12*t13 + k5_xy*(1.0_rk - 2.0_rk*t11) - 0.013124222729483126_rk
+    k4_yz = 0.09675036990607108_rk - nu4_z_3
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t15 + t16 + 3.818015113559988_rk
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_4 = s4*neg_h4_x - c4*h4_y
+    fu3_z = t10*neg_h4_x - s4*h4_y
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_2 = s4*k4_yz - c4*k4_xz
+    nu3_z_4 = t10*k4_yz - s4*k4_xz
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_4 = c3*fu3_x_4
+    fu2_z_2 = s3*fu3_x_4
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_4 = -0.4_rk*fu2_z_2 - (-c3*nu3_x_2 - s3*m4_4)
+    nu2_z_4 = 0.4_rk*fu2_x_4 - (c3*m4_4 - s3*nu3_x_2)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_4 = c2*nu3_z_4 - s2*nu2_x_4
+    t17 = c4*c4
+    t18 = t15 - t16 - 3.3209668850667637_rk
+    t19 = c4*s4
+    t20 = t17*t18 - k4_xy*(2.0_rk*t19)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_zz = k4_xx - t20
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = fu3_z - 1.0168650139155704_rk
+    h3_y = neg_fu4_x - 0.04389618410240257_rk
+    t21 = k4_yy + t20
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = t21 + 0.20191091047133833_rk
+    k3_yy = k4_zz + 0.45257769458388303_rk
+    k3_xy = nu3_x_2 - 0.1005265342798281_rk
+    k3_xz = t18*t19 - k4_xy*(1.0_rk - 2.0_rk*t17) + 0.16230144331072144_rk
+    k3_yz = nu3_z_4 - 0.06405373385272267_rk
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = k4_zz + t21 + 0.6544886050552213_rk
+    t22 = -s3
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_5 = t22*h3_x - c3*h3_y
+    neg_fu2_z_3 = s3*h3_y - c3*h3_x
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_5 = 0.4_rk*neg_fu2_z_3 - (c3*k3_xz - s3*k3_yz)
+    nu2_z_5 = 0.4_rk*fu2_x_5 - (s3*k3_xz + c3*k3_yz)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_5 = c2*m3_3 - s2*nu2_x_5
+    t23 = c3*s3
+    t24 = c3*c3
+    t25 = t21 - k4_zz - 0.2506667841125447_rk
+    t26 = k3_xy*(2.0_rk*t23) - t24*t25
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = k3_xx + t26
+    t27 = k3_zz - 0.8_rk*fu3_x_4
+    k2_yy = t27 + 4.238401785575742_rk
+    k2_xy = nu2_x_5 - 0.5218524991029152_rk
+    k2_xz = t25*t23 - k3_xy*(1.0_rk - 2.0_rk*t24) - 0.20091837135316784_rk
+    k2_yz = nu2_z_5 + 0.26458063578324464_rk
+    t28 = t26 - k3_yy
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = 4.764988720880306_rk - (t28 - t27)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_6 = s2*k2_xz + c2*k2_yz
+    t29 = k2_zz + (k2_yy - (c2*c2*(t28 + t27 + 3.711814850271177_rk) + k2_xy*(2.0_rk*(c2*s2))))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t29 + 0.8058116303302202_rk
+    t30 = -qd(1)
+    ! link 2: angular velocity [rad/s]
+    w2_x = t30*s2
+    w2_y = t30*c2
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = qd(2)*w2_y
+    alpha2_y = -qd(2)*w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    neg_lam2_22 = ww2_xx + ww2_zz
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + qd(2)*s3
+    w3_y = qd(2)*c3 - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = c3*alpha2_x + qd(3)*w3_y
+    alpha3_y = t22*alpha2_x - qd(3)*w3_x
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(3) - w2_y
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    ww3_xx = w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_12 = alpha2_y + ww3_xy
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_21 = ww3_xy - alpha2_y
+    neg_lam3_22 = ww3_xx + ww3_zz
+    lam3_23 = ww3_yz - alpha3_x
+    neg_lam3_31 = alpha3_y - ww3_zx
+    lam3_32 = alpha3_x + ww3_yz
+    neg_lam3_33 = ww3_xx + ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = -0.4_rk*neg_lam2_22 - a2_y
+    t31 = -0.8_rk*alpha2_x
+    t32 = 0.4_rk*ww2_xy - a2_x
+    a3_x = s3*t31 - c3*t32
+    a3_y = s3*t32 + c3*t31
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x + s4*w3_z
+    w4_y = c4*w3_z - s4*w3_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = qd(4)*w4_y - (s4*alpha2_y - c4*alpha3_x)
+    alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd(4)*w4_x
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) - w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    neg_ww4_xx = -w4_x*w4_x
+    ww4_yy = w4_y*w4_y
+    ww4_zz = w4_z*w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = ww4_yy + ww4_zz
+    lam4_12 = alpha3_y + ww4_xy
+    lam4_13 = alpha4_y + ww4_zx
+    lam4_21 = ww4_xy - alpha3_y
+    lam4_22 = neg_ww4_xx - ww4_zz
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_31 = ww4_zx - alpha4_y
+    lam4_32 = alpha4_x + ww4_yz
+    lam4_33 = neg_ww4_xx - ww4_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_z
+    a4_y = c4*a3_z - s4*a3_x
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x - s5*w4_z
+    w5_y = t2*w4_x - c5*w4_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = qd(5)*w5_y - (t1*alpha4_x - s5*alpha3_y)
+    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) + w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_yz = w5_y*w5_z
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_yy = w5_y*w5_y
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_yy + ww5_zz
+    lam5_12 = ww5_xy - alpha4_y
+    lam5_13 = alpha5_y + ww5_zx
+    lam5_21 = alpha4_y + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = alpha5_x + ww5_yz
+    neg_lam5_33 = ww5_xx + ww5_yy
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_z = a4_y + 0.4_rk*lam4_22
+    t33 = a3_y - 0.4_rk*lam4_32
+    t34 = -0.4_rk*lam4_12 - a4_x
+    a5_x = s5*t33 - c5*t34
+    a5_y = s5*t34 + c5*t33
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x - s6*w5_z
+    t35 = -s6
+    w6_y = t35*w5_x - c6*w5_z
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = qd(6)*w6_y - (s6*alpha4_y - c6*alpha5_x)
+    alpha6_y = t35*alpha5_x - c6*alpha4_y - qd(6)*w6_x
+    ! link 6: angular velocity [rad/s]
+    w6_z = qd(6) + w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ww6_xy = w6_x*w6_y
+    ww6_xx = w6_x*w6_x
+    ww6_yy = w6_y*w6_y
+    ww6_zz = w6_z*w6_z
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_11 = ww6_yy + ww6_zz
+    lam6_12 = ww6_xy - alpha5_y
+    lam6_13 = alpha6_y + ww6_zx
+    lam6_21 = alpha5_y + ww6_xy
+    neg_lam6_22 = ww6_xx + ww6_zz
+    lam6_23 = ww6_yz - alpha6_x
+    lam6_31 = ww6_zx - alpha6_y
+    lam6_32 = alpha6_x + ww6_yz
+    neg_lam6_33 = ww6_xx + ww6_yy
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a6_x = s6*a5_z - c6*a5_x
+    a6_y = t35*a5_x - c6*a5_z
+    ! link 7: angular velocity [rad/s]
+    w7_x = c7*w6_x + s7*w6_z
+    w7_y = c7*w6_z - s7*w6_x
+    ! link 7: angular acceleration [rad/s^2]
+    alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha5_y)
+    alpha7_y = c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
+    ! link 7: angular velocity [rad/s]
+    w7_z = qd(7) - w6_y
+    ! link 7: products of the angular velocity [1/s^2]
+    ww7_yz = w7_y*w7_z
+    ww7_zx = w7_x*w7_z
+    ww7_xy = w7_x*w7_y
+    ww7_xx = w7_x*w7_x
+    ww7_yy = w7_y*w7_y
+    ww7_zz = w7_z*w7_z
+    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam7_11 = ww7_yy + ww7_zz
+    lam7_12 = alpha6_y + ww7_xy
+    lam7_13 = alpha7_y + ww7_zx
+    lam7_21 = ww7_xy - alpha6_y
+    neg_lam7_22 = ww7_xx + ww7_zz
+    lam7_23 = ww7_yz - alpha7_x
+    lam7_31 = ww7_zx - alpha7_y
+    lam7_32 = alpha7_x + ww7_yz
+    neg_lam7_33 = ww7_xx + ww7_yy
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_z = -0.126_rk*neg_lam6_22 - a6_y
+    t36 = a5_y - 0.126_rk*lam6_32
+    t37 = neg_a6_x + 0.126_rk*lam6_12
+    a7_x = s7*t36 - c7*t37
+    a7_y = s7*t37 + c7*t36
+    ! link 2: moment that turns the link [N m]
+    nc2_x = 1.0437049982058304_rk*alpha2_y + 0.20091837135316784_rk*ww2_xy - &
+        (-8.476803571151484_rk*alpha2_x - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
+    nc2_y = 1.0531738706091291_rk*alpha2_y + 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) + &
+        (0.26458063578324464_rk*ww2_xy + 1.0437049982058304_rk*alpha2_x)
+    nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2 - (3.711814850271177_rk*ww2_xy + &
+        0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22))
+    ! link 3: force that moves the link [N]
+    fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
+    fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
+    ! link 3: moment that turns the link [N m]
+    nc3_x = -0.04389618410240257_rk*a3_z - (0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
+        0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
+        0.16230144331072144_rk*lam3_21))
+    nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
+        neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) + &
+        1.0168650139155704_rk*a3_z
+    t38 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
+        0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144_rk*lam3_23 + &
+        0.06405373385272267_rk*lam3_13)
+    nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y - t38
+    ! link 4: force that moves the link [N]
+    fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
+    fc4_y = 8.054835434921454_rk*lam4_22 - 0.5168019281781282_rk*lam4_21
+    fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
+    ! link 4: moment that turns the link [N m]
+    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(lam4_33 - lam4_22) - &
+        (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
+        8.054835434921454_rk*a3_y
+    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 + lam4_33) - 0.24852411424661205_rk*lam4_31 + &
+        (0.09675036990607108_rk*lam4_12 + 0.20921122087079386_rk*lam4_32) - &
+        0.5168019281781282_rk*a3_y
+    t39 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
+        0.20921122087079386_rk*(neg_lam4_11 + lam4_22) + (0.013124222729483126_rk*lam4_23 + &
+        0.09675036990607108_rk*lam4_13)
+    neg_nc4_z = t39 + (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
+    ! link 5: force that moves the link [N]
+    fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
+    fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
+    fc5_z = 0.4193059538543958_rk*lam5_32 - 0.25252954507510866_rk*lam5_31
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.4193059538543958_rk*a5_z - (0.05680835589544868_rk*(neg_lam5_22 - neg_lam5_33) - &
+        0.20655564034097101_rk*lam5_32 - (0.041147842218669614_rk*lam5_21 - &
+        0.03284626166448073_rk*lam5_31))
+    nc5_y = 0.041147842218669614_rk*(neg_lam5_11 - neg_lam5_33) - 0.09474888781047501_rk*lam5_31 + &
+        (0.03284626166448073_rk*lam5_32 - 0.05680835589544868_rk*lam5_12) + &
+        0.25252954507510866_rk*a5_z
+    t40 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
+        0.03284626166448073_rk*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614_rk*lam5_23 - &
+        0.05680835589544868_rk*lam5_13)
+    nc5_z = t40 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
+    ! link 6: force that moves the link [N]
+    fc6_x = 1.5656307599463828_rk*neg_lam6_11 - 1.291128497815195_rk*lam6_12
+    fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
+    fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
+    ! link 6: moment that turns the link [N m]
+    neg_nc6_x = -2.0289563933923875_rk*lam6_32 - 0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) &
+        - (0.042925575293549574_rk*lam6_21 - 0.36144292274665746_rk*lam6_31) + &
+        1.291128497815195_rk*a5_y
+    nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
+        (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
+        1.5656307599463828_rk*a5_y
+    t41 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
+        0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
+        0.0870114460092663_rk*lam6_13)
+    nc6_z = t41 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
+    ! link 7: force that moves the link [N]
+    fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
+    fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
+    fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
+    ! link 7: moment that turns the link [N m]
+    neg_nc7_x = -0.2922782720134952_rk*lam7_32 - 0.061680050398747424_rk*(neg_lam7_22 - &
+        neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - 0.2114247825686032_rk*lam7_31) - &
+        0.708306797966195_rk*a7_z
+    nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) + &
+        (0.061680050398747424_rk*lam7_12 - 0.2114247825686032_rk*lam7_32) - &
+        0.9999503996366931_rk*a7_z
+    t42 = 0.2922782720134952_rk*lam7_12 - 0.19090892097190032_rk*lam7_21 - &
+        0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357_rk*lam7_23 - &
+        0.061680050398747424_rk*lam7_13)
+    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t42
+    t43 = -s7*fc7_x - c7*fc7_y
+    ! link 6: moment through the joint, about the frame's origin [N m]
+    neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126_rk*t43 - neg_nc6_x)
+    n6_y = nc6_y - nc7_z
+    t44 = s7*fc7_y - c7*fc7_x
+    n6_z = nc6_z - 0.126_rk*t44 - (s7*neg_nc7_x - c7*nc7_y)
+    ! link 6: force through the joint [N]
+    f6_x = fc6_x - t44
+    f6_y = fc6_y - fc7_z
+    f6_z = fc6_z - t43
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y)
+    n5_y = nc5_y + n6_z
+    n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y)
+    ! link 5: force through the joint [N]
+    f5_x = fc5_x + (c6*f6_x - s6*f6_y)
+    f5_y = fc5_y + f6_z
+    f5_z = fc5_z - (s6*f6_x + c6*f6_y)
+    t45 = s5*f5_x + c5*f5_y
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4_rk*t45)
+    n4_y = nc4_y + n5_z
+    t46 = c5*f5_x - s5*f5_y
+    n4_z = t2*n5_x - c5*n5_y - (neg_nc4_z + 0.4_rk*t46)
+    ! link 4: force through the joint [N]
+    f4_x = fc4_x + t46
+    f4_y = fc4_y + f5_z
+    f4_z = fc4_z - t45
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y)
+    n3_y = nc3_y - n4_z
+    n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y)
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x + (c4*f4_x - s4*f4_y)
+    f3_y = fc3_y - f4_z
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    neg_n2_x = s3*n3_y - c3*n3_x + (0.4_rk*(s3*f3_x + c3*f3_y) - nc2_x)
+    n2_y = nc2_y - n3_z
+    n2_z = nc2_z + 0.4_rk*(c3*f3_x - s3*f3_y) - (t22*n3_x - c3*n3_y)
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*neg_n2_x - c2*n2_y
+    ! link 1: forward substitution
+    y1 = tau(1) - n1_z
+    ! factorisation M = L D L^T
+    ipivot1 = 1.0_rk / m1_1
+    l2_1 = nu1_z_6*ipivot1
+    l3_1 = nu1_z_5*ipivot1
+    l4_1 = nu1_z_4*ipivot1
+    l5_1 = nu1_z_3*ipivot1
+    l6_1 = nu1_z_2*ipivot1
+    l7_1 = nu1_z*ipivot1
+    pivot2 = m2_2 - nu1_z_6*l2_1
+    ipivot2 = 1.0_rk / pivot2
+    ld3_2 = nu2_z_5 - nu1_z_6*l3_1
+    l3_2 = ipivot2*ld3_2
+    ld4_2 = nu2_z_4 - nu1_z_6*l4_1
+    l4_2 = ipivot2*ld4_2
+    ld5_2 = nu2_z_3 - nu1_z_6*l5_1
+    l5_2 = ipivot2*ld5_2
+    ld6_2 = nu2_z_2 - nu1_z_6*l6_1
+    l6_2 = ipivot2*ld6_2
+    ld7_2 = nu2_z - nu1_z_6*l7_1
+    l7_2 = ipivot2*ld7_2
+    pivot3 = m3_3 - nu1_z_5*l3_1 - ld3_2*l3_2
+    ipivot3 = 1.0_rk / pivot3
+    ld4_3 = nu3_z_4 - nu1_z_5*l4_1 - ld3_2*l4_2
+    l4_3 = ipivot3*ld4_3
+    ld5_3 = nu3_z_3 - nu1_z_5*l5_1 - ld3_2*l5_2
+    l5_3 = ipivot3*ld5_3
+    ld6_3 = nu3_z_2 - nu1_z_5*l6_1 - ld3_2*l6_2
+    l6_3 = ipivot3*ld6_3
+    ld7_3 = nu3_z - nu1_z_5*l7_1 - ld3_2*l7_2
+    l7_3 = ipivot3*ld7_3
+    pivot4 = m4_4 - nu1_z_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    ipivot4 = 1.0_rk / pivot4
+    ld5_4 = nu4_z_3 - nu1_z_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
+    l5_4 = ipivot4*ld5_4
+    ld6_4 = -(nu1_z_4*l6_1 - nu4_z_2 + ld4_2*l6_2) - ld4_3*l6_3
+    l6_4 = ipivot4*ld6_4
+    ld7_4 = nu4_z - nu1_z_4*l7_1 - ld4_2*l7_2 - ld4_3*l7_3
+    l7_4 = ipivot4*ld7_4
+    pivot5 = m5_5 - nu1_z_3*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    ipivot5 = 1.0_rk / pivot5
+    ld6_5 = -ld5_4*l6_4 - (nu1_z_3*l6_1 - nu5_z_2 + ld5_2*l6_2 + ld5_3*l6_3)
+    l6_5 = ipivot5*ld6_5
+    ld7_5 = nu5_z - nu1_z_3*l7_1 - ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4
+    l7_5 = ipivot5*ld7_5
+    pivot6 = -(ld6_2*l6_2 - (m6_6 - nu1_z_2*l6_1) + ld6_3*l6_3 + ld6_4*l6_4) - ld6_5*l6_5
+    ipivot6 = 1.0_rk / pivot6
+    ld7_6 = -ld6_5*l7_5 - (nu1_z_2*l7_1 - nu6_z + ld6_2*l7_2 + ld6_3*l7_3 + ld6_4*l7_4)
+    l7_6 = ipivot6*ld7_6
+    t47 = 0.48318719298539553_rk - nu1_z*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
+    pivot7 = t47 - ld7_6*l7_6
+    ipivot7 = 1.0_rk / pivot7
+    ! link 2: forward substitution
+    y2 = tau(2) - n2_z - y1*l2_1
+    ! link 3: forward substitution
+    y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
+    ! link 4: forward substitution
+    y4 = tau(4) - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
+    ! link 5: forward substitution
+    y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
+    ! link 6: forward substitution
+    y6 = tau(6) - n6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
+    t48 = tau(7) - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5
+    ! link 7: forward substitution
+    y7 = t48 - l7_6*y6
+    ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd7 = ipivot7*y7
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = ipivot6*y6 - l7_6*qdd7
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = ipivot5*y5 - l6_5*qdd6 - l7_5*qdd7
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6 - l7_4*qdd7
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = -(l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6) - l7_3*qdd7
+    t49 = -(l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6)
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = t49 - l7_2*qdd7
+    t50 = l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6
+    ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd1 = -l7_1*qdd7 - t50
+    qdd(1) = qdd1
+    qdd(2) = qdd2
+    qdd(3) = qdd3
+    qdd(4) = qdd4
+    qdd(5) = qdd5
+    qdd(6) = qdd6
+    qdd(7) = qdd7
+  end subroutine
+end module

@@ -1,0 +1,63 @@
+/*
+ * iiwa: KUKA iiwa 14 geometry, random full inertias
+ * Numbers: published iiwa geometry; inertial parameters drawn at random
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute, 7
+ *   revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 296 multiplications, 281 additions = 577; 8 unary minus; 12 sine/cosine
+ *   gravity: 64 multiplications, 38 additions = 102; 4 unary minus; 12 sine/cosine
+ *   bias: 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
+ *   mass_matrix: 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
+ *   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12
+ *       sine/cosine
+ */
+#ifndef IIWA_H
+#define IIWA_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double iiwa_real;
+
+/* torques that give the accelerations qdd */
+void iiwa_inverse_dynamics(
+    const iiwa_real q[7],
+    const iiwa_real qd[7],
+    const iiwa_real qdd[7],
+    iiwa_real tau[7]);
+
+/* torques that hold the arm at rest */
+void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void iiwa_mass_matrix(const iiwa_real q[7], iiwa_real M[49]);
+
+/* accelerations that the torques tau give */
+void iiwa_forward_dynamics(
+    const iiwa_real q[7],
+    const iiwa_real qd[7],
+    const iiwa_real tau[7],
+    iiwa_real qdd[7]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,64 @@
+/*
+ * panda: Franka Emika Panda, hand locked
+ * Numbers: URDF of example-robot-data (franka_description, Apache-2.0), turned into modified DH;
+ *   fingers locked at the neutral pose
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute, 7
+ *   revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 308 multiplications, 292 additions = 600; 12 unary minus; 12 sine/cosine
+ *   gravity: 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
+ *   bias: 300 multiplications, 273 additions = 573; 11 unary minus; 12 sine/cosine
+ *   mass_matrix: 203 multiplications, 173 additions = 376; 7 unary minus; 12 sine/cosine
+ *   forward_dynamics: 629 multiplications, 551 additions, 7 divisions = 1187; 21 unary minus; 12
+ *       sine/cosine
+ */
+#ifndef PANDA_H
+#define PANDA_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double panda_real;
+
+/* torques that give the accelerations qdd */
+void panda_inverse_dynamics(
+    const panda_real q[7],
+    const panda_real qd[7],
+    const panda_real qdd[7],
+    panda_real tau[7]);
+
+/* torques that hold the arm at rest */
+void panda_gravity(const panda_real q[7], panda_real tau[7]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void panda_mass_matrix(const panda_real q[7], panda_real M[49]);
+
+/* accelerations that the torques tau give */
+void panda_forward_dynamics(
+    const panda_real q[7],
+    const panda_real qd[7],
+    const panda_real tau[7],
+    panda_real qdd[7]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,62 @@
+/*
+ * puma560: PUMA 560, six joints
+ * Numbers: the 1990 thesis, Tables 2.1, 2.5, 2.6; inertias of links 5 and 6 divided by ten
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 193 multiplications, 159 additions = 352; 8 unary minus; 10 sine/cosine
+ *   gravity: 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine
+ *   bias: 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine
+ *   mass_matrix: 109 multiplications, 92 additions = 201; 3 unary minus; 8 sine/cosine
+ *   forward_dynamics: 369 multiplications, 290 additions, 6 divisions = 665; 19 unary minus; 10
+ *       sine/cosine
+ */
+#ifndef PUMA560_H
+#define PUMA560_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double puma560_real;
+
+/* torques that give the accelerations qdd */
+void puma560_inverse_dynamics(
+    const puma560_real q[6],
+    const puma560_real qd[6],
+    const puma560_real qdd[6],
+    puma560_real tau[6]);
+
+/* torques that hold the arm at rest */
+void puma560_gravity(const puma560_real q[6], puma560_real tau[6]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_real tau[6]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36]);
+
+/* accelerations that the torques tau give */
+void puma560_forward_dynamics(
+    const puma560_real q[6],
+    const puma560_real qd[6],
+    const puma560_real tau[6],
+    puma560_real qdd[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,65 @@
+/*
+ * puma560_3dof_d3: PUMA 560, first three joints, the set of the thesis's listing D.3.3
+ * Numbers: the 1990 thesis, program D.2, first three links (listing D.3.3)
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 75 multiplications, 58 additions = 133; 5 unary minus; 4 sine/cosine
+ *   gravity: 6 multiplications, 2 additions = 8; 0 unary minus; 4 sine/cosine
+ *   bias: 64 multiplications, 39 additions = 103; 4 unary minus; 4 sine/cosine
+ *   mass_matrix: 24 multiplications, 20 additions = 44; 1 unary minus; 4 sine/cosine
+ *   forward_dynamics: 104 multiplications, 72 additions, 3 divisions = 179; 5 unary minus; 4
+ *       sine/cosine
+ */
+#ifndef PUMA560_3DOF_D3_H
+#define PUMA560_3DOF_D3_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double puma560_3dof_d3_real;
+
+/* torques that give the accelerations qdd */
+void puma560_3dof_d3_inverse_dynamics(
+    const puma560_3dof_d3_real q[3],
+    const puma560_3dof_d3_real qd[3],
+    const puma560_3dof_d3_real qdd[3],
+    puma560_3dof_d3_real tau[3]);
+
+/* torques that hold the arm at rest */
+void puma560_3dof_d3_gravity(const puma560_3dof_d3_real q[3], puma560_3dof_d3_real tau[3]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void puma560_3dof_d3_bias(
+    const puma560_3dof_d3_real q[3],
+    const puma560_3dof_d3_real qd[3],
+    puma560_3dof_d3_real tau[3]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void puma560_3dof_d3_mass_matrix(const puma560_3dof_d3_real q[3], puma560_3dof_d3_real M[9]);
+
+/* accelerations that the torques tau give */
+void puma560_3dof_d3_forward_dynamics(
+    const puma560_3dof_d3_real q[3],
+    const puma560_3dof_d3_real qd[3],
+    const puma560_3dof_d3_real tau[3],
+    puma560_3dof_d3_real qdd[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,65 @@
+/*
+ * puma560_d2: PUMA 560, the set of the thesis's program D.2
+ * Numbers: the 1990 thesis, program D.2 (reduce_puma6), with z4 = -0.019 as listing D.3.4 uses it
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 175 multiplications, 135 additions = 310; 7 unary minus; 10 sine/cosine
+ *   gravity: 27 multiplications, 11 additions = 38; 3 unary minus; 8 sine/cosine
+ *   bias: 162 multiplications, 111 additions = 273; 8 unary minus; 10 sine/cosine
+ *   mass_matrix: 107 multiplications, 86 additions = 193; 2 unary minus; 8 sine/cosine
+ *   forward_dynamics: 355 multiplications, 266 additions, 6 divisions = 627; 14 unary minus; 10
+ *       sine/cosine
+ */
+#ifndef PUMA560_D2_H
+#define PUMA560_D2_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double puma560_d2_real;
+
+/* torques that give the accelerations qdd */
+void puma560_d2_inverse_dynamics(
+    const puma560_d2_real q[6],
+    const puma560_d2_real qd[6],
+    const puma560_d2_real qdd[6],
+    puma560_d2_real tau[6]);
+
+/* torques that hold the arm at rest */
+void puma560_d2_gravity(const puma560_d2_real q[6], puma560_d2_real tau[6]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void puma560_d2_bias(
+    const puma560_d2_real q[6],
+    const puma560_d2_real qd[6],
+    puma560_d2_real tau[6]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36]);
+
+/* accelerations that the torques tau give */
+void puma560_d2_forward_dynamics(
+    const puma560_d2_real q[6],
+    const puma560_d2_real qd[6],
+    const puma560_d2_real tau[6],
+    puma560_d2_real qdd[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

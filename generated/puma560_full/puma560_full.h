@@ -1,0 +1,66 @@
+/*
+ * puma560_full: PUMA 560 geometry, random full inertias
+ * Numbers: Table 2.1 geometry; masses, centres and inertias drawn at random: a test of generic
+ *   parameters
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 268 multiplications, 251 additions = 519; 13 unary minus; 10 sine/cosine
+ *   gravity: 50 multiplications, 28 additions = 78; 5 unary minus; 10 sine/cosine
+ *   bias: 254 multiplications, 226 additions = 480; 10 unary minus; 10 sine/cosine
+ *   mass_matrix: 169 multiplications, 148 additions = 317; 5 unary minus; 10 sine/cosine
+ *   forward_dynamics: 509 multiplications, 445 additions, 6 divisions = 960; 15 unary minus; 10
+ *       sine/cosine
+ */
+#ifndef PUMA560_FULL_H
+#define PUMA560_FULL_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double puma560_full_real;
+
+/* torques that give the accelerations qdd */
+void puma560_full_inverse_dynamics(
+    const puma560_full_real q[6],
+    const puma560_full_real qd[6],
+    const puma560_full_real qdd[6],
+    puma560_full_real tau[6]);
+
+/* torques that hold the arm at rest */
+void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void puma560_full_bias(
+    const puma560_full_real q[6],
+    const puma560_full_real qd[6],
+    puma560_full_real tau[6]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[36]);
+
+/* accelerations that the torques tau give */
+void puma560_full_forward_dynamics(
+    const puma560_full_real q[6],
+    const puma560_full_real qd[6],
+    const puma560_full_real tau[6],
+    puma560_full_real qdd[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,1121 @@
+! puma560_rotor_in_link: PUMA 560, Tables 2.1, 2.5, 2.6, rotor folded into Izz as the thesis does
+! Numbers: Tables 2.1, 2.5, 2.6 with links 5 and 6 corrected
+! Written by robodyn; do not edit, generate again.
+!
+! Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+! Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+! Arguments, in SI units, joint 1 first:
+!   q    joint positions [rad, prismatic m]
+!   qd   joint velocities [rad/s, prismatic m/s]
+!   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+!   tau  joint torques [N m, prismatic N]
+!   M    mass matrix, row by row [kg m^2, kg m, kg]
+! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+!   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+!   makes no difference is moved to its parent.
+!
+! Operations (every binary * is a multiplication, every binary + or - an addition):
+!   inverse_dynamics: 188 multiplications, 154 additions = 342; 8 unary minus; 10 sine/cosine
+!   gravity: 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine
+!   bias: 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine
+!   mass_matrix: 109 multiplications, 90 additions = 199; 2 unary minus; 8 sine/cosine
+!   forward_dynamics: 369 multiplications, 288 additions, 6 divisions = 663; 14 unary minus; 10
+!       sine/cosine
+module puma560_rotor_in_link_dynamics
+  use, intrinsic :: iso_c_binding, only: rk => c_double
+  implicit none
+  private
+
+  public :: puma560_rotor_in_link_inverse_dynamics
+  public :: puma560_rotor_in_link_gravity
+  public :: puma560_rotor_in_link_bias
+  public :: puma560_rotor_in_link_mass_matrix
+  public :: puma560_rotor_in_link_forward_dynamics
+
+contains
+
+  ! torques that give the accelerations qdd
+  ! 188 multiplications, 154 additions = 342; 8 unary minus; 10 sine/cosine
+  pure subroutine puma560_rotor_in_link_inverse_dynamics(q, qd, qdd, tau) &
+      bind(c, name="puma560_rotor_in_link_inverse_dynamics_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(in) :: qd(6)
+    real(rk), intent(in) :: qdd(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, ww1_zz, t1, w2_x, w2_y, ww2_yz, ww2_zx
+    real(rk) :: alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, neg_ww2_zz, lam2_11, lam2_12
+    real(rk) :: lam2_13, lam2_21, lam2_22, lam2_23, lam2_31, lam2_32, lam2_33, a2_z
+    real(rk) :: t2, neg_a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, alpha3_z
+    real(rk) :: w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11
+    real(rk) :: lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_31, lam3_32, neg_lam3_33, a3_z
+    real(rk) :: t3, t4, a3_x, a3_y, w4_x, w4_y, alpha4_x, alpha4_y
+    real(rk) :: alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, a4_z, t5, t6
+    real(rk) :: a4_x, a4_y, w5_x, t7, w5_y, alpha5_y, alpha5_z, w5_z
+    real(rk) :: ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22, lam5_31
+    real(rk) :: lam5_32, a5_x, w6_x, w6_y, alpha6_z, w6_z, ww6_yz, ww6_zx
+    real(rk) :: nc1_z, fc2_x, fc2_y, neg_nc2_x, nc2_y, t8, nc2_z, fc3_x
+    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, nc4_y, nc4_x, nc4_z
+    real(rk) :: fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y
+    real(rk) :: nc6_z, n5_x, n5_y, n5_z, f4_x, neg_f4_z, n4_x, n4_y
+    real(rk) :: n4_z, t9, n3_x, n3_y, t10, n3_z, f3_x, f3_y
+    real(rk) :: f3_z, t11, n2_x, t12, n2_y, n2_z, f2_x, f2_y
+    real(rk) :: n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    ! link 1: products of the angular velocity [1/s^2]
+    ww1_zz = qd(1)*qd(1)
+    t1 = -qd(1)
+    ! link 2: angular velocity [rad/s]
+    w2_x = t1*s2
+    w2_y = t1*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_yz = qd(2)*w2_y
+    ww2_zx = qd(2)*w2_x
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = ww2_yz - qdd(1)*s2
+    alpha2_y = -(qdd(1)*c2) - ww2_zx
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    neg_ww2_zz = -qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam2_11 = neg_ww2_zz - ww2_yy
+    lam2_12 = ww2_xy - qdd(2)
+    lam2_13 = ww2_zx + alpha2_y
+    lam2_21 = qdd(2) + ww2_xy
+    lam2_22 = neg_ww2_zz - ww2_xx
+    lam2_23 = ww2_yz - alpha2_x
+    lam2_31 = ww2_zx - alpha2_y
+    lam2_32 = ww2_yz + alpha2_x
+    lam2_33 = -ww2_xx - ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.2435_rk*ww1_zz
+    t2 = 0.2435_rk*qdd(1)
+    neg_a2_x = c2*t2 + 9.8_rk*s2
+    a2_y = s2*t2 - 9.8_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + s3*w2_y
+    w3_y = c3*w2_y - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
+    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
+    alpha3_z = qdd(2) + qdd(3)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    ww3_xx = w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_12 = ww3_xy - alpha3_z
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_21 = alpha3_z + ww3_xy
+    neg_lam3_22 = ww3_xx + ww3_zz
+    lam3_31 = ww3_zx - alpha3_y
+    lam3_32 = alpha3_x + ww3_yz
+    neg_lam3_33 = ww3_xx + ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - (0.0934_rk*lam2_33 - 0.4318_rk*lam2_31)
+    t3 = a2_y + (0.4318_rk*lam2_21 - 0.0934_rk*lam2_23)
+    t4 = neg_a2_x + (0.0934_rk*lam2_13 - 0.4318_rk*lam2_11)
+    a3_x = s3*t3 - c3*t4
+    a3_y = s3*t4 + c3*t3
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x + s4*w3_z
+    w4_y = c4*w3_z - s4*w3_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*alpha3_z)
+    alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
+    alpha4_z = qdd(4) - alpha3_y
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) - w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.0203_rk*lam3_21 - 0.4331_rk*neg_lam3_22 - a3_y
+    t5 = 0.4331_rk*lam3_12 - 0.0203_rk*neg_lam3_11 - a3_x
+    t6 = 0.0203_rk*lam3_31 + 0.4331_rk*lam3_32 - a3_z
+    a4_x = -(c4*t5) - s4*t6
+    a4_y = s4*t5 - c4*t6
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x - s5*w4_z
+    t7 = -s5
+    w5_y = t7*w4_x - c5*w4_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = t7*alpha4_x - c5*alpha4_z - qd(5)*w5_x
+    alpha5_z = qdd(5) + alpha4_y
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) + w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = ww5_xy - alpha5_z
+    lam5_21 = alpha5_z + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = w5_y*(qd(5) + w5_z) - (s5*alpha4_z - c5*alpha4_x)
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x - s5*a4_z
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x + s6*w5_z
+    w6_y = c6*w5_z - s6*w5_x
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_z = qdd(6) - alpha5_y
+    ! link 6: angular velocity [rad/s]
+    w6_z = qd(6) - w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ! link 1: moment that turns the link [N m]
+    nc1_z = -0.1682704495_rk*qdd(1)
+    ! link 2: force that moves the link [N]
+    fc2_x = 3.79559_rk*lam2_11 + 0.1044_rk*lam2_12
+    fc2_y = 3.79559_rk*lam2_21 + 0.1044_rk*lam2_22
+    ! link 2: moment that turns the link [N m]
+    neg_nc2_x = 0.0016704_rk*(lam2_33 - lam2_22) - 2.4281264_rk*lam2_32 + (-0.0070992_rk*lam2_31 - &
+        0.233911466_rk*lam2_21) + 0.0254214_rk*ww1_zz
+    nc2_y = 0.233911466_rk*(lam2_33 - lam2_11) - 4.029987602_rk*lam2_31 + (-0.0016704_rk*lam2_12 - &
+        0.0070992_rk*lam2_32) + 0.924226165_rk*ww1_zz
+    t8 = 4.029987602_rk*lam2_21 - 2.4281264_rk*lam2_12 + 0.0070992_rk*(lam2_22 - lam2_11) + &
+        (0.0016704_rk*lam2_13 - 0.233911466_rk*lam2_23)
+    nc2_z = t8 + (3.79559_rk*a2_y + 0.1044_rk*neg_a2_x)
+    ! link 3: force that moves the link [N]
+    fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*lam3_12
+    fc3_y = 0.861795_rk*neg_lam3_22 - 0.025375_rk*lam3_21
+    fc3_z = -0.025375_rk*lam3_31 - 0.861795_rk*lam3_32
+    ! link 3: moment that turns the link [N m]
+    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.7313401365_rk*lam3_32 &
+        - 0.0106736385_rk*lam3_31)
+    nc3_y = -0.004704_rk*lam3_12 - 0.0106736385_rk*lam3_32 - 0.4317651125_rk*lam3_31 + &
+        0.025375_rk*a3_z
+    nc3_z = 0.4317651125_rk*lam3_21 - 0.7313401365_rk*lam3_12 + 0.0106736385_rk*(neg_lam3_11 - &
+        neg_lam3_22) + 0.004704_rk*lam3_13 - (0.025375_rk*a3_y - 0.861795_rk*a3_x)
+    ! link 4: moment that turns the link [N m]
+    nc4_y = -0.2013_rk*ww4_zx
+    nc4_x = 0.1119_rk*ww4_yz - 0.0894_rk*alpha4_x
+    nc4_z = 0.0894_rk*ww4_xy + 0.1119_rk*alpha4_z
+    ! link 5: force that moves the link [N]
+    fc5_x = -0.00288_rk*lam5_12
+    fc5_y = 0.00288_rk*neg_lam5_22
+    fc5_z = -0.00288_rk*lam5_32
+    ! link 5: moment that turns the link [N m]
+    nc5_y = -0.0897_rk*lam5_31
+    nc5_x = 0.08994216_rk*lam5_32 - 0.00288_rk*a4_y
+    nc5_z = 0.0897_rk*lam5_21 - 0.08994216_rk*lam5_12 + 0.00288_rk*a5_x
+    ! link 6: moment that turns the link [N m]
+    nc6_x = 0.19304_rk*ww6_yz
+    nc6_y = -0.19304_rk*ww6_zx
+    nc6_z = 0.19304_rk*alpha6_z
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_y = nc5_y - nc6_z
+    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    ! link 4: force through the joint [N]
+    f4_x = c5*fc5_x - s5*fc5_y
+    neg_f4_z = s5*fc5_x + c5*fc5_y
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_y = nc4_y + n5_z
+    n4_z = nc4_z + (t7*n5_x - c5*n5_y)
+    t9 = s4*f4_x + c4*fc5_z
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*n4_y - (0.4331_rk*t9 - nc3_x)
+    n3_y = nc3_y + 0.0203_rk*t9 - n4_z
+    t10 = c4*f4_x - s4*fc5_z
+    n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203_rk*neg_f4_z - 0.4331_rk*t10))
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x + t10
+    f3_y = fc3_y + neg_f4_z
+    f3_z = fc3_z + t9
+    t11 = s3*f3_x + c3*f3_y
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_x = c3*n3_x - s3*n3_y + (0.0934_rk*t11 - neg_nc2_x)
+    t12 = c3*f3_x - s3*f3_y
+    n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934_rk*t12 + 0.4318_rk*f3_z))
+    n2_z = n3_z + (nc2_z + 0.4318_rk*t11)
+    ! link 2: force through the joint [N]
+    f2_x = fc2_x + t12
+    f2_y = fc2_y + t11
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = nc1_z + 0.2435_rk*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y)
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = n5_z
+    tau(6) = nc6_z
+  end subroutine
+
+  ! torques that hold the arm at rest
+  ! 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine
+  pure subroutine puma560_rotor_in_link_gravity(q, tau) &
+      bind(c, name="puma560_rotor_in_link_gravity_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: a2_x, a2_y, a3_x, a3_y, a4_x, neg_a4_y, a5_x, nc2_z
+    real(rk) :: nc3_z, nc5_x, nc5_z, n4_x, n4_z, n3_x, n3_z, neg_n2_x
+    real(rk) :: n2_y, n2_z, n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_x = c3*a2_x + s3*a2_y
+    a3_y = c3*a2_y - s3*a2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x
+    neg_a4_y = s4*a3_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a3_y
+    ! link 2: moment that turns the link [N m]
+    nc2_z = 1.02312_rk*s2 - 37.196782_rk*c2
+    ! link 3: moment that turns the link [N m]
+    nc3_z = 0.861795_rk*a3_x - 0.025375_rk*a3_y
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.00288_rk*neg_a4_y
+    nc5_z = 0.00288_rk*a5_x
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = c5*nc5_x
+    n4_z = -s5*nc5_x
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*nc5_z
+    n3_z = nc3_z - (-s4*n4_x - c4*nc5_z)
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    neg_n2_x = -c3*n3_x - s3*n4_z
+    n2_y = s3*n3_x - c3*n4_z
+    n2_z = nc2_z + n3_z
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*neg_n2_x - c2*n2_y
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = nc5_z
+    tau(6) = 0.0_rk
+  end subroutine
+
+  ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
+  ! 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine
+  pure subroutine puma560_rotor_in_link_bias(q, qd, tau) &
+      bind(c, name="puma560_rotor_in_link_bias_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(in) :: qd(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, ww1_zz, t1, w2_x, w2_y, alpha2_x, alpha2_y
+    real(rk) :: ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_z
+    real(rk) :: a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, w3_z, ww3_yz
+    real(rk) :: ww3_zx, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_13, lam3_22
+    real(rk) :: lam3_31, lam3_32, lam3_33, a3_z, t2, t3, neg_a3_x, a3_y
+    real(rk) :: w4_x, w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy
+    real(rk) :: a4_z, t4, t5, a4_x, a4_y, w5_x, t6, w5_y
+    real(rk) :: alpha5_y, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21
+    real(rk) :: neg_lam5_22, lam5_31, lam5_32, a5_x, w6_x, w6_y, w6_z, ww6_yz
+    real(rk) :: ww6_zx, fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y
+    real(rk) :: fc3_z, nc3_x, nc3_y, nc3_z, nc4_y, nc4_x, nc4_z, fc5_x
+    real(rk) :: fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z
+    real(rk) :: n5_x, n5_y, n5_z, f4_x, neg_f4_z, n4_x, n4_y, n4_z
+    real(rk) :: t7, n3_x, n3_y, t8, n3_z, f3_x, f3_y, f3_z
+    real(rk) :: t9, n2_x, t10, n2_y, n2_z, f2_x, f2_y, neg_f1_x
+    real(rk) :: n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    ! link 1: products of the angular velocity [1/s^2]
+    ww1_zz = qd(1)*qd(1)
+    t1 = -qd(1)
+    ! link 2: angular velocity [rad/s]
+    w2_x = t1*s2
+    w2_y = t1*c2
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = qd(2)*w2_y
+    alpha2_y = -qd(2)*w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    neg_lam2_22 = ww2_xx + ww2_zz
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.2435_rk*ww1_zz
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + s3*w2_y
+    w3_y = c3*w2_y - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
+    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    neg_ww3_xx = -w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_22 = neg_ww3_xx - ww3_zz
+    lam3_31 = ww3_zx - alpha3_y
+    lam3_32 = alpha3_x + ww3_yz
+    lam3_33 = neg_ww3_xx - ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - (0.8636_rk*alpha2_y - 0.0934_rk*neg_lam2_33)
+    t2 = 0.4318_rk*neg_lam2_11 - a2_x
+    t3 = -0.4318_rk*ww2_xy - a2_y
+    neg_a3_x = c3*t2 + s3*t3
+    a3_y = s3*t2 - c3*t3
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x + s4*w3_z
+    w4_y = c4*w3_z - s4*w3_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = c4*alpha3_x + qd(4)*w4_y
+    alpha4_y = -s4*alpha3_x - qd(4)*w4_x
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) - w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.0203_rk*ww3_xy + 0.4331_rk*lam3_22 - a3_y
+    t4 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
+    t5 = 0.0203_rk*lam3_31 + 0.4331_rk*lam3_32 - a3_z
+    a4_x = -(c4*t4) - s4*t5
+    a4_y = s4*t4 - c4*t5
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x - s5*w4_z
+    t6 = -s5
+    w5_y = t6*w4_x - c5*w4_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) + w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = ww5_xy - alpha4_y
+    lam5_21 = alpha4_y + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = w5_y*(qd(5) + w5_z) - (-c5*alpha4_x - s5*alpha3_y)
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x - s5*a4_z
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x + s6*w5_z
+    w6_y = c6*w5_z - s6*w5_x
+    w6_z = qd(6) - w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ! link 2: force that moves the link [N]
+    fc2_x = 0.1044_rk*ww2_xy - 3.79559_rk*neg_lam2_11
+    fc2_y = 3.79559_rk*ww2_xy - 0.1044_rk*neg_lam2_22
+    ! link 2: moment that turns the link [N m]
+    neg_nc2_x = 0.0016704_rk*(neg_lam2_22 - neg_lam2_33) - 4.8562528_rk*alpha2_x + &
+        (0.0141984_rk*alpha2_y - 0.233911466_rk*ww2_xy) + 0.0254214_rk*ww1_zz
+    nc2_y = 8.059975204_rk*alpha2_y + 0.233911466_rk*(neg_lam2_11 - neg_lam2_33) - &
+        (0.0016704_rk*ww2_xy + 0.0141984_rk*alpha2_x) + 0.924226165_rk*ww1_zz
+    nc2_z = 1.601861202_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (37.196782_rk*c2 - &
+        1.02312_rk*s2)
+    ! link 3: force that moves the link [N]
+    fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*ww3_xy
+    fc3_y = -0.025375_rk*ww3_xy - 0.861795_rk*lam3_22
+    fc3_z = -0.025375_rk*lam3_31 - 0.861795_rk*lam3_32
+    ! link 3: moment that turns the link [N m]
+    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(lam3_33 - lam3_22) - 0.7313401365_rk*lam3_32 - &
+        0.0106736385_rk*lam3_31)
+    nc3_y = -0.004704_rk*ww3_xy - 0.0106736385_rk*lam3_32 - 0.4317651125_rk*lam3_31 + &
+        0.025375_rk*a3_z
+    nc3_z = 0.0106736385_rk*(neg_lam3_11 + lam3_22) - 0.299575024_rk*ww3_xy + 0.004704_rk*lam3_13 &
+        - (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
+    ! link 4: moment that turns the link [N m]
+    nc4_y = -0.2013_rk*ww4_zx
+    nc4_x = 0.1119_rk*ww4_yz - 0.0894_rk*alpha4_x
+    nc4_z = 0.0894_rk*ww4_xy - 0.1119_rk*alpha3_y
+    ! link 5: force that moves the link [N]
+    fc5_x = -0.00288_rk*lam5_12
+    fc5_y = 0.00288_rk*neg_lam5_22
+    fc5_z = -0.00288_rk*lam5_32
+    ! link 5: moment that turns the link [N m]
+    nc5_y = -0.0897_rk*lam5_31
+    nc5_x = 0.08994216_rk*lam5_32 - 0.00288_rk*a4_y
+    nc5_z = 0.0897_rk*lam5_21 - 0.08994216_rk*lam5_12 + 0.00288_rk*a5_x
+    ! link 6: moment that turns the link [N m]
+    nc6_x = 0.19304_rk*ww6_yz
+    nc6_y = -0.19304_rk*ww6_zx
+    nc6_z = -0.19304_rk*alpha5_y
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_y = nc5_y - nc6_z
+    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    ! link 4: force through the joint [N]
+    f4_x = c5*fc5_x - s5*fc5_y
+    neg_f4_z = s5*fc5_x + c5*fc5_y
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_y = nc4_y + n5_z
+    n4_z = nc4_z + (t6*n5_x - c5*n5_y)
+    t7 = s4*f4_x + c4*fc5_z
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*n4_y - (0.4331_rk*t7 - nc3_x)
+    n3_y = nc3_y + 0.0203_rk*t7 - n4_z
+    t8 = c4*f4_x - s4*fc5_z
+    n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203_rk*neg_f4_z - 0.4331_rk*t8))
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x + t8
+    f3_y = fc3_y + neg_f4_z
+    f3_z = fc3_z + t7
+    t9 = s3*f3_x + c3*f3_y
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_x = c3*n3_x - s3*n3_y + (0.0934_rk*t9 - neg_nc2_x)
+    t10 = c3*f3_x - s3*f3_y
+    n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934_rk*t10 + 0.4318_rk*f3_z))
+    n2_z = n3_z + (nc2_z + 0.4318_rk*t9)
+    ! link 2: force through the joint [N]
+    f2_x = fc2_x + t10
+    f2_y = fc2_y + t9
+    ! link 1: force through the joint [N]
+    neg_f1_x = s2*f2_y - c2*f2_x
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = 0.2435_rk*neg_f1_x - (s2*n2_x + c2*n2_y)
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = n5_z
+    tau(6) = nc6_z
+  end subroutine
+
+  ! mass matrix, rotor inertias on its diagonal
+  ! 109 multiplications, 90 additions = 199; 2 unary minus; 8 sine/cosine
+  pure subroutine puma560_rotor_in_link_mass_matrix(q, M) &
+      bind(c, name="puma560_rotor_in_link_mass_matrix_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(out) :: M(36)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: nu4_x, nu4_z, nu3_x, nu3_z, nu2_x, nu2_y, nu1_z, fu4_x
+    real(rk) :: fu4_z, fu3_x, fu3_z, nu3_y, nu3_x_2, nu3_z_2, fu2_x, fu2_y
+    real(rk) :: neg_nu2_x, nu2_y_2, nu2_z, fu1_x, nu1_z_2, t1, k4_zz, k4_xz
+    real(rk) :: k4_xx, m4_4, fu3_x_2, t2, fu3_z_2, t3, t4, nu3_x_3
+    real(rk) :: nu3_y_2, nu3_z_3, fu2_x_2, fu2_y_2, nu2_x_2, nu2_y_3, nu2_z_2, fu1_x_2
+    real(rk) :: nu1_z_3, t5, t6, k3_zz, k3_xz, h3_x, neg_h3_y, t7
+    real(rk) :: k3_xx, t8, k3_yy, k3_xy, k3_yz, m3_3, fu2_x_3, fu2_y_3
+    real(rk) :: t9, t10, nu2_x_3, neg_nu2_y, nu2_z_3, fu1_x_3, nu1_z_4, h2_x
+    real(rk) :: neg_h2_y, t11, t12, t13, k2_xy, neg_k2_xz, k2_yz, t14
+    real(rk) :: t15, t16, t17, t18, m2_2, fu1_x_4, nu1_z_5, t19
+    real(rk) :: m1_1
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = 0.19304_rk*s5
+    nu4_z = 0.19304_rk*c5
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = c4*nu4_x
+    nu3_z = s4*nu4_x
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x = c3*nu3_x + s3*nu4_z
+    nu2_y = s3*nu3_x - c3*nu4_z
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z = -(s2*nu2_x) - c2*nu2_y
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = 0.00288_rk*c5
+    fu4_z = -0.00288_rk*s5
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c4*fu4_x
+    fu3_z = s4*fu4_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = 0.0203_rk*fu3_z
+    nu3_x_2 = -0.4331_rk*fu3_z - 0.17964216_rk*s4
+    nu3_z_2 = 0.17964216_rk*c4 - (5.8464e-05_rk*s5 - 0.4331_rk*fu3_x)
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = c3*fu3_x + s3*fu4_z
+    fu2_y = s3*fu3_x - c3*fu4_z
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_x = s3*nu3_y - c3*nu3_x_2 - 0.0934_rk*fu2_y
+    nu2_y_2 = s3*nu3_x_2 + c3*nu3_y - (0.0934_rk*fu2_x + 0.4318_rk*fu3_z)
+    nu2_z = nu3_z_2 + 0.4318_rk*fu2_y
+    ! link 1: force for a unit acceleration of a joint further out
+    fu1_x = c2*fu2_x - s2*fu2_y
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.2435_rk*fu1_x
+    t1 = 0.19279784_rk*(c5*c5)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_zz = 0.18622_rk - t1
+    k4_xz = -0.19279784_rk*(c5*s5)
+    k4_xx = t1 + 0.09407216_rk
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t1 + 0.20184216_rk
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_2 = s4*fu4_z
+    t2 = -c4
+    fu3_z_2 = t2*fu4_z
+    t3 = t2*k4_xz
+    t4 = 0.4331_rk*fu3_z_2
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_3 = t3 - t4
+    nu3_y_2 = 0.0203_rk*fu3_z_2 - m4_4
+    nu3_z_3 = 0.4331_rk*fu3_x_2 - s4*k4_xz
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_2 = c3*fu3_x_2
+    fu2_y_2 = s3*fu3_x_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_2 = c3*nu3_x_3 - s3*nu3_y_2 + 0.0934_rk*fu2_y_2
+    nu2_y_3 = s3*nu3_x_3 + c3*nu3_y_2 + (-0.0934_rk*fu2_x_2 - 0.4318_rk*fu3_z_2)
+    nu2_z_2 = nu3_z_3 + 0.4318_rk*fu2_y_2
+    ! link 1: force for a unit acceleration of a joint further out
+    fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_3 = -0.2435_rk*fu1_x_2 - (s2*nu2_x_2 + c2*nu2_y_3)
+    t5 = t1 - 0.01369784_rk
+    t6 = c4*c4*t5
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_zz = k4_xx - t6
+    k3_xz = t5*(c4*s4) + 0.0203_rk*fu3_x_2
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = fu3_z_2 - 0.025375_rk
+    neg_h3_y = fu4_x + 0.861795_rk
+    t7 = t6 + 0.10777_rk - 0.0406_rk*fu3_z_2
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = t7 + 0.4317651125_rk
+    t8 = k4_zz + 0.002494656_rk*c5
+    k3_yy = t8 + 0.6306901365_rk
+    k3_xy = 0.0106736385_rk - (t4 - (t3 + 5.8464e-05_rk*c5))
+    k3_yz = nu3_z_3 - 0.004704_rk
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t7 + t8 + 1.062455249_rk
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_3 = c3*neg_h3_y - s3*h3_x
+    fu2_y_3 = s3*neg_h3_y + c3*h3_x
+    t9 = 0.0934_rk*fu2_y_3
+    t10 = c3*k3_xz - s3*k3_yz
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_3 = t9 - t10
+    neg_nu2_y = s3*k3_xz + c3*k3_yz + 0.0934_rk*fu2_x_3
+    nu2_z_3 = m3_3 + 0.4318_rk*fu2_y_3
+    ! link 1: force for a unit acceleration of a joint further out
+    fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_4 = c2*neg_nu2_y - s2*nu2_x_3 - 0.2435_rk*fu1_x_3
+    ! link 2: first moment of the composite body, about the frame's origin [kg m]
+    h2_x = fu2_y_3 + 3.79559_rk
+    neg_h2_y = fu2_x_3 - 0.1044_rk
+    t11 = t7 - t8 - 0.198925024_rk
+    t12 = c3*s3
+    t13 = c3*c3
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_xy = t11*t12 + k3_xy*(2.0_rk*t13 - 1.0_rk) - 0.4318_rk*fu2_x_3 + 0.0070992_rk
+    neg_k2_xz = t9 - (t10 - 0.4318_rk*fu3_x_2) + 0.233911466_rk
+    k2_yz = neg_nu2_y - 0.0016704_rk
+    t14 = k3_xy*(2.0_rk*t12) - t13*t11
+    t15 = k3_xx + t14
+    t16 = k3_zz - t15
+    t17 = k3_zz - t16
+    t18 = t14 - k3_yy - 0.8636_rk*fu2_y_3
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t17 - t18 + 6.458114002_rk
+    ! link 1: force for a unit acceleration of a joint further out
+    fu1_x_4 = c2*neg_h2_y - s2*h2_x
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_5 = -0.2435_rk*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz)
+    t19 = k2_xy*(2.0_rk*(c2*s2)) + (c2*c2*(t17 + t18 - 1.601861202_rk) - (t17 + 2.4281264_rk))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t16 + (t15 - t19) - 0.1682704495_rk - 0.3002_rk*fu3_x_2
+    M(1) = m1_1
+    M(2) = nu1_z_5
+    M(3) = nu1_z_4
+    M(4) = nu1_z_3
+    M(5) = nu1_z_2
+    M(6) = nu1_z
+    M(7) = nu1_z_5
+    M(8) = m2_2
+    M(9) = nu2_z_3
+    M(10) = nu2_z_2
+    M(11) = nu2_z
+    M(12) = nu3_z
+    M(13) = nu1_z_4
+    M(14) = nu2_z_3
+    M(15) = m3_3
+    M(16) = nu3_z_3
+    M(17) = nu3_z_2
+    M(18) = nu3_z
+    M(19) = nu1_z_3
+    M(20) = nu2_z_2
+    M(21) = nu3_z_3
+    M(22) = m4_4
+    M(23) = 0.0_rk
+    M(24) = nu4_z
+    M(25) = nu1_z_2
+    M(26) = nu2_z
+    M(27) = nu3_z_2
+    M(28) = 0.0_rk
+    M(29) = 0.17964216_rk
+    M(30) = 0.0_rk
+    M(31) = nu1_z
+    M(32) = nu3_z
+    M(33) = nu3_z
+    M(34) = nu4_z
+    M(35) = 0.0_rk
+    M(36) = 0.19304_rk
+  end subroutine
+
+  ! accelerations that the torques tau give
+  ! 369 multiplications, 288 additions, 6 divisions = 663; 14 unary minus; 10 sine/cosine
+  pure subroutine puma560_rotor_in_link_forward_dynamics(q, qd, tau, qdd) &
+      bind(c, name="puma560_rotor_in_link_forward_dynamics_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(in) :: qd(6)
+    real(rk), intent(in) :: tau(6)
+    real(rk), intent(out) :: qdd(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, nu4_x, nu4_z, nu3_x, nu3_z, nu2_x, nu2_y
+    real(rk) :: nu1_z, fu4_x, fu4_z, fu3_x, fu3_z, nu3_y, nu3_x_2, nu3_z_2
+    real(rk) :: fu2_x, fu2_y, neg_nu2_x, nu2_y_2, nu2_z, fu1_x, nu1_z_2, t1
+    real(rk) :: k4_zz, k4_xz, k4_xx, m4_4, fu3_x_2, t2, fu3_z_2, t3
+    real(rk) :: t4, nu3_x_3, nu3_y_2, nu3_z_3, fu2_x_2, fu2_y_2, nu2_x_2, nu2_y_3
+    real(rk) :: nu2_z_2, fu1_x_2, nu1_z_3, t5, t6, k3_zz, k3_xz, h3_x
+    real(rk) :: neg_h3_y, t7, k3_xx, t8, k3_yy, k3_xy, k3_yz, m3_3
+    real(rk) :: fu2_x_3, fu2_y_3, t9, t10, nu2_x_3, neg_nu2_y, nu2_z_3, fu1_x_3
+    real(rk) :: nu1_z_4, h2_x, neg_h2_y, t11, t12, t13, k2_xy, neg_k2_xz
+    real(rk) :: k2_yz, t14, t15, t16, t17, t18, m2_2, fu1_x_4
+    real(rk) :: nu1_z_5, t19, m1_1, ww1_zz, t20, w2_x, w2_y, alpha2_x
+    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33
+    real(rk) :: a2_z, a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, w3_z
+    real(rk) :: ww3_yz, ww3_zx, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_13
+    real(rk) :: lam3_22, lam3_31, lam3_32, lam3_33, a3_z, t21, t22, neg_a3_x
+    real(rk) :: a3_y, w4_x, w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx
+    real(rk) :: ww4_xy, a4_z, t23, t24, a4_x, a4_y, w5_x, t25
+    real(rk) :: w5_y, alpha5_y, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12
+    real(rk) :: lam5_21, neg_lam5_22, lam5_31, lam5_32, a5_x, w6_x, w6_y, w6_z
+    real(rk) :: ww6_yz, ww6_zx, fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x
+    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, nc4_y, nc4_x, nc4_z
+    real(rk) :: fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y
+    real(rk) :: nc6_z, n5_x, n5_y, n5_z, f4_x, neg_f4_z, n4_x, n4_y
+    real(rk) :: n4_z, t26, n3_x, n3_y, t27, n3_z, f3_x, f3_y
+    real(rk) :: f3_z, t28, n2_x, t29, n2_y, n2_z, f2_x, f2_y
+    real(rk) :: neg_f1_x, n1_z, y1, ipivot1, l2_1, l3_1, l4_1, l5_1
+    real(rk) :: l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2
+    real(rk) :: l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3
+    real(rk) :: l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4
+    real(rk) :: l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2
+    real(rk) :: y3, y4, y5, y6, qdd6, qdd5, qdd4, qdd3
+    real(rk) :: qdd2, qdd1
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = 0.19304_rk*s5
+    nu4_z = 0.19304_rk*c5
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = c4*nu4_x
+    nu3_z = s4*nu4_x
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x = c3*nu3_x + s3*nu4_z
+    nu2_y = s3*nu3_x - c3*nu4_z
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z = -(s2*nu2_x) - c2*nu2_y
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = 0.00288_rk*c5
+    fu4_z = -0.00288_rk*s5
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c4*fu4_x
+    fu3_z = s4*fu4_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = 0.0203_rk*fu3_z
+    nu3_x_2 = -0.4331_rk*fu3_z - 0.17964216_rk*s4
+    nu3_z_2 = 0.17964216_rk*c4 - (5.8464e-05_rk*s5 - 0.4331_rk*fu3_x)
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = c3*fu3_x + s3*fu4_z
+    fu2_y = s3*fu3_x - c3*fu4_z
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_x = s3*nu3_y - c3*nu3_x_2 - 0.0934_rk*fu2_y
+    nu2_y_2 = s3*nu3_x_2 + c3*nu3_y - (0.0934_rk*fu2_x + 0.4318_rk*fu3_z)
+    nu2_z = nu3_z_2 + 0.4318_rk*fu2_y
+    ! link 1: force for a unit acceleration of a joint further out
+    fu1_x = c2*fu2_x - s2*fu2_y
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.2435_rk*fu1_x
+    t1 = 0.19279784_rk*(c5*c5)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_zz = 0.18622_rk - t1
+    k4_xz = -0.19279784_rk*(c5*s5)
+    k4_xx = t1 + 0.09407216_rk
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t1 + 0.20184216_rk
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_2 = s4*fu4_z
+    t2 = -c4
+    fu3_z_2 = t2*fu4_z
+    t3 = t2*k4_xz
+    t4 = 0.4331_rk*fu3_z_2
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_3 = t3 - t4
+    nu3_y_2 = 0.0203_rk*fu3_z_2 - m4_4
+    nu3_z_3 = 0.4331_rk*fu3_x_2 - s4*k4_xz
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_2 = c3*fu3_x_2
+    fu2_y_2 = s3*fu3_x_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_2 = c3*nu3_x_3 - s3*nu3_y_2 + 0.0934_rk*fu2_y_2
+    nu2_y_3 = s3*nu3_x_3 + c3*nu3_y_2 + (-0.0934_rk*fu2_x_2 - 0.4318_rk*fu3_z_2)
+    nu2_z_2 = nu3_z_3 + 0.4318_rk*fu2_y_2
+    ! link 1: force for a unit acceleration of a joint further out
+    fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_3 = -0.2435_rk*fu1_x_2 - (s2*nu2_x_2 + c2*nu2_y_3)
+    t5 = t1 - 0.01369784_rk
+    t6 = c4*c4*t5
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_zz = k4_xx - t6
+    k3_xz = t5*(c4*s4) + 0.0203_rk*fu3_x_2
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = fu3_z_2 - 0.025375_rk
+    neg_h3_y = fu4_x + 0.861795_rk
+    t7 = t6 + 0.10777_rk - 0.0406_rk*fu3_z_2
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = t7 + 0.4317651125_rk
+    t8 = k4_zz + 0.002494656_rk*c5
+    k3_yy = t8 + 0.6306901365_rk
+    k3_xy = 0.0106736385_rk - (t4 - (t3 + 5.8464e-05_rk*c5))
+    k3_yz = nu3_z_3 - 0.004704_rk
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t7 + t8 + 1.062455249_rk
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_3 = c3*neg_h3_y - s3*h3_x
+    fu2_y_3 = s3*neg_h3_y + c3*h3_x
+    t9 = 0.0934_rk*fu2_y_3
+    t10 = c3*k3_xz - s3*k3_yz
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_3 = t9 - t10
+    neg_nu2_y = s3*k3_xz + c3*k3_yz + 0.0934_rk*fu2_x_3
+    nu2_z_3 = m3_3 + 0.4318_rk*fu2_y_3
+    ! link 1: force for a unit acceleration of a joint further out
+    fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_4 = c2*neg_nu2_y - s2*nu2_x_3 - 0.2435_rk*fu1_x_3
+    ! link 2: first moment of the composite body, about the frame's origin [kg m]
+    h2_x = fu2_y_3 + 3.79559_rk
+    neg_h2_y = fu2_x_3 - 0.1044_rk
+    t11 = t7 - t8 - 0.198925024_rk
+    t12 = c3*s3
+    t13 = c3*c3
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_xy = t11*t12 + k3_xy*(2.0_rk*t13 - 1.0_rk) - 0.4318_rk*fu2_x_3 + 0.0070992_rk
+    neg_k2_xz = t9 - (t10 - 0.4318_rk*fu3_x_2) + 0.233911466_rk
+    k2_yz = neg_nu2_y - 0.0016704_rk
+    t14 = k3_xy*(2.0_rk*t12) - t13*t11
+    t15 = k3_xx + t14
+    t16 = k3_zz - t15
+    t17 = k3_zz - t16
+    t18 = t14 - k3_yy - 0.8636_rk*fu2_y_3
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t17 - t18 + 6.458114002_rk
+    ! link 1: force for a unit acceleration of a joint further out
+    fu1_x_4 = c2*neg_h2_y - s2*h2_x
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_5 = -0.2435_rk*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz)
+    t19 = k2_xy*(2.0_rk*(c2*s2)) + (c2*c2*(t17 + t18 - 1.601861202_rk) - (t17 + 2.4281264_rk))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t16 + (t15 - t19) - 0.1682704495_rk - 0.3002_rk*fu3_x_2
+    ! link 1: products of the angular velocity [1/s^2]
+    ww1_zz = qd(1)*qd(1)
+    t20 = -qd(1)
+    ! link 2: angular velocity [rad/s]
+    w2_x = t20*s2
+    w2_y = t20*c2
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = qd(2)*w2_y
+    alpha2_y = -qd(2)*w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    neg_lam2_22 = ww2_xx + ww2_zz
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.2435_rk*ww1_zz
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + s3*w2_y
+    w3_y = c3*w2_y - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
+    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    neg_ww3_xx = -w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_22 = neg_ww3_xx - ww3_zz
+    lam3_31 = ww3_zx - alpha3_y
+    lam3_32 = alpha3_x + ww3_yz
+    lam3_33 = neg_ww3_xx - ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - (0.8636_rk*alpha2_y - 0.0934_rk*neg_lam2_33)
+    t21 = 0.4318_rk*neg_lam2_11 - a2_x
+    t22 = -0.4318_rk*ww2_xy - a2_y
+    neg_a3_x = c3*t21 + s3*t22
+    a3_y = s3*t21 - c3*t22
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x + s4*w3_z
+    w4_y = c4*w3_z - s4*w3_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = c4*alpha3_x + qd(4)*w4_y
+    alpha4_y = -s4*alpha3_x - qd(4)*w4_x
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) - w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.0203_rk*ww3_xy + 0.4331_rk*lam3_22 - a3_y
+    t23 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
+    t24 = 0.0203_rk*lam3_31 + 0.4331_rk*lam3_32 - a3_z
+    a4_x = -(c4*t23) - s4*t24
+    a4_y = s4*t23 - c4*t24
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x - s5*w4_z
+    t25 = -s5
+    w5_y = t25*w4_x - c5*w4_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) + w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = ww5_xy - alpha4_y
+    lam5_21 = alpha4_y + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = w5_y*(qd(5) + w5_z) - (-c5*alpha4_x - s5*alpha3_y)
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x - s5*a4_z
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x + s6*w5_z
+    w6_y = c6*w5_z - s6*w5_x
+    w6_z = qd(6) - w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ! link 2: force that moves the link [N]
+    fc2_x = 0.1044_rk*ww2_xy - 3.79559_rk*neg_lam2_11
+    fc2_y = 3.79559_rk*ww2_xy - 0.1044_rk*neg_lam2_22
+    ! link 2: moment that turns the link [N m]
+    neg_nc2_x = 0.0016704_rk*(neg_lam2_22 - neg_lam2_33) - 4.8562528_rk*alpha2_x + &
+        (0.0141984_rk*alpha2_y - 0.233911466_rk*ww2_xy) + 0.0254214_rk*ww1_zz
+    nc2_y = 8.059975204_rk*alpha2_y + 0.233911466_rk*(neg_lam2_11 - neg_lam2_33) - &
+        (0.0016704_rk*ww2_xy + 0.0141984_rk*alpha2_x) + 0.924226165_rk*ww1_zz
+    nc2_z = 1.601861202_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (37.196782_rk*c2 - &
+        1.02312_rk*s2)
+    ! link 3: force that moves the link [N]
+    fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*ww3_xy
+    fc3_y = -0.025375_rk*ww3_xy - 0.861795_rk*lam3_22
+    fc3_z = -0.025375_rk*lam3_31 - 0.861795_rk*lam3_32
+    ! link 3: moment that turns the link [N m]
+    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(lam3_33 - lam3_22) - 0.7313401365_rk*lam3_32 - &
+        0.0106736385_rk*lam3_31)
+    nc3_y = -0.004704_rk*ww3_xy - 0.0106736385_rk*lam3_32 - 0.4317651125_rk*lam3_31 + &
+        0.025375_rk*a3_z
+    nc3_z = 0.0106736385_rk*(neg_lam3_11 + lam3_22) - 0.299575024_rk*ww3_xy + 0.004704_rk*lam3_13 &
+        - (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
+    ! link 4: moment that turns the link [N m]
+    nc4_y = -0.2013_rk*ww4_zx
+    nc4_x = 0.1119_rk*ww4_yz - 0.0894_rk*alpha4_x
+    nc4_z = 0.0894_rk*ww4_xy - 0.1119_rk*alpha3_y
+    ! link 5: force that moves the link [N]
+    fc5_x = -0.00288_rk*lam5_12
+    fc5_y = 0.00288_rk*neg_lam5_22
+    fc5_z = -0.00288_rk*lam5_32
+    ! link 5: moment that turns the link [N m]
+    nc5_y = -0.0897_rk*lam5_31
+    nc5_x = 0.08994216_rk*lam5_32 - 0.00288_rk*a4_y
+    nc5_z = 0.0897_rk*lam5_21 - 0.08994216_rk*lam5_12 + 0.00288_rk*a5_x
+    ! link 6: moment that turns the link [N m]
+    nc6_x = 0.19304_rk*ww6_yz
+    nc6_y = -0.19304_rk*ww6_zx
+    nc6_z = -0.19304_rk*alpha5_y
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_y = nc5_y - nc6_z
+    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    ! link 4: force through the joint [N]
+    f4_x = c5*fc5_x - s5*fc5_y
+    neg_f4_z = s5*fc5_x + c5*fc5_y
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_y = nc4_y + n5_z
+    n4_z = nc4_z + (t25*n5_x - c5*n5_y)
+    t26 = s4*f4_x + c4*fc5_z
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*n4_y - (0.4331_rk*t26 - nc3_x)
+    n3_y = nc3_y + 0.0203_rk*t26 - n4_z
+    t27 = c4*f4_x - s4*fc5_z
+    n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203_rk*neg_f4_z - 0.4331_rk*t27))
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x + t27
+    f3_y = fc3_y + neg_f4_z
+    f3_z = fc3_z + t26
+    t28 = s3*f3_x + c3*f3_y
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_x = c3*n3_x - s3*n3_y + (0.0934_rk*t28 - neg_nc2_x)
+    t29 = c3*f3_x - s3*f3_y
+    n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934_rk*t29 + 0.4318_rk*f3_z))
+    n2_z = n3_z + (nc2_z + 0.4318_rk*t28)
+    ! link 2: force through the joint [N]
+    f2_x = fc2_x + t29
+    f2_y = fc2_y + t28
+    ! link 1: force through the joint [N]
+    neg_f1_x = s2*f2_y - c2*f2_x
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = 0.2435_rk*neg_f1_x - (s2*n2_x + c2*n2_y)
+    ! link 1: forward substitution
+    y1 = tau(1) - n1_z
+    ! factorisation M = L D L^T
+    ipivot1 = 1.0_rk / m1_1
+    l2_1 = nu1_z_5*ipivot1
+    l3_1 = nu1_z_4*ipivot1
+    l4_1 = nu1_z_3*ipivot1
+    l5_1 = nu1_z_2*ipivot1
+    l6_1 = nu1_z*ipivot1
+    pivot2 = m2_2 - nu1_z_5*l2_1
+    ipivot2 = 1.0_rk / pivot2
+    ld3_2 = nu2_z_3 - nu1_z_5*l3_1
+    l3_2 = ipivot2*ld3_2
+    ld4_2 = nu2_z_2 - nu1_z_5*l4_1
+    l4_2 = ipivot2*ld4_2
+    ld5_2 = nu2_z - nu1_z_5*l5_1
+    l5_2 = ipivot2*ld5_2
+    ld6_2 = nu3_z - nu1_z_5*l6_1
+    l6_2 = ipivot2*ld6_2
+    pivot3 = m3_3 - nu1_z_4*l3_1 - ld3_2*l3_2
+    ipivot3 = 1.0_rk / pivot3
+    ld4_3 = nu3_z_3 - nu1_z_4*l4_1 - ld3_2*l4_2
+    l4_3 = ipivot3*ld4_3
+    ld5_3 = nu3_z_2 - nu1_z_4*l5_1 - ld3_2*l5_2
+    l5_3 = ipivot3*ld5_3
+    ld6_3 = nu3_z - nu1_z_4*l6_1 - ld3_2*l6_2
+    l6_3 = ipivot3*ld6_3
+    pivot4 = m4_4 - nu1_z_3*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    ipivot4 = 1.0_rk / pivot4
+    ld5_4 = -nu1_z_3*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
+    l5_4 = ipivot4*ld5_4
+    ld6_4 = nu4_z - nu1_z_3*l6_1 - ld4_2*l6_2 - ld4_3*l6_3
+    l6_4 = ipivot4*ld6_4
+    pivot5 = -(nu1_z_2*l5_1 - 0.17964216_rk + ld5_2*l5_2 + ld5_3*l5_3) - ld5_4*l5_4
+    ipivot5 = 1.0_rk / pivot5
+    ld6_5 = -nu1_z_2*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4
+    l6_5 = ipivot5*ld6_5
+    pivot6 = -ld6_5*l6_5 - (nu1_z*l6_1 - 0.19304_rk + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4)
+    ipivot6 = 1.0_rk / pivot6
+    ! link 2: forward substitution
+    y2 = tau(2) - n2_z - y1*l2_1
+    ! link 3: forward substitution
+    y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
+    ! link 4: forward substitution
+    y4 = tau(4) - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
+    ! link 5: forward substitution
+    y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
+    ! link 6: forward substitution
+    y6 = tau(6) - nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = ipivot6*y6
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = ipivot5*y5 - l6_5*qdd6
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6
+    ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 - l6_1*qdd6
+    qdd(1) = qdd1
+    qdd(2) = qdd2
+    qdd(3) = qdd3
+    qdd(4) = qdd4
+    qdd(5) = qdd5
+    qdd(6) = qdd6
+  end subroutine
+end module

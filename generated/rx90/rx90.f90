@@ -1,0 +1,1424 @@
+! rx90: Staubli RX90 geometry, random full inertias
+! Numbers: published RX90 geometry; inertial parameters drawn at random
+! Written by robodyn; do not edit, generate again.
+!
+! Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+! Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+! Arguments, in SI units, joint 1 first:
+!   q    joint positions [rad, prismatic m]
+!   qd   joint velocities [rad/s, prismatic m/s]
+!   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+!   tau  joint torques [N m, prismatic N]
+!   M    mass matrix, row by row [kg m^2, kg m, kg]
+! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+!   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+!   makes no difference is moved to its parent.
+!
+! Operations (every binary * is a multiplication, every binary + or - an addition):
+!   inverse_dynamics: 241 multiplications, 229 additions = 470; 5 unary minus; 10 sine/cosine
+!   gravity: 50 multiplications, 28 additions = 78; 2 unary minus; 10 sine/cosine
+!   bias: 233 multiplications, 208 additions = 441; 7 unary minus; 10 sine/cosine
+!   mass_matrix: 128 multiplications, 115 additions = 243; 7 unary minus; 10 sine/cosine
+!   forward_dynamics: 447 multiplications, 394 additions, 6 divisions = 847; 18 unary minus; 10
+!       sine/cosine
+module rx90_dynamics
+  use, intrinsic :: iso_c_binding, only: rk => c_double
+  implicit none
+  private
+
+  public :: rx90_inverse_dynamics
+  public :: rx90_gravity
+  public :: rx90_bias
+  public :: rx90_mass_matrix
+  public :: rx90_forward_dynamics
+
+contains
+
+  ! torques that give the accelerations qdd
+  ! 241 multiplications, 229 additions = 470; 5 unary minus; 10 sine/cosine
+  pure subroutine rx90_inverse_dynamics(q, qd, qdd, tau) &
+      bind(c, name="rx90_inverse_dynamics_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(in) :: qd(6)
+    real(rk), intent(in) :: qdd(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, w2_x, w2_y, ww2_yz, ww2_zx, alpha2_x, alpha2_y
+    real(rk) :: ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21
+    real(rk) :: neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33, a2_x, a2_y, w3_x
+    real(rk) :: w3_y, alpha3_x, neg_alpha3_y, alpha3_z, w3_z, ww3_yz, ww3_zx, ww3_xy
+    real(rk) :: neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, lam3_22
+    real(rk) :: lam3_23, lam3_31, lam3_32, lam3_33, t1, t2, a3_x, a3_y
+    real(rk) :: w4_x, w4_y, alpha4_x, neg_alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx
+    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21
+    real(rk) :: neg_lam4_22, lam4_23, lam4_31, lam4_32, neg_lam4_33, a4_z, t3, t4
+    real(rk) :: a4_x, a4_y, w5_x, w5_y, alpha5_x, neg_alpha5_y, alpha5_z, w5_z
+    real(rk) :: ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12
+    real(rk) :: lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_x
+    real(rk) :: neg_a5_y, w6_x, w6_y, alpha6_x, neg_alpha6_y, alpha6_z, w6_z, ww6_yz
+    real(rk) :: ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13
+    real(rk) :: lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33, a6_x, neg_a6_y
+    real(rk) :: nc1_z, nc2_x, nc2_y, t5, nc2_z, fc3_x, fc3_y, fc3_z
+    real(rk) :: nc3_x, nc3_y, t6, nc3_z, fc4_x, fc4_y, fc4_z, nc4_x
+    real(rk) :: nc4_y, t7, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y
+    real(rk) :: t8, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t9
+    real(rk) :: nc6_z, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, n4_x
+    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, t10, n3_x, n3_y
+    real(rk) :: t11, n3_z, f3_x, f3_y, f3_z, n2_x, n2_y, n2_z
+    real(rk) :: n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    ! link 2: angular velocity [rad/s]
+    w2_x = qd(1)*s2
+    w2_y = qd(1)*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_yz = qd(2)*w2_y
+    ww2_zx = qd(2)*w2_x
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = qdd(1)*s2 + ww2_yz
+    alpha2_y = qdd(1)*c2 - ww2_zx
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    lam2_12 = ww2_xy - qdd(2)
+    lam2_13 = ww2_zx + alpha2_y
+    lam2_21 = qdd(2) + ww2_xy
+    neg_lam2_22 = ww2_xx + ww2_zz
+    lam2_23 = ww2_yz - alpha2_x
+    lam2_31 = ww2_zx - alpha2_y
+    lam2_32 = ww2_yz + alpha2_x
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = 9.8_rk*s2
+    a2_y = 9.8_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + s3*w2_y
+    w3_y = c3*w2_y - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = c3*alpha2_x + s3*alpha2_y + qd(3)*w3_y
+    neg_alpha3_y = s3*alpha2_x - c3*alpha2_y + qd(3)*w3_x
+    alpha3_z = qdd(2) + qdd(3)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    neg_ww3_xx = -w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_12 = ww3_xy - alpha3_z
+    lam3_13 = ww3_zx - neg_alpha3_y
+    lam3_21 = alpha3_z + ww3_xy
+    lam3_22 = neg_ww3_xx - ww3_zz
+    lam3_23 = ww3_yz - alpha3_x
+    lam3_31 = neg_alpha3_y + ww3_zx
+    lam3_32 = alpha3_x + ww3_yz
+    lam3_33 = neg_ww3_xx - ww3_yy
+    t1 = a2_x - 0.45_rk*neg_lam2_11
+    t2 = a2_y + 0.45_rk*lam2_21
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_x = c3*t1 + s3*t2
+    a3_y = c3*t2 - s3*t1
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x - s4*w3_z
+    w4_y = -(s4*w3_x) - c4*w3_z
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = c4*alpha3_x - s4*alpha3_z + qd(4)*w4_y
+    neg_alpha4_y = s4*alpha3_x + c4*alpha3_z + qd(4)*w4_x
+    alpha4_z = qdd(4) - neg_alpha3_y
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) + w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ww4_xx = w4_x*w4_x
+    ww4_yy = w4_y*w4_y
+    ww4_zz = w4_z*w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = ww4_yy + ww4_zz
+    lam4_12 = ww4_xy - alpha4_z
+    lam4_13 = ww4_zx - neg_alpha4_y
+    lam4_21 = alpha4_z + ww4_xy
+    neg_lam4_22 = ww4_xx + ww4_zz
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_31 = neg_alpha4_y + ww4_zx
+    lam4_32 = alpha4_x + ww4_yz
+    neg_lam4_33 = ww4_xx + ww4_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_y + 0.45_rk*lam3_22
+    t3 = a3_x + 0.45_rk*lam3_12
+    t4 = 0.45_rk*(lam2_31 + lam3_32)
+    a4_x = c4*t3 - s4*t4
+    a4_y = -(s4*t3) - c4*t4
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x + s5*w4_z
+    w5_y = c5*w4_z - s5*w4_x
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = c5*alpha4_x + s5*alpha4_z + qd(5)*w5_y
+    neg_alpha5_y = s5*alpha4_x - c5*alpha4_z + qd(5)*w5_x
+    alpha5_z = qdd(5) + neg_alpha4_y
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) - w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_yz = w5_y*w5_z
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_yy = w5_y*w5_y
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_yy + ww5_zz
+    lam5_12 = ww5_xy - alpha5_z
+    lam5_13 = ww5_zx - neg_alpha5_y
+    lam5_21 = alpha5_z + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_31 = neg_alpha5_y + ww5_zx
+    lam5_32 = alpha5_x + ww5_yz
+    neg_lam5_33 = ww5_xx + ww5_yy
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a4_z
+    neg_a5_y = s5*a4_x - c5*a4_z
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x - s6*w5_z
+    w6_y = -(s6*w5_x) - c6*w5_z
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = c6*alpha5_x - s6*alpha5_z + qd(6)*w6_y
+    neg_alpha6_y = s6*alpha5_x + c6*alpha5_z + qd(6)*w6_x
+    alpha6_z = qdd(6) - neg_alpha5_y
+    ! link 6: angular velocity [rad/s]
+    w6_z = qd(6) + w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ww6_xy = w6_x*w6_y
+    ww6_xx = w6_x*w6_x
+    ww6_yy = w6_y*w6_y
+    ww6_zz = w6_z*w6_z
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_11 = ww6_yy + ww6_zz
+    lam6_12 = ww6_xy - alpha6_z
+    lam6_13 = ww6_zx - neg_alpha6_y
+    lam6_21 = alpha6_z + ww6_xy
+    neg_lam6_22 = ww6_xx + ww6_zz
+    lam6_23 = ww6_yz - alpha6_x
+    lam6_31 = neg_alpha6_y + ww6_zx
+    lam6_32 = alpha6_x + ww6_yz
+    neg_lam6_33 = ww6_xx + ww6_yy
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    neg_a6_y = s6*a5_x - c6*a4_y
+    ! link 1: moment that turns the link [N m]
+    nc1_z = 0.6379688079078735_rk*qdd(1)
+    ! link 2: moment that turns the link [N m]
+    nc2_x = 0.5492245200976821_rk*lam2_32 + 0.09496171507178643_rk*(neg_lam2_22 - neg_lam2_33) + &
+        (0.3355665158971724_rk*lam2_31 - 0.017315109477737248_rk*lam2_21)
+    nc2_y = 0.09496171507178643_rk*lam2_12 - 0.3355665158971724_rk*lam2_32 - &
+        (4.645960113642152_rk*lam2_31 + 0.017315109477737248_rk*(neg_lam2_11 - neg_lam2_33))
+    t5 = 4.645960113642152_rk*lam2_21 - 0.5492245200976821_rk*lam2_12 + &
+        0.3355665158971724_rk*(neg_lam2_11 - neg_lam2_22) + (0.017315109477737248_rk*lam2_23 - &
+        0.09496171507178643_rk*lam2_13)
+    nc2_z = t5 + (81.05525857884084_rk*c2 + 17.30463777489202_rk*s2)
+    ! link 3: force that moves the link [N]
+    fc3_x = 0.4001573159217507_rk*neg_lam3_11 + 9.392800548482231_rk*lam3_12
+    fc3_y = 9.392800548482231_rk*lam3_22 - 0.4001573159217507_rk*lam3_21
+    fc3_z = 9.392800548482231_rk*lam3_32 - 0.4001573159217507_rk*lam3_31
+    ! link 3: moment that turns the link [N m]
+    nc3_x = 5.396088354585412_rk*lam3_32 + 0.0672049454639226_rk*(lam3_33 - lam3_22) + &
+        (0.06558551272001446_rk*lam3_31 - 0.1093030288471206_rk*lam3_21) + &
+        4.226760246817004_rk*lam2_31
+    nc3_y = 0.1800707921647878_rk*lam2_31 - (0.19252101484679798_rk*lam3_31 + &
+        0.1093030288471206_rk*(neg_lam3_11 + lam3_33) + (0.06558551272001446_rk*lam3_32 - &
+        0.0672049454639226_rk*lam3_12))
+    t6 = 0.19252101484679798_rk*lam3_21 - 5.396088354585412_rk*lam3_12 + &
+        0.06558551272001446_rk*(neg_lam3_11 + lam3_22) - (0.0672049454639226_rk*lam3_13 - &
+        0.1093030288471206_rk*lam3_23)
+    nc3_z = t6 + (-0.4001573159217507_rk*a3_y - 9.392800548482231_rk*a3_x)
+    ! link 4: force that moves the link [N]
+    fc4_x = 1.0765039731522932_rk*lam4_12 - 0.21759393385311085_rk*neg_lam4_11
+    fc4_y = 0.21759393385311085_rk*lam4_21 - 1.0765039731522932_rk*neg_lam4_22
+    fc4_z = 0.21759393385311085_rk*lam4_31 + 1.0765039731522932_rk*lam4_32
+    ! link 4: moment that turns the link [N m]
+    nc4_x = 0.7570061710726514_rk*lam4_32 + 0.02981305527252843_rk*(neg_lam4_22 - neg_lam4_33) + &
+        (0.09181695932507075_rk*lam4_31 - 0.1094831940191231_rk*lam4_21) + &
+        1.0765039731522932_rk*a4_z
+    nc4_y = -0.21759393385311085_rk*a4_z - (0.1886810537096668_rk*lam4_31 + &
+        0.1094831940191231_rk*(neg_lam4_11 - neg_lam4_33) + (0.09181695932507075_rk*lam4_32 - &
+        0.02981305527252843_rk*lam4_12))
+    t7 = 0.1886810537096668_rk*lam4_21 - 0.7570061710726514_rk*lam4_12 + &
+        0.09181695932507075_rk*(neg_lam4_11 - neg_lam4_22) - (0.02981305527252843_rk*lam4_13 - &
+        0.1094831940191231_rk*lam4_23)
+    nc4_z = t7 - (1.0765039731522932_rk*a4_x - 0.21759393385311085_rk*a4_y)
+    ! link 5: force that moves the link [N]
+    fc5_x = 0.8974188745594792_rk*neg_lam5_11 + 0.8067444135457743_rk*lam5_12
+    fc5_y = -0.8067444135457743_rk*neg_lam5_22 - 0.8974188745594792_rk*lam5_21
+    fc5_z = 0.8067444135457743_rk*lam5_32 - 0.8974188745594792_rk*lam5_31
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.09969734753381411_rk*lam5_32 + 0.06545842652927093_rk*(neg_lam5_22 - neg_lam5_33) - &
+        (0.04994749004669093_rk*lam5_31 + 0.022422989561630666_rk*lam5_21) - &
+        0.8067444135457743_rk*a4_y
+    nc5_y = -0.8974188745594792_rk*a4_y - (0.4973859781056681_rk*lam5_31 + &
+        0.022422989561630666_rk*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093_rk*lam5_12 - &
+        0.04994749004669093_rk*lam5_32))
+    t8 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
+        0.04994749004669093_rk*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093_rk*lam5_13 - &
+        0.022422989561630666_rk*lam5_23)
+    nc5_z = t8 + (0.8974188745594792_rk*neg_a5_y - 0.8067444135457743_rk*a5_x)
+    ! link 6: force that moves the link [N]
+    fc6_x = 1.5707678306756712_rk*neg_lam6_11 + 0.6271000643521031_rk*lam6_12
+    fc6_y = -0.6271000643521031_rk*neg_lam6_22 - 1.5707678306756712_rk*lam6_21
+    fc6_z = 0.6271000643521031_rk*lam6_32 - 1.5707678306756712_rk*lam6_31
+    ! link 6: moment that turns the link [N m]
+    nc6_x = 0.13354610634435332_rk*lam6_32 + 0.07096581179296485_rk*(neg_lam6_22 - neg_lam6_33) - &
+        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) - &
+        0.6271000643521031_rk*neg_a5_y
+    nc6_y = -1.5707678306756712_rk*neg_a5_y - (0.4436030328765257_rk*lam6_31 - &
+        0.1601275610650136_rk*(neg_lam6_11 - neg_lam6_33) + (-0.07096581179296485_rk*lam6_12 - &
+        0.13821978029399798_rk*lam6_32))
+    t9 = 0.4436030328765257_rk*lam6_21 - 0.13354610634435332_rk*lam6_12 - &
+        0.13821978029399798_rk*(neg_lam6_11 - neg_lam6_22) + (-0.1601275610650136_rk*lam6_23 - &
+        0.07096581179296485_rk*lam6_13)
+    nc6_z = t9 + (1.5707678306756712_rk*neg_a6_y - 0.6271000643521031_rk*a6_x)
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_y = nc5_y + nc6_z
+    n5_z = nc5_z - (s6*nc6_x + c6*nc6_y)
+    ! link 5: force through the joint [N]
+    f5_x = fc5_x + (c6*fc6_x - s6*fc6_y)
+    f5_y = fc5_y + fc6_z
+    f5_z = fc5_z - (s6*fc6_x + c6*fc6_y)
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_y = nc4_y - n5_z
+    n4_z = nc4_z + (s5*n5_x + c5*n5_y)
+    ! link 4: force through the joint [N]
+    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_y = fc4_y - f5_z
+    f4_z = fc4_z + (s5*f5_x + c5*f5_y)
+    t10 = -s4*f4_x - c4*f4_y
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45_rk*t10)
+    n3_y = nc3_y + n4_z
+    t11 = s4*f4_y - c4*f4_x
+    n3_z = nc3_z + 0.45_rk*t11 - (s4*n4_x + c4*n4_y)
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x - t11
+    f3_y = fc3_y + f4_z
+    f3_z = fc3_z + t10
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_x = nc2_x + (c3*n3_x - s3*n3_y)
+    n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45_rk*f3_z)
+    n2_z = n3_z + (nc2_z + 0.45_rk*(s3*f3_x + c3*f3_y))
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = nc1_z + (s2*n2_x + c2*n2_y)
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = n5_z
+    tau(6) = nc6_z
+  end subroutine
+
+  ! torques that hold the arm at rest
+  ! 50 multiplications, 28 additions = 78; 2 unary minus; 10 sine/cosine
+  pure subroutine rx90_gravity(q, tau) &
+      bind(c, name="rx90_gravity_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, a2_x, a2_y, a3_x, a3_y, a4_x, t1
+    real(rk) :: a4_y, a5_x, a5_y, a6_x, neg_a6_y, nc2_z, nc3_z, nc4_x
+    real(rk) :: nc4_y, nc4_z, nc5_x, nc5_y, nc5_z, nc6_x, nc6_y, nc6_z
+    real(rk) :: n5_x, n5_y, n5_z, n4_x, n4_y, n4_z, n3_x, n3_z
+    real(rk) :: n2_x, n2_y, n2_z, n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = 9.8_rk*s2
+    a2_y = 9.8_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_x = c3*a2_x + s3*a2_y
+    a3_y = c3*a2_y - s3*a2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x
+    t1 = -s4
+    a4_y = t1*a3_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a3_y
+    a5_y = c5*a3_y - s5*a4_x
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    neg_a6_y = s6*a5_x - c6*a4_y
+    ! link 2: moment that turns the link [N m]
+    nc2_z = 81.05525857884084_rk*c2 + 17.30463777489202_rk*s2
+    ! link 3: moment that turns the link [N m]
+    nc3_z = -0.4001573159217507_rk*a3_y - 9.392800548482231_rk*a3_x
+    ! link 4: moment that turns the link [N m]
+    nc4_x = 1.0765039731522932_rk*a3_y
+    nc4_y = -0.21759393385311085_rk*a3_y
+    nc4_z = 0.21759393385311085_rk*a4_y - 1.0765039731522932_rk*a4_x
+    ! link 5: moment that turns the link [N m]
+    nc5_x = -0.8067444135457743_rk*a4_y
+    nc5_y = -0.8974188745594792_rk*a4_y
+    nc5_z = -0.8974188745594792_rk*a5_y - 0.8067444135457743_rk*a5_x
+    ! link 6: moment that turns the link [N m]
+    nc6_x = 0.6271000643521031_rk*a5_y
+    nc6_y = 1.5707678306756712_rk*a5_y
+    nc6_z = 1.5707678306756712_rk*neg_a6_y - 0.6271000643521031_rk*a6_x
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x - (s6*nc6_y - c6*nc6_x)
+    n5_y = nc5_y + nc6_z
+    n5_z = nc5_z + (-s6*nc6_x - c6*nc6_y)
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_y = nc4_y - n5_z
+    n4_z = nc4_z + (s5*n5_x + c5*n5_y)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*n4_y
+    n3_z = nc3_z + (t1*n4_x - c4*n4_y)
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_x = c3*n3_x - s3*n4_z
+    n2_y = s3*n3_x + c3*n4_z
+    n2_z = nc2_z + n3_z
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*n2_x + c2*n2_y
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = n5_z
+    tau(6) = nc6_z
+  end subroutine
+
+  ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
+  ! 233 multiplications, 208 additions = 441; 7 unary minus; 10 sine/cosine
+  pure subroutine rx90_bias(q, qd, tau) &
+      bind(c, name="rx90_bias_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(in) :: qd(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx
+    real(rk) :: ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_x, a2_y, w3_x
+    real(rk) :: w3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, neg_ww3_xx
+    real(rk) :: ww3_yy, ww3_zz, neg_lam3_11, lam3_13, lam3_22, lam3_23, lam3_31, lam3_32
+    real(rk) :: lam3_33, a3_z, t1, t2, a3_x, a3_y, w4_x, w4_y
+    real(rk) :: alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy
+    real(rk) :: ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31
+    real(rk) :: lam4_32, neg_lam4_33, a4_z, t3, t4, a4_x, a4_y, w5_x
+    real(rk) :: w5_y, alpha5_x, neg_alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx
+    real(rk) :: ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23
+    real(rk) :: lam5_31, lam5_32, neg_lam5_33, a5_x, neg_a5_y, w6_x, w6_y, alpha6_x
+    real(rk) :: neg_alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
+    real(rk) :: neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32
+    real(rk) :: neg_lam6_33, a6_x, neg_a6_y, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y
+    real(rk) :: fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y, fc4_z, nc4_x
+    real(rk) :: nc4_y, t5, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y
+    real(rk) :: t6, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t7
+    real(rk) :: nc6_z, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, n4_x
+    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, t8, n3_x, n3_y
+    real(rk) :: t9, n3_z, f3_x, f3_y, f3_z, n2_x, n2_y, n2_z
+    real(rk) :: n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    ! link 2: angular velocity [rad/s]
+    w2_x = qd(1)*s2
+    w2_y = qd(1)*c2
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = qd(2)*w2_y
+    alpha2_y = -qd(2)*w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    neg_lam2_22 = ww2_xx + ww2_zz
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = 9.8_rk*s2
+    a2_y = 9.8_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + s3*w2_y
+    w3_y = c3*w2_y - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = c3*alpha2_x + s3*alpha2_y + qd(3)*w3_y
+    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    neg_ww3_xx = -w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_22 = neg_ww3_xx - ww3_zz
+    lam3_23 = ww3_yz - alpha3_x
+    lam3_31 = ww3_zx - alpha3_y
+    lam3_32 = alpha3_x + ww3_yz
+    lam3_33 = neg_ww3_xx - ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = -0.9_rk*alpha2_y
+    t1 = a2_x - 0.45_rk*neg_lam2_11
+    t2 = a2_y + 0.45_rk*ww2_xy
+    a3_x = c3*t1 + s3*t2
+    a3_y = c3*t2 - s3*t1
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x - s4*w3_z
+    w4_y = -(s4*w3_x) - c4*w3_z
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = c4*alpha3_x + qd(4)*w4_y
+    alpha4_y = -(s4*alpha3_x) - qd(4)*w4_x
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) + w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ww4_xx = w4_x*w4_x
+    ww4_yy = w4_y*w4_y
+    ww4_zz = w4_z*w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = ww4_yy + ww4_zz
+    lam4_12 = ww4_xy - alpha3_y
+    lam4_13 = alpha4_y + ww4_zx
+    lam4_21 = alpha3_y + ww4_xy
+    neg_lam4_22 = ww4_xx + ww4_zz
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_31 = ww4_zx - alpha4_y
+    lam4_32 = alpha4_x + ww4_yz
+    neg_lam4_33 = ww4_xx + ww4_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_y + 0.45_rk*lam3_22
+    t3 = a3_x + 0.45_rk*ww3_xy
+    t4 = a3_z + 0.45_rk*lam3_32
+    a4_x = c4*t3 - s4*t4
+    a4_y = -(s4*t3) - c4*t4
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x + s5*w4_z
+    w5_y = c5*w4_z - s5*w4_x
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = c5*alpha4_x + s5*alpha3_y + qd(5)*w5_y
+    neg_alpha5_y = s5*alpha4_x - c5*alpha3_y + qd(5)*w5_x
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) - w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_yz = w5_y*w5_z
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_yy = w5_y*w5_y
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_yy + ww5_zz
+    lam5_12 = alpha4_y + ww5_xy
+    lam5_13 = ww5_zx - neg_alpha5_y
+    lam5_21 = ww5_xy - alpha4_y
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_31 = neg_alpha5_y + ww5_zx
+    lam5_32 = alpha5_x + ww5_yz
+    neg_lam5_33 = ww5_xx + ww5_yy
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a4_z
+    neg_a5_y = s5*a4_x - c5*a4_z
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x - s6*w5_z
+    w6_y = -(s6*w5_x) - c6*w5_z
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = c6*alpha5_x + s6*alpha4_y + qd(6)*w6_y
+    neg_alpha6_y = s6*alpha5_x - c6*alpha4_y + qd(6)*w6_x
+    ! link 6: angular velocity [rad/s]
+    w6_z = qd(6) + w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ww6_xy = w6_x*w6_y
+    ww6_xx = w6_x*w6_x
+    ww6_yy = w6_y*w6_y
+    ww6_zz = w6_z*w6_z
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_11 = ww6_yy + ww6_zz
+    lam6_12 = neg_alpha5_y + ww6_xy
+    lam6_13 = ww6_zx - neg_alpha6_y
+    lam6_21 = ww6_xy - neg_alpha5_y
+    neg_lam6_22 = ww6_xx + ww6_zz
+    lam6_23 = ww6_yz - alpha6_x
+    lam6_31 = neg_alpha6_y + ww6_zx
+    lam6_32 = alpha6_x + ww6_yz
+    neg_lam6_33 = ww6_xx + ww6_yy
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    neg_a6_y = s6*a5_x - c6*a4_y
+    ! link 2: moment that turns the link [N m]
+    nc2_x = 1.0984490401953642_rk*alpha2_x + 0.09496171507178643_rk*(neg_lam2_22 - neg_lam2_33) + &
+        (-0.6711330317943448_rk*alpha2_y - 0.017315109477737248_rk*ww2_xy)
+    nc2_y = 0.09496171507178643_rk*ww2_xy - 0.6711330317943448_rk*alpha2_x - &
+        (0.017315109477737248_rk*(neg_lam2_11 - neg_lam2_33) - 9.291920227284304_rk*alpha2_y)
+    nc2_z = 4.09673559354447_rk*ww2_xy + 0.3355665158971724_rk*(neg_lam2_11 - neg_lam2_22) + &
+        (81.05525857884084_rk*c2 + 17.30463777489202_rk*s2)
+    ! link 3: force that moves the link [N]
+    fc3_x = 0.4001573159217507_rk*neg_lam3_11 + 9.392800548482231_rk*ww3_xy
+    fc3_y = 9.392800548482231_rk*lam3_22 - 0.4001573159217507_rk*ww3_xy
+    fc3_z = 9.392800548482231_rk*lam3_32 - 0.4001573159217507_rk*lam3_31
+    ! link 3: moment that turns the link [N m]
+    nc3_x = 5.396088354585412_rk*lam3_32 + 0.0672049454639226_rk*(lam3_33 - lam3_22) + &
+        (0.06558551272001446_rk*lam3_31 - 0.1093030288471206_rk*ww3_xy) - &
+        8.453520493634008_rk*alpha2_y
+    nc3_y = -0.3601415843295756_rk*alpha2_y - (0.19252101484679798_rk*lam3_31 + &
+        0.1093030288471206_rk*(neg_lam3_11 + lam3_33) + (0.06558551272001446_rk*lam3_32 - &
+        0.0672049454639226_rk*ww3_xy))
+    nc3_z = 0.06558551272001446_rk*(neg_lam3_11 + lam3_22) - 5.203567339738615_rk*ww3_xy - &
+        (0.0672049454639226_rk*lam3_13 - 0.1093030288471206_rk*lam3_23) + &
+        (-0.4001573159217507_rk*a3_y - 9.392800548482231_rk*a3_x)
+    ! link 4: force that moves the link [N]
+    fc4_x = 1.0765039731522932_rk*lam4_12 - 0.21759393385311085_rk*neg_lam4_11
+    fc4_y = 0.21759393385311085_rk*lam4_21 - 1.0765039731522932_rk*neg_lam4_22
+    fc4_z = 0.21759393385311085_rk*lam4_31 + 1.0765039731522932_rk*lam4_32
+    ! link 4: moment that turns the link [N m]
+    nc4_x = 0.7570061710726514_rk*lam4_32 + 0.02981305527252843_rk*(neg_lam4_22 - neg_lam4_33) + &
+        (0.09181695932507075_rk*lam4_31 - 0.1094831940191231_rk*lam4_21) + &
+        1.0765039731522932_rk*a4_z
+    nc4_y = -0.21759393385311085_rk*a4_z - (0.1886810537096668_rk*lam4_31 + &
+        0.1094831940191231_rk*(neg_lam4_11 - neg_lam4_33) - (0.02981305527252843_rk*lam4_12 - &
+        0.09181695932507075_rk*lam4_32))
+    t5 = 0.7570061710726514_rk*lam4_12 - 0.1886810537096668_rk*lam4_21 - &
+        0.09181695932507075_rk*(neg_lam4_11 - neg_lam4_22) + (0.02981305527252843_rk*lam4_13 - &
+        0.1094831940191231_rk*lam4_23)
+    neg_nc4_z = t5 + (1.0765039731522932_rk*a4_x - 0.21759393385311085_rk*a4_y)
+    ! link 5: force that moves the link [N]
+    fc5_x = 0.8974188745594792_rk*neg_lam5_11 + 0.8067444135457743_rk*lam5_12
+    fc5_y = -0.8067444135457743_rk*neg_lam5_22 - 0.8974188745594792_rk*lam5_21
+    fc5_z = 0.8067444135457743_rk*lam5_32 - 0.8974188745594792_rk*lam5_31
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.09969734753381411_rk*lam5_32 + 0.06545842652927093_rk*(neg_lam5_22 - neg_lam5_33) - &
+        (0.04994749004669093_rk*lam5_31 + 0.022422989561630666_rk*lam5_21) - &
+        0.8067444135457743_rk*a4_y
+    nc5_y = -0.8974188745594792_rk*a4_y - (0.4973859781056681_rk*lam5_31 + &
+        0.022422989561630666_rk*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093_rk*lam5_12 - &
+        0.04994749004669093_rk*lam5_32))
+    t6 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
+        0.04994749004669093_rk*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093_rk*lam5_13 - &
+        0.022422989561630666_rk*lam5_23)
+    nc5_z = t6 + (0.8974188745594792_rk*neg_a5_y - 0.8067444135457743_rk*a5_x)
+    ! link 6: force that moves the link [N]
+    fc6_x = 1.5707678306756712_rk*neg_lam6_11 + 0.6271000643521031_rk*lam6_12
+    fc6_y = -0.6271000643521031_rk*neg_lam6_22 - 1.5707678306756712_rk*lam6_21
+    fc6_z = 0.6271000643521031_rk*lam6_32 - 1.5707678306756712_rk*lam6_31
+    ! link 6: moment that turns the link [N m]
+    nc6_x = 0.13354610634435332_rk*lam6_32 + 0.07096581179296485_rk*(neg_lam6_22 - neg_lam6_33) - &
+        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) - &
+        0.6271000643521031_rk*neg_a5_y
+    nc6_y = -1.5707678306756712_rk*neg_a5_y - (0.4436030328765257_rk*lam6_31 - &
+        0.1601275610650136_rk*(neg_lam6_11 - neg_lam6_33) - (0.07096581179296485_rk*lam6_12 + &
+        0.13821978029399798_rk*lam6_32))
+    t7 = 0.13354610634435332_rk*lam6_12 - 0.4436030328765257_rk*lam6_21 + &
+        0.13821978029399798_rk*(neg_lam6_11 - neg_lam6_22) - (-0.1601275610650136_rk*lam6_23 - &
+        0.07096581179296485_rk*lam6_13)
+    nc6_z = 1.5707678306756712_rk*neg_a6_y - 0.6271000643521031_rk*a6_x - t7
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_y = nc5_y + nc6_z
+    n5_z = nc5_z - (s6*nc6_x + c6*nc6_y)
+    ! link 5: force through the joint [N]
+    f5_x = fc5_x + (c6*fc6_x - s6*fc6_y)
+    f5_y = fc5_y + fc6_z
+    f5_z = fc5_z - (s6*fc6_x + c6*fc6_y)
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_y = nc4_y - n5_z
+    n4_z = s5*n5_x + c5*n5_y - neg_nc4_z
+    ! link 4: force through the joint [N]
+    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_y = fc4_y - f5_z
+    f4_z = fc4_z + (s5*f5_x + c5*f5_y)
+    t8 = -s4*f4_x - c4*f4_y
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45_rk*t8)
+    n3_y = nc3_y + n4_z
+    t9 = s4*f4_y - c4*f4_x
+    n3_z = nc3_z + 0.45_rk*t9 - (s4*n4_x + c4*n4_y)
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x - t9
+    f3_y = fc3_y + f4_z
+    f3_z = fc3_z + t8
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_x = nc2_x + (c3*n3_x - s3*n3_y)
+    n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45_rk*f3_z)
+    n2_z = n3_z + (nc2_z + 0.45_rk*(s3*f3_x + c3*f3_y))
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*n2_x + c2*n2_y
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = n5_z
+    tau(6) = nc6_z
+  end subroutine
+
+  ! mass matrix, rotor inertias on its diagonal
+  ! 128 multiplications, 115 additions = 243; 7 unary minus; 10 sine/cosine
+  pure subroutine rx90_mass_matrix(q, M) &
+      bind(c, name="rx90_mass_matrix_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(out) :: M(36)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, fu5_x, fu5_z, nu5_x, nu5_z, fu4_x, fu4_z
+    real(rk) :: nu4_x, nu4_z, neg_fu3_x, fu3_z, t1, nu3_x, nu3_z, neg_fu2_y
+    real(rk) :: nu2_x, nu2_y, nu2_z, nu1_z, neg_h5_x, t2, t3, t4
+    real(rk) :: k5_xx, k5_xy, k5_xz, k5_yz, m5_5, fu4_x_2, fu4_z_2, nu4_x_2
+    real(rk) :: nu4_z_2, fu3_x, neg_fu3_z, t5, nu3_x_2, nu3_z_2, t6, neg_fu2_y_2
+    real(rk) :: nu2_x_2, nu2_y_2, nu2_z_2, nu1_z_2, t7, t8, t9, t10
+    real(rk) :: k4_zz, h4_x, h4_y, k4_xx, k4_yy, k4_xy, k4_xz, k4_yz
+    real(rk) :: m4_4, fu3_x_2, fu3_z_2, t11, nu3_x_3, t12, nu3_z_3, fu2_y
+    real(rk) :: nu2_x_3, nu2_y_3, nu2_z_3, nu1_z_3, t13, t14, t15, t16
+    real(rk) :: k3_zz, neg_h3_x, h3_y, t17, k3_xx, t18, k3_yy, k3_xy
+    real(rk) :: k3_xz, k3_yz, m3_3, fu2_x, fu2_y_2, nu2_x_4, nu2_y_4, nu2_z_4
+    real(rk) :: nu1_z_4, t19, t20, t21, t22, t23, t24, k2_zz
+    real(rk) :: t25, k2_yy, k2_xy, neg_k2_xz, k2_yz, t26, m2_2, nu1_z_5
+    real(rk) :: t27, m1_1
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_x = 1.5707678306756712_rk*s6 - 0.6271000643521031_rk*c6
+    fu5_z = 0.6271000643521031_rk*s6 + 1.5707678306756712_rk*c6
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x = 0.1601275610650136_rk*c6 + 0.07096581179296485_rk*s6
+    nu5_z = 0.07096581179296485_rk*c6 - 0.1601275610650136_rk*s6
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = c5*fu5_x
+    fu4_z = s5*fu5_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = c5*nu5_x - 0.5771491392208791_rk*s5
+    nu4_z = s5*nu5_x + 0.5771491392208791_rk*c5
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = -c4*fu4_x - s4*fu5_z
+    fu3_z = c4*fu5_z - s4*fu4_x
+    t1 = 0.45_rk*fu3_z
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = c4*nu4_x + s4*nu5_z + t1
+    nu3_z = 0.45_rk*neg_fu3_x - (s4*nu4_x - c4*nu5_z)
+    ! link 2: force for a unit acceleration of a joint further out
+    neg_fu2_y = s3*neg_fu3_x - c3*fu4_z
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x = c3*nu3_x - s3*nu4_z
+    nu2_y = s3*nu3_x + c3*nu4_z - t1
+    nu2_z = nu3_z - 0.45_rk*neg_fu2_y
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z = s2*nu2_x + c2*nu2_y
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_x = fu5_z + 0.8974188745594792_rk
+    t2 = c6*c6
+    t3 = c6*s6
+    t4 = 0.31005692653217237_rk*t2 + 0.27643956058799596_rk*t3
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xx = t4 + 0.6309320844500215_rk
+    k5_xy = -nu5_x - 0.04994749004669093_rk
+    k5_xz = 0.022422989561630666_rk - (0.31005692653217237_rk*t3 - &
+        0.13821978029399798_rk*(2.0_rk*t2 - 1.0_rk))
+    k5_yz = 0.06545842652927093_rk - nu5_z
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t4 + 0.7306294319838356_rk
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x_2 = s5*neg_h5_x - 0.8067444135457743_rk*c5
+    fu4_z_2 = -c5*neg_h5_x - 0.8067444135457743_rk*s5
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_2 = s5*k5_yz - c5*k5_xz
+    nu4_z_2 = -s5*k5_xz - c5*k5_yz
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c4*fu4_x_2
+    neg_fu3_z = s4*fu4_x_2
+    t5 = 0.45_rk*neg_fu3_z
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_2 = c4*nu4_x_2 + s4*m5_5 - t5
+    nu3_z_2 = -0.45_rk*fu3_x - (s4*nu4_x_2 - c4*m5_5)
+    t6 = -s3
+    ! link 2: force for a unit acceleration of a joint further out
+    neg_fu2_y_2 = t6*fu3_x - c3*fu4_z_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_2 = c3*nu3_x_2 - s3*nu4_z_2
+    nu2_y_2 = t5 + (s3*nu3_x_2 + c3*nu4_z_2)
+    nu2_z_2 = nu3_z_2 - 0.45_rk*neg_fu2_y_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_2 = s2*nu2_x_2 + c2*nu2_y_2
+    t7 = c5*c5
+    t8 = t4 + 0.5312347369162073_rk
+    t9 = c5*s5
+    t10 = t7*t8 - k5_xy*(2.0_rk*t9)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_zz = k5_xx - t10
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = fu4_z_2 + 0.21759393385311085_rk
+    h4_y = 1.0765039731522932_rk - fu5_x
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = t10 + 0.2883784012434809_rk
+    k4_yy = 1.2006092039491771_rk - t4
+    k4_xy = nu4_x_2 + 0.09181695932507075_rk
+    k4_xz = t8*t9 - k5_xy*(1.0_rk - 2.0_rk*t7) + 0.1094831940191231_rk
+    k4_yz = nu4_z_2 + 0.02981305527252843_rk
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 1.488987605192658_rk - (t4 - t10)
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_2 = -s4*h4_x - c4*h4_y
+    fu3_z_2 = s4*h4_y - c4*h4_x
+    t11 = 0.45_rk*fu3_z_2
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_3 = t11 - (c4*k4_xz - s4*k4_yz)
+    t12 = 0.45_rk*fu3_x_2
+    nu3_z_3 = s4*k4_xz + c4*k4_yz - t12
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_y = s3*fu3_x_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_3 = c3*nu3_x_3 - s3*m4_4
+    nu2_y_3 = s3*nu3_x_3 + c3*m4_4 - t11
+    nu2_z_3 = nu3_z_3 + 0.45_rk*fu2_y
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_3 = s2*nu2_x_3 + c2*nu2_y_3
+    t13 = c4*s4
+    t14 = c4*c4
+    t15 = t4 + t10 - 0.9122308027056962_rk
+    t16 = k4_xy*(2.0_rk*t13) - t14*t15
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_zz = k4_xx + t16
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    neg_h3_x = fu3_z_2 + 0.4001573159217507_rk
+    h3_y = 9.392800548482231_rk - fu4_x_2
+    t17 = t16 - k4_yy
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = 0.19252101484679798_rk - t17
+    t18 = k4_zz - 0.9_rk*fu4_x_2
+    k3_yy = t18 + 5.396088354585412_rk
+    k3_xy = 0.06558551272001446_rk - nu3_x_3
+    k3_xz = 0.1093030288471206_rk - (t15*t13 - k4_xy*(1.0_rk - 2.0_rk*t14))
+    k3_yz = 0.0672049454639226_rk - nu3_z_3
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = 5.588609369432211_rk - (t17 - t18)
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = s3*neg_h3_x - c3*h3_y
+    fu2_y_2 = -c3*neg_h3_x - s3*h3_y
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_4 = s3*k3_yz - c3*k3_xz
+    nu2_y_4 = t6*k3_xz - c3*k3_yz
+    nu2_z_4 = m3_3 + 0.45_rk*fu2_y_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_4 = s2*nu2_x_4 + c2*nu2_y_4
+    t19 = c3*c3
+    t20 = t17 + t18 + 5.203567339738615_rk
+    t21 = c3*s3
+    t22 = t19*t20 + k3_xy*(2.0_rk*t21)
+    t23 = k3_xx + t22
+    t24 = k3_zz - t23
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = t23 + t24
+    t25 = k3_zz - t24
+    k2_yy = t25 + 0.5492245200976821_rk
+    k2_xy = 0.3355665158971724_rk - (t20*t21 + k3_xy*(1.0_rk - 2.0_rk*t19) + 0.45_rk*fu2_x)
+    neg_k2_xz = nu2_x_4 - t12 - 0.017315109477737248_rk
+    k2_yz = 0.09496171507178643_rk - nu2_y_4
+    t26 = k3_yy - t22 + 0.9_rk*fu2_y_2
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t25 + t26 + 5.195184633739834_rk
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_5 = s2*neg_k2_xz - c2*k2_yz
+    t27 = k2_zz + (k2_yy - (c2*c2*(t25 - t26 - 4.09673559354447_rk) + k2_xy*(2.0_rk*(c2*s2))))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t27 + 0.6379688079078735_rk
+    M(1) = m1_1
+    M(2) = nu1_z_5
+    M(3) = nu1_z_4
+    M(4) = nu1_z_3
+    M(5) = nu1_z_2
+    M(6) = nu1_z
+    M(7) = nu1_z_5
+    M(8) = m2_2
+    M(9) = nu2_z_4
+    M(10) = nu2_z_3
+    M(11) = nu2_z_2
+    M(12) = nu2_z
+    M(13) = nu1_z_4
+    M(14) = nu2_z_4
+    M(15) = m3_3
+    M(16) = nu3_z_3
+    M(17) = nu3_z_2
+    M(18) = nu3_z
+    M(19) = nu1_z_3
+    M(20) = nu2_z_3
+    M(21) = nu3_z_3
+    M(22) = m4_4
+    M(23) = nu4_z_2
+    M(24) = nu4_z
+    M(25) = nu1_z_2
+    M(26) = nu2_z_2
+    M(27) = nu3_z_2
+    M(28) = nu4_z_2
+    M(29) = m5_5
+    M(30) = nu5_z
+    M(31) = nu1_z
+    M(32) = nu2_z
+    M(33) = nu3_z
+    M(34) = nu4_z
+    M(35) = nu5_z
+    M(36) = 0.5771491392208791_rk
+  end subroutine
+
+  ! accelerations that the torques tau give
+  ! 447 multiplications, 394 additions, 6 divisions = 847; 18 unary minus; 10 sine/cosine
+  pure subroutine rx90_forward_dynamics(q, qd, tau, qdd) &
+      bind(c, name="rx90_forward_dynamics_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(in) :: qd(6)
+    real(rk), intent(in) :: tau(6)
+    real(rk), intent(out) :: qdd(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: c6, s6, fu5_x, fu5_z, nu5_x, nu5_z, fu4_x, fu4_z
+    real(rk) :: nu4_x, nu4_z, neg_fu3_x, fu3_z, t1, nu3_x, nu3_z, neg_fu2_y
+    real(rk) :: nu2_x, nu2_y, nu2_z, nu1_z, neg_h5_x, t2, t3, t4
+    real(rk) :: k5_xx, k5_xy, k5_xz, k5_yz, m5_5, fu4_x_2, fu4_z_2, nu4_x_2
+    real(rk) :: nu4_z_2, fu3_x, neg_fu3_z, t5, nu3_x_2, nu3_z_2, t6, neg_fu2_y_2
+    real(rk) :: nu2_x_2, nu2_y_2, nu2_z_2, nu1_z_2, t7, t8, t9, t10
+    real(rk) :: k4_zz, h4_x, h4_y, k4_xx, k4_yy, k4_xy, k4_xz, k4_yz
+    real(rk) :: m4_4, t11, fu3_x_2, fu3_z_2, t12, nu3_x_3, t13, nu3_z_3
+    real(rk) :: fu2_y, nu2_x_3, nu2_y_3, nu2_z_3, nu1_z_3, t14, t15, t16
+    real(rk) :: t17, k3_zz, neg_h3_x, h3_y, t18, k3_xx, t19, k3_yy
+    real(rk) :: k3_xy, k3_xz, k3_yz, m3_3, fu2_x, fu2_y_2, nu2_x_4, nu2_y_4
+    real(rk) :: nu2_z_4, nu1_z_4, t20, t21, t22, t23, t24, t25
+    real(rk) :: k2_zz, t26, k2_yy, k2_xy, neg_k2_xz, k2_yz, t27, m2_2
+    real(rk) :: nu1_z_5, t28, m1_1, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy
+    real(rk) :: ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_x, a2_y
+    real(rk) :: w3_x, w3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy
+    real(rk) :: neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_13, lam3_22, lam3_23, lam3_31
+    real(rk) :: lam3_32, lam3_33, a3_z, t29, t30, a3_x, a3_y, w4_x
+    real(rk) :: w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
+    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23
+    real(rk) :: lam4_31, lam4_32, neg_lam4_33, a4_z, t31, t32, a4_x, a4_y
+    real(rk) :: w5_x, w5_y, alpha5_x, neg_alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy
+    real(rk) :: ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22
+    real(rk) :: lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_x, neg_a5_y, w6_x, w6_y
+    real(rk) :: alpha6_x, neg_alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy
+    real(rk) :: ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31
+    real(rk) :: lam6_32, neg_lam6_33, a6_x, neg_a6_y, nc2_x, nc2_y, nc2_z, fc3_x
+    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y, fc4_z
+    real(rk) :: nc4_x, nc4_y, t33, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x
+    real(rk) :: nc5_y, t34, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y
+    real(rk) :: t35, nc6_z, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z
+    real(rk) :: n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, t36, n3_x
+    real(rk) :: n3_y, t37, n3_z, f3_x, f3_y, f3_z, n2_x, n2_y
+    real(rk) :: n2_z, n1_z, y1, ipivot1, l2_1, l3_1, l4_1, l5_1
+    real(rk) :: l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2
+    real(rk) :: l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3
+    real(rk) :: l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4
+    real(rk) :: l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2
+    real(rk) :: y3, y4, y5, y6, qdd6, qdd5, qdd4, qdd3
+    real(rk) :: qdd2, qdd1
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    c6 = cos(q(6))
+    s6 = sin(q(6))
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_x = 1.5707678306756712_rk*s6 - 0.6271000643521031_rk*c6
+    fu5_z = 0.6271000643521031_rk*s6 + 1.5707678306756712_rk*c6
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x = 0.1601275610650136_rk*c6 + 0.07096581179296485_rk*s6
+    nu5_z = 0.07096581179296485_rk*c6 - 0.1601275610650136_rk*s6
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = c5*fu5_x
+    fu4_z = s5*fu5_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = c5*nu5_x - 0.5771491392208791_rk*s5
+    nu4_z = s5*nu5_x + 0.5771491392208791_rk*c5
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = -c4*fu4_x - s4*fu5_z
+    fu3_z = c4*fu5_z - s4*fu4_x
+    t1 = 0.45_rk*fu3_z
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = c4*nu4_x + s4*nu5_z + t1
+    nu3_z = 0.45_rk*neg_fu3_x - (s4*nu4_x - c4*nu5_z)
+    ! link 2: force for a unit acceleration of a joint further out
+    neg_fu2_y = s3*neg_fu3_x - c3*fu4_z
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x = c3*nu3_x - s3*nu4_z
+    nu2_y = s3*nu3_x + c3*nu4_z - t1
+    nu2_z = nu3_z - 0.45_rk*neg_fu2_y
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z = s2*nu2_x + c2*nu2_y
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_x = fu5_z + 0.8974188745594792_rk
+    t2 = c6*c6
+    t3 = c6*s6
+    t4 = 0.31005692653217237_rk*t2 + 0.27643956058799596_rk*t3
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xx = t4 + 0.6309320844500215_rk
+    k5_xy = -nu5_x - 0.04994749004669093_rk
+    k5_xz = 0.022422989561630666_rk - (0.31005692653217237_rk*t3 - &
+        0.13821978029399798_rk*(2.0_rk*t2 - 1.0_rk))
+    k5_yz = 0.06545842652927093_rk - nu5_z
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t4 + 0.7306294319838356_rk
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x_2 = s5*neg_h5_x - 0.8067444135457743_rk*c5
+    fu4_z_2 = -c5*neg_h5_x - 0.8067444135457743_rk*s5
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_2 = s5*k5_yz - c5*k5_xz
+    nu4_z_2 = -s5*k5_xz - c5*k5_yz
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c4*fu4_x_2
+    neg_fu3_z = s4*fu4_x_2
+    t5 = 0.45_rk*neg_fu3_z
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_2 = c4*nu4_x_2 + s4*m5_5 - t5
+    nu3_z_2 = -0.45_rk*fu3_x - (s4*nu4_x_2 - c4*m5_5)
+    t6 = -s3
+    ! link 2: force for a unit acceleration of a joint further out
+    neg_fu2_y_2 = t6*fu3_x - c3*fu4_z_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_2 = c3*nu3_x_2 - s3*nu4_z_2
+    nu2_y_2 = t5 + (s3*nu3_x_2 + c3*nu4_z_2)
+    nu2_z_2 = nu3_z_2 - 0.45_rk*neg_fu2_y_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_2 = s2*nu2_x_2 + c2*nu2_y_2
+    t7 = c5*c5
+    t8 = t4 + 0.5312347369162073_rk
+    t9 = c5*s5
+    t10 = t7*t8 - k5_xy*(2.0_rk*t9)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_zz = k5_xx - t10
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = fu4_z_2 + 0.21759393385311085_rk
+    h4_y = 1.0765039731522932_rk - fu5_x
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = t10 + 0.2883784012434809_rk
+    k4_yy = 1.2006092039491771_rk - t4
+    k4_xy = nu4_x_2 + 0.09181695932507075_rk
+    k4_xz = t8*t9 - k5_xy*(1.0_rk - 2.0_rk*t7) + 0.1094831940191231_rk
+    k4_yz = nu4_z_2 + 0.02981305527252843_rk
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 1.488987605192658_rk - (t4 - t10)
+    t11 = -s4
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_2 = t11*h4_x - c4*h4_y
+    fu3_z_2 = s4*h4_y - c4*h4_x
+    t12 = 0.45_rk*fu3_z_2
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_3 = t12 - (c4*k4_xz - s4*k4_yz)
+    t13 = 0.45_rk*fu3_x_2
+    nu3_z_3 = s4*k4_xz + c4*k4_yz - t13
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_y = s3*fu3_x_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_3 = c3*nu3_x_3 - s3*m4_4
+    nu2_y_3 = s3*nu3_x_3 + c3*m4_4 - t12
+    nu2_z_3 = nu3_z_3 + 0.45_rk*fu2_y
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_3 = s2*nu2_x_3 + c2*nu2_y_3
+    t14 = c4*s4
+    t15 = c4*c4
+    t16 = t4 + t10 - 0.9122308027056962_rk
+    t17 = k4_xy*(2.0_rk*t14) - t15*t16
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_zz = k4_xx + t17
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    neg_h3_x = fu3_z_2 + 0.4001573159217507_rk
+    h3_y = 9.392800548482231_rk - fu4_x_2
+    t18 = t17 - k4_yy
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = 0.19252101484679798_rk - t18
+    t19 = k4_zz - 0.9_rk*fu4_x_2
+    k3_yy = t19 + 5.396088354585412_rk
+    k3_xy = 0.06558551272001446_rk - nu3_x_3
+    k3_xz = 0.1093030288471206_rk - (t16*t14 - k4_xy*(1.0_rk - 2.0_rk*t15))
+    k3_yz = 0.0672049454639226_rk - nu3_z_3
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = 5.588609369432211_rk - (t18 - t19)
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = s3*neg_h3_x - c3*h3_y
+    fu2_y_2 = -c3*neg_h3_x - s3*h3_y
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x_4 = s3*k3_yz - c3*k3_xz
+    nu2_y_4 = t6*k3_xz - c3*k3_yz
+    nu2_z_4 = m3_3 + 0.45_rk*fu2_y_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_4 = s2*nu2_x_4 + c2*nu2_y_4
+    t20 = c3*c3
+    t21 = t18 + t19 + 5.203567339738615_rk
+    t22 = c3*s3
+    t23 = t20*t21 + k3_xy*(2.0_rk*t22)
+    t24 = k3_xx + t23
+    t25 = k3_zz - t24
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = t24 + t25
+    t26 = k3_zz - t25
+    k2_yy = t26 + 0.5492245200976821_rk
+    k2_xy = 0.3355665158971724_rk - (t21*t22 + k3_xy*(1.0_rk - 2.0_rk*t20) + 0.45_rk*fu2_x)
+    neg_k2_xz = nu2_x_4 - t13 - 0.017315109477737248_rk
+    k2_yz = 0.09496171507178643_rk - nu2_y_4
+    t27 = k3_yy - t23 + 0.9_rk*fu2_y_2
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t26 + t27 + 5.195184633739834_rk
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_5 = s2*neg_k2_xz - c2*k2_yz
+    t28 = k2_zz + (k2_yy - (c2*c2*(t26 - t27 - 4.09673559354447_rk) + k2_xy*(2.0_rk*(c2*s2))))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t28 + 0.6379688079078735_rk
+    ! link 2: angular velocity [rad/s]
+    w2_x = qd(1)*s2
+    w2_y = qd(1)*c2
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = qd(2)*w2_y
+    alpha2_y = -qd(2)*w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    neg_lam2_22 = ww2_xx + ww2_zz
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = 9.8_rk*s2
+    a2_y = 9.8_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + s3*w2_y
+    w3_y = c3*w2_y - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = c3*alpha2_x + s3*alpha2_y + qd(3)*w3_y
+    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    neg_ww3_xx = -w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_22 = neg_ww3_xx - ww3_zz
+    lam3_23 = ww3_yz - alpha3_x
+    lam3_31 = ww3_zx - alpha3_y
+    lam3_32 = alpha3_x + ww3_yz
+    lam3_33 = neg_ww3_xx - ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = -0.9_rk*alpha2_y
+    t29 = a2_x - 0.45_rk*neg_lam2_11
+    t30 = a2_y + 0.45_rk*ww2_xy
+    a3_x = c3*t29 + s3*t30
+    a3_y = c3*t30 - s3*t29
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x - s4*w3_z
+    w4_y = -(s4*w3_x) - c4*w3_z
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = c4*alpha3_x + qd(4)*w4_y
+    alpha4_y = -(s4*alpha3_x) - qd(4)*w4_x
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) + w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ww4_xx = w4_x*w4_x
+    ww4_yy = w4_y*w4_y
+    ww4_zz = w4_z*w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = ww4_yy + ww4_zz
+    lam4_12 = ww4_xy - alpha3_y
+    lam4_13 = alpha4_y + ww4_zx
+    lam4_21 = alpha3_y + ww4_xy
+    neg_lam4_22 = ww4_xx + ww4_zz
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_31 = ww4_zx - alpha4_y
+    lam4_32 = alpha4_x + ww4_yz
+    neg_lam4_33 = ww4_xx + ww4_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_y + 0.45_rk*lam3_22
+    t31 = a3_x + 0.45_rk*ww3_xy
+    t32 = a3_z + 0.45_rk*lam3_32
+    a4_x = c4*t31 - s4*t32
+    a4_y = -(s4*t31) - c4*t32
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x + s5*w4_z
+    w5_y = c5*w4_z - s5*w4_x
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = c5*alpha4_x + s5*alpha3_y + qd(5)*w5_y
+    neg_alpha5_y = s5*alpha4_x - c5*alpha3_y + qd(5)*w5_x
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) - w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_yz = w5_y*w5_z
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_yy = w5_y*w5_y
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_yy + ww5_zz
+    lam5_12 = alpha4_y + ww5_xy
+    lam5_13 = ww5_zx - neg_alpha5_y
+    lam5_21 = ww5_xy - alpha4_y
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_31 = neg_alpha5_y + ww5_zx
+    lam5_32 = alpha5_x + ww5_yz
+    neg_lam5_33 = ww5_xx + ww5_yy
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a4_z
+    neg_a5_y = s5*a4_x - c5*a4_z
+    ! link 6: angular velocity [rad/s]
+    w6_x = c6*w5_x - s6*w5_z
+    w6_y = -(s6*w5_x) - c6*w5_z
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = c6*alpha5_x + s6*alpha4_y + qd(6)*w6_y
+    neg_alpha6_y = s6*alpha5_x - c6*alpha4_y + qd(6)*w6_x
+    ! link 6: angular velocity [rad/s]
+    w6_z = qd(6) + w5_y
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_yz = w6_y*w6_z
+    ww6_zx = w6_x*w6_z
+    ww6_xy = w6_x*w6_y
+    ww6_xx = w6_x*w6_x
+    ww6_yy = w6_y*w6_y
+    ww6_zz = w6_z*w6_z
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_11 = ww6_yy + ww6_zz
+    lam6_12 = neg_alpha5_y + ww6_xy
+    lam6_13 = ww6_zx - neg_alpha6_y
+    lam6_21 = ww6_xy - neg_alpha5_y
+    neg_lam6_22 = ww6_xx + ww6_zz
+    lam6_23 = ww6_yz - alpha6_x
+    lam6_31 = neg_alpha6_y + ww6_zx
+    lam6_32 = alpha6_x + ww6_yz
+    neg_lam6_33 = ww6_xx + ww6_yy
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    neg_a6_y = s6*a5_x - c6*a4_y
+    ! link 2: moment that turns the link [N m]
+    nc2_x = 1.0984490401953642_rk*alpha2_x + 0.09496171507178643_rk*(neg_lam2_22 - neg_lam2_33) + &
+        (-0.6711330317943448_rk*alpha2_y - 0.017315109477737248_rk*ww2_xy)
+    nc2_y = 0.09496171507178643_rk*ww2_xy - 0.6711330317943448_rk*alpha2_x - &
+        (0.017315109477737248_rk*(neg_lam2_11 - neg_lam2_33) - 9.291920227284304_rk*alpha2_y)
+    nc2_z = 4.09673559354447_rk*ww2_xy + 0.3355665158971724_rk*(neg_lam2_11 - neg_lam2_22) + &
+        (81.05525857884084_rk*c2 + 17.30463777489202_rk*s2)
+    ! link 3: force that moves the link [N]
+    fc3_x = 0.4001573159217507_rk*neg_lam3_11 + 9.392800548482231_rk*ww3_xy
+    fc3_y = 9.392800548482231_rk*lam3_22 - 0.4001573159217507_rk*ww3_xy
+    fc3_z = 9.392800548482231_rk*lam3_32 - 0.4001573159217507_rk*lam3_31
+    ! link 3: moment that turns the link [N m]
+    nc3_x = 5.396088354585412_rk*lam3_32 + 0.0672049454639226_rk*(lam3_33 - lam3_22) + &
+        (0.06558551272001446_rk*lam3_31 - 0.1093030288471206_rk*ww3_xy) - &
+        8.453520493634008_rk*alpha2_y
+    nc3_y = -0.3601415843295756_rk*alpha2_y - (0.19252101484679798_rk*lam3_31 + &
+        0.1093030288471206_rk*(neg_lam3_11 + lam3_33) + (0.06558551272001446_rk*lam3_32 - &
+        0.0672049454639226_rk*ww3_xy))
+    nc3_z = 0.06558551272001446_rk*(neg_lam3_11 + lam3_22) - 5.203567339738615_rk*ww3_xy - &
+        (0.0672049454639226_rk*lam3_13 - 0.1093030288471206_rk*lam3_23) + &
+        (-0.4001573159217507_rk*a3_y - 9.392800548482231_rk*a3_x)
+    ! link 4: force that moves the link [N]
+    fc4_x = 1.0765039731522932_rk*lam4_12 - 0.21759393385311085_rk*neg_lam4_11
+    fc4_y = 0.21759393385311085_rk*lam4_21 - 1.0765039731522932_rk*neg_lam4_22
+    fc4_z = 0.21759393385311085_rk*lam4_31 + 1.0765039731522932_rk*lam4_32
+    ! link 4: moment that turns the link [N m]
+    nc4_x = 0.7570061710726514_rk*lam4_32 + 0.02981305527252843_rk*(neg_lam4_22 - neg_lam4_33) + &
+        (0.09181695932507075_rk*lam4_31 - 0.1094831940191231_rk*lam4_21) + &
+        1.0765039731522932_rk*a4_z
+    nc4_y = -0.21759393385311085_rk*a4_z - (0.1886810537096668_rk*lam4_31 + &
+        0.1094831940191231_rk*(neg_lam4_11 - neg_lam4_33) - (0.02981305527252843_rk*lam4_12 - &
+        0.09181695932507075_rk*lam4_32))
+    t33 = 0.7570061710726514_rk*lam4_12 - 0.1886810537096668_rk*lam4_21 - &
+        0.09181695932507075_rk*(neg_lam4_11 - neg_lam4_22) + (0.02981305527252843_rk*lam4_13 - &
+        0.1094831940191231_rk*lam4_23)
+    neg_nc4_z = t33 + (1.0765039731522932_rk*a4_x - 0.21759393385311085_rk*a4_y)
+    ! link 5: force that moves the link [N]
+    fc5_x = 0.8974188745594792_rk*neg_lam5_11 + 0.8067444135457743_rk*lam5_12
+    fc5_y = -0.8067444135457743_rk*neg_lam5_22 - 0.8974188745594792_rk*lam5_21
+    fc5_z = 0.8067444135457743_rk*lam5_32 - 0.8974188745594792_rk*lam5_31
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.09969734753381411_rk*lam5_32 + 0.06545842652927093_rk*(neg_lam5_22 - neg_lam5_33) - &
+        (0.04994749004669093_rk*lam5_31 + 0.022422989561630666_rk*lam5_21) - &
+        0.8067444135457743_rk*a4_y
+    nc5_y = -0.8974188745594792_rk*a4_y - (0.4973859781056681_rk*lam5_31 + &
+        0.022422989561630666_rk*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093_rk*lam5_12 - &
+        0.04994749004669093_rk*lam5_32))
+    t34 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
+        0.04994749004669093_rk*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093_rk*lam5_13 - &
+        0.022422989561630666_rk*lam5_23)
+    nc5_z = t34 + (0.8974188745594792_rk*neg_a5_y - 0.8067444135457743_rk*a5_x)
+    ! link 6: force that moves the link [N]
+    fc6_x = 1.5707678306756712_rk*neg_lam6_11 + 0.6271000643521031_rk*lam6_12
+    fc6_y = -0.6271000643521031_rk*neg_lam6_22 - 1.5707678306756712_rk*lam6_21
+    fc6_z = 0.6271000643521031_rk*lam6_32 - 1.5707678306756712_rk*lam6_31
+    ! link 6: moment that turns the link [N m]
+    nc6_x = 0.13354610634435332_rk*lam6_32 + 0.07096581179296485_rk*(neg_lam6_22 - neg_lam6_33) - &
+        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) - &
+        0.6271000643521031_rk*neg_a5_y
+    nc6_y = -1.5707678306756712_rk*neg_a5_y - (0.4436030328765257_rk*lam6_31 - &
+        0.1601275610650136_rk*(neg_lam6_11 - neg_lam6_33) - (0.07096581179296485_rk*lam6_12 + &
+        0.13821978029399798_rk*lam6_32))
+    t35 = 0.13354610634435332_rk*lam6_12 - 0.4436030328765257_rk*lam6_21 + &
+        0.13821978029399798_rk*(neg_lam6_11 - neg_lam6_22) - (-0.1601275610650136_rk*lam6_23 - &
+        0.07096581179296485_rk*lam6_13)
+    nc6_z = 1.5707678306756712_rk*neg_a6_y - 0.6271000643521031_rk*a6_x - t35
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_y = nc5_y + nc6_z
+    n5_z = nc5_z - (s6*nc6_x + c6*nc6_y)
+    ! link 5: force through the joint [N]
+    f5_x = fc5_x + (c6*fc6_x - s6*fc6_y)
+    f5_y = fc5_y + fc6_z
+    f5_z = fc5_z - (s6*fc6_x + c6*fc6_y)
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_y = nc4_y - n5_z
+    n4_z = s5*n5_x + c5*n5_y - neg_nc4_z
+    ! link 4: force through the joint [N]
+    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_y = fc4_y - f5_z
+    f4_z = fc4_z + (s5*f5_x + c5*f5_y)
+    t36 = t11*f4_x - c4*f4_y
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45_rk*t36)
+    n3_y = nc3_y + n4_z
+    t37 = s4*f4_y - c4*f4_x
+    n3_z = nc3_z + 0.45_rk*t37 - (s4*n4_x + c4*n4_y)
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x - t37
+    f3_y = fc3_y + f4_z
+    f3_z = fc3_z + t36
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_x = nc2_x + (c3*n3_x - s3*n3_y)
+    n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45_rk*f3_z)
+    n2_z = n3_z + (nc2_z + 0.45_rk*(s3*f3_x + c3*f3_y))
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*n2_x + c2*n2_y
+    ! link 1: forward substitution
+    y1 = tau(1) - n1_z
+    ! factorisation M = L D L^T
+    ipivot1 = 1.0_rk / m1_1
+    l2_1 = nu1_z_5*ipivot1
+    l3_1 = nu1_z_4*ipivot1
+    l4_1 = nu1_z_3*ipivot1
+    l5_1 = nu1_z_2*ipivot1
+    l6_1 = nu1_z*ipivot1
+    pivot2 = m2_2 - nu1_z_5*l2_1
+    ipivot2 = 1.0_rk / pivot2
+    ld3_2 = nu2_z_4 - nu1_z_5*l3_1
+    l3_2 = ipivot2*ld3_2
+    ld4_2 = nu2_z_3 - nu1_z_5*l4_1
+    l4_2 = ipivot2*ld4_2
+    ld5_2 = nu2_z_2 - nu1_z_5*l5_1
+    l5_2 = ipivot2*ld5_2
+    ld6_2 = nu2_z - nu1_z_5*l6_1
+    l6_2 = ipivot2*ld6_2
+    pivot3 = m3_3 - nu1_z_4*l3_1 - ld3_2*l3_2
+    ipivot3 = 1.0_rk / pivot3
+    ld4_3 = nu3_z_3 - nu1_z_4*l4_1 - ld3_2*l4_2
+    l4_3 = ipivot3*ld4_3
+    ld5_3 = nu3_z_2 - nu1_z_4*l5_1 - ld3_2*l5_2
+    l5_3 = ipivot3*ld5_3
+    ld6_3 = nu3_z - nu1_z_4*l6_1 - ld3_2*l6_2
+    l6_3 = ipivot3*ld6_3
+    pivot4 = -ld4_3*l4_3 - (ld4_2*l4_2 - (m4_4 - nu1_z_3*l4_1))
+    ipivot4 = 1.0_rk / pivot4
+    ld5_4 = nu4_z_2 - nu1_z_3*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
+    l5_4 = ipivot4*ld5_4
+    ld6_4 = nu4_z - nu1_z_3*l6_1 - ld4_2*l6_2 - ld4_3*l6_3
+    l6_4 = ipivot4*ld6_4
+    pivot5 = m5_5 - nu1_z_2*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    ipivot5 = 1.0_rk / pivot5
+    ld6_5 = -ld5_4*l6_4 - (ld5_2*l6_2 - (nu5_z - nu1_z_2*l6_1) + ld5_3*l6_3)
+    l6_5 = ipivot5*ld6_5
+    pivot6 = 0.5771491392208791_rk - nu1_z*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - &
+        ld6_5*l6_5
+    ipivot6 = 1.0_rk / pivot6
+    ! link 2: forward substitution
+    y2 = tau(2) - n2_z - y1*l2_1
+    ! link 3: forward substitution
+    y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
+    ! link 4: forward substitution
+    y4 = tau(4) - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
+    ! link 5: forward substitution
+    y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
+    ! link 6: forward substitution
+    y6 = tau(6) - nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
+    ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd6 = ipivot6*y6
+    ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd5 = ipivot5*y5 - l6_5*qdd6
+    ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd4 = -l6_4*qdd6 - (l5_4*qdd5 - ipivot4*y4)
+    ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd3 = -(l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5) - l6_3*qdd6
+    ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6
+    ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
+    qdd1 = -l6_1*qdd6 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5)
+    qdd(1) = qdd1
+    qdd(2) = qdd2
+    qdd(3) = qdd3
+    qdd(4) = qdd4
+    qdd(5) = qdd5
+    qdd(6) = qdd6
+  end subroutine
+end module

@@ -1,0 +1,62 @@
+/*
+ * rx90: Staubli RX90 geometry, random full inertias
+ * Numbers: published RX90 geometry; inertial parameters drawn at random
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 241 multiplications, 229 additions = 470; 5 unary minus; 10 sine/cosine
+ *   gravity: 50 multiplications, 28 additions = 78; 2 unary minus; 10 sine/cosine
+ *   bias: 233 multiplications, 208 additions = 441; 7 unary minus; 10 sine/cosine
+ *   mass_matrix: 128 multiplications, 115 additions = 243; 7 unary minus; 10 sine/cosine
+ *   forward_dynamics: 447 multiplications, 394 additions, 6 divisions = 847; 18 unary minus; 10
+ *       sine/cosine
+ */
+#ifndef RX90_H
+#define RX90_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double rx90_real;
+
+/* torques that give the accelerations qdd */
+void rx90_inverse_dynamics(
+    const rx90_real q[6],
+    const rx90_real qd[6],
+    const rx90_real qdd[6],
+    rx90_real tau[6]);
+
+/* torques that hold the arm at rest */
+void rx90_gravity(const rx90_real q[6], rx90_real tau[6]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void rx90_mass_matrix(const rx90_real q[6], rx90_real M[36]);
+
+/* accelerations that the torques tau give */
+void rx90_forward_dynamics(
+    const rx90_real q[6],
+    const rx90_real qd[6],
+    const rx90_real tau[6],
+    rx90_real qdd[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

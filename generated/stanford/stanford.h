@@ -1,0 +1,62 @@
+/*
+ * stanford: Stanford arm, six joints
+ * Numbers: the 1990 thesis, Tables 2.2 (corrected), 2.7, 2.8; Izz of link 3 assumed
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 prismatic, 4 revolute, 5 revolute, 6 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine
+ *   gravity: 25 multiplications, 10 additions = 35; 1 unary minus; 6 sine/cosine
+ *   bias: 118 multiplications, 77 additions = 195; 7 unary minus; 8 sine/cosine
+ *   mass_matrix: 56 multiplications, 45 additions = 101; 1 unary minus; 6 sine/cosine
+ *   forward_dynamics: 260 multiplications, 189 additions, 6 divisions = 455; 14 unary minus; 8
+ *       sine/cosine
+ */
+#ifndef STANFORD_H
+#define STANFORD_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double stanford_real;
+
+/* torques that give the accelerations qdd */
+void stanford_inverse_dynamics(
+    const stanford_real q[6],
+    const stanford_real qd[6],
+    const stanford_real qdd[6],
+    stanford_real tau[6]);
+
+/* torques that hold the arm at rest */
+void stanford_gravity(const stanford_real q[6], stanford_real tau[6]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford_real tau[6]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36]);
+
+/* accelerations that the torques tau give */
+void stanford_forward_dynamics(
+    const stanford_real q[6],
+    const stanford_real qd[6],
+    const stanford_real tau[6],
+    stanford_real qdd[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

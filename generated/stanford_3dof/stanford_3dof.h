@@ -1,0 +1,66 @@
+/*
+ * stanford_3dof: Stanford arm, first three joints
+ * Numbers: the 1990 thesis, Tables 2.2 (corrected), 2.7, 2.8; first three links, Izz of link 3
+ *   assumed
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 prismatic
+ * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 44 multiplications, 29 additions = 73; 3 unary minus; 2 sine/cosine
+ *   gravity: 7 multiplications, 2 additions = 9; 0 unary minus; 2 sine/cosine
+ *   bias: 36 multiplications, 16 additions = 52; 2 unary minus; 2 sine/cosine
+ *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
+ *   forward_dynamics: 59 multiplications, 35 additions, 3 divisions = 97; 3 unary minus; 2
+ *       sine/cosine
+ */
+#ifndef STANFORD_3DOF_H
+#define STANFORD_3DOF_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double stanford_3dof_real;
+
+/* torques that give the accelerations qdd */
+void stanford_3dof_inverse_dynamics(
+    const stanford_3dof_real q[3],
+    const stanford_3dof_real qd[3],
+    const stanford_3dof_real qdd[3],
+    stanford_3dof_real tau[3]);
+
+/* torques that hold the arm at rest */
+void stanford_3dof_gravity(const stanford_3dof_real q[3], stanford_3dof_real tau[3]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void stanford_3dof_bias(
+    const stanford_3dof_real q[3],
+    const stanford_3dof_real qd[3],
+    stanford_3dof_real tau[3]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void stanford_3dof_mass_matrix(const stanford_3dof_real q[3], stanford_3dof_real M[9]);
+
+/* accelerations that the torques tau give */
+void stanford_3dof_forward_dynamics(
+    const stanford_3dof_real q[3],
+    const stanford_3dof_real qd[3],
+    const stanford_3dof_real tau[3],
+    stanford_3dof_real qdd[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

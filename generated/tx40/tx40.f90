@@ -1,0 +1,724 @@
+! tx40: Staubli TX40 (CAD parameters; friction, rotor inertia and the wrist coupling are not in
+!   it)
+! Numbers: figaroh-plus examples/staubli_TX40, Apache-2.0
+! Written by robodyn; do not edit, generate again.
+!
+! Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+! Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
+! Arguments, in SI units, joint 1 first:
+!   q    joint positions [rad, prismatic m]
+!   qd   joint velocities [rad/s, prismatic m/s]
+!   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+!   tau  joint torques [N m, prismatic N]
+!   M    mass matrix, row by row [kg m^2, kg m, kg]
+! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+!   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+!   makes no difference is moved to its parent.
+!
+! Operations (every binary * is a multiplication, every binary + or - an addition):
+!   inverse_dynamics: 198 multiplications, 186 additions = 384; 9 unary minus; 8 sine/cosine
+!   gravity: 38 multiplications, 20 additions = 58; 3 unary minus; 8 sine/cosine
+!   bias: 187 multiplications, 164 additions = 351; 8 unary minus; 8 sine/cosine
+!   mass_matrix: 97 multiplications, 91 additions = 188; 6 unary minus; 8 sine/cosine
+module tx40_dynamics
+  use, intrinsic :: iso_c_binding, only: rk => c_double
+  implicit none
+  private
+
+  public :: tx40_inverse_dynamics
+  public :: tx40_gravity
+  public :: tx40_bias
+  public :: tx40_mass_matrix
+
+contains
+
+  ! torques that give the accelerations qdd
+  ! 198 multiplications, 186 additions = 384; 9 unary minus; 8 sine/cosine
+  pure subroutine tx40_inverse_dynamics(q, qd, qdd, tau) &
+      bind(c, name="tx40_inverse_dynamics_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(in) :: qd(6)
+    real(rk), intent(in) :: qdd(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: t1, w2_x, w2_y, ww2_yz, ww2_zx, alpha2_x, alpha2_y, ww2_xy
+    real(rk) :: ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21, neg_lam2_22
+    real(rk) :: lam2_23, neg_lam2_31, lam2_32, neg_lam2_33, a2_x, a2_y, w3_x, w3_y
+    real(rk) :: alpha3_x, alpha3_y, alpha3_z, w3_z, ww3_yz, ww3_zx, ww3_xy, neg_ww3_xx
+    real(rk) :: ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, lam3_22, lam3_23
+    real(rk) :: lam3_31, lam3_32, lam3_33, neg_a3_z, t2, t3, neg_a3_x, a3_y
+    real(rk) :: w4_x, w4_y, alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx
+    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21
+    real(rk) :: neg_lam4_22, lam4_23, lam4_31, lam4_32, neg_lam4_33, a4_z, t4, t5
+    real(rk) :: neg_a4_x, a4_y, w5_x, t6, w5_y, alpha5_x, alpha5_y, alpha5_z
+    real(rk) :: w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11
+    real(rk) :: lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33
+    real(rk) :: a5_x, a5_y, nc1_z, nc2_x, nc2_y, t7, nc2_z, fc3_x
+    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, t8, nc3_z, fc4_x, fc4_y
+    real(rk) :: fc4_z, nc4_x, nc4_y, t9, nc4_z, fc5_x, fc5_y, fc5_z
+    real(rk) :: neg_nc5_x, nc5_y, t10, nc5_z, n4_x, n4_y, n4_z, f4_x
+    real(rk) :: f4_y, f4_z, t11, neg_n3_x, n3_y, t12, n3_z, f3_x
+    real(rk) :: f3_y, f3_z, t13, neg_n2_x, n2_y, n2_z, n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    t1 = -qd(1)
+    ! link 2: angular velocity [rad/s]
+    w2_x = t1*s2
+    w2_y = t1*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_yz = qd(2)*w2_y
+    ww2_zx = qd(2)*w2_x
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = ww2_yz - qdd(1)*s2
+    alpha2_y = -(qdd(1)*c2) - ww2_zx
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    lam2_12 = ww2_xy - qdd(2)
+    lam2_13 = ww2_zx + alpha2_y
+    lam2_21 = qdd(2) + ww2_xy
+    neg_lam2_22 = ww2_xx + ww2_zz
+    lam2_23 = ww2_yz - alpha2_x
+    neg_lam2_31 = alpha2_y - ww2_zx
+    lam2_32 = ww2_yz + alpha2_x
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + s3*w2_y
+    w3_y = c3*w2_y - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
+    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
+    alpha3_z = qdd(2) + qdd(3)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    neg_ww3_xx = -w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_12 = ww3_xy - alpha3_z
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_21 = alpha3_z + ww3_xy
+    lam3_22 = neg_ww3_xx - ww3_zz
+    lam3_23 = ww3_yz - alpha3_x
+    lam3_31 = ww3_zx - alpha3_y
+    lam3_32 = alpha3_x + ww3_yz
+    lam3_33 = neg_ww3_xx - ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_z = 0.225_rk*neg_lam2_31 + 0.035_rk*neg_lam2_33
+    t2 = 0.225_rk*neg_lam2_11 - 0.035_rk*lam2_13 - a2_x
+    t3 = -0.035_rk*lam2_23 - 0.225_rk*lam2_21 - a2_y
+    neg_a3_x = c3*t2 + s3*t3
+    a3_y = s3*t2 - c3*t3
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x + s4*w3_z
+    w4_y = c4*w3_z - s4*w3_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*alpha3_z)
+    alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
+    alpha4_z = qdd(4) - alpha3_y
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) - w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ww4_xx = w4_x*w4_x
+    ww4_yy = w4_y*w4_y
+    ww4_zz = w4_z*w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = ww4_yy + ww4_zz
+    lam4_12 = ww4_xy - alpha4_z
+    lam4_13 = alpha4_y + ww4_zx
+    lam4_21 = alpha4_z + ww4_xy
+    neg_lam4_22 = ww4_xx + ww4_zz
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_31 = ww4_zx - alpha4_y
+    lam4_32 = alpha4_x + ww4_yz
+    neg_lam4_33 = ww4_xx + ww4_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.225_rk*lam3_22 - a3_y
+    t4 = neg_a3_x + 0.225_rk*lam3_12
+    t5 = neg_a3_z + 0.225_rk*lam3_32
+    neg_a4_x = c4*t4 + s4*t5
+    a4_y = s4*t4 - c4*t5
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x - s5*w4_z
+    t6 = -s5
+    w5_y = t6*w4_x - c5*w4_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = qd(5)*w5_y - (s5*alpha4_z - c5*alpha4_x)
+    alpha5_y = t6*alpha4_x - c5*alpha4_z - qd(5)*w5_x
+    alpha5_z = qdd(5) + alpha4_y
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) + w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_yz = w5_y*w5_z
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_yy = w5_y*w5_y
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_yy + ww5_zz
+    lam5_12 = ww5_xy - alpha5_z
+    lam5_13 = alpha5_y + ww5_zx
+    lam5_21 = alpha5_z + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = alpha5_x + ww5_yz
+    neg_lam5_33 = ww5_xx + ww5_yy
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = -c5*neg_a4_x - s5*a4_z
+    a5_y = s5*neg_a4_x - c5*a4_z
+    ! link 1: moment that turns the link [N m]
+    nc1_z = 0.14677892_rk*qdd(1)
+    ! link 2: moment that turns the link [N m]
+    nc2_x = 0.0007848_rk*neg_lam2_31 - 0.1602936_rk*lam2_21 - (-0.0345144_rk*lam2_32 - &
+        0.0010352_rk*(neg_lam2_22 - neg_lam2_33))
+    nc2_y = 0.49934035_rk*neg_lam2_31 - 0.1602936_rk*(neg_lam2_11 - neg_lam2_33) - &
+        (-0.0010352_rk*lam2_12 - 0.0007848_rk*lam2_32)
+    t7 = 0.49934035_rk*lam2_21 - 0.0345144_rk*lam2_12 - 0.0007848_rk*(neg_lam2_11 - neg_lam2_22) - &
+        (0.0010352_rk*lam2_13 - 0.1602936_rk*lam2_23)
+    nc2_z = t7 - (23.5160415_rk*c2 + 0.070632_rk*s2)
+    ! link 3: force that moves the link [N]
+    fc3_x = -0.03256_rk*neg_lam3_11 - 0.67724_rk*lam3_12
+    fc3_y = 0.03256_rk*lam3_21 - 0.67724_rk*lam3_22
+    fc3_z = 0.03256_rk*lam3_31 - 0.67724_rk*lam3_32
+    ! link 3: moment that turns the link [N m]
+    nc3_x = 0.67724_rk*neg_a3_z - (-0.1258139_rk*lam3_32 - 0.00200122_rk*(lam3_33 - lam3_22) + &
+        (0.00233496_rk*lam3_21 - 0.00019536_rk*lam3_31))
+    nc3_y = -0.00226048_rk*lam3_31 - 0.00233496_rk*(neg_lam3_11 + lam3_33) - &
+        (0.00019536_rk*lam3_32 - 0.00200122_rk*lam3_12) + 0.03256_rk*neg_a3_z
+    t8 = 0.00226048_rk*lam3_21 - 0.1258139_rk*lam3_12 + 0.00019536_rk*(neg_lam3_11 + lam3_22) + &
+        (0.00233496_rk*lam3_23 - 0.00200122_rk*lam3_13)
+    nc3_z = t8 + (0.03256_rk*a3_y - 0.67724_rk*neg_a3_x)
+    ! link 4: force that moves the link [N]
+    fc4_x = 0.01448_rk*neg_lam4_11 + 0.00622_rk*lam4_12
+    fc4_y = -0.00622_rk*neg_lam4_22 - 0.01448_rk*lam4_21
+    fc4_z = 0.00622_rk*lam4_32 - 0.01448_rk*lam4_31
+    ! link 4: moment that turns the link [N m]
+    nc4_x = 0.00622_rk*a4_z - (0.00077468_rk*(neg_lam4_22 - neg_lam4_33) - 0.0030155_rk*lam4_32 - &
+        (-2.896e-05_rk*lam4_31 - 0.00254936_rk*lam4_21))
+    nc4_y = -0.00155792_rk*lam4_31 - 0.00254936_rk*(neg_lam4_11 - neg_lam4_33) + &
+        (2.896e-05_rk*lam4_32 - 0.00077468_rk*lam4_12) + 0.01448_rk*a4_z
+    t9 = 0.00155792_rk*lam4_21 - 0.0030155_rk*lam4_12 - 2.896e-05_rk*(neg_lam4_11 - neg_lam4_22) + &
+        (0.00254936_rk*lam4_23 + 0.00077468_rk*lam4_13)
+    nc4_z = t9 - (0.01448_rk*a4_y - 0.00622_rk*neg_a4_x)
+    ! link 5: force that moves the link [N]
+    fc5_x = 0.00408_rk*neg_lam5_11 - 0.01146_rk*lam5_12
+    fc5_y = 0.01146_rk*neg_lam5_22 - 0.00408_rk*lam5_21
+    fc5_z = -0.00408_rk*lam5_31 - 0.01146_rk*lam5_32
+    ! link 5: moment that turns the link [N m]
+    neg_nc5_x = -0.00086198_rk*lam5_32 - 3.06e-06_rk*(neg_lam5_22 - neg_lam5_33) + &
+        (4.08e-06_rk*lam5_21 - 1.224e-05_rk*lam5_31) + 0.01146_rk*a4_y
+    nc5_y = -0.00051632_rk*lam5_31 - 4.08e-06_rk*(neg_lam5_11 - neg_lam5_33) - &
+        (1.224e-05_rk*lam5_32 - 3.06e-06_rk*lam5_12) + 0.00408_rk*a4_y
+    t10 = 0.00051632_rk*lam5_21 - 0.00086198_rk*lam5_12 + 1.224e-05_rk*(neg_lam5_11 - neg_lam5_22) &
+        + (4.08e-06_rk*lam5_23 - 3.06e-06_rk*lam5_13)
+    nc5_z = t10 - (0.00408_rk*a5_y - 0.01146_rk*a5_x)
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x - (c5*neg_nc5_x + s5*nc5_y)
+    n4_y = nc4_y + nc5_z
+    n4_z = nc4_z + (s5*neg_nc5_x - c5*nc5_y)
+    ! link 4: force through the joint [N]
+    f4_x = fc4_x + (c5*fc5_x - s5*fc5_y)
+    f4_y = fc4_y + fc5_z
+    f4_z = fc4_z - (s5*fc5_x + c5*fc5_y)
+    t11 = s4*f4_x + c4*f4_y
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    neg_n3_x = s4*n4_y - c4*n4_x + (0.225_rk*t11 - nc3_x)
+    n3_y = nc3_y - n4_z
+    t12 = c4*f4_x - s4*f4_y
+    n3_z = nc3_z + 0.225_rk*t12 - (-s4*n4_x - c4*n4_y)
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x + t12
+    f3_y = fc3_y - f4_z
+    f3_z = fc3_z + t11
+    t13 = -s3*f3_x - c3*f3_y
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    neg_n2_x = c3*neg_n3_x + s3*n3_y - (nc2_x + 0.035_rk*t13)
+    n2_y = nc2_y - (0.035_rk*(s3*f3_y - c3*f3_x) + 0.225_rk*f3_z) - (s3*neg_n3_x - c3*n3_y)
+    n2_z = n3_z + (nc2_z - 0.225_rk*t13)
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = nc1_z + (s2*neg_n2_x - c2*n2_y)
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = nc5_z
+    tau(6) = 0.0_rk
+  end subroutine
+
+  ! torques that hold the arm at rest
+  ! 38 multiplications, 20 additions = 58; 3 unary minus; 8 sine/cosine
+  pure subroutine tx40_gravity(q, tau) &
+      bind(c, name="tx40_gravity_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: a2_x, a2_y, a3_x, a3_y, a4_x, neg_a4_y, a5_x, a5_y
+    real(rk) :: neg_nc2_z, nc3_z, nc4_x, nc4_y, nc4_z, nc5_x, nc5_y, nc5_z
+    real(rk) :: n4_x, n4_y, n4_z, n3_x, n3_z, neg_n2_x, n2_y, n2_z
+    real(rk) :: n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_x = c3*a2_x + s3*a2_y
+    a3_y = c3*a2_y - s3*a2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x
+    neg_a4_y = s4*a3_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a3_y
+    a5_y = c5*a3_y - s5*a4_x
+    ! link 2: moment that turns the link [N m]
+    neg_nc2_z = 23.5160415_rk*c2 + 0.070632_rk*s2
+    ! link 3: moment that turns the link [N m]
+    nc3_z = 0.03256_rk*a3_y + 0.67724_rk*a3_x
+    ! link 4: moment that turns the link [N m]
+    nc4_x = -0.00622_rk*a3_y
+    nc4_y = -0.01448_rk*a3_y
+    nc4_z = 0.01448_rk*neg_a4_y - 0.00622_rk*a4_x
+    ! link 5: moment that turns the link [N m]
+    nc5_x = 0.01146_rk*neg_a4_y
+    nc5_y = -0.00408_rk*neg_a4_y
+    nc5_z = 0.01146_rk*a5_x - 0.00408_rk*a5_y
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x - (s5*nc5_y - c5*nc5_x)
+    n4_y = nc4_y + nc5_z
+    n4_z = nc4_z + (-s5*nc5_x - c5*nc5_y)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = c4*n4_x - s4*n4_y
+    n3_z = nc3_z - (-s4*n4_x - c4*n4_y)
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    neg_n2_x = -c3*n3_x - s3*n4_z
+    n2_y = s3*n3_x - c3*n4_z
+    n2_z = n3_z - neg_nc2_z
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*neg_n2_x - c2*n2_y
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = nc5_z
+    tau(6) = 0.0_rk
+  end subroutine
+
+  ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
+  ! 187 multiplications, 164 additions = 351; 8 unary minus; 8 sine/cosine
+  pure subroutine tx40_bias(q, qd, tau) &
+      bind(c, name="tx40_bias_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(in) :: qd(6)
+    real(rk), intent(out) :: tau(6)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: t1, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy
+    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_x, a2_y, w3_x, w3_y
+    real(rk) :: alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, neg_ww3_xx, ww3_yy
+    real(rk) :: ww3_zz, neg_lam3_11, lam3_13, lam3_22, lam3_23, lam3_31, lam3_32, lam3_33
+    real(rk) :: neg_a3_z, t2, t3, neg_a3_x, a3_y, w4_x, w4_y, alpha4_x
+    real(rk) :: t4, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy
+    real(rk) :: ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31
+    real(rk) :: lam4_32, neg_lam4_33, a4_z, t5, t6, neg_a4_x, a4_y, w5_x
+    real(rk) :: w5_y, t7, alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy
+    real(rk) :: ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22
+    real(rk) :: lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_x, a5_y, nc2_x, nc2_y
+    real(rk) :: nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x
+    real(rk) :: fc4_y, fc4_z, nc4_x, nc4_y, t8, neg_nc4_z, fc5_x, fc5_y
+    real(rk) :: fc5_z, neg_nc5_x, nc5_y, t9, nc5_z, n4_x, n4_y, n4_z
+    real(rk) :: f4_x, f4_y, f4_z, t10, neg_n3_x, n3_y, t11, n3_z
+    real(rk) :: f3_x, f3_y, f3_z, t12, neg_n2_x, n2_y, n2_z, n1_z
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    t1 = -qd(1)
+    ! link 2: angular velocity [rad/s]
+    w2_x = t1*s2
+    w2_y = t1*c2
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = qd(2)*w2_y
+    alpha2_y = -qd(2)*w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xy = w2_x*w2_y
+    ww2_xx = w2_x*w2_x
+    ww2_yy = w2_y*w2_y
+    ww2_zz = qd(2)*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_11 = ww2_yy + ww2_zz
+    neg_lam2_22 = ww2_xx + ww2_zz
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
+    ! link 3: angular velocity [rad/s]
+    w3_x = c3*w2_x + s3*w2_y
+    w3_y = c3*w2_y - s3*w2_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
+    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_y*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    neg_ww3_xx = -w3_x*w3_x
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_22 = neg_ww3_xx - ww3_zz
+    lam3_23 = ww3_yz - alpha3_x
+    lam3_31 = ww3_zx - alpha3_y
+    lam3_32 = alpha3_x + ww3_yz
+    lam3_33 = neg_ww3_xx - ww3_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_z = 0.45_rk*alpha2_y + 0.035_rk*neg_lam2_33
+    t2 = 0.225_rk*neg_lam2_11 - a2_x
+    t3 = -0.225_rk*ww2_xy - a2_y
+    neg_a3_x = c3*t2 + s3*t3
+    a3_y = s3*t2 - c3*t3
+    ! link 4: angular velocity [rad/s]
+    w4_x = c4*w3_x + s4*w3_z
+    w4_y = c4*w3_z - s4*w3_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = c4*alpha3_x + qd(4)*w4_y
+    t4 = -s4
+    alpha4_y = t4*alpha3_x - qd(4)*w4_x
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) - w3_y
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_yz = w4_y*w4_z
+    ww4_zx = w4_x*w4_z
+    ww4_xy = w4_x*w4_y
+    ww4_xx = w4_x*w4_x
+    ww4_yy = w4_y*w4_y
+    ww4_zz = w4_z*w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = ww4_yy + ww4_zz
+    lam4_12 = alpha3_y + ww4_xy
+    lam4_13 = alpha4_y + ww4_zx
+    lam4_21 = ww4_xy - alpha3_y
+    neg_lam4_22 = ww4_xx + ww4_zz
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_31 = ww4_zx - alpha4_y
+    lam4_32 = alpha4_x + ww4_yz
+    neg_lam4_33 = ww4_xx + ww4_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.225_rk*lam3_22 - a3_y
+    t5 = neg_a3_x + 0.225_rk*ww3_xy
+    t6 = neg_a3_z + 0.225_rk*lam3_32
+    neg_a4_x = c4*t5 + s4*t6
+    a4_y = s4*t5 - c4*t6
+    ! link 5: angular velocity [rad/s]
+    w5_x = c5*w4_x - s5*w4_z
+    w5_y = -s5*w4_x - c5*w4_z
+    t7 = -c5
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = qd(5)*w5_y - (t7*alpha4_x - s5*alpha3_y)
+    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
+    ! link 5: angular velocity [rad/s]
+    w5_z = qd(5) + w4_y
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_yz = w5_y*w5_z
+    ww5_zx = w5_x*w5_z
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_yy = w5_y*w5_y
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_yy + ww5_zz
+    lam5_12 = ww5_xy - alpha4_y
+    lam5_13 = alpha5_y + ww5_zx
+    lam5_21 = alpha4_y + ww5_xy
+    neg_lam5_22 = ww5_xx + ww5_zz
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = alpha5_x + ww5_yz
+    neg_lam5_33 = ww5_xx + ww5_yy
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = t7*neg_a4_x - s5*a4_z
+    a5_y = s5*neg_a4_x - c5*a4_z
+    ! link 2: moment that turns the link [N m]
+    nc2_x = 0.0015696_rk*alpha2_y - 0.1602936_rk*ww2_xy - (-0.0690288_rk*alpha2_x - &
+        0.0010352_rk*(neg_lam2_22 - neg_lam2_33))
+    nc2_y = 0.9986807_rk*alpha2_y - 0.1602936_rk*(neg_lam2_11 - neg_lam2_33) + &
+        (0.0010352_rk*ww2_xy + 0.0015696_rk*alpha2_x)
+    nc2_z = 0.46482595_rk*ww2_xy - 0.0007848_rk*(neg_lam2_11 - neg_lam2_22) - (23.5160415_rk*c2 + &
+        0.070632_rk*s2)
+    ! link 3: force that moves the link [N]
+    fc3_x = -0.03256_rk*neg_lam3_11 - 0.67724_rk*ww3_xy
+    fc3_y = 0.03256_rk*ww3_xy - 0.67724_rk*lam3_22
+    fc3_z = 0.03256_rk*lam3_31 - 0.67724_rk*lam3_32
+    ! link 3: moment that turns the link [N m]
+    nc3_x = 0.67724_rk*neg_a3_z - (-0.1258139_rk*lam3_32 - 0.00200122_rk*(lam3_33 - lam3_22) + &
+        (0.00233496_rk*ww3_xy - 0.00019536_rk*lam3_31))
+    nc3_y = -0.00226048_rk*lam3_31 - 0.00233496_rk*(neg_lam3_11 + lam3_33) - &
+        (0.00019536_rk*lam3_32 - 0.00200122_rk*ww3_xy) + 0.03256_rk*neg_a3_z
+    nc3_z = 0.00019536_rk*(neg_lam3_11 + lam3_22) - 0.12355342_rk*ww3_xy + (0.00233496_rk*lam3_23 &
+        - 0.00200122_rk*lam3_13) + (0.03256_rk*a3_y - 0.67724_rk*neg_a3_x)
+    ! link 4: force that moves the link [N]
+    fc4_x = 0.01448_rk*neg_lam4_11 + 0.00622_rk*lam4_12
+    fc4_y = -0.00622_rk*neg_lam4_22 - 0.01448_rk*lam4_21
+    fc4_z = 0.00622_rk*lam4_32 - 0.01448_rk*lam4_31
+    ! link 4: moment that turns the link [N m]
+    nc4_x = 0.00622_rk*a4_z - (0.00077468_rk*(neg_lam4_22 - neg_lam4_33) - 0.0030155_rk*lam4_32 - &
+        (-2.896e-05_rk*lam4_31 - 0.00254936_rk*lam4_21))
+    nc4_y = -0.00155792_rk*lam4_31 - 0.00254936_rk*(neg_lam4_11 - neg_lam4_33) - &
+        (0.00077468_rk*lam4_12 - 2.896e-05_rk*lam4_32) + 0.01448_rk*a4_z
+    t8 = 0.0030155_rk*lam4_12 - 0.00155792_rk*lam4_21 + 2.896e-05_rk*(neg_lam4_11 - neg_lam4_22) - &
+        (0.00254936_rk*lam4_23 + 0.00077468_rk*lam4_13)
+    neg_nc4_z = t8 + (0.01448_rk*a4_y - 0.00622_rk*neg_a4_x)
+    ! link 5: force that moves the link [N]
+    fc5_x = 0.00408_rk*neg_lam5_11 - 0.01146_rk*lam5_12
+    fc5_y = 0.01146_rk*neg_lam5_22 - 0.00408_rk*lam5_21
+    fc5_z = -0.00408_rk*lam5_31 - 0.01146_rk*lam5_32
+    ! link 5: moment that turns the link [N m]
+    neg_nc5_x = -0.00086198_rk*lam5_32 - 3.06e-06_rk*(neg_lam5_22 - neg_lam5_33) + &
+        (4.08e-06_rk*lam5_21 - 1.224e-05_rk*lam5_31) + 0.01146_rk*a4_y
+    nc5_y = -0.00051632_rk*lam5_31 - 4.08e-06_rk*(neg_lam5_11 - neg_lam5_33) - &
+        (1.224e-05_rk*lam5_32 - 3.06e-06_rk*lam5_12) + 0.00408_rk*a4_y
+    t9 = 0.00051632_rk*lam5_21 - 0.00086198_rk*lam5_12 + 1.224e-05_rk*(neg_lam5_11 - neg_lam5_22) &
+        + (4.08e-06_rk*lam5_23 - 3.06e-06_rk*lam5_13)
+    nc5_z = t9 - (0.00408_rk*a5_y - 0.01146_rk*a5_x)
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = nc4_x - (c5*neg_nc5_x + s5*nc5_y)
+    n4_y = nc4_y + nc5_z
+    n4_z = s5*neg_nc5_x - c5*nc5_y - neg_nc4_z
+    ! link 4: force through the joint [N]
+    f4_x = fc4_x + (c5*fc5_x - s5*fc5_y)
+    f4_y = fc4_y + fc5_z
+    f4_z = fc4_z - (s5*fc5_x + c5*fc5_y)
+    t10 = s4*f4_x + c4*f4_y
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    neg_n3_x = s4*n4_y - c4*n4_x + (0.225_rk*t10 - nc3_x)
+    n3_y = nc3_y - n4_z
+    t11 = c4*f4_x - s4*f4_y
+    n3_z = nc3_z + 0.225_rk*t11 - (t4*n4_x - c4*n4_y)
+    ! link 3: force through the joint [N]
+    f3_x = fc3_x + t11
+    f3_y = fc3_y - f4_z
+    f3_z = fc3_z + t10
+    t12 = -s3*f3_x - c3*f3_y
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    neg_n2_x = c3*neg_n3_x + s3*n3_y - (nc2_x + 0.035_rk*t12)
+    n2_y = nc2_y - (0.035_rk*(s3*f3_y - c3*f3_x) + 0.225_rk*f3_z) - (s3*neg_n3_x - c3*n3_y)
+    n2_z = n3_z + (nc2_z - 0.225_rk*t12)
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*neg_n2_x - c2*n2_y
+    tau(1) = n1_z
+    tau(2) = n2_z
+    tau(3) = n3_z
+    tau(4) = n4_z
+    tau(5) = nc5_z
+    tau(6) = 0.0_rk
+  end subroutine
+
+  ! mass matrix, rotor inertias on its diagonal
+  ! 97 multiplications, 91 additions = 188; 6 unary minus; 8 sine/cosine
+  pure subroutine tx40_mass_matrix(q, M) &
+      bind(c, name="tx40_mass_matrix_f")
+    real(rk), intent(in) :: q(6)
+    real(rk), intent(out) :: M(36)
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
+    real(rk) :: fu4_x, fu4_z, neg_nu4_x, nu4_z, fu3_x, fu3_z, t1, neg_nu3_x
+    real(rk) :: nu3_z, fu2_x, fu2_y, neg_nu2_x, nu2_y, nu2_z, nu1_z, t2
+    real(rk) :: t3, t4, k4_zz, h4_x, k4_xx, k4_xy, k4_xz, k4_yz
+    real(rk) :: m4_4, fu3_x_2, fu3_z_2, t5, nu3_x, t6, nu3_z_2, fu2_x_2
+    real(rk) :: fu2_y_2, neg_nu2_x_2, nu2_y_2, nu2_z_2, nu1_z_2, t7, t8, t9
+    real(rk) :: t10, k3_zz, h3_x, neg_h3_y, k3_xx, t11, k3_yy, k3_xy
+    real(rk) :: k3_xz, k3_yz, m3_3, fu2_x_3, fu2_y_3, t12, t13, nu2_x
+    real(rk) :: nu2_y_3, nu2_z_3, nu1_z_3, t14, t15, t16, t17, t18
+    real(rk) :: t19, k2_zz, t20, k2_yy, k2_xy, k2_xz, k2_yz, t21
+    real(rk) :: m2_2, nu1_z_4, t22, m1_1
+
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    c3 = cos(q(3))
+    s3 = sin(q(3))
+    c4 = cos(q(4))
+    s4 = sin(q(4))
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = 0.01146_rk*c5 + 0.00408_rk*s5
+    fu4_z = 0.00408_rk*c5 - 0.01146_rk*s5
+    ! link 4: moment for a unit acceleration of a joint further out
+    neg_nu4_x = 4.08e-06_rk*c5 - 3.06e-06_rk*s5
+    nu4_z = 4.08e-06_rk*s5 + 3.06e-06_rk*c5
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c4*fu4_x
+    fu3_z = s4*fu4_x
+    t1 = 0.225_rk*fu3_z
+    ! link 3: moment for a unit acceleration of a joint further out
+    neg_nu3_x = c4*neg_nu4_x + 0.0013783_rk*s4 + t1
+    nu3_z = 0.225_rk*fu3_x - (s4*neg_nu4_x - 0.0013783_rk*c4)
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = c3*fu3_x + s3*fu4_z
+    fu2_y = s3*fu3_x - c3*fu4_z
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_x = c3*neg_nu3_x - s3*nu4_z + 0.035_rk*fu2_y
+    nu2_y = 0.035_rk*fu2_x - t1 - (s3*neg_nu3_x + c3*nu4_z)
+    nu2_z = nu3_z + 0.225_rk*fu2_y
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z = s2*neg_nu2_x - c2*nu2_y
+    t2 = c5*c5
+    t3 = c5*s5
+    t4 = 0.00034566_rk*t2 + 2.448e-05_rk*t3
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_zz = t4 + 0.00051632_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = -fu4_z - 0.01448_rk
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = 0.0024199_rk - t4
+    k4_xy = neg_nu4_x - 2.896e-05_rk
+    k4_xz = 0.00034566_rk*t3 + 1.224e-05_rk*(1.0_rk - 2.0_rk*t2) + 0.00254936_rk
+    k4_yz = -nu4_z - 0.00077468_rk
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 0.0054354_rk - t4
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_2 = -0.00622_rk*c4 - s4*h4_x
+    fu3_z_2 = c4*h4_x - 0.00622_rk*s4
+    t5 = -0.225_rk*fu3_z_2
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = t5 - (c4*k4_xz - s4*k4_yz)
+    t6 = 0.225_rk*fu3_x_2
+    nu3_z_2 = t6 - (s4*k4_xz + c4*k4_yz)
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_2 = c3*fu3_x_2
+    fu2_y_2 = s3*fu3_x_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_x_2 = -c3*nu3_x - s3*m4_4 + 0.035_rk*fu2_y_2
+    nu2_y_2 = t5 + 0.035_rk*fu2_x_2 - (c3*m4_4 - s3*nu3_x)
+    nu2_z_2 = nu3_z_2 + 0.225_rk*fu2_y_2
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_2 = s2*neg_nu2_x_2 - c2*nu2_y_2
+    t7 = c4*c4
+    t8 = t4 + 0.0005956_rk
+    t9 = c4*s4
+    t10 = t7*t8 + k4_xy*(2.0_rk*t9)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_zz = k4_xx + t10
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = fu3_z_2 + 0.03256_rk
+    neg_h3_y = fu4_x + 0.67724_rk
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = 0.00527598_rk - t10
+    t11 = k4_zz + 0.45_rk*fu4_x
+    k3_yy = t11 + 0.1258139_rk
+    k3_xy = nu3_x + 0.00019536_rk
+    k3_xz = 0.00233496_rk - (t8*t9 + k4_xy*(1.0_rk - 2.0_rk*t7))
+    k3_yz = nu3_z_2 + 0.00200122_rk
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = 0.13108988_rk - (t10 - t11)
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x_3 = c3*neg_h3_y - s3*h3_x
+    fu2_y_3 = s3*neg_h3_y + c3*h3_x
+    t12 = s3*k3_yz - c3*k3_xz
+    t13 = 0.035_rk*fu2_y_3
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_x = t12 - t13
+    nu2_y_3 = -s3*k3_xz - c3*k3_yz + 0.035_rk*fu2_x_3
+    nu2_z_3 = m3_3 + 0.225_rk*fu2_y_3
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_3 = -(s2*nu2_x) - c2*nu2_y_3
+    t14 = c3*s3
+    t15 = c3*c3
+    t16 = t10 + t11 + 0.12053792_rk
+    t17 = k3_xy*(-2.0_rk*t14) - t15*t16
+    t18 = t17 - k3_xx
+    t19 = k3_zz + t18
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = -0.07_rk*fu3_x_2 - (t18 - t19)
+    t20 = t19 - k3_zz
+    k2_yy = 0.0345144_rk - t20
+    k2_xy = -(t16*t14 + k3_xy*(1.0_rk - 2.0_rk*t15) + 0.225_rk*fu2_x_3) - 0.0007848_rk
+    k2_xz = t13 - (t6 + t12) + 0.1602936_rk
+    k2_yz = 0.0010352_rk - nu2_y_3
+    t21 = k3_yy + t17 + 0.45_rk*fu2_y_3
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = 0.53385475_rk - (t20 - t21)
+    ! link 1: moment for a unit acceleration of a joint further out
+    nu1_z_4 = s2*k2_xz + c2*k2_yz
+    t22 = k2_xy*(2.0_rk*(c2*s2)) - c2*c2*(t20 + t21 + 0.46482595_rk) - k2_yy - k2_zz
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = 0.14677892_rk - t22
+    M(1) = m1_1
+    M(2) = nu1_z_4
+    M(3) = nu1_z_3
+    M(4) = nu1_z_2
+    M(5) = nu1_z
+    M(6) = 0.0_rk
+    M(7) = nu1_z_4
+    M(8) = m2_2
+    M(9) = nu2_z_3
+    M(10) = nu2_z_2
+    M(11) = nu2_z
+    M(12) = 0.0_rk
+    M(13) = nu1_z_3
+    M(14) = nu2_z_3
+    M(15) = m3_3
+    M(16) = nu3_z_2
+    M(17) = nu3_z
+    M(18) = 0.0_rk
+    M(19) = nu1_z_2
+    M(20) = nu2_z_2
+    M(21) = nu3_z_2
+    M(22) = m4_4
+    M(23) = nu4_z
+    M(24) = 0.0_rk
+    M(25) = nu1_z
+    M(26) = nu2_z
+    M(27) = nu3_z
+    M(28) = nu4_z
+    M(29) = 0.0013783_rk
+    M(30) = 0.0_rk
+    M(31) = 0.0_rk
+    M(32) = 0.0_rk
+    M(33) = 0.0_rk
+    M(34) = 0.0_rk
+    M(35) = 0.0_rk
+    M(36) = 0.0_rk
+  end subroutine
+end module

@@ -1,0 +1,54 @@
+/*
+ * tx40: Staubli TX40 (CAD parameters; friction, rotor inertia and the wrist coupling are not in
+ *   it)
+ * Numbers: figaroh-plus examples/staubli_TX40, Apache-2.0
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 198 multiplications, 186 additions = 384; 9 unary minus; 8 sine/cosine
+ *   gravity: 38 multiplications, 20 additions = 58; 3 unary minus; 8 sine/cosine
+ *   bias: 187 multiplications, 164 additions = 351; 8 unary minus; 8 sine/cosine
+ *   mass_matrix: 97 multiplications, 91 additions = 188; 6 unary minus; 8 sine/cosine
+ */
+#ifndef TX40_H
+#define TX40_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double tx40_real;
+
+/* torques that give the accelerations qdd */
+void tx40_inverse_dynamics(
+    const tx40_real q[6],
+    const tx40_real qd[6],
+    const tx40_real qdd[6],
+    tx40_real tau[6]);
+
+/* torques that hold the arm at rest */
+void tx40_gravity(const tx40_real q[6], tx40_real tau[6]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void tx40_mass_matrix(const tx40_real q[6], tx40_real M[36]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,1007 @@
+/*
+ * ur10: Universal Robots UR10
+ * Numbers: URDF of example-robot-data (ur_description, BSD), turned into modified DH; last link
+ *   carries the fixed tool
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 169 multiplications, 132 additions = 301; 7 unary minus; 10 sine/cosine
+ *   gravity: 11 multiplications, 5 additions = 16; 1 unary minus; 6 sine/cosine
+ *   bias: 155 multiplications, 105 additions = 260; 6 unary minus; 10 sine/cosine
+ *   mass_matrix: 93 multiplications, 84 additions = 177; 2 unary minus; 10 sine/cosine
+ *   forward_dynamics: 334 multiplications, 259 additions, 6 divisions = 599; 12 unary minus; 10
+ *       sine/cosine
+ */
+#include "ur10.h"
+
+#include <math.h>
+
+/* torques that give the accelerations qdd
+ * 169 multiplications, 132 additions = 301; 7 unary minus; 10 sine/cosine */
+void ur10_inverse_dynamics(
+    const ur10_real q[6],
+    const ur10_real qd[6],
+    const ur10_real qdd[6],
+    ur10_real tau[6])
+{
+    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
+     * every libm has. */
+    const volatile ur10_real *const again = q;
+    /* sines and cosines of the joint angles */
+    const ur10_real c2 = cos(q[1]);
+    const ur10_real s2 = sin(again[1]);
+    const ur10_real c3 = cos(q[2]);
+    const ur10_real s3 = sin(again[2]);
+    const ur10_real c4 = cos(q[3]);
+    const ur10_real s4 = sin(again[3]);
+    const ur10_real c5 = cos(q[4]);
+    const ur10_real s5 = sin(again[4]);
+    const ur10_real c6 = cos(q[5]);
+    const ur10_real s6 = sin(again[5]);
+    /* link 1: products of the angular velocity [1/s^2] */
+    const ur10_real ww1_zz = qd[0]*qd[0];
+    const ur10_real t1 = -qd[0];
+    /* link 2: angular velocity [rad/s] */
+    const ur10_real w2_x = t1*s2;
+    const ur10_real w2_y = t1*c2;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const ur10_real ww2_yz = qd[1]*w2_y;
+    const ur10_real ww2_zx = qd[1]*w2_x;
+    /* link 2: angular acceleration [rad/s^2] */
+    const ur10_real alpha2_x = ww2_yz - qdd[0]*s2;
+    const ur10_real alpha2_y = -(qdd[0]*c2) - ww2_zx;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const ur10_real ww2_xy = w2_x*w2_y;
+    const ur10_real ww2_xx = w2_x*w2_x;
+    const ur10_real neg_ww2_yy = -w2_y*w2_y;
+    const ur10_real ww2_zz = qd[1]*qd[1];
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real lam2_11 = neg_ww2_yy - ww2_zz;
+    const ur10_real lam2_12 = ww2_xy - qdd[1];
+    const ur10_real lam2_13 = ww2_zx + alpha2_y;
+    const ur10_real lam2_21 = qdd[1] + ww2_xy;
+    const ur10_real lam2_23 = ww2_yz - alpha2_x;
+    const ur10_real lam2_31 = ww2_zx - alpha2_y;
+    const ur10_real lam2_32 = ww2_yz + alpha2_x;
+    const ur10_real lam2_33 = neg_ww2_yy - ww2_xx;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a2_z = -0.220941*ww1_zz;
+    const ur10_real t2 = 0.220941*qdd[0];
+    const ur10_real neg_a2_x = c2*t2 + 9.81*s2;
+    const ur10_real a2_y = s2*t2 - 9.81*c2;
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_x = c3*w2_x + s3*w2_y;
+    const ur10_real w3_y = c3*w2_y - s3*w2_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const ur10_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
+    const ur10_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
+    const ur10_real alpha3_z = qdd[1] + qdd[2];
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_z = qd[1] + qd[2];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const ur10_real ww3_yz = w3_y*w3_z;
+    const ur10_real ww3_zx = w3_x*w3_z;
+    const ur10_real ww3_xy = w3_x*w3_y;
+    const ur10_real ww3_xx = w3_x*w3_x;
+    const ur10_real ww3_yy = w3_y*w3_y;
+    const ur10_real ww3_zz = w3_z*w3_z;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
+    const ur10_real lam3_12 = ww3_xy - alpha3_z;
+    const ur10_real lam3_13 = alpha3_y + ww3_zx;
+    const ur10_real lam3_21 = alpha3_z + ww3_xy;
+    const ur10_real lam3_23 = ww3_yz - alpha3_x;
+    const ur10_real lam3_31 = ww3_zx - alpha3_y;
+    const ur10_real lam3_32 = alpha3_x + ww3_yz;
+    const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_z = a2_z - (0.1719*lam2_33 - 0.612*lam2_31);
+    const ur10_real t3 = a2_y + (0.612*lam2_21 - 0.1719*lam2_23);
+    const ur10_real t4 = neg_a2_x + (0.1719*lam2_13 - 0.612*lam2_11);
+    const ur10_real a3_x = s3*t3 - c3*t4;
+    const ur10_real a3_y = s3*t4 + c3*t3;
+    const ur10_real t5 = -c4;
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_x = t5*w3_x - s4*w3_y;
+    const ur10_real w4_y = s4*w3_x - c4*w3_y;
+    /* link 4: angular acceleration [rad/s^2] */
+    const ur10_real alpha4_x = t5*alpha3_x - s4*alpha3_y + qd[3]*w4_y;
+    const ur10_real neg_alpha4_y = c4*alpha3_y - s4*alpha3_x + qd[3]*w4_x;
+    const ur10_real alpha4_z = qdd[3] + alpha3_z;
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_z = qd[3] + w3_z;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const ur10_real ww4_yz = w4_y*w4_z;
+    const ur10_real ww4_zx = w4_x*w4_z;
+    const ur10_real ww4_xy = w4_x*w4_y;
+    const ur10_real ww4_xx = w4_x*w4_x;
+    const ur10_real ww4_zz = w4_z*w4_z;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real lam4_12 = ww4_xy - alpha4_z;
+    const ur10_real lam4_21 = alpha4_z + ww4_xy;
+    const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
+    const ur10_real lam4_31 = neg_alpha4_y + ww4_zx;
+    const ur10_real lam4_32 = alpha4_x + ww4_yz;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_z = a3_z - (0.1149*neg_lam3_33 - 0.5723*lam3_31);
+    const ur10_real a4_x = c4*(0.5723*neg_lam3_11 - 0.1149*lam3_13 - a3_x) - s4*(a3_y +
+        (0.5723*lam3_21 + 0.1149*lam3_23));
+    /* link 5: angular velocity [rad/s] */
+    const ur10_real w5_x = -(c5*w4_x) - s5*w4_z;
+    const ur10_real w5_y = s5*w4_x - c5*w4_z;
+    /* link 5: angular acceleration [rad/s^2] */
+    const ur10_real neg_alpha5_x = c5*alpha4_x + s5*alpha4_z - qd[4]*w5_y;
+    const ur10_real alpha5_y = s5*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
+    const ur10_real alpha5_z = qdd[4] + neg_alpha4_y;
+    /* link 5: angular velocity [rad/s] */
+    const ur10_real w5_z = qd[4] - w4_y;
+    /* link 5: products of the angular velocity [1/s^2] */
+    const ur10_real ww5_yz = w5_y*w5_z;
+    const ur10_real ww5_zx = w5_x*w5_z;
+    const ur10_real ww5_xy = w5_x*w5_y;
+    /* link 6: angular velocity [rad/s] */
+    const ur10_real w6_x = c6*w5_x + s6*w5_z;
+    const ur10_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: angular acceleration [rad/s^2] */
+    const ur10_real alpha6_x = qd[5]*w6_y - (c6*neg_alpha5_x - s6*alpha5_z);
+    const ur10_real alpha6_z = qdd[5] - alpha5_y;
+    /* link 6: angular velocity [rad/s] */
+    const ur10_real w6_z = qd[5] - w5_y;
+    /* link 6: products of the angular velocity [1/s^2] */
+    const ur10_real ww6_yz = w6_y*w6_z;
+    const ur10_real ww6_zx = w6_x*w6_z;
+    const ur10_real ww6_xy = w6_x*w6_y;
+    /* link 1: moment that turns the link [N m] */
+    const ur10_real nc1_z = 0.751562446711482*qdd[0];
+    /* link 2: force that moves the link [N] */
+    const ur10_real fc2_x = 8.847684*lam2_11;
+    const ur10_real fc2_y = 8.847684*lam2_21;
+    /* link 2: moment that turns the link [N m] */
+    const ur10_real nc2_x = 0.0181828125*lam2_32 + 0.688751532*lam2_21;
+    const ur10_real nc2_y = 0.688751532*(lam2_33 - lam2_11) - 4.607640119298*lam2_31 +
+        1.954816150644*ww1_zz;
+    const ur10_real nc2_z = 4.607640119298*lam2_21 - 0.0181828125*lam2_12 - 0.688751532*lam2_23 +
+        8.847684*a2_y;
+    /* link 3: force that moves the link [N] */
+    const ur10_real fc3_x = -3.4664211*neg_lam3_11;
+    const ur10_real fc3_y = 3.4664211*lam3_21;
+    const ur10_real fc3_z = 3.4664211*lam3_31;
+    /* link 3: moment that turns the link [N m] */
+    const ur10_real nc3_x = 0.0054421875*lam3_32 - 0.14216721774*lam3_21;
+    const ur10_real nc3_y = -1.7725776490519998*lam3_31 - 0.14216721774*(neg_lam3_11 - neg_lam3_33)
+        - 3.4664211*a3_z;
+    const ur10_real nc3_z = 1.7725776490519998*lam3_21 - 0.0054421875*lam3_12 +
+        0.14216721774*lam3_23 + 3.4664211*a3_y;
+    /* link 4: force that moves the link [N] */
+    const ur10_real fc4_x = -0.0233714*lam4_12;
+    const ur10_real fc4_y = 0.0233714*neg_lam4_22;
+    const ur10_real fc4_z = -0.0233714*lam4_32;
+    /* link 4: moment that turns the link [N m] */
+    const ur10_real nc4_y = -0.00275625*lam4_31;
+    const ur10_real nc4_x = 0.0101643168934*lam4_32 - 0.0233714*a4_z;
+    const ur10_real nc4_z = 0.00275625*lam4_21 - 0.0101643168934*lam4_12 + 0.0233714*a4_x;
+    /* link 5: moment that turns the link [N m] */
+    const ur10_real nc5_y = -0.0055125*ww5_zx;
+    const ur10_real nc5_x = 0.006080625*ww5_yz - 0.000568125*neg_alpha5_x;
+    const ur10_real nc5_z = 0.006080625*alpha5_z - 0.000568125*ww5_xy;
+    /* link 6: moment that turns the link [N m] */
+    const ur10_real nc6_y = -0.000568125*ww6_zx;
+    const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
+    const ur10_real nc6_z = 4.1662710585e-05*ww6_xy + 0.000526462289415*alpha6_z;
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const ur10_real n5_y = nc5_y - nc6_z;
+    const ur10_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n4_x = nc4_x - (c5*n5_x - s5*n5_y);
+    const ur10_real n4_y = nc4_y - n5_z;
+    const ur10_real n4_z = nc4_z - (s5*n5_x + c5*n5_y);
+    const ur10_real t6 = s4*fc4_x + c4*fc4_y;
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const ur10_real neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.1149*t6);
+    const ur10_real t7 = c4*fc4_x - s4*fc4_y;
+    const ur10_real n3_y = nc3_y - (0.1149*t7 - 0.01337545222*lam4_32) - (s4*n4_x + c4*n4_y);
+    const ur10_real n3_z = n4_z + (nc3_z - 0.5723*t6);
+    /* link 3: force through the joint [N] */
+    const ur10_real f3_x = fc3_x - t7;
+    const ur10_real f3_y = fc3_y - t6;
+    const ur10_real f3_z = fc3_z + fc4_z;
+    const ur10_real t8 = -s3*f3_x - c3*f3_y;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const ur10_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1719*t8 - nc2_x);
+    const ur10_real t9 = s3*f3_y - c3*f3_x;
+    const ur10_real n2_y = nc2_y + (0.1719*t9 - 0.612*f3_z) - (s3*neg_n3_x - c3*n3_y);
+    const ur10_real n2_z = n3_z + (nc2_z - 0.612*t8);
+    /* link 2: force through the joint [N] */
+    const ur10_real f2_x = fc2_x - t9;
+    const ur10_real f2_y = fc2_y - t8;
+    /* link 1: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n1_z = s2*neg_n2_x - c2*n2_y + (nc1_z + 0.220941*(s2*f2_y - c2*f2_x));
+    tau[0] = n1_z;
+    tau[1] = n2_z;
+    tau[2] = n3_z;
+    tau[3] = n4_z;
+    tau[4] = n5_z;
+    tau[5] = nc6_z;
+}
+
+/* torques that hold the arm at rest
+ * 11 multiplications, 5 additions = 16; 1 unary minus; 6 sine/cosine */
+void ur10_gravity(const ur10_real q[6], ur10_real tau[6])
+{
+    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
+     * every libm has. */
+    const volatile ur10_real *const again = q;
+    /* sines and cosines of the joint angles */
+    const ur10_real c2 = cos(q[1]);
+    const ur10_real s2 = sin(again[1]);
+    const ur10_real c3 = cos(q[2]);
+    const ur10_real s3 = sin(again[2]);
+    const ur10_real c4 = cos(q[3]);
+    const ur10_real s4 = sin(again[3]);
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a2_x = -9.81*s2;
+    const ur10_real a2_y = -9.81*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real neg_a3_x = -c3*a2_x - s3*a2_y;
+    const ur10_real a3_y = c3*a2_y - s3*a2_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_x = c4*neg_a3_x - s4*a3_y;
+    /* link 2: moment that turns the link [N m] */
+    const ur10_real nc2_z = -86.79578004*c2;
+    /* link 3: moment that turns the link [N m] */
+    const ur10_real nc3_z = 3.4664211*a3_y;
+    /* link 4: moment that turns the link [N m] */
+    const ur10_real nc4_z = 0.0233714*a4_x;
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n3_z = nc3_z + nc4_z;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n2_z = nc2_z + n3_z;
+    tau[0] = 0.0;
+    tau[1] = n2_z;
+    tau[2] = n3_z;
+    tau[3] = nc4_z;
+    tau[4] = 0.0;
+    tau[5] = 0.0;
+}
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
+ * 155 multiplications, 105 additions = 260; 6 unary minus; 10 sine/cosine */
+void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
+{
+    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
+     * every libm has. */
+    const volatile ur10_real *const again = q;
+    /* sines and cosines of the joint angles */
+    const ur10_real c2 = cos(q[1]);
+    const ur10_real s2 = sin(again[1]);
+    const ur10_real c3 = cos(q[2]);
+    const ur10_real s3 = sin(again[2]);
+    const ur10_real c4 = cos(q[3]);
+    const ur10_real s4 = sin(again[3]);
+    const ur10_real c5 = cos(q[4]);
+    const ur10_real s5 = sin(again[4]);
+    const ur10_real c6 = cos(q[5]);
+    const ur10_real s6 = sin(again[5]);
+    /* link 1: products of the angular velocity [1/s^2] */
+    const ur10_real ww1_zz = qd[0]*qd[0];
+    const ur10_real t1 = -qd[0];
+    /* link 2: angular velocity [rad/s] */
+    const ur10_real w2_x = t1*s2;
+    const ur10_real w2_y = t1*c2;
+    /* link 2: angular acceleration [rad/s^2] */
+    const ur10_real alpha2_x = qd[1]*w2_y;
+    const ur10_real alpha2_y = -qd[1]*w2_x;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const ur10_real ww2_xy = w2_x*w2_y;
+    const ur10_real ww2_xx = w2_x*w2_x;
+    const ur10_real ww2_yy = w2_y*w2_y;
+    const ur10_real ww2_zz = qd[1]*qd[1];
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam2_11 = ww2_yy + ww2_zz;
+    const ur10_real neg_lam2_33 = ww2_xx + ww2_yy;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a2_z = -0.220941*ww1_zz;
+    const ur10_real a2_x = -9.81*s2;
+    const ur10_real a2_y = -9.81*c2;
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_x = c3*w2_x + s3*w2_y;
+    const ur10_real w3_y = c3*w2_y - s3*w2_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const ur10_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
+    const ur10_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_z = qd[1] + qd[2];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const ur10_real ww3_yz = w3_y*w3_z;
+    const ur10_real ww3_zx = w3_x*w3_z;
+    const ur10_real ww3_xy = w3_x*w3_y;
+    const ur10_real ww3_xx = w3_x*w3_x;
+    const ur10_real ww3_yy = w3_y*w3_y;
+    const ur10_real ww3_zz = w3_z*w3_z;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
+    const ur10_real lam3_13 = alpha3_y + ww3_zx;
+    const ur10_real lam3_23 = ww3_yz - alpha3_x;
+    const ur10_real lam3_31 = ww3_zx - alpha3_y;
+    const ur10_real lam3_32 = alpha3_x + ww3_yz;
+    const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_z = a2_z - (1.224*alpha2_y - 0.1719*neg_lam2_33);
+    const ur10_real t2 = 0.612*neg_lam2_11 - a2_x;
+    const ur10_real t3 = -0.612*ww2_xy - a2_y;
+    const ur10_real neg_a3_x = c3*t2 + s3*t3;
+    const ur10_real a3_y = s3*t2 - c3*t3;
+    const ur10_real t4 = -c4;
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_x = t4*w3_x - s4*w3_y;
+    const ur10_real w4_y = s4*w3_x - c4*w3_y;
+    /* link 4: angular acceleration [rad/s^2] */
+    const ur10_real alpha4_x = t4*alpha3_x - s4*alpha3_y + qd[3]*w4_y;
+    const ur10_real alpha4_y = s4*alpha3_x - c4*alpha3_y - qd[3]*w4_x;
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_z = qd[3] + w3_z;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const ur10_real ww4_yz = w4_y*w4_z;
+    const ur10_real ww4_zx = w4_x*w4_z;
+    const ur10_real ww4_xy = w4_x*w4_y;
+    const ur10_real ww4_xx = w4_x*w4_x;
+    const ur10_real ww4_zz = w4_z*w4_z;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
+    const ur10_real lam4_31 = ww4_zx - alpha4_y;
+    const ur10_real lam4_32 = alpha4_x + ww4_yz;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_z = a3_z - (0.1149*neg_lam3_33 - 0.5723*lam3_31);
+    const ur10_real a4_x = c4*(neg_a3_x + (0.5723*neg_lam3_11 - 0.1149*lam3_13)) - s4*(a3_y -
+        (-0.5723*ww3_xy - 0.1149*lam3_23));
+    /* link 5: angular velocity [rad/s] */
+    const ur10_real w5_x = -(c5*w4_x) - s5*w4_z;
+    const ur10_real w5_y = s5*w4_x - c5*w4_z;
+    /* link 5: angular acceleration [rad/s^2] */
+    const ur10_real alpha5_x = qd[4]*w5_y - c5*alpha4_x;
+    const ur10_real alpha5_y = s5*alpha4_x - qd[4]*w5_x;
+    /* link 5: angular velocity [rad/s] */
+    const ur10_real w5_z = qd[4] - w4_y;
+    /* link 5: products of the angular velocity [1/s^2] */
+    const ur10_real ww5_yz = w5_y*w5_z;
+    const ur10_real ww5_zx = w5_x*w5_z;
+    const ur10_real ww5_xy = w5_x*w5_y;
+    /* link 6: angular velocity [rad/s] */
+    const ur10_real w6_x = c6*w5_x + s6*w5_z;
+    const ur10_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: angular acceleration [rad/s^2] */
+    const ur10_real alpha6_x = qd[5]*w6_y - (s6*alpha4_y - c6*alpha5_x);
+    /* link 6: angular velocity [rad/s] */
+    const ur10_real w6_z = qd[5] - w5_y;
+    /* link 6: products of the angular velocity [1/s^2] */
+    const ur10_real ww6_yz = w6_y*w6_z;
+    const ur10_real ww6_zx = w6_x*w6_z;
+    const ur10_real ww6_xy = w6_x*w6_y;
+    /* link 2: force that moves the link [N] */
+    const ur10_real fc2_x = -8.847684*neg_lam2_11;
+    const ur10_real fc2_y = 8.847684*ww2_xy;
+    /* link 2: moment that turns the link [N m] */
+    const ur10_real nc2_x = 0.036365625*alpha2_x + 0.688751532*ww2_xy;
+    const ur10_real nc2_y = 9.215280238596*alpha2_y + 0.688751532*(neg_lam2_11 - neg_lam2_33) +
+        1.954816150644*ww1_zz;
+    const ur10_real nc2_z = 4.589457306798*ww2_xy - 86.79578004*c2;
+    /* link 3: force that moves the link [N] */
+    const ur10_real fc3_x = -3.4664211*neg_lam3_11;
+    const ur10_real fc3_y = 3.4664211*ww3_xy;
+    const ur10_real fc3_z = 3.4664211*lam3_31;
+    /* link 3: moment that turns the link [N m] */
+    const ur10_real nc3_x = 0.0054421875*lam3_32 - 0.14216721774*ww3_xy;
+    const ur10_real nc3_y = -1.7725776490519998*lam3_31 - 0.14216721774*(neg_lam3_11 - neg_lam3_33)
+        - 3.4664211*a3_z;
+    const ur10_real nc3_z = 3.4664211*a3_y - (-1.7671354615519999*ww3_xy - 0.14216721774*lam3_23);
+    /* link 4: force that moves the link [N] */
+    const ur10_real fc4_x = -0.0233714*ww4_xy;
+    const ur10_real fc4_y = 0.0233714*neg_lam4_22;
+    const ur10_real fc4_z = -0.0233714*lam4_32;
+    /* link 4: moment that turns the link [N m] */
+    const ur10_real nc4_y = -0.00275625*lam4_31;
+    const ur10_real nc4_x = 0.0101643168934*lam4_32 - 0.0233714*a4_z;
+    const ur10_real nc4_z = 0.0233714*a4_x - 0.0074080668934*ww4_xy;
+    /* link 5: moment that turns the link [N m] */
+    const ur10_real nc5_y = -0.0055125*ww5_zx;
+    const ur10_real nc5_x = 0.006080625*ww5_yz + 0.000568125*alpha5_x;
+    const ur10_real nc5_z = -0.000568125*ww5_xy - 0.006080625*alpha4_y;
+    /* link 6: moment that turns the link [N m] */
+    const ur10_real nc6_y = -0.000568125*ww6_zx;
+    const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
+    const ur10_real nc6_z = 4.1662710585e-05*ww6_xy - 0.000526462289415*alpha5_y;
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const ur10_real n5_y = nc5_y - nc6_z;
+    const ur10_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n4_x = nc4_x - (c5*n5_x - s5*n5_y);
+    const ur10_real n4_y = nc4_y - n5_z;
+    const ur10_real n4_z = nc4_z - (s5*n5_x + c5*n5_y);
+    const ur10_real t5 = s4*fc4_x + c4*fc4_y;
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const ur10_real neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.1149*t5);
+    const ur10_real t6 = c4*fc4_x - s4*fc4_y;
+    const ur10_real n3_y = nc3_y - (0.1149*t6 - 0.01337545222*lam4_32) - (s4*n4_x + c4*n4_y);
+    const ur10_real n3_z = n4_z - (0.5723*t5 - nc3_z);
+    /* link 3: force through the joint [N] */
+    const ur10_real f3_x = fc3_x - t6;
+    const ur10_real f3_y = fc3_y - t5;
+    const ur10_real f3_z = fc3_z + fc4_z;
+    const ur10_real t7 = -s3*f3_x - c3*f3_y;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const ur10_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1719*t7 - nc2_x);
+    const ur10_real t8 = s3*f3_y - c3*f3_x;
+    const ur10_real n2_y = nc2_y + (0.1719*t8 - 0.612*f3_z) - (s3*neg_n3_x - c3*n3_y);
+    const ur10_real n2_z = n3_z + (nc2_z - 0.612*t7);
+    /* link 2: force through the joint [N] */
+    const ur10_real f2_x = fc2_x - t8;
+    const ur10_real f2_y = fc2_y - t7;
+    /* link 1: force through the joint [N] */
+    const ur10_real f1_x = s2*f2_y - c2*f2_x;
+    /* link 1: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n1_z = s2*neg_n2_x - c2*n2_y + 0.220941*f1_x;
+    tau[0] = n1_z;
+    tau[1] = n2_z;
+    tau[2] = n3_z;
+    tau[3] = n4_z;
+    tau[4] = n5_z;
+    tau[5] = nc6_z;
+}
+
+/* mass matrix, rotor inertias on its diagonal
+ * 93 multiplications, 84 additions = 177; 2 unary minus; 10 sine/cosine */
+void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
+{
+    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
+     * every libm has. */
+    const volatile ur10_real *const again = q;
+    /* sines and cosines of the joint angles */
+    const ur10_real c2 = cos(q[1]);
+    const ur10_real s2 = sin(again[1]);
+    const ur10_real c3 = cos(q[2]);
+    const ur10_real s3 = sin(again[2]);
+    const ur10_real c4 = cos(q[3]);
+    const ur10_real s4 = sin(again[3]);
+    const ur10_real c5 = cos(q[4]);
+    const ur10_real s5 = sin(again[4]);
+    const ur10_real c6 = cos(q[5]);
+    const ur10_real s6 = sin(again[5]);
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const ur10_real neg_nu4_x = 0.000526462289415*s5;
+    const ur10_real nu4_z = 0.000526462289415*c5;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const ur10_real nu3_x = c4*neg_nu4_x;
+    const ur10_real nu3_y = s4*neg_nu4_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const ur10_real nu2_x = c3*nu3_x - s3*nu3_y;
+    const ur10_real nu2_y = s3*nu3_x + c3*nu3_y;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z = -(s2*nu2_x) - c2*nu2_y;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const ur10_real k5_xz = 4.1662710585e-05*(c6*s6);
+    const ur10_real t1 = 4.1662710585e-05*(c6*c6);
+    const ur10_real k5_xx = t1 + 0.002998649789415;
+    /* link 5: mass matrix, its row of this joint */
+    const ur10_real m5_5 = t1 + 0.006038962289415;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const ur10_real nu4_x = c5*k5_xz;
+    const ur10_real nu4_z_2 = s5*k5_xz;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const ur10_real nu3_x_2 = -(c4*nu4_x) - s4*m5_5;
+    const ur10_real nu3_y_2 = c4*m5_5 - s4*nu4_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const ur10_real neg_nu2_x = s3*nu3_y_2 - c3*nu3_x_2;
+    const ur10_real nu2_y_2 = s3*nu3_x_2 + c3*nu3_y_2;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2;
+    const ur10_real t2 = t1 - 4.1662710585e-05;
+    const ur10_real t3 = c5*c5*t2;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const ur10_real k4_zz = k5_xx - t3;
+    const ur10_real k4_xz = t2*(c5*s5);
+    const ur10_real k4_xx = t3 + 0.0057965625;
+    const ur10_real k4_yy = 0.0076921293934 - t1;
+    /* link 4: mass matrix, its row of this joint */
+    const ur10_real m4_4 = 0.0134886918934 - (t1 - t3);
+    /* link 3: force for a unit acceleration of a joint further out */
+    const ur10_real fu3_x = -0.0233714*c4;
+    const ur10_real fu3_y = -0.0233714*s4;
+    const ur10_real t4 = nu4_z_2 - 0.00268537386;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const ur10_real nu3_x_3 = c4*k4_xz - s4*t4;
+    const ur10_real nu3_y_3 = s4*k4_xz + c4*t4;
+    const ur10_real nu3_z = m4_4 - 0.01337545222*s4;
+    const ur10_real t5 = c3*fu3_x;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const ur10_real fu2_x = t5 - s3*fu3_y;
+    const ur10_real t6 = s3*fu3_x;
+    const ur10_real fu2_y = t6 + c3*fu3_y;
+    const ur10_real t7 = s3*nu3_y_3;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const ur10_real nu2_x_2 = c3*nu3_x_3 - t7 + 0.1719*fu2_y;
+    const ur10_real t8 = c3*nu3_y_3;
+    const ur10_real nu2_y_3 = s3*nu3_x_3 + t8 - 0.1719*fu2_x;
+    const ur10_real nu2_z = nu3_z + 0.612*fu2_y;
+    /* link 1: force for a unit acceleration of a joint further out */
+    const ur10_real fu1_x = s2*fu2_y - c2*fu2_x;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z_3 = 0.220941*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3);
+    const ur10_real t9 = c4*c4;
+    const ur10_real t10 = t1 + t3 - 0.0018955668934;
+    const ur10_real t11 = c4*s4;
+    const ur10_real t12 = t9*t10 - nu4_x*(2.0*t11);
+    const ur10_real t13 = k4_xx - t12;
+    const ur10_real t14 = k4_zz - t13;
+    /* link 3: second moment of the composite body [kg m^2] */
+    const ur10_real k3_zz = t13 + t14;
+    const ur10_real k3_xy = t10*t11 + nu4_x*(2.0*t9 - 1.0) + 0.01337545222*c4;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const ur10_real h3_x = fu3_y + 3.4664211;
+    const ur10_real t15 = 0.02675090444*s4 - (k4_yy + t12);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const ur10_real k3_xx = 1.7725776490519998 - t15;
+    const ur10_real t16 = k4_zz - t14;
+    const ur10_real k3_yy = t16 + 0.0054421875;
+    const ur10_real k3_xz = 0.14216721774 - nu3_x_3;
+    /* link 3: mass matrix, its row of this joint */
+    const ur10_real m3_3 = t16 - t15 + 1.7780198365519997;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const ur10_real fu2_x_2 = t5 - s3*h3_x;
+    const ur10_real fu2_y_2 = t6 + c3*h3_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const ur10_real neg_nu2_x_2 = t7 + c3*k3_xz - 0.1719*fu2_y_2;
+    const ur10_real nu2_y_4 = t8 - s3*k3_xz - 0.1719*fu2_x_2;
+    const ur10_real nu2_z_2 = m3_3 + 0.612*fu2_y_2;
+    const ur10_real t17 = c2*fu2_x_2;
+    /* link 1: force for a unit acceleration of a joint further out */
+    const ur10_real fu1_x_2 = s2*fu2_y_2 - t17;
+    const ur10_real t18 = c2*nu2_y_4;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z_4 = s2*neg_nu2_x_2 - t18 + 0.220941*fu1_x_2;
+    const ur10_real t19 = c3*c3;
+    const ur10_real t20 = t16 + t15 - 1.7671354615519999;
+    const ur10_real t21 = c3*s3;
+    const ur10_real t22 = t19*t20 + k3_xy*(2.0*t21);
+    const ur10_real t23 = k3_xx + t22;
+    const ur10_real t24 = k3_zz - t23;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const ur10_real k2_zz = t23 + t24;
+    const ur10_real k2_xy = -0.612*fu2_x_2 - (t20*t21 + k3_xy*(1.0 - 2.0*t19));
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const ur10_real h2_x = fu2_y_2 + 8.847684;
+    const ur10_real t25 = k3_zz - t24;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const ur10_real k2_yy = t25 + 0.0181828125;
+    const ur10_real k2_xz = neg_nu2_x_2 - 0.688751532;
+    const ur10_real t26 = k3_yy - t22 + 1.224*fu2_y_2;
+    /* link 2: mass matrix, its row of this joint */
+    const ur10_real m2_2 = t25 + t26 + 4.625822931798;
+    /* link 1: force for a unit acceleration of a joint further out */
+    const ur10_real fu1_x_3 = s2*h2_x - t17;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z_5 = 0.220941*fu1_x_3 - (t18 - s2*k2_xz);
+    const ur10_real t27 = k2_zz + (k2_yy - (c2*c2*(t25 - t26 - 4.589457306798) +
+        k2_xy*(2.0*(c2*s2))));
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real m1_1 = t27 + 0.751562446711482;
+    M[0] = m1_1;
+    M[1] = nu1_z_5;
+    M[2] = nu1_z_4;
+    M[3] = nu1_z_3;
+    M[4] = nu1_z_2;
+    M[5] = nu1_z;
+    M[6] = nu1_z_5;
+    M[7] = m2_2;
+    M[8] = nu2_z_2;
+    M[9] = nu2_z;
+    M[10] = nu4_z_2;
+    M[11] = nu4_z;
+    M[12] = nu1_z_4;
+    M[13] = nu2_z_2;
+    M[14] = m3_3;
+    M[15] = nu3_z;
+    M[16] = nu4_z_2;
+    M[17] = nu4_z;
+    M[18] = nu1_z_3;
+    M[19] = nu2_z;
+    M[20] = nu3_z;
+    M[21] = m4_4;
+    M[22] = nu4_z_2;
+    M[23] = nu4_z;
+    M[24] = nu1_z_2;
+    M[25] = nu4_z_2;
+    M[26] = nu4_z_2;
+    M[27] = nu4_z_2;
+    M[28] = m5_5;
+    M[29] = 0.0;
+    M[30] = nu1_z;
+    M[31] = nu4_z;
+    M[32] = nu4_z;
+    M[33] = nu4_z;
+    M[34] = 0.0;
+    M[35] = 0.000526462289415;
+}
+
+/* accelerations that the torques tau give
+ * 334 multiplications, 259 additions, 6 divisions = 599; 12 unary minus; 10 sine/cosine */
+void ur10_forward_dynamics(
+    const ur10_real q[6],
+    const ur10_real qd[6],
+    const ur10_real tau[6],
+    ur10_real qdd[6])
+{
+    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
+     * every libm has. */
+    const volatile ur10_real *const again = q;
+    /* sines and cosines of the joint angles */
+    const ur10_real c2 = cos(q[1]);
+    const ur10_real s2 = sin(again[1]);
+    const ur10_real c3 = cos(q[2]);
+    const ur10_real s3 = sin(again[2]);
+    const ur10_real c4 = cos(q[3]);
+    const ur10_real s4 = sin(again[3]);
+    const ur10_real c5 = cos(q[4]);
+    const ur10_real s5 = sin(again[4]);
+    const ur10_real c6 = cos(q[5]);
+    const ur10_real s6 = sin(again[5]);
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const ur10_real neg_nu4_x = 0.000526462289415*s5;
+    const ur10_real nu4_z = 0.000526462289415*c5;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const ur10_real nu3_x = c4*neg_nu4_x;
+    const ur10_real nu3_y = s4*neg_nu4_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const ur10_real nu2_x = c3*nu3_x - s3*nu3_y;
+    const ur10_real nu2_y = s3*nu3_x + c3*nu3_y;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z = -(s2*nu2_x) - c2*nu2_y;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const ur10_real k5_xz = 4.1662710585e-05*(c6*s6);
+    const ur10_real t1 = 4.1662710585e-05*(c6*c6);
+    const ur10_real k5_xx = t1 + 0.002998649789415;
+    /* link 5: mass matrix, its row of this joint */
+    const ur10_real m5_5 = t1 + 0.006038962289415;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const ur10_real nu4_x = c5*k5_xz;
+    const ur10_real nu4_z_2 = s5*k5_xz;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const ur10_real nu3_x_2 = -(c4*nu4_x) - s4*m5_5;
+    const ur10_real nu3_y_2 = c4*m5_5 - s4*nu4_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const ur10_real neg_nu2_x = s3*nu3_y_2 - c3*nu3_x_2;
+    const ur10_real nu2_y_2 = s3*nu3_x_2 + c3*nu3_y_2;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2;
+    const ur10_real t2 = t1 - 4.1662710585e-05;
+    const ur10_real t3 = c5*c5*t2;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const ur10_real k4_zz = k5_xx - t3;
+    const ur10_real k4_xz = t2*(c5*s5);
+    const ur10_real k4_xx = t3 + 0.0057965625;
+    const ur10_real k4_yy = 0.0076921293934 - t1;
+    /* link 4: mass matrix, its row of this joint */
+    const ur10_real m4_4 = 0.0134886918934 - (t1 - t3);
+    /* link 3: force for a unit acceleration of a joint further out */
+    const ur10_real fu3_x = -0.0233714*c4;
+    const ur10_real fu3_y = -0.0233714*s4;
+    const ur10_real t4 = nu4_z_2 - 0.00268537386;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const ur10_real nu3_x_3 = c4*k4_xz - s4*t4;
+    const ur10_real nu3_y_3 = s4*k4_xz + c4*t4;
+    const ur10_real nu3_z = m4_4 - 0.01337545222*s4;
+    const ur10_real t5 = c3*fu3_x;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const ur10_real fu2_x = t5 - s3*fu3_y;
+    const ur10_real t6 = s3*fu3_x;
+    const ur10_real fu2_y = t6 + c3*fu3_y;
+    const ur10_real t7 = s3*nu3_y_3;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const ur10_real nu2_x_2 = c3*nu3_x_3 - t7 + 0.1719*fu2_y;
+    const ur10_real t8 = c3*nu3_y_3;
+    const ur10_real nu2_y_3 = s3*nu3_x_3 + t8 - 0.1719*fu2_x;
+    const ur10_real nu2_z = nu3_z + 0.612*fu2_y;
+    /* link 1: force for a unit acceleration of a joint further out */
+    const ur10_real fu1_x = s2*fu2_y - c2*fu2_x;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z_3 = 0.220941*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3);
+    const ur10_real t9 = c4*c4;
+    const ur10_real t10 = t1 + t3 - 0.0018955668934;
+    const ur10_real t11 = c4*s4;
+    const ur10_real t12 = t9*t10 - nu4_x*(2.0*t11);
+    const ur10_real t13 = k4_xx - t12;
+    const ur10_real t14 = k4_zz - t13;
+    /* link 3: second moment of the composite body [kg m^2] */
+    const ur10_real k3_zz = t13 + t14;
+    const ur10_real k3_xy = t10*t11 + nu4_x*(2.0*t9 - 1.0) + 0.01337545222*c4;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const ur10_real h3_x = fu3_y + 3.4664211;
+    const ur10_real t15 = 0.02675090444*s4 - (k4_yy + t12);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const ur10_real k3_xx = 1.7725776490519998 - t15;
+    const ur10_real t16 = k4_zz - t14;
+    const ur10_real k3_yy = t16 + 0.0054421875;
+    const ur10_real k3_xz = 0.14216721774 - nu3_x_3;
+    /* link 3: mass matrix, its row of this joint */
+    const ur10_real m3_3 = t16 - t15 + 1.7780198365519997;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const ur10_real fu2_x_2 = t5 - s3*h3_x;
+    const ur10_real fu2_y_2 = t6 + c3*h3_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const ur10_real neg_nu2_x_2 = t7 + c3*k3_xz - 0.1719*fu2_y_2;
+    const ur10_real nu2_y_4 = t8 - s3*k3_xz - 0.1719*fu2_x_2;
+    const ur10_real nu2_z_2 = m3_3 + 0.612*fu2_y_2;
+    const ur10_real t17 = c2*fu2_x_2;
+    /* link 1: force for a unit acceleration of a joint further out */
+    const ur10_real fu1_x_2 = s2*fu2_y_2 - t17;
+    const ur10_real t18 = c2*nu2_y_4;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z_4 = s2*neg_nu2_x_2 - t18 + 0.220941*fu1_x_2;
+    const ur10_real t19 = c3*c3;
+    const ur10_real t20 = t16 + t15 - 1.7671354615519999;
+    const ur10_real t21 = c3*s3;
+    const ur10_real t22 = t19*t20 + k3_xy*(2.0*t21);
+    const ur10_real t23 = k3_xx + t22;
+    const ur10_real t24 = k3_zz - t23;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const ur10_real k2_zz = t23 + t24;
+    const ur10_real k2_xy = -0.612*fu2_x_2 - (t20*t21 + k3_xy*(1.0 - 2.0*t19));
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const ur10_real h2_x = fu2_y_2 + 8.847684;
+    const ur10_real t25 = k3_zz - t24;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const ur10_real k2_yy = t25 + 0.0181828125;
+    const ur10_real k2_xz = neg_nu2_x_2 - 0.688751532;
+    const ur10_real t26 = k3_yy - t22 + 1.224*fu2_y_2;
+    /* link 2: mass matrix, its row of this joint */
+    const ur10_real m2_2 = t25 + t26 + 4.625822931798;
+    /* link 1: force for a unit acceleration of a joint further out */
+    const ur10_real fu1_x_3 = s2*h2_x - t17;
+    /* link 1: moment for a unit acceleration of a joint further out */
+    const ur10_real nu1_z_5 = 0.220941*fu1_x_3 - (t18 - s2*k2_xz);
+    const ur10_real t27 = k2_zz + (k2_yy - (c2*c2*(t25 - t26 - 4.589457306798) +
+        k2_xy*(2.0*(c2*s2))));
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real m1_1 = t27 + 0.751562446711482;
+    /* link 1: products of the angular velocity [1/s^2] */
+    const ur10_real ww1_zz = qd[0]*qd[0];
+    const ur10_real t28 = -qd[0];
+    /* link 2: angular velocity [rad/s] */
+    const ur10_real w2_x = t28*s2;
+    const ur10_real w2_y = t28*c2;
+    /* link 2: angular acceleration [rad/s^2] */
+    const ur10_real alpha2_x = qd[1]*w2_y;
+    const ur10_real alpha2_y = -qd[1]*w2_x;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const ur10_real ww2_xy = w2_x*w2_y;
+    const ur10_real ww2_xx = w2_x*w2_x;
+    const ur10_real ww2_yy = w2_y*w2_y;
+    const ur10_real ww2_zz = qd[1]*qd[1];
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam2_11 = ww2_yy + ww2_zz;
+    const ur10_real neg_lam2_33 = ww2_xx + ww2_yy;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a2_z = -0.220941*ww1_zz;
+    const ur10_real a2_x = -9.81*s2;
+    const ur10_real a2_y = -9.81*c2;
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_x = c3*w2_x + s3*w2_y;
+    const ur10_real w3_y = c3*w2_y - s3*w2_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const ur10_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
+    const ur10_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_z = qd[1] + qd[2];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const ur10_real ww3_yz = w3_y*w3_z;
+    const ur10_real ww3_zx = w3_x*w3_z;
+    const ur10_real ww3_xy = w3_x*w3_y;
+    const ur10_real ww3_xx = w3_x*w3_x;
+    const ur10_real ww3_yy = w3_y*w3_y;
+    const ur10_real ww3_zz = w3_z*w3_z;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
+    const ur10_real lam3_13 = alpha3_y + ww3_zx;
+    const ur10_real lam3_23 = ww3_yz - alpha3_x;
+    const ur10_real lam3_31 = ww3_zx - alpha3_y;
+    const ur10_real lam3_32 = alpha3_x + ww3_yz;
+    const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_z = a2_z - (1.224*alpha2_y - 0.1719*neg_lam2_33);
+    const ur10_real t29 = 0.612*neg_lam2_11 - a2_x;
+    const ur10_real t30 = -0.612*ww2_xy - a2_y;
+    const ur10_real neg_a3_x = c3*t29 + s3*t30;
+    const ur10_real a3_y = s3*t29 - c3*t30;
+    const ur10_real t31 = -c4;
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_x = t31*w3_x - s4*w3_y;
+    const ur10_real w4_y = s4*w3_x - c4*w3_y;
+    /* link 4: angular acceleration [rad/s^2] */
+    const ur10_real alpha4_x = t31*alpha3_x - s4*alpha3_y + qd[3]*w4_y;
+    const ur10_real alpha4_y = s4*alpha3_x - c4*alpha3_y - qd[3]*w4_x;
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_z = qd[3] + w3_z;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const ur10_real ww4_yz = w4_y*w4_z;
+    const ur10_real ww4_zx = w4_x*w4_z;
+    const ur10_real ww4_xy = w4_x*w4_y;
+    const ur10_real ww4_xx = w4_x*w4_x;
+    const ur10_real ww4_zz = w4_z*w4_z;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
+    const ur10_real lam4_31 = ww4_zx - alpha4_y;
+    const ur10_real lam4_32 = alpha4_x + ww4_yz;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_z = a3_z - (0.1149*neg_lam3_33 - 0.5723*lam3_31);
+    const ur10_real a4_x = c4*(neg_a3_x + (0.5723*neg_lam3_11 - 0.1149*lam3_13)) - s4*(a3_y -
+        (-0.5723*ww3_xy - 0.1149*lam3_23));
+    /* link 5: angular velocity [rad/s] */
+    const ur10_real w5_x = -(c5*w4_x) - s5*w4_z;
+    const ur10_real w5_y = s5*w4_x - c5*w4_z;
+    /* link 5: angular acceleration [rad/s^2] */
+    const ur10_real alpha5_x = qd[4]*w5_y - c5*alpha4_x;
+    const ur10_real alpha5_y = s5*alpha4_x - qd[4]*w5_x;
+    /* link 5: angular velocity [rad/s] */
+    const ur10_real w5_z = qd[4] - w4_y;
+    /* link 5: products of the angular velocity [1/s^2] */
+    const ur10_real ww5_yz = w5_y*w5_z;
+    const ur10_real ww5_zx = w5_x*w5_z;
+    const ur10_real ww5_xy = w5_x*w5_y;
+    /* link 6: angular velocity [rad/s] */
+    const ur10_real w6_x = c6*w5_x + s6*w5_z;
+    const ur10_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: angular acceleration [rad/s^2] */
+    const ur10_real alpha6_x = qd[5]*w6_y - (s6*alpha4_y - c6*alpha5_x);
+    /* link 6: angular velocity [rad/s] */
+    const ur10_real w6_z = qd[5] - w5_y;
+    /* link 6: products of the angular velocity [1/s^2] */
+    const ur10_real ww6_yz = w6_y*w6_z;
+    const ur10_real ww6_zx = w6_x*w6_z;
+    const ur10_real ww6_xy = w6_x*w6_y;
+    /* link 2: force that moves the link [N] */
+    const ur10_real fc2_x = -8.847684*neg_lam2_11;
+    const ur10_real fc2_y = 8.847684*ww2_xy;
+    /* link 2: moment that turns the link [N m] */
+    const ur10_real nc2_x = 0.036365625*alpha2_x + 0.688751532*ww2_xy;
+    const ur10_real nc2_y = 9.215280238596*alpha2_y + 0.688751532*(neg_lam2_11 - neg_lam2_33) +
+        1.954816150644*ww1_zz;
+    const ur10_real nc2_z = 4.589457306798*ww2_xy - 86.79578004*c2;
+    /* link 3: force that moves the link [N] */
+    const ur10_real fc3_x = -3.4664211*neg_lam3_11;
+    const ur10_real fc3_y = 3.4664211*ww3_xy;
+    const ur10_real fc3_z = 3.4664211*lam3_31;
+    /* link 3: moment that turns the link [N m] */
+    const ur10_real nc3_x = 0.0054421875*lam3_32 - 0.14216721774*ww3_xy;
+    const ur10_real nc3_y = -1.7725776490519998*lam3_31 - 0.14216721774*(neg_lam3_11 - neg_lam3_33)
+        - 3.4664211*a3_z;
+    const ur10_real nc3_z = 3.4664211*a3_y - (-1.7671354615519999*ww3_xy - 0.14216721774*lam3_23);
+    /* link 4: force that moves the link [N] */
+    const ur10_real fc4_x = -0.0233714*ww4_xy;
+    const ur10_real fc4_y = 0.0233714*neg_lam4_22;
+    const ur10_real fc4_z = -0.0233714*lam4_32;
+    /* link 4: moment that turns the link [N m] */
+    const ur10_real nc4_y = -0.00275625*lam4_31;
+    const ur10_real nc4_x = 0.0101643168934*lam4_32 - 0.0233714*a4_z;
+    const ur10_real nc4_z = 0.0233714*a4_x - 0.0074080668934*ww4_xy;
+    /* link 5: moment that turns the link [N m] */
+    const ur10_real nc5_y = -0.0055125*ww5_zx;
+    const ur10_real nc5_x = 0.006080625*ww5_yz + 0.000568125*alpha5_x;
+    const ur10_real nc5_z = -0.000568125*ww5_xy - 0.006080625*alpha4_y;
+    /* link 6: moment that turns the link [N m] */
+    const ur10_real nc6_y = -0.000568125*ww6_zx;
+    const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
+    const ur10_real nc6_z = 4.1662710585e-05*ww6_xy - 0.000526462289415*alpha5_y;
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const ur10_real n5_y = nc5_y - nc6_z;
+    const ur10_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n4_x = nc4_x - (c5*n5_x - s5*n5_y);
+    const ur10_real n4_y = nc4_y - n5_z;
+    const ur10_real n4_z = nc4_z - (s5*n5_x + c5*n5_y);
+    const ur10_real t32 = s4*fc4_x + c4*fc4_y;
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const ur10_real neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.1149*t32);
+    const ur10_real t33 = c4*fc4_x - s4*fc4_y;
+    const ur10_real n3_y = nc3_y - (0.1149*t33 - 0.01337545222*lam4_32) - (s4*n4_x + c4*n4_y);
+    const ur10_real n3_z = n4_z - (0.5723*t32 - nc3_z);
+    /* link 3: force through the joint [N] */
+    const ur10_real f3_x = fc3_x - t33;
+    const ur10_real f3_y = fc3_y - t32;
+    const ur10_real f3_z = fc3_z + fc4_z;
+    const ur10_real t34 = -s3*f3_x - c3*f3_y;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const ur10_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1719*t34 - nc2_x);
+    const ur10_real t35 = s3*f3_y - c3*f3_x;
+    const ur10_real n2_y = nc2_y + (0.1719*t35 - 0.612*f3_z) - (s3*neg_n3_x - c3*n3_y);
+    const ur10_real n2_z = n3_z + (nc2_z - 0.612*t34);
+    /* link 2: force through the joint [N] */
+    const ur10_real f2_x = fc2_x - t35;
+    const ur10_real f2_y = fc2_y - t34;
+    /* link 1: force through the joint [N] */
+    const ur10_real f1_x = s2*f2_y - c2*f2_x;
+    /* link 1: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n1_z = s2*neg_n2_x - c2*n2_y + 0.220941*f1_x;
+    /* link 1: forward substitution */
+    const ur10_real y1 = tau[0] - n1_z;
+    /* factorisation M = L D L^T */
+    const ur10_real ipivot1 = 1.0 / m1_1;
+    const ur10_real l2_1 = nu1_z_5*ipivot1;
+    const ur10_real l3_1 = nu1_z_4*ipivot1;
+    const ur10_real l4_1 = nu1_z_3*ipivot1;
+    const ur10_real l5_1 = nu1_z_2*ipivot1;
+    const ur10_real l6_1 = nu1_z*ipivot1;
+    const ur10_real pivot2 = m2_2 - nu1_z_5*l2_1;
+    const ur10_real ipivot2 = 1.0 / pivot2;
+    const ur10_real ld3_2 = nu2_z_2 - nu1_z_5*l3_1;
+    const ur10_real l3_2 = ipivot2*ld3_2;
+    const ur10_real ld4_2 = nu2_z - nu1_z_5*l4_1;
+    const ur10_real l4_2 = ipivot2*ld4_2;
+    const ur10_real ld5_2 = nu4_z_2 - nu1_z_5*l5_1;
+    const ur10_real l5_2 = ipivot2*ld5_2;
+    const ur10_real ld6_2 = nu4_z - nu1_z_5*l6_1;
+    const ur10_real l6_2 = ipivot2*ld6_2;
+    const ur10_real pivot3 = m3_3 - nu1_z_4*l3_1 - ld3_2*l3_2;
+    const ur10_real ipivot3 = 1.0 / pivot3;
+    const ur10_real ld4_3 = -ld3_2*l4_2 - (nu1_z_4*l4_1 - nu3_z);
+    const ur10_real l4_3 = ipivot3*ld4_3;
+    const ur10_real ld5_3 = nu4_z_2 - nu1_z_4*l5_1 - ld3_2*l5_2;
+    const ur10_real l5_3 = ipivot3*ld5_3;
+    const ur10_real ld6_3 = nu4_z - nu1_z_4*l6_1 - ld3_2*l6_2;
+    const ur10_real l6_3 = ipivot3*ld6_3;
+    const ur10_real pivot4 = m4_4 - nu1_z_3*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
+    const ur10_real ipivot4 = 1.0 / pivot4;
+    const ur10_real ld5_4 = nu4_z_2 - nu1_z_3*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
+    const ur10_real l5_4 = ipivot4*ld5_4;
+    const ur10_real ld6_4 = nu4_z - nu1_z_3*l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
+    const ur10_real l6_4 = ipivot4*ld6_4;
+    const ur10_real pivot5 = m5_5 - nu1_z_2*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
+    const ur10_real ipivot5 = 1.0 / pivot5;
+    const ur10_real ld6_5 = -ld5_4*l6_4 - (nu1_z_2*l6_1 + ld5_2*l6_2 + ld5_3*l6_3);
+    const ur10_real l6_5 = ipivot5*ld6_5;
+    const ur10_real pivot6 = 0.000526462289415 - nu1_z*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 -
+        ld6_5*l6_5;
+    const ur10_real ipivot6 = 1.0 / pivot6;
+    /* link 2: forward substitution */
+    const ur10_real y2 = tau[1] - n2_z - y1*l2_1;
+    /* link 3: forward substitution */
+    const ur10_real y3 = tau[2] - n3_z - y1*l3_1 - l3_2*y2;
+    /* link 4: forward substitution */
+    const ur10_real y4 = tau[3] - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3;
+    /* link 5: forward substitution */
+    const ur10_real y5 = tau[4] - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4;
+    /* link 6: forward substitution */
+    const ur10_real y6 = tau[5] - nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
+    /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur10_real qdd6 = ipivot6*y6;
+    /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur10_real qdd5 = ipivot5*y5 - l6_5*qdd6;
+    /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur10_real qdd4 = -l6_4*qdd6 - (l5_4*qdd5 - ipivot4*y4);
+    /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur10_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6;
+    /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur10_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6;
+    const ur10_real t36 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4);
+    /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
+    const ur10_real qdd1 = t36 - l6_1*qdd6;
+    qdd[0] = qdd1;
+    qdd[1] = qdd2;
+    qdd[2] = qdd3;
+    qdd[3] = qdd4;
+    qdd[4] = qdd5;
+    qdd[5] = qdd6;
+}

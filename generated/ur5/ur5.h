@@ -1,0 +1,62 @@
+/*
+ * ur5: Universal Robots UR5
+ * Numbers: URDF of example-robot-data (ur_description, BSD), turned into modified DH
+ * Written by robodyn; do not edit, generate again.
+ *
+ * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
+ * Arguments, in SI units, joint 1 first:
+ *   q    joint positions [rad, prismatic m]
+ *   qd   joint velocities [rad/s, prismatic m/s]
+ *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
+ *   tau  joint torques [N m, prismatic N]
+ *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
+ *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
+ *   makes no difference is moved to its parent.
+ *
+ * Operations (every binary * is a multiplication, every binary + or - an addition):
+ *   inverse_dynamics: 169 multiplications, 132 additions = 301; 7 unary minus; 10 sine/cosine
+ *   gravity: 11 multiplications, 5 additions = 16; 1 unary minus; 6 sine/cosine
+ *   bias: 155 multiplications, 105 additions = 260; 6 unary minus; 10 sine/cosine
+ *   mass_matrix: 93 multiplications, 84 additions = 177; 2 unary minus; 10 sine/cosine
+ *   forward_dynamics: 334 multiplications, 259 additions, 6 divisions = 599; 12 unary minus; 10
+ *       sine/cosine
+ */
+#ifndef UR5_H
+#define UR5_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef double ur5_real;
+
+/* torques that give the accelerations qdd */
+void ur5_inverse_dynamics(
+    const ur5_real q[6],
+    const ur5_real qd[6],
+    const ur5_real qdd[6],
+    ur5_real tau[6]);
+
+/* torques that hold the arm at rest */
+void ur5_gravity(const ur5_real q[6], ur5_real tau[6]);
+
+/* torques at zero acceleration: Coriolis, centrifugal, gravity, friction */
+void ur5_bias(const ur5_real q[6], const ur5_real qd[6], ur5_real tau[6]);
+
+/* mass matrix, rotor inertias on its diagonal */
+void ur5_mass_matrix(const ur5_real q[6], ur5_real M[36]);
+
+/* accelerations that the torques tau give */
+void ur5_forward_dynamics(
+    const ur5_real q[6],
+    const ur5_real qd[6],
+    const ur5_real tau[6],
+    ur5_real qdd[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

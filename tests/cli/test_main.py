@@ -1,0 +1,231 @@
+"""The frame of the command line: exit codes, one line an error, lazy loading, help."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from importlib import import_module
+from pathlib import Path
+from typing import IO
+
+import click
+import pytest
+
+from robodyn.errors import CheckError, InputError, Place, ToolError
+from robodyn_cli import main as frame
+from robodyn_cli.main import COMMANDS, guard, main
+
+HEAVY = {"numpy", "sympy", "jinja2", "yaml", "cffi", "json", "scipy", "matplotlib"}
+
+
+def loaded_after(code: str) -> set[str]:
+    """The modules that a fresh interpreter has loaded once it has run `code`."""
+    script = f"import sys\n{code}\nprint(*sys.modules, file=sys.stderr)"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    return set(run.stderr.split())
+
+
+def robodyn(*arguments: str, stdout: IO[str] | int = subprocess.PIPE) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "robodyn", *arguments]
+    return subprocess.run(command, stdout=stdout, stderr=subprocess.PIPE, text=True, check=False)
+
+
+class TestGuard:
+    @pytest.mark.parametrize(
+        ("error", "code", "text"),
+        [
+            (CheckError("the budget is exceeded"), 1, "robodyn: error: the budget is exceeded\n"),
+            (
+                InputError("no mass", where=Place("arm.yaml", 3, 9), found="two\nlines", remedy="give one"),
+                2,
+                "robodyn: error: arm.yaml:3:9: no mass; found two lines; give one\n",
+            ),
+            (ToolError("no C compiler"), 3, "robodyn: error: no C compiler\n"),
+            (KeyboardInterrupt(), 130, "robodyn: interrupted\n"),
+            (click.Abort(), 130, "robodyn: interrupted\n"),
+            (click.UsageError("no such option"), 2, "Error: no such option\n"),
+            (click.exceptions.Exit(4), 4, ""),
+        ],
+        ids=lambda value: type(value).__name__ if isinstance(value, BaseException) else None,
+    )
+    def test_error_becomes_a_line_and_a_code(
+        self, error: BaseException, code: int, text: str, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        def run() -> None:
+            raise error
+
+        assert guard(run) == code
+        out, err = capsys.readouterr()
+        assert (out, err) == ("", text)
+
+    @pytest.mark.parametrize("debug", [False, True])
+    def test_unexpected_error_is_called_a_bug(
+        self, debug: bool, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        def run() -> None:
+            raise ZeroDivisionError("of all things")
+
+        monkeypatch.setenv("ROBODYN_DEBUG", "1" if debug else "")
+        assert guard(run) == 70
+        err = capsys.readouterr().err
+        expected = "robodyn: internal error: ZeroDivisionError: of all things; this is a bug in robodyn"
+        assert err.splitlines()[-1].startswith(expected)
+        assert ("Traceback" in err) is debug
+        assert (len(err.splitlines()) == 1) is not debug
+
+    def test_success(self) -> None:
+        assert guard(lambda: None) == 0
+
+
+class TestProcess:
+    @pytest.mark.parametrize("module", ["robodyn", "robodyn_cli"])
+    def test_both_modules_run(self, module: str) -> None:
+        run = subprocess.run(
+            [sys.executable, "-m", module, "--version"], capture_output=True, text=True, check=True
+        )
+        assert run.stdout.startswith("robodyn ")
+        assert run.stdout.split()[1][0].isdigit()
+        assert run.stderr == ""
+
+    @pytest.mark.parametrize("arguments", ["nonsense", "--nonsense", "robots --nonsense", "robots more"])
+    def test_wrong_usage_is_bad_input(self, arguments: str) -> None:
+        run = robodyn(*arguments.split())
+        assert run.returncode == 2
+        assert run.stdout == ""
+        assert "Error:" in run.stderr
+        assert "Traceback" not in run.stderr
+
+    def test_misspelt_command_gets_a_suggestion(self) -> None:
+        assert "did you mean 'verify'?" in robodyn("verfy").stderr
+
+    def test_closed_pipe_is_quiet(self) -> None:
+        reader, writer = os.pipe()
+        os.close(reader)
+        run = robodyn("robots", "--names", stdout=writer)
+        os.close(writer)
+        assert run.stderr == ""
+        assert run.returncode == 141
+
+    @pytest.mark.skipif(not Path("/dev/full").exists(), reason="missing: /dev/full; only Linux has it")
+    def test_full_disk_is_one_line(self) -> None:
+        with Path("/dev/full").open("w") as full:
+            run = robodyn("schema", stdout=full)
+        assert run.returncode == 2
+        assert len(run.stderr.splitlines()) == 1
+        assert "No space left" in run.stderr
+
+
+class TestLaziness:
+    def test_the_frame_imports_nothing_heavy(self) -> None:
+        assert not loaded_after("import robodyn_cli.main") & HEAVY
+
+    def test_help_imports_no_command(self) -> None:
+        loaded = loaded_after("from robodyn_cli.main import main\nassert main(['--help']) == 0")
+        assert not loaded & {module for module, _ in COMMANDS.values()}
+        assert not loaded & HEAVY
+
+    def test_a_command_imports_only_itself(self) -> None:
+        loaded = loaded_after("from robodyn_cli.main import main\nassert main(['new', '--help']) == 0")
+        assert {name for name in loaded if name.startswith("robodyn_cli.")} == {
+            "robodyn_cli.main",
+            "robodyn_cli.new",
+            "robodyn_cli.common",
+        }
+
+
+class TestHelp:
+    def test_lists_every_command(self, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main(["--help"]) == 0
+        out = capsys.readouterr().out
+        for name, (_, short) in COMMANDS.items():
+            assert name in out
+            assert short.split()[0] in out
+
+    @pytest.mark.parametrize("name", COMMANDS)
+    def test_short_help_is_the_commands_own(self, name: str) -> None:
+        module, short = COMMANDS[name]
+        assert import_module(module).command.get_short_help_str(limit=200) == short
+
+    @pytest.mark.parametrize("name", COMMANDS)
+    def test_every_command_has_help_and_json(self, name: str, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main([name, "--help"]) == 0
+        out = capsys.readouterr().out
+        assert out.startswith(f"Usage: robodyn {name} ")
+        assert "--json" in out
+
+    def test_no_command_file_is_forgotten(self) -> None:
+        folder = Path(frame.__file__).parent
+        files = {path.stem for path in folder.glob("*.py")} - {"__init__", "__main__", "main", "common"}
+        assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}
+
+
+class TestRobots:
+    def test_names(self, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main(["robots", "--names"]) == 0
+        names = capsys.readouterr().out.split()
+        assert "puma560" in names
+        assert len(set(names)) == len(names)
+        assert main(["robots", "--names", "--json"]) == 0
+        assert json.loads(capsys.readouterr().out) == names
+
+    def test_table_and_json_agree(self, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main(["robots", "--json"]) == 0
+        robots = json.loads(capsys.readouterr().out)
+        assert {robot["name"]: robot["joints"] for robot in robots}["stanford"] == "RRPRRR"
+        assert all(robot["title"] for robot in robots)
+        assert main(["robots"]) == 0
+        lines = capsys.readouterr().out.splitlines()
+        assert [line.split(maxsplit=2) for line in lines] == [
+            [robot["name"], robot["joints"], robot["title"]] for robot in robots
+        ]
+
+
+class TestSchema:
+    def test_is_a_schema_that_knows_the_keys(self, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main(["schema"]) == 0
+        out = capsys.readouterr().out
+        schema = json.loads(out)
+        assert {"name", "links", "gravity"} <= set(schema["properties"])
+        assert main(["schema", "--json"]) == 0
+        assert capsys.readouterr().out == out
+
+
+class TestNew:
+    def test_writes_a_robot_that_loads(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        from robodyn.robot import load
+
+        monkeypatch.chdir(tmp_path)
+        assert main(["new", "crane", "--joints", "3"]) == 0
+        robot = load("crane.yaml")
+        assert robot.name == "crane"
+        assert len(robot.links) == 3
+
+    def test_writes_over_nothing_unless_forced(
+        self, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        path = tmp_path / "arm.yaml"
+        path.write_text("precious")
+        assert main(["new", "arm", "-o", str(path)]) == 2
+        assert "--force" in capsys.readouterr().err
+        assert path.read_text() == "precious"
+        assert main(["new", "arm", "-o", str(path), "--force", "--json"]) == 0
+        assert json.loads(capsys.readouterr().out) == {"name": "arm", "joints": 6, "path": str(path)}
+        assert "name: arm" in path.read_text()
+
+    def test_to_stdout(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        monkeypatch.chdir(tmp_path)
+        assert main(["new", "arm", "-o", "-"]) == 0
+        assert "name: arm" in capsys.readouterr().out
+        assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize("arguments", [["no good"], ["../arm"], ["arm", "--joints", "0"]])
+    def test_refuses_bad_input(
+        self, arguments: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.chdir(tmp_path)
+        assert main(["new", *arguments]) == 2
+        assert list(tmp_path.iterdir()) == []

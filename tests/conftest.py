@@ -1,0 +1,22 @@
+"""Ends every run with the list of what was not tested because something is missing on this machine."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from robodyn_testing import PREFIX
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    reasons: Counter[str] = Counter()
+    for report in terminalreporter.getreports("skipped"):
+        if isinstance(report.longrepr, tuple):  # (file, line, "Skipped: reason")
+            reason = report.longrepr[2].removeprefix("Skipped: ")
+            if reason.startswith(PREFIX):
+                reasons[reason.removeprefix(PREFIX)] += 1
+    if reasons:
+        terminalreporter.section("NOT TESTED, for want of tools", sep="!", red=True)
+        for reason, count in sorted(reasons.items()):
+            terminalreporter.write_line(f"{count} skipped: {reason}")

@@ -1,0 +1,211 @@
+"""A robot's dynamics by MuJoCo, from an MJCF text in which every number is a double to the last digit.
+
+Q, Qd, Qdd and Tau are [N, n]; SI units. Contacts and constraints are switched off and there are no springs or
+dampers, so that ``mj_inverse`` is rigid-body inverse dynamics and nothing else; friction is added here.
+
+MuJoCo's compiler refuses links that its arithmetic could handle: without mass, without extent, or breaking
+the triangle inequality. Such a robot is *not expressible* in MJCF. By default the refused links then pass the
+compiler with a stand-in inertia, and their own numbers are written into the compiled model.
+
+Principal moments and axes are computed here: MuJoCo 3.2 diagonalises a ``fullinertia`` to six digits only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+
+import mujoco
+import numpy as np
+
+from peers.numbers import Array, armature, friction, inertia_tensor, number, placement
+from robodyn.robot.model import Link, Robot
+
+__all__ = [
+    "NotExpressible",
+    "bias",
+    "forward_dynamics",
+    "gravity",
+    "mass_matrix",
+    "mujoco_model",
+    "refusals",
+    "torques",
+]
+
+_HEAD = """\
+<mujoco model="{name}">
+  <compiler angle="radian" autolimits="false" inertiafromgeom="false" balanceinertia="false"
+            boundmass="0" boundinertia="0"/>
+  <option gravity="{gravity}" integrator="Euler">
+    <flag contact="disable" constraint="disable" equality="disable" limit="disable" frictionloss="disable"
+          actuation="disable" warmstart="disable"/>
+  </option>
+  <worldbody>
+"""
+
+_STAND_IN = (1.0, np.array([0.5, 0.1, 0.2, 0.3]), np.array([1.0, 1.1, 1.2]))
+"""Mass, quaternion and principal moments, along no axis of the link: MuJoCo must not take a short cut that
+the numbers written later do not allow."""
+
+
+class NotExpressible(ValueError):
+    """MJCF cannot state this robot; the message says which links the compiler refuses, and why."""
+
+
+def mujoco_model(robot: Robot, *, patch: bool = True) -> mujoco.MjModel:
+    """The robot as a compiled MuJoCo model.
+
+    Where the compiler refuses a link, its inertia is written into the compiled model (``patch``), or
+    :class:`NotExpressible` is raised.
+    """
+    try:
+        return mujoco.MjModel.from_xml_string(_mjcf(robot, patched=()))
+    except ValueError as error:
+        refused = refusals(robot)
+        if not refused:
+            raise
+        if not patch:
+            reasons = "; ".join(f"link {i + 1}: {reason}" for i, reason in sorted(refused.items()))
+            raise NotExpressible(f"{robot.name} is not expressible in MJCF: {reasons}") from error
+    model = mujoco.MjModel.from_xml_string(_mjcf(robot, patched=refused))
+    for i in refused:
+        _write_inertia(model, i + 1, robot.links[i])
+    mass = model.body_mass.copy()
+    for body in range(robot.n, 0, -1):
+        mass[body - 1] += mass[body]
+    model.body_subtreemass[:] = mass
+    return model
+
+
+def refusals(robot: Robot) -> dict[int, str]:
+    """Links (from 0) that MuJoCo's compiler refuses, each compiled by itself, with its words."""
+    refused = {}
+    for i, link in enumerate(robot.links):
+        alone = Robot(name="alone", links=(link,))
+        try:
+            mujoco.MjModel.from_xml_string(_mjcf(alone, patched=()))
+        except ValueError as error:
+            refused[i] = str(error).splitlines()[0].removeprefix("Error: ")
+    return refused
+
+
+def torques(model: mujoco.MjModel, robot: Robot, Q: Array, Qd: Array, Qdd: Array) -> Array:
+    """Inverse dynamics [N, n]: ``mj_inverse``, and friction."""
+    tau: list[Array] = []
+    for data in _at(model, Q, Qd):
+        data.qacc[:] = Qdd[len(tau)]
+        mujoco.mj_inverse(model, data)
+        tau.append(data.qfrc_inverse.copy())
+    return np.array(tau) + friction(robot, Qd)
+
+
+def mass_matrix(model: mujoco.MjModel, robot: Robot, Q: Array) -> Array:
+    """Mass matrix [N, n, n] by the composite rigid body algorithm, rotors on its diagonal."""
+    matrices = []
+    for data in _at(model, Q, np.zeros_like(Q)):
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        (getattr(mujoco, "mj_makeM", None) or mujoco.mj_crb)(model, data)
+        M = np.zeros((robot.n, robot.n))
+        try:
+            mujoco.mj_fullM(model, data, M)
+        except TypeError:  # before 4.0
+            mujoco.mj_fullM(model, M, data.qM)
+        matrices.append(M)
+    return np.array(matrices)
+
+
+def gravity(model: mujoco.MjModel, robot: Robot, Q: Array) -> Array:
+    """Torque that holds the robot still [N, n]."""
+    return bias(model, robot, Q, np.zeros_like(Q))
+
+
+def bias(model: mujoco.MjModel, robot: Robot, Q: Array, Qd: Array) -> Array:
+    """Torque at zero acceleration [N, n]: Coriolis, centrifugal, gravity and friction."""
+    forces = []
+    for data in _at(model, Q, Qd):
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_comVel(model, data)
+        force = np.zeros(robot.n)
+        mujoco.mj_rne(model, data, 0, force)
+        forces.append(force)
+    return np.array(forces) + friction(robot, Qd)
+
+
+def forward_dynamics(model: mujoco.MjModel, robot: Robot, Q: Array, Qd: Array, Tau: Array) -> Array:
+    """Accelerations [N, n] by ``mj_forward``; the mass matrix must not be singular."""
+    drive = Tau - friction(robot, Qd)
+    accelerations: list[Array] = []
+    for data in _at(model, Q, Qd):
+        data.qfrc_applied[:] = drive[len(accelerations)]
+        mujoco.mj_forward(model, data)
+        accelerations.append(data.qacc.copy())
+    return np.array(accelerations)
+
+
+@contextmanager
+def _no_warnings() -> Iterator[None]:
+    """Keep MuJoCo from writing MUJOCO_LOG.TXT where one runs: it warns of singular mass matrices.
+
+    ``mj_inverse`` factors the mass matrix on its way, and does not use the factors.
+    """
+    handler = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(lambda _: None)
+    try:
+        yield
+    finally:
+        mujoco.set_mju_user_warning(handler)
+
+
+def _at(model: mujoco.MjModel, Q: Array, Qd: Array) -> Iterator[mujoco.MjData]:
+    """One MjData, in each state in turn."""
+    data = mujoco.MjData(model)
+    with _no_warnings():
+        for q, qd in zip(Q, Qd, strict=True):
+            data.qpos[:], data.qvel[:] = q, qd
+            yield data
+
+
+def _text(numbers: Iterable[float]) -> str:
+    return " ".join(repr(float(x)) for x in numbers)
+
+
+def _mjcf(robot: Robot, patched: Iterable[int]) -> str:
+    """The MJCF text, with a stand-in inertia for the links ``patched`` (from 0)."""
+    stand_ins = set(patched)
+    lines = [_HEAD.format(name=robot.name, gravity=_text(float(g) for g in robot.gravity))]
+    rotors = armature(robot)
+    for i, link in enumerate(robot.links):
+        rotation, position = placement(link.joint)
+        mass, turn, moments = _STAND_IN if i in stand_ins else _principal(link)
+        kind = "hinge" if link.joint.kind == "revolute" else "slide"
+        lines.append(
+            f'<body pos="{_text(position)}" xyaxes="{_text([*rotation[:, 0], *rotation[:, 1]])}">\n'
+            f'<joint type="{kind}" axis="0 0 1" armature="{float(rotors[i])!r}"/>\n'
+            f'<inertial pos="{_text(_com(link))}" quat="{_text(turn)}" mass="{mass!r}"'
+            f' diaginertia="{_text(moments)}"/>\n'
+        )
+    return "".join(lines) + "</body>\n" * robot.n + "</worldbody>\n</mujoco>\n"
+
+
+def _com(link: Link) -> list[float]:
+    return [number(c) for c in link.com]
+
+
+def _principal(link: Link) -> tuple[float, Array, Array]:
+    """Mass, axes of inertia as a quaternion [4], and moments about them [3]."""
+    moments, axes = np.linalg.eigh(inertia_tensor(link.inertia))
+    if np.linalg.det(axes) < 0:
+        axes[:, 0] = -axes[:, 0]
+    turn = np.zeros(4)
+    mujoco.mju_mat2Quat(turn, axes.ravel())
+    return number(link.mass), turn, moments
+
+
+def _write_inertia(model: mujoco.MjModel, body: int, link: Link) -> None:
+    """Write mass, centre and inertia of ``link`` over the stand-in's in the compiled model."""
+    if model.body_simple[body] or model.body_sameframe[body]:
+        raise AssertionError(f"body {body}: MuJoCo would take a short cut past the inertia written here")
+    model.body_mass[body], model.body_iquat[body], model.body_inertia[body] = _principal(link)
+    model.body_ipos[body] = _com(link)

@@ -1,0 +1,274 @@
+"""Every key of a description, its default, and the ways in which its value may be written."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import pytest
+
+from robodyn.robot import Comparison, DoubtfulRobot, Inertia, Limits, Link, Robot, read_text
+from robodyn.robot.values import ZERO, Affine, angle, parameter
+
+EVERYTHING = """\
+name: puma560
+title: "PUMA 560: six joints"
+source: where the numbers come from
+gravity: [0, 1/2, -9.8]
+compare: {table: 2.10, row: puma_6}
+convention: mdh
+links:
+  - name: shoulder
+    joint: revolute
+    alpha: -pi/2
+    a: 17*0.0254
+    d: 0.2435
+    theta: pi
+    mass: 17.4
+    com: [0.068, 0.006, -0.016]
+    inertia: {xx: 0.13, yy: 0.524, zz: 0.539, xy: 0.01, xz: -0.02, yz: 0.03}
+    motor_inertia: 4.71
+    limits: {position: [-2.9, 2.9], velocity: 3.0, acceleration: 10.0, torque: 186.4}
+    confidence: 0.02
+    friction: {viscous: 1.2, coulomb: 3.0}
+    effects: []
+  - joint: prismatic
+    mass: m_tool
+torque_side: link
+friction_at_rest: {smooth: {velocity: 1e-2}}
+effects: []
+"""
+
+
+def _link(text: str) -> Link:
+    """The one link with the keys in ``text``, which are written in flow style."""
+    return read_text("name: arm\nlinks: [{joint: revolute, " + text + "}]").links[0]
+
+
+def test_everything_stated() -> None:
+    robot = read_text(EVERYTHING)
+    f = Fraction
+    assert robot.name == "puma560"
+    assert robot.title == "PUMA 560: six joints"
+    assert robot.source == "where the numbers come from"
+    assert robot.gravity == (0, f(1, 2), f(-98, 10))
+    assert robot.compare == Comparison("2.10", "puma_6")  # not 2.1: the text counts
+    assert robot.torque_side == "link"
+    assert robot.rest_velocity == f(1, 100)
+    assert robot.parameters == ("m_tool",)
+    shoulder, slide = robot.links
+    assert shoulder.name == "shoulder"
+    assert shoulder.mass == f(174, 10)
+    assert shoulder.com == (f(68, 1000), f(6, 1000), f(-16, 1000))
+    assert shoulder.inertia == Inertia(
+        f(13, 100), f(524, 1000), f(539, 1000), f(1, 100), f(-2, 100), f(3, 100)
+    )
+    assert shoulder.confidence == f(2, 100)
+    joint = shoulder.joint
+    assert joint.kind == "revolute"
+    assert joint.alpha.quarter == -1
+    assert joint.theta.quarter == 2
+    assert (joint.a, joint.d) == (f(4318, 10000), f(2435, 10000))
+    assert joint.motor_inertia == f(471, 100)
+    assert (joint.viscous, joint.coulomb) == (f(12, 10), f(3))
+    assert joint.limits == Limits((f(-29, 10), f(29, 10)), f(3), f(10), f(1864, 10))
+    assert slide.name == "link2"
+    assert slide.joint.kind == "prismatic"
+    assert slide.mass == parameter("m_tool")
+
+
+def test_only_name_links_and_joint_are_required() -> None:
+    robot = read_text("name: arm\nlinks:\n- joint: revolute\n- joint: prismatic\n")
+    assert robot.n == 2
+    assert [link.name for link in robot.links] == ["link1", "link2"]
+    assert robot.title == robot.source == ""
+    assert robot.gravity == (0, 0, Fraction(-981, 100))
+    assert robot.compare is None
+    assert robot.torque_side == "motor"
+    assert robot.rest_velocity is None
+    assert robot.parameters == ()
+    for link in robot.links:
+        assert link.mass == ZERO
+        assert link.com == (ZERO, ZERO, ZERO)
+        assert link.inertia == Inertia()
+        assert link.confidence == Fraction(1, 10)
+        assert link.joint.limits == Limits()
+        assert link.joint.alpha == link.joint.theta == angle(ZERO)
+        assert {link.joint.a, link.joint.d, link.joint.motor_inertia} == {ZERO}
+        assert {link.joint.viscous, link.joint.coulomb} == {ZERO}
+
+
+@pytest.mark.parametrize(
+    ("text", "velocity"),
+    [
+        ("exact", None),
+        ("smooth", Fraction(1, 1000)),
+        ("{smooth: {}}", Fraction(1, 1000)),
+        ("{smooth: {velocity: 1/50}}", Fraction(1, 50)),
+    ],
+)
+def test_friction_at_rest(text: str, velocity: Fraction | None) -> None:
+    robot = read_text(f"name: arm\nfriction_at_rest: {text}\nlinks: [{{joint: revolute}}]")
+    assert robot.rest_velocity == velocity
+
+
+def test_yaml_1_1_does_not_reinterpret_words_and_numbers() -> None:
+    robot = read_text("name: yes\ntitle: 010\nsource: null and void\nlinks: [{name: 1e3, joint: revolute}]")
+    assert robot.name == "yes"
+    assert robot.title == "010"
+    assert robot.source == "null and void"
+    assert robot.links[0].name == "1e3"
+    assert _link("mass: 1e-3").mass == Fraction(1, 1000)
+    assert _link("mass: 010").mass == 10
+    assert _link("mass: '17.4'").mass == Fraction(174, 10)
+    assert _link('mass: "2*(1 + 3)"').mass == 8
+
+
+def test_layout_is_free() -> None:
+    flow = read_text("{name: arm, links: [{joint: revolute, com: [0, 1, 2], mass: 1 +\n  2}]}")
+    block = read_text(
+        "%YAML 1.1\n---\nlinks:\n- com:\n  - 0\n  - 1\n  - 2\n"
+        "  mass: >\n    3\n  joint: revolute\nname: arm\n...\n"
+    )
+    assert flow == block
+
+
+def test_small_anchors_and_aliases_work() -> None:
+    robot = read_text(
+        "name: arm\nlinks:\n  - {joint: revolute, com: &c [0, 0, 1]}\n  - {joint: revolute, com: *c}\n"
+        "  - &l {joint: revolute, mass: &m 2}\n  - *l\n  - {joint: revolute, mass: *m}\n"
+    )
+    assert robot.links[1].com == (0, 0, 1)
+    assert [link.mass for link in robot.links] == [0, 0, 2, 2, 2]
+    assert robot.links[3].name == "link4"
+
+
+def test_free_text_is_one_line() -> None:
+    robot = read_text(
+        "name: arm\ntitle: |\n  two\n  lines  \nsource: >-\n  folded\n  text\nlinks: [{joint: revolute}]"
+    )
+    assert robot.title == "two lines"
+    assert robot.source == "folded text"
+    odd = "Größe */ /* ?\\/ \\\\ // 機械 %s {{ x }} \U0001f916"
+    assert read_text(f"name: arm\ntitle: '{odd}'\nlinks: [{{joint: revolute}}]").title == odd
+
+
+def test_angles_are_recognised_and_exact() -> None:
+    joint = _link("alpha: 90*pi/180, theta: pi/6").joint
+    assert joint.alpha.quarter == 1
+    assert (joint.alpha.cos, joint.alpha.sin) == (0, 1)
+    assert joint.theta.quarter is None
+    assert joint.theta.radians == 0.5235987755982989  # rounded once: math.pi / 6 is not
+    assert joint.theta.sin**2 + joint.theta.cos**2 == 1
+    assert abs(joint.theta.sin - Fraction(1, 2)) < Fraction(1, 10**16)
+    assert _link("alpha: 1.5707963267949").joint.alpha.quarter == 1  # within 1e-12
+    assert _link("alpha: 1.57079632").joint.alpha.quarter is None
+
+
+def test_pi_in_a_length_is_the_double() -> None:
+    assert _link("a: pi/4").joint.a == Fraction(repr(math.pi / 4))
+    assert _link("a: 2*r + pi").joint.a == Affine(Fraction(repr(math.pi)), (("r", Fraction(2)),))
+
+
+def test_names_stand_where_they_may() -> None:
+    robot = read_text(
+        "name: arm\nlinks:\n"
+        "  - joint: revolute\n    a: a1\n    d: d1\n    mass: m\n    com: [x, y, z]\n"
+        "    inertia: {xx: ixx, yy: iyy, zz: izz, xy: ixy, xz: ixz, yz: iyz}\n"
+        "    motor_inertia: im\n    friction: {viscous: fv, coulomb: fc}\n"
+        "  - {joint: prismatic, mass: m, com: [0, 0.5 - 2*x, 0]}\n"
+    )
+    assert " ".join(robot.parameters) == "a1 d1 m x y z ixx iyy izz ixy ixz iyz im fv fc"
+    assert robot.links[1].com[1] == Affine(Fraction(1, 2), (("x", Fraction(-2)),))
+
+
+def test_a_link_may_have_inertia_without_mass_and_nothing_at_all() -> None:
+    warnings: list[str] = []
+    robot = read_text(
+        "name: arm\nlinks:\n  - {joint: revolute}\n"
+        "  - {joint: revolute, mass: 0, inertia: {xx: 1, yy: 1, zz: 1}}\n",
+        warn=warnings.append,
+        strict=True,
+    )
+    assert robot.links[1].inertia.xx == 1
+    assert warnings == []
+
+
+@pytest.mark.parametrize(
+    ("keys", "reason"),
+    [
+        ("inertia: {xx: 0.066, yy: 0.0125, zz: 0.086}", "Ixx + Iyy = 0.0785 < Izz = 0.086 kg m^2; "),
+        ("inertia: {xx: 1, yy: 3, zz: 1}", "Ixx + Izz = 2 < Iyy = 3 kg m^2; "),
+        ("inertia: {xx: 3, yy: 1, zz: 1}", "Iyy + Izz = 2 < Ixx = 3 kg m^2; "),
+        ("inertia: {xx: 1, yy: 1, zz: 2.0000001}", "Ixx + Iyy = 2.0 < Izz = 2.0000001 kg m^2; "),
+        ("inertia: {xx: 1, yy: 1, zz: -0.1}", "Izz = -0.1 kg m^2 is negative; "),
+        ("inertia: {xy: 1}", "the principal moment -1 kg m^2 is negative; "),
+        ("inertia: {xx: 2, yy: 2, zz: 2, xy: 2.5}", "the principal moment -0.5 kg m^2 is negative; "),
+        ("inertia: {xx: 2, yy: 2, zz: 2, xy: 1.5}", "of the principal moments 0.5 + 2 < 3.5 kg m^2; "),
+        (
+            "inertia: {xx: 1e-9, yy: 1e-9, zz: 1e-9, yz: 9e-10}",
+            "of the principal moments 1e-10 + 1e-09 < 1.9e-09 kg m^2; ",
+        ),
+        ("inertia: {zz: 0.35}", "Ixx + Iyy = 0 < Izz = 0.35 kg m^2; "),
+        (
+            "inertia: {xx: 1e308, yy: 1e308, zz: 1.7e308, xy: 1.7e308}",
+            "the principal moment -7e+307 kg m^2 is negative; ",
+        ),
+    ],
+)
+def test_tensors_that_no_body_has_are_doubted(keys: str, reason: str) -> None:
+    text = "name: arm\nlinks:\n  - joint: revolute\n  - joint: revolute\n    " + keys
+    told: list[str] = []
+    robot = read_text(text, "arm.yaml", warn=told.append)
+    assert robot.n == 2
+    assert len(told) == 1
+    assert told[0].startswith(f"arm.yaml:5:14: link 2: inertia is not physical: {reason}"), told
+    with pytest.raises(Exception, match="link 2: inertia is not physical") as caught:
+        read_text(text, "arm.yaml", strict=True)
+    assert str(caught.value) == told[0]
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        "{xx: 1, yy: 1, zz: 2}",  # a flat body
+        "{xx: 0.1, yy: 0.2, zz: 0.3}",  # 0.1 + 0.2 is 0.3, exactly
+        "{xx: 0, yy: 1, zz: 1}",  # a thin rod
+        "{xx: 2, yy: 2, zz: 2, xy: 1, xz: 0, yz: 0}",
+        "{xx: 2/3, yy: 2/3, zz: 2/3, xy: -1/3, xz: -1/3, yz: -1/3}",  # a rod along (1, 1, 1)
+        "{xx: i_x, yy: 1, zz: 5}",  # not known now
+        "{}",
+    ],
+)
+def test_tensors_of_bodies_are_not(keys: str) -> None:
+    text = "name: arm\nlinks: [{joint: revolute}, {joint: revolute, inertia: " + keys + "}]"
+    assert read_text(text, strict=True).n == 2
+
+
+def test_izz_alone_is_enough_for_a_link_on_a_fixed_axis() -> None:
+    for convention, alpha, axis in (("mdh", "0", "zz"), ("sdh", "-pi/2", "yy"), ("mdh", "pi/3", "zz")):
+        text = f"name: arm\nconvention: {convention}\nlinks: [{{joint: revolute, alpha: {alpha}, "
+        assert read_text(text + f"inertia: {{{axis}: 0.35}}}}]", strict=True).n == 1
+    with pytest.raises(Exception, match="not physical"):
+        read_text("name: arm\nlinks: [{joint: prismatic, inertia: {zz: 0.35}}]", strict=True)
+
+
+def test_an_angle_in_degrees_is_doubted() -> None:
+    told: list[str] = []
+    read_text("name: arm\nlinks: [{joint: revolute, alpha: -90, theta: 2*pi}]", "arm.yaml", warn=told.append)
+    assert told == [
+        "arm.yaml:2:34: link 1: alpha = -90 rad is more than one turn; "
+        "angles are in rad: write -90*pi/180 if degrees are meant"
+    ]
+
+
+def test_doubts_are_python_warnings_unless_taken() -> None:
+    with pytest.warns(DoubtfulRobot, match=r"<text>:2:34: link 1: alpha = 90 rad"):
+        read_text("name: arm\nlinks: [{joint: revolute, alpha: 90}]")
+
+
+def test_a_robot_is_a_value() -> None:
+    one, two = read_text(EVERYTHING), read_text(EVERYTHING)
+    assert one == two
+    assert hash(one) == hash(two)
+    assert isinstance(one, Robot)

@@ -1,0 +1,151 @@
+"""By path or by name, what is said when neither is there, and what reading costs."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from robodyn import resources
+from robodyn.errors import InputError, ToolError
+from robodyn.robot import bundled_names, bundled_text, load, read_text
+
+ARM = "name: arm\nlinks: [{joint: revolute, mass: 1}]\n"
+
+
+@pytest.fixture(autouse=True)
+def _in_a_folder_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def test_bundled_by_name_with_and_without_suffix() -> None:
+    assert load("ur5") == load("ur5.yaml") == read_text(bundled_text("ur5"))
+    assert bundled_text("ur5") == bundled_text("ur5.yaml")
+    assert "ur5" in bundled_names()
+
+
+def test_a_path_as_text_or_as_path(tmp_path: Path) -> None:
+    file = tmp_path / "my arm.yaml"
+    file.write_text(ARM)
+    assert load(file) == load(str(file)) == load("my arm.yaml") == read_text(ARM)
+
+
+@pytest.mark.parametrize("name", ["ur5", "ur5.yaml"])
+def test_an_existing_file_wins_over_a_bundled_name(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text(ARM)
+    assert load(name).name == "arm"
+
+
+def test_a_folder_does_not_hide_a_bundled_robot(tmp_path: Path) -> None:
+    (tmp_path / "ur5").mkdir()
+    assert load("ur5").name == "ur5"
+
+
+def test_messages_call_a_bundled_robot_by_its_file() -> None:
+    told: list[str] = []
+    load("puma560", warn=told.append)
+    assert len(told) == 1
+    assert told[0].startswith("puma560.yaml:")
+    assert "link 3: inertia is not physical: Ixx + Iyy = 0.0785 < Izz = 0.086 kg m^2; " in told[0]
+    with pytest.raises(InputError, match=r"\Apuma560\.yaml:\d+:\d+: link 3"):
+        load("puma560", strict=True)
+
+
+@pytest.mark.parametrize(
+    ("spec", "message"),
+    [
+        ("", "there is neither a file nor a bundled robot of this name; expected a path, or one of iiwa, "),
+        ("pumma560", "pumma560: there is neither a file nor a bundled robot of this name"),
+        ("pumma560", "did you mean puma560"),
+        ("PUMA560", "did you mean puma560?"),
+        ("puma560.yml", "did you mean puma560?"),
+        ("no/such/panda.yaml", "did you mean panda?"),
+        ("folder", "folder: this is a folder; expected a robot description"),
+        (".", ".: this is a folder"),
+        ("arm.yaml/x", "there is neither a file"),
+        ("a\0b", "a\\x00b: there is neither a file"),
+        ("a\nb", "a\\nb: there is neither a file"),
+        ("\udcff.yaml", "\\udcff.yaml: there is neither a file"),
+        ("x" * 5000, "the file cannot be read; found file name too long"),
+        ("../robots/ur5", "did you mean ur5?"),
+    ],
+)
+def test_what_is_not_there(spec: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "arm.yaml").write_text(ARM)
+    with pytest.raises(InputError) as caught:
+        load(spec)
+    told = str(caught.value)
+    assert message in told
+    assert "\n" not in told
+    assert caught.value.exit_code == 2
+    told.encode("utf-8")
+
+
+def test_a_file_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "arm.yaml").write_text(ARM)
+
+    def refuse(*_: object) -> bytes:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr("robodyn.robot.bundled._start_of", refuse)
+    with pytest.raises(InputError, match=r"\Aarm\.yaml: the file cannot be read; found permission denied\Z"):
+        load("arm.yaml")
+
+
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="POSIX")
+def test_an_endless_file_ends() -> None:
+    with pytest.raises(InputError, match="/dev/zero: the file is too large"):
+        load("/dev/zero")
+
+
+def test_names_that_are_not_bundled() -> None:
+    for name in ("nobody", "../robots/ur5", ""):
+        with pytest.raises(InputError, match="there is neither"):
+            bundled_text(name)
+
+
+def test_data_of_a_wheel_comes_first_and_none_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = tmp_path / "site" / "packages" / "robodyn"
+    package.mkdir(parents=True)
+    monkeypatch.setattr(resources, "__file__", str(package / "resources.py"))
+    with pytest.raises(ToolError, match="the bundled robots are missing from this installation") as caught:
+        resources.data_dir("robots")
+    assert caught.value.exit_code == 3
+    checkout = tmp_path / "site" / "robots"
+    checkout.mkdir()
+    assert resources.data_dir("robots") == checkout
+    wheel = package / "_data" / "robots"
+    wheel.mkdir(parents=True)
+    assert resources.data_dir("robots") == wheel
+    with pytest.raises(ValueError, match="no data of kind"):
+        resources.data_dir("recipes")  # type: ignore[arg-type]
+
+
+def test_reading_is_quick() -> None:
+    load("ur5")
+    times = []
+    for _ in range(20):
+        started = time.process_time()
+        load("ur5")
+        times.append(time.process_time() - started)
+    assert min(times) < 0.015
+
+
+def test_reading_loads_neither_numpy_nor_sympy() -> None:
+    program = (
+        "import sys, robodyn.robot as r\n"
+        "assert 'yaml' not in sys.modules\n"
+        "r.to_yaml(r.load('ur5')); r.json_schema(); r.starter()\n"
+        "print([m for m in ('numpy', 'sympy', 'scipy', 'jinja2') if m in sys.modules])"
+    )
+    root = str(Path(resources.__file__).parents[1])
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True, env={"PYTHONPATH": root}
+    )
+    assert done.stdout == "[]\n", done.stderr

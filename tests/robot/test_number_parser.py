@@ -1,0 +1,262 @@
+"""The number parser against Fraction arithmetic, and everything that must not be a number."""
+
+from __future__ import annotations
+
+import math
+import re
+import time
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from robodyn.errors import InputError
+from robodyn.robot import numbers
+from robodyn.robot.values import PI, Affine, Value, parameter
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("0", Fraction(0)),
+        ("17.4", Fraction(174, 10)),
+        ("0.4318", Fraction(4318, 10000)),
+        ("1.", Fraction(1)),
+        (".5", Fraction(1, 2)),
+        ("+5", Fraction(5)),
+        ("-0.0934", Fraction(-934, 10000)),
+        ("1e-3", Fraction(1, 1000)),
+        ("1E3", Fraction(1000)),
+        ("2.5e+2", Fraction(250)),
+        ("1e-300", Fraction(1, 10**300)),
+        ("0e400", Fraction(0)),
+        ("010", Fraction(10)),  # no octal numbers
+        ("17*0.0254", Fraction(17 * 254, 10000)),
+        ("1/3", Fraction(1, 3)),
+        ("1/3*3", Fraction(1)),
+        ("2 - 3 - 4", Fraction(-5)),
+        ("2 - (3 - 4)", Fraction(3)),
+        ("8/4/2", Fraction(1)),
+        ("2 + 3*4", Fraction(14)),
+        ("-(2 + 3)*-4", Fraction(20)),
+        ("--5", Fraction(5)),
+        ("- + - -1", Fraction(-1)),
+        ("  ( 1 )\t", Fraction(1)),
+        ("1e300*1e300/1e300", Fraction(10**300)),  # only the result must fit
+        ("pi/pi", Fraction(1)),
+        ("0*pi", Fraction(0)),
+    ],
+)
+def test_arithmetic_is_exact(text: str, value: Fraction) -> None:
+    assert numbers.number(text) == value
+
+
+def test_pi_is_rounded_outside_of_angles_and_exact_in_them() -> None:
+    assert numbers.number("-pi/2") == Fraction(repr(-math.pi / 2))
+    read = numbers.parse("-pi/2")
+    assert read.has_pi
+    assert read.value == -PI / 2
+    assert abs(PI - Fraction("3.14159265358979323846264338327950288419716939937510")) < Fraction(1, 10**49)
+
+
+@pytest.mark.parametrize(
+    ("text", "column"),
+    [
+        ("", 0),
+        ("   ", 0),
+        ("abc", 0),
+        ("1 2", 2),
+        ("1 +", 3),
+        ("*2", 0),
+        ("(1", 2),
+        ("1)", 1),
+        ("()", 1),
+        ("2**3", 2),
+        ("2^3", 1),
+        ("sin(1)", 0),
+        ("pi(2)", 0),
+        ("2(3)", 1),
+        ("2pi", 1),
+        ("2 pi", 2),
+        ("Pi", 0),
+        ("PI/2", 0),
+        ("1,5", 1),
+        ("1_000", 1),
+        ("0x1F", 1),
+        ("0b101", 1),
+        ("1.2.3", 3),
+        ("1e", 1),
+        ("1e+", 1),
+        ("30 deg", 3),
+        ("30°", 2),
+        ("π/2", 0),
+        ("−1", 0),
+        ("5 kg", 2),
+        ("'5'", 0),
+        ("5#", 1),
+        ("1;2", 1),
+        ("1 if 1 else 2", 2),
+        ("__import__('os')", 0),
+        ("os.system", 0),
+        ("1 + os.system", 4),
+        ("lambda: 0", 0),
+        ("[1]", 0),
+        ("1:30", 1),
+        ("1/0", 2),
+        ("1/(2-2)", 2),
+        ("1/0.0e5", 2),
+        ("1e999999999", 0),
+        ("3 + 1e-999999999", 4),
+        ("1e309", 0),
+        ("-1e200*1e200", 0),
+        ("1e-324/3", 0),
+        ("1e-200*1e-200", 0),
+        ("nan", 0),
+        ("NaN", 0),
+        (".nan", 0),
+        ("-.inf", 0),
+        ("inf", 0),
+        ("+Infinity", 0),
+        ("٣", 0),  # an Arabic digit
+        ("１", 0),  # a full-width digit
+        ("(" * 31 + "1" + ")" * 31, 30),
+        ("-" * 300 + "1", 0),
+        ("1" * 201, 0),
+        ("1\x00", 1),
+        ("'" * 40, 0),
+    ],
+)
+def test_anything_else_is_refused_at_its_column(text: str, column: int) -> None:
+    started = time.process_time()
+    with pytest.raises(numbers.NumberError) as caught:
+        numbers.parse(text)
+    assert caught.value.position == column
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 400
+    assert time.process_time() - started < 0.2
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("2**3", "powers are not supported"),
+        ("2^3", "powers are not supported"),
+        ("1,5", "decimal point"),
+        ("30 deg", "30*pi/180"),
+        ("30deg", "30*pi/180"),
+        ("30°", "30*pi/180"),
+        ("−1", "hyphen"),
+        ("π", "write pi"),
+        ("PI", "write pi"),
+        ("5 kg", "units are not written"),
+        ("2pi", "needs its *"),
+        ("sqrt(2)", "functions are not supported"),
+        ("1e999999999", "exponent is out of range"),
+        (".inf", "not a finite number"),
+        ("1e309", "too large for a double"),
+        ("1e-200*1e-200", "too small for a double"),
+        ("1/0", "division by zero"),
+        ("(1+2", "a closing ')' is missing"),
+    ],
+)
+def test_the_message_says_what_to_do(text: str, hint: str) -> None:
+    with pytest.raises(InputError, match=re.escape(hint)):
+        numbers.parse(text)
+
+
+def test_names_where_they_are_allowed() -> None:
+    assert numbers.parse("m_tool", names=True).value == parameter("m_tool")
+    assert numbers.parse("-m_tool", names=True).value == -parameter("m_tool")
+    assert numbers.parse("0.35 + 2*i_rotor/4 - (a - b)", names=True).value == Affine(
+        Fraction(35, 100), (("a", Fraction(-1)), ("b", Fraction(1)), ("i_rotor", Fraction(1, 2)))
+    )
+    assert numbers.parse("m - m + 1", names=True).value == 1
+    assert numbers.parse("m_tool + m2", names=True).names == (("m_tool", 0), ("m2", 9))
+
+
+@pytest.mark.parametrize(
+    ("text", "column", "word"),
+    [
+        ("m*m", 2, "a product of names"),
+        ("m*(1 + n)", 2, "a product of names"),
+        ("1/m", 2, "division by a name"),
+        ("double", 0, "keyword of C"),
+        ("restrict", 0, "keyword of C"),
+        ("class", 0, "keyword of C++"),
+        ("Subroutine", 0, "keyword of Fortran"),
+        ("lambda", 0, "keyword of Python"),
+        ("M_PI", 0, "macro"),
+        ("linux", 0, "macro"),
+        ("_m", 0, "underscore"),
+        ("__class__", 0, "underscore"),
+        ("x" * 32, 0, "31 are allowed"),
+        ("null", 0, "nor free"),
+        ("true", 0, "nor free"),
+        ("Off", 0, "nor free"),
+        ("PI", 0, "cannot stand here"),
+        ("nan", 0, "finite"),
+        ("m.real", 1, "unexpected '.'"),
+        ("m[0]", 1, "unexpected '['"),
+        ("m tool", 2, "unexpected 'tool'"),
+        ("exp(m)", 0, "functions"),
+        ("mü", 1, "unexpected"),
+    ],
+)
+def test_names_that_are_refused(text: str, column: int, word: str) -> None:
+    with pytest.raises(numbers.NumberError) as caught:
+        numbers.parse(text, names=True)
+    assert caught.value.position == column
+    assert word in str(caught.value)
+
+
+def test_names_are_refused_elsewhere() -> None:
+    with pytest.raises(numbers.NumberError, match="a name cannot stand here"):
+        numbers.parse("m_tool")
+
+
+_DECIMALS = st.decimals(min_value=-1000, max_value=1000, places=4)
+
+
+@st.composite
+def _expressions(draw: st.DrawFn, depth: int = 3) -> tuple[str, Fraction]:
+    """The text of an arithmetic expression, and its value by Fraction."""
+    if depth == 0 or draw(st.booleans()):
+        number = draw(_DECIMALS)
+        return (f"{number}" if number >= 0 else f"({number})"), Fraction(str(number))
+    left, x = draw(_expressions(depth=depth - 1))
+    right, y = draw(_expressions(depth=depth - 1))
+    sign = draw(st.sampled_from("+-*/" if y else "+-*"))
+    value = {"+": x + y, "-": x - y, "*": x * y, "/": x / y if y else x}[sign]
+    space = draw(st.sampled_from(["", " "]))
+    return f"({left}{space}{sign}{space}{right})", value
+
+
+@given(_expressions())
+def test_arithmetic_agrees_with_fractions(expression: tuple[str, Fraction]) -> None:
+    text, value = expression
+    if len(text) <= numbers.LENGTH:
+        assert numbers.number(text) == value
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_every_double_reads_back(x: float) -> None:
+    assert float(numbers.number(repr(x))) == x
+    assert numbers.shortest(x) == numbers.number(repr(x))
+
+
+@given(st.text(max_size=60) | st.text("0123456789.eE+-*/() pi_m", max_size=60))
+def test_any_text_is_a_number_or_a_number_error(text: str) -> None:
+    for names in (False, True):
+        try:
+            read = numbers.parse(text, names=names)
+        except numbers.NumberError as error:
+            position = error.position
+        else:
+            position = 0
+            assert all(math.isfinite(float(part)) for part in _parts(read.value))
+        assert 0 <= position <= len(text)
+
+
+def _parts(value: Value) -> list[Fraction]:
+    return [value] if isinstance(value, Fraction) else [value.constant, *(c for _, c in value.terms)]

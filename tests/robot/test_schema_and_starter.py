@@ -1,0 +1,131 @@
+"""The JSON Schema and the starter file: both agree with the reader."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import yaml
+
+from robodyn.errors import InputError
+from robodyn.robot import bundled_names, bundled_text, json_schema, read_text, starter
+from robodyn.robot.keys import FRICTION, INERTIA, LIMITS, LINK, ROBOT
+from robodyn_testing import require_module
+
+jsonschema = require_module("jsonschema")
+
+
+def _problems(text: str) -> list[str]:
+    validator = jsonschema.Draft202012Validator(json_schema())
+    return [error.message for error in validator.iter_errors(yaml.safe_load(text))]
+
+
+def test_the_schema_is_a_schema() -> None:
+    jsonschema.Draft202012Validator.check_schema(json_schema())
+    assert json_schema()["$schema"] == "https://json-schema.org/draft/2020-12/schema"
+
+
+@pytest.mark.parametrize("name", bundled_names())
+def test_bundled_robots_satisfy_it(name: str) -> None:
+    assert _problems(bundled_text(name)) == []
+
+
+def test_it_documents_every_key_with_its_unit() -> None:
+    schema = json_schema()
+    link = schema["properties"]["links"]["items"]["properties"]
+    for keys, properties in (
+        (ROBOT, schema["properties"]),
+        (LINK, link),
+        (INERTIA, link["inertia"]["properties"]),
+        (LIMITS, link["limits"]["properties"]),
+        (FRICTION, link["friction"]["properties"]),
+    ):
+        assert [key.name for key in keys] == list(properties)
+        for key in keys:
+            assert key.unit in properties[key.name]["description"]
+    assert schema["required"] == ["name", "links"]
+    assert schema["properties"]["links"]["items"]["required"] == ["joint"]
+
+
+LINK1 = "name: arm\nlinks:\n  - joint: revolute\n    "
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        LINK1 + "alpha: -pi/2",
+        LINK1 + "d: 17*0.0254",
+        LINK1 + "mass: m_tool",
+        LINK1 + "mass: 1e-3",
+        LINK1 + "com: [0, x, (1 + 2)*pi]",
+        LINK1 + "inertia: {xx: 1, yz: -i_yz}",
+        LINK1 + "limits: {position: [-pi, pi], velocity: 3}",
+        LINK1 + "confidence: 1",
+        LINK1 + "effects: []",
+        "name: arm\ntitle: 2.10\nlinks: [{joint: prismatic}]\nfriction_at_rest: exact",
+        "name: arm\nlinks: [{joint: prismatic}]\nfriction_at_rest: {smooth: {velocity: 1e-3}}",
+        "name: arm\nlinks: [{joint: prismatic}]\nconvention: sdh\ntorque_side: link",
+        "name: arm\ncompare: {table: 2.10, row: puma_6}\nlinks: [{joint: prismatic}]",
+    ],
+)
+def test_what_the_reader_takes_the_schema_takes(text: str) -> None:
+    read_text(text)
+    assert _problems(text) == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "name: arm",
+        "links: [{joint: revolute}]",
+        "name: arm\nlinks: []",
+        "name: 5arm\nlinks: [{joint: revolute}]",
+        "name: arm\nlinks: [{joint: fixed}]",
+        "name: arm\nlinks: [{}]",
+        LINK1 + "mass: -1",
+        LINK1 + "masss: 1",
+        LINK1 + "alpha: twist",
+        LINK1 + "mass: 2**3 ^ 1",
+        LINK1 + "mass: __import__('os')",
+        LINK1 + "com: [1, 2]",
+        LINK1 + "inertia: [1, 2, 3]",
+        LINK1 + "confidence: 2",
+        LINK1 + "limits: {velocity: 0}",
+        LINK1 + "effects: [{effect: spring}]",
+        "name: arm\ngravity: [0, 0, g]\nlinks: [{joint: revolute}]",
+        "name: arm\nlinks: [{joint: revolute}]\ntorque_side: gear",
+        "name: arm\nlinks: [{joint: revolute}]\nfriction_at_rest: {sharp: 1}",
+    ],
+)
+def test_what_the_schema_refuses_the_reader_refuses(text: str) -> None:
+    assert _problems(text) != []
+    with pytest.raises(InputError):
+        read_text(text)
+
+
+@pytest.mark.parametrize("joints", [1, 2, 3, 7, 100])
+def test_a_starter_loads_without_a_warning(joints: int) -> None:
+    text = starter("my_arm", joints)
+    robot = read_text(text, strict=True)
+    assert robot.name == "my_arm"
+    assert robot.n == joints
+    assert _problems(text) == []
+    assert text.endswith("\n")
+    assert max(map(len, text.splitlines())) <= 110
+
+
+def test_a_starter_names_every_key_of_a_link() -> None:
+    text = starter()
+    assert read_text(text).name == "my_arm"
+    for key in (*LINK, *ROBOT):
+        if key.name not in ("effects", "compare"):
+            assert f"{key.name}:" in text, key.name
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [("x; system()", 2), ("double", 2), ("math", 2), ("", 2), ("arm", 0), ("arm", 101), ("arm", -1)],
+)
+def test_a_starter_refuses_bad_arguments(arguments: tuple[Any, ...]) -> None:
+    with pytest.raises(InputError):
+        starter(*arguments)

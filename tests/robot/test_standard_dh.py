@@ -1,0 +1,227 @@
+"""Standard DH rows against an independent Newton-Euler in standard frames, and the same arm converted."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError
+from robodyn.robot import Robot, read_text
+from robodyn.robot.values import Affine
+
+Array = NDArray[np.float64]
+
+
+class Row(NamedTuple):
+    """One standard row: joint, a, alpha, d, theta, mass, centre, inertia (xx yy zz xy xz yz)."""
+
+    joint: str
+    a: float
+    alpha: str
+    d: float
+    theta: str
+    mass: float
+    com: tuple[float, float, float]
+    inertia: tuple[float, float, float, float, float, float]
+
+
+ANGLES = {"0": 0.0, "pi/2": np.pi / 2, "-pi/2": -np.pi / 2, "pi": np.pi, "0.3": 0.3, "-pi/5": -np.pi / 5}
+
+
+def _random_rows(seed: int, n: int) -> list[Row]:
+    random = np.random.default_rng(seed)
+    rows = []
+    for _ in range(n):
+        points = random.normal(size=(5, 3)) * 0.2  # a body of point masses has a physical tensor
+        t = np.einsum("pi,pi,jk->jk", points, points, np.eye(3)) - points.T @ points
+        t = np.round(t, 6)
+        rows.append(
+            Row(
+                str(random.choice(["revolute", "revolute", "prismatic"])),
+                float(np.round(random.normal() * random.integers(0, 2), 3)),
+                str(random.choice(list(ANGLES))),
+                float(np.round(random.normal(), 3)),
+                str(random.choice(list(ANGLES))),
+                float(np.round(random.uniform(0.1, 5), 3)),
+                tuple(np.round(random.normal(size=3), 3)),
+                (t[0, 0], t[1, 1], t[2, 2], t[0, 1], t[0, 2], t[1, 2]),
+            )
+        )
+    return rows
+
+
+def _yaml(rows: list[Row]) -> str:
+    axes = ("xx", "yy", "zz", "xy", "xz", "yz")
+    text = "name: arm\nconvention: sdh\ngravity: [0.3, -0.2, -9.8]\nlinks:\n"
+    for row in rows:
+        inertia = ", ".join(f"{k}: {v!r}" for k, v in zip(axes, map(float, row.inertia), strict=True))
+        text += (
+            f"  - {{joint: {row.joint}, a: {row.a!r}, alpha: {row.alpha}, d: {row.d!r}, theta: {row.theta}, "
+            f"mass: {row.mass!r}, com: {[float(x) for x in row.com]}, inertia: {{{inertia}}}}}\n"
+        )
+    return text
+
+
+def _rotation(axis: str, angle: float) -> Array:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[1, 0, 0], [0, c, -s], [0, s, c]] if axis == "x" else [[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def _tensor(entries: tuple[float, ...]) -> Array:
+    xx, yy, zz, xy, xz, yz = entries
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def _standard_torques(rows: list[Row], gravity: Array, q: Array, qd: Array, qdd: Array) -> Array:
+    """Newton-Euler with standard DH frames (Luh, Walker, Paul 1980): frame i at the far end of link i."""
+    n = len(rows)
+    z = np.array([0.0, 0.0, 1.0])
+    w, wd, vd = np.zeros(3), np.zeros(3), -gravity
+    turns, offsets, forces, moments = [], [], [], []
+    for row, x, xd, xdd in zip(rows, q, qd, qdd, strict=True):
+        revolute = row.joint == "revolute"
+        theta = ANGLES[row.theta] + (x if revolute else 0.0)
+        d = row.d + (0.0 if revolute else x)
+        turn = _rotation("z", theta) @ _rotation("x", ANGLES[row.alpha])  # from frame i to frame i-1
+        p = turn.T @ (_rotation("z", theta) @ np.array([row.a, 0, 0]) + np.array([0, 0, d]))  # in frame i
+        axis = turn.T @ z  # of joint i, in frame i
+        w_before, wd_before = turn.T @ w, turn.T @ wd
+        if revolute:
+            w = w_before + axis * xd
+            wd = wd_before + np.cross(w_before, axis * xd) + axis * xdd
+            extra = np.zeros(3)
+        else:
+            w, wd = w_before, wd_before
+            extra = 2 * np.cross(w, axis * xd) + axis * xdd
+        vd = turn.T @ vd + np.cross(wd, p) + np.cross(w, np.cross(w, p)) + extra
+        c, tensor = np.array(row.com), _tensor(row.inertia)
+        forces.append(row.mass * (vd + np.cross(wd, c) + np.cross(w, np.cross(w, c))))
+        moments.append(tensor @ wd + np.cross(w, tensor @ w))
+        turns.append(turn)
+        offsets.append(p)
+    tau = np.zeros(n)
+    f, m = np.zeros(3), np.zeros(3)  # of the link above on this one, in frame i, at the origin of frame i
+    for i in reversed(range(n)):
+        c = np.array(rows[i].com)
+        m = m + np.cross(offsets[i], f) + np.cross(offsets[i] + c, forces[i]) + moments[i]
+        f = f + forces[i]
+        axis = turns[i].T @ z
+        tau[i] = axis @ (m if rows[i].joint == "revolute" else f)
+        f, m = turns[i] @ f, turns[i] @ m
+    return tau
+
+
+def _modified_torques(robot: Robot, q: Array, qd: Array, qdd: Array) -> Array:
+    """Newton-Euler with modified DH frames (Craig, section 6.5)."""
+    n = robot.n
+    z = np.array([0.0, 0.0, 1.0])
+    w, wd, vd = np.zeros(3), np.zeros(3), -np.array([float(g) for g in robot.gravity])
+    turns, offsets, forces, moments = [], [], [], []
+    for link, x, xd, xdd in zip(robot.links, q, qd, qdd, strict=True):
+        joint = link.joint
+        revolute = joint.kind == "revolute"
+        theta = joint.theta.radians + (x if revolute else 0.0)
+        d = _float(joint.d) + (0.0 if revolute else x)
+        tilt = _rotation("x", joint.alpha.radians)
+        p = np.array([_float(joint.a), 0, 0]) + tilt @ np.array([0, 0, d])  # in frame i-1
+        turn = tilt @ _rotation("z", theta)
+        w_before, wd_before = turn.T @ w, turn.T @ wd
+        vd = turn.T @ (vd + np.cross(wd, p) + np.cross(w, np.cross(w, p)))
+        if revolute:
+            w = w_before + z * xd
+            wd = wd_before + np.cross(w_before, z * xd) + z * xdd
+        else:
+            w, wd = w_before, wd_before
+            vd = vd + 2 * np.cross(w, z * xd) + z * xdd
+        c = np.array([_float(x) for x in link.com])
+        i = link.inertia
+        tensor = _tensor(tuple(_float(x) for x in (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz)))
+        mass = _float(link.mass)
+        force = mass * (vd + np.cross(wd, c) + np.cross(w, np.cross(w, c)))
+        forces.append(force)
+        moments.append(tensor @ wd + np.cross(w, tensor @ w) + np.cross(c, force))
+        turns.append(turn)
+        offsets.append(p)
+    tau = np.zeros(n)
+    f, m = np.zeros(3), np.zeros(3)
+    for k in reversed(range(n)):
+        f, m = f + forces[k], m + moments[k]
+        tau[k] = m[2] if robot.links[k].joint.kind == "revolute" else f[2]
+        f = turns[k] @ f
+        m = turns[k] @ m + np.cross(offsets[k], f)
+    return tau
+
+
+def _float(value: Fraction | Affine) -> float:
+    assert isinstance(value, Fraction)
+    return float(value)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_converted_arm_has_the_same_torques(seed: int) -> None:
+    rows = _random_rows(seed, 1 + seed % 7)
+    robot = read_text(_yaml(rows), strict=True)
+    random = np.random.default_rng(seed + 1000)
+    for _ in range(20):
+        q, qd, qdd = (random.uniform(-2, 2, len(rows)) for _ in range(3))
+        expected = _standard_torques(rows, np.array([0.3, -0.2, -9.8]), q, qd, qdd)
+        np.testing.assert_allclose(_modified_torques(robot, q, qd, qdd), expected, rtol=1e-11, atol=1e-10)
+
+
+def test_rows_move_up_by_one() -> None:
+    robot = read_text(
+        "name: arm\nconvention: sdh\nlinks:\n"
+        "  - {joint: revolute, alpha: pi/2, a: 0.1, d: 0.5, mass: 1, com: [0, 0, 0.2]}\n"
+        "  - {joint: prismatic, alpha: -pi/2, a: 0.3, d: 0.7, theta: pi}\n"
+    )
+    first, second = robot.links
+    assert (first.joint.a, first.joint.d, first.joint.alpha.quarter) == (0, Fraction(1, 2), 0)
+    assert (second.joint.a, second.joint.d) == (Fraction(1, 10), Fraction(7, 10))
+    assert (second.joint.alpha.quarter, second.joint.theta.quarter) == (1, 2)
+    assert first.com == (Fraction(1, 10), Fraction(-2, 10), 0)
+    assert second.com == (0, 0, 0)  # no mass, no centre
+
+
+def test_names_go_through() -> None:
+    robot = read_text(
+        "name: arm\nconvention: sdh\nlinks:\n"
+        "  - {joint: revolute, alpha: pi/2, a: reach, mass: m, com: [x, y, z], inertia: {yy: j}}\n"
+        "  - {joint: revolute, alpha: 0.3, mass: 1, com: [0, y, 1]}\n"
+    )
+    first, second = robot.links
+    one = Fraction(1)
+    assert second.joint.a == Affine(Fraction(0), (("reach", one),))
+    assert first.com == (
+        Affine(Fraction(0), (("reach", one), ("x", one))),
+        Affine(Fraction(0), (("z", -one),)),
+        Affine(Fraction(0), (("y", one),)),
+    )
+    assert first.inertia.zz == Affine(Fraction(0), (("j", one),))
+    assert first.inertia.yy == 0
+    assert second.com[1] == Affine(
+        Fraction(repr(-np.sin(0.3).item())), (("y", Fraction(repr(np.cos(0.3).item()))),)
+    )
+    assert robot.parameters == ("m", "reach", "x", "z", "y", "j")
+
+
+def test_right_angles_stay_exact_and_others_are_doubles() -> None:
+    robot = read_text(
+        "name: arm\nconvention: sdh\nlinks:\n"
+        "  - {joint: revolute, alpha: pi/2, a: 1/3, mass: 1, com: [1/3, 1/7, 0]}\n"
+        "  - {joint: revolute, alpha: pi/3, a: 0.1, mass: 1, com: [1/3, 0.1, 0]}\n"
+    )
+    assert robot.links[0].com == (Fraction(2, 3), 0, Fraction(1, 7))
+    assert robot.links[1].com[2] == Fraction(repr(float(np.sin(np.pi / 3) * 0.1)))
+
+
+def test_numbers_beyond_double_are_refused() -> None:
+    with pytest.raises(InputError, match=r"arm\.yaml:3:8: the links' numbers are too large to be converted"):
+        read_text(
+            "name: arm\nconvention: sdh\n"
+            "links: [{joint: revolute, alpha: pi/4, mass: 1, com: [0, 1.7e308, -1.7e308]}]",
+            "arm.yaml",
+        )

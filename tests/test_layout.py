@@ -1,0 +1,63 @@
+"""The rooms of the library: each imports only rooms above it in the list; sympy and its like come late."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1] / "codegen"
+ROOMS = """
+    errors resources units ir robot effects dynamics passes counts schedule emit generate build verify simulate
+    diagnose report
+""".split()  # noqa: SIM905 (it reads as the list that it is)
+LATE = {"sympy", "numpy", "scipy", "matplotlib"}
+LEAN = {"ir", "robot", "dynamics", "passes", "counts", "emit"}
+FACADE = {"__init__", "__main__"}
+FILES = sorted(path.relative_to(ROOT) for path in ROOT.rglob("*.py"))
+
+
+def room_of(file: Path) -> str:
+    """The room that a file of the library is in; a file beside the rooms is one itself."""
+    return file.with_suffix("").parts[1]
+
+
+def imported(statement: ast.AST, file: Path) -> Iterator[str]:
+    """The modules that an import statement may load, by absolute names."""
+    if isinstance(statement, ast.Import):
+        yield from (alias.name for alias in statement.names)
+    elif isinstance(statement, ast.ImportFrom):
+        base = file.parts[: len(file.parts) - statement.level] if statement.level else ()
+        module = ".".join([*base, *([statement.module] if statement.module else [])])
+        yield from (f"{module}.{alias.name}" for alias in statement.names)
+
+
+def at_module_level(node: ast.AST) -> Iterator[ast.AST]:
+    """What runs when the module is imported: no bodies of functions, nothing only for type checkers."""
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.If) and ast.unparse(child.test).endswith("TYPE_CHECKING"):
+            continue
+        if not isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
+            yield child
+            yield from at_module_level(child)
+
+
+@pytest.mark.parametrize("file", FILES, ids=str)
+def test_imports_only_rooms_above(file: Path) -> None:
+    tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
+    room = room_of(file)
+    if room not in FACADE:
+        assert room in ROOMS, f"{file}: {room} is not in the list of rooms (docs/decisions, this test)"
+        names = {name for statement in ast.walk(tree) for name in imported(statement, file)}
+        for parts in (name.split(".") for name in sorted(names)):
+            assert parts[0] != "robodyn_cli", f"{file} imports the command line"
+            if parts[0] == "robodyn":
+                above = ROOMS[: ROOMS.index(room) + 1]
+                assert "".join(parts[1:2]) in above, f"{room} imports {'.'.join(parts)}, not above it"
+    early = {name for statement in at_module_level(tree) for name in imported(statement, file)}
+    packages = {name.partition(".")[0] for name in early}
+    assert "robodyn_cli" not in packages
+    if room in LEAN | FACADE:
+        assert not packages & LATE, "import it in the function that needs it"
