@@ -71,9 +71,12 @@ def command(
         talk(f"robodyn: note: {described.name} has no {function}: a joint moves without inertia")
     files = made.files(languages)
     if latex:
+        from robodyn.dynamics.functions import Choice
         from robodyn.dynamics.through_sympy import symbolic
 
-        files[f"{described.name}.tex"] = symbolic(described, formulation=formulation).latex()
+        files[f"{described.name}.tex"] = symbolic(
+            described, choice=Choice(formulation, regroup=False)
+        ).latex()
     folder = Path(output) if output is not None else Path("generated") / described.name
     if check:
         different = compare_files(folder, files)

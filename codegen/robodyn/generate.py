@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from robodyn.counts import Count, count
-from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS, Choice, build, signature
+from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS, Choice, build, has_chains, signature
 from robodyn.emit import Unit, render
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
@@ -59,10 +59,12 @@ class Options:
         _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)
         _one_of("engine", self.engine, ENGINES)
 
-    @property
-    def choice(self) -> Choice:
-        """How the recursion is written."""
-        return Choice(formulation=self.formulation, regroup=self.regroup and self.optimize != "none")
+    def choices(self) -> tuple[Choice, ...]:
+        """The ways of writing the recursion that come into question; ``fast`` takes the cheapest."""
+        as_in_the_book = Choice(self.formulation, regroup=False, chains=False)
+        if self.formulation != "modified_newton_euler" or self.optimize == "none" or not self.regroup:
+            return (as_in_the_book,)
+        return (Choice(), Choice(chains=False), as_in_the_book)
 
 
 def _check_functions(functions: tuple[str, ...]) -> None:
@@ -115,34 +117,53 @@ class SingularArm(InputError):
     """The mass matrix cannot be inverted in any pose: some joint moves without inertia."""
 
 
-def program(robot: Robot, function: str, options: Options | None = None) -> Program:
-    """The optimised program of one function of ``robot``.
+class Drafts:
+    """The programs of a robot before the passes, written in the way that takes the fewest operations in
+    the inverse dynamics."""
+
+    def __init__(self, robot: Robot, options: Options) -> None:
+        self.robot, self.options = robot, options
+        choices = options.choices()
+        if not has_chains(robot):
+            choices = tuple(choice for choice in choices if not choice.chains) or choices
+        tried = {c: build(robot, "inverse_dynamics", c) for c in choices} if len(choices) > 1 else {}
+        self.choice = min(choices, key=lambda c: count(tried[c]).total) if tried else choices[0]
+        self._inverse_dynamics = tried.get(self.choice)
+
+    def draft(self, function: str) -> Program:
+        """The program of ``function``, no pass run yet."""
+        if self.options.engine == "sympy":
+            from robodyn.dynamics.through_sympy import build_through_sympy
+
+            return build_through_sympy(self.robot, function, self.choice)
+        if function == "inverse_dynamics" and self._inverse_dynamics is not None:
+            return self._inverse_dynamics
+        return build(self.robot, function, self.choice)
+
+
+def program(
+    robot: Robot, function: str, options: Options | None = None, drafts: Drafts | None = None
+) -> Program:
+    """The optimised program of one function of ``robot``; ``drafts`` saves choosing again.
 
     Raises
     ------
     SingularArm: forward dynamics of an arm in which a joint moves without inertia.
     """
     options = options or Options()
+    drafts = drafts or Drafts(robot, options)
+    if options.optimize == "none":
+        passes: Sequence[Pass] = SPELLING
+    else:
+        passes = FAST if options.engine == "sympy" else FRESH
     try:
-        return _program(robot, function, options)
+        return run(drafts.draft(function), passes)
     except ZeroDivisionError:
         raise SingularArm(
             f"{robot.name} has no forward dynamics",
             found="a joint that moves without inertia: the mass matrix is singular in every pose",
             remedy="give that joint a motor_inertia, or its link an inertia",
         ) from None
-
-
-def _program(robot: Robot, function: str, options: Options) -> Program:
-    if options.engine == "sympy":
-        from robodyn.dynamics.through_sympy import build_through_sympy
-
-        made = build_through_sympy(robot, function, options.choice)
-        passes: Sequence[Pass] = FAST if options.optimize == "fast" else SPELLING
-    else:
-        made = build(robot, function, options.choice)
-        passes = FRESH if options.optimize == "fast" else SPELLING
-    return run(made, passes)
 
 
 def generate(robot: Robot, options: Options | None = None) -> Generated:
@@ -153,10 +174,11 @@ def generate(robot: Robot, options: Options | None = None) -> Generated:
     InputError: a constant of the model does not fit the scalar type, or an option is unknown.
     """
     options = options or Options()
+    drafts = Drafts(robot, options)
     programs: dict[str, Program] = {}
     for function in options.functions or FUNCTIONS:
         try:
-            programs[function] = program(robot, function, options)
+            programs[function] = program(robot, function, options, drafts)
         except SingularArm:
             if options.functions is not None:
                 raise
@@ -171,7 +193,7 @@ def generate(robot: Robot, options: Options | None = None) -> Generated:
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),
         sc=described,
-        notes=_notes(options),
+        notes=_notes(drafts.choice),
     )
     return Generated(unit, options, {f: count(p) for f, p in programs.items()})
 
@@ -183,10 +205,10 @@ def _with_sc(interface: Signature, size: int) -> Signature:
     return dataclasses.replace(interface, inputs=inputs)
 
 
-def _notes(options: Options) -> tuple[str, ...]:
+def _notes(choice: Choice) -> tuple[str, ...]:
     names = {"modified_newton_euler": "modified Newton-Euler (lambda matrix)", "newton_euler": "Newton-Euler"}
-    method = f"Formulation: {names[options.formulation]} in modified Denavit-Hartenberg frames"
-    if options.formulation == "modified_newton_euler" and options.choice.regroup:
+    method = f"Formulation: {names[choice.formulation]} in modified Denavit-Hartenberg frames"
+    if choice.regroup:
         method += (
             ", on base parameters: fc and nc act at and about the frame's origin, and what of a link's mass "
             "makes no difference is moved to its parent"

@@ -17,8 +17,8 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 296 multiplications, 281 additions = 577; 8 unary minus; 12 sine/cosine
- *   gravity: 64 multiplications, 38 additions = 102; 4 unary minus; 12 sine/cosine
+ *   inverse_dynamics: 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine
+ *   gravity: 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
  *   bias: 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
  *   mass_matrix: 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
  *   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12
@@ -29,7 +29,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 296 multiplications, 281 additions = 577; 8 unary minus; 12 sine/cosine */
+ * 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine */
 void iiwa_inverse_dynamics(
     const iiwa_real q[7],
     const iiwa_real qd[7],
@@ -56,6 +56,9 @@ void iiwa_inverse_dynamics(
     /* link 2: angular velocity [rad/s] */
     const iiwa_real w2_x = t1*s2;
     const iiwa_real w2_y = t1*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a2_x = -9.81*s2;
+    const iiwa_real a2_y = -9.81*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const iiwa_real ww2_yz = qd[1]*w2_y;
     const iiwa_real ww2_zx = qd[1]*w2_x;
@@ -77,12 +80,16 @@ void iiwa_inverse_dynamics(
     const iiwa_real lam2_31 = ww2_zx + neg_alpha2_y;
     const iiwa_real lam2_32 = ww2_yz + alpha2_x;
     const iiwa_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a2_x = -9.81*s2;
-    const iiwa_real a2_y = -9.81*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = c3*w2_x + qd[1]*s3;
     const iiwa_real w3_y = qd[1]*c3 - s3*w2_x;
+    const iiwa_real t2 = -0.4*lam2_32;
+    const iiwa_real t3 = 0.4*lam2_12 - a2_x;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a3_x = s3*t2 - c3*t3;
+    const iiwa_real a3_y = s3*t3 + c3*t2;
     /* link 3: angular acceleration [rad/s^2] */
     const iiwa_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - qdd[1]*s3);
     const iiwa_real alpha3_y = qdd[1]*c3 - s3*alpha2_x - qd[2]*w3_x;
@@ -106,15 +113,12 @@ void iiwa_inverse_dynamics(
     const iiwa_real neg_lam3_31 = alpha3_y - ww3_zx;
     const iiwa_real lam3_32 = alpha3_x + ww3_yz;
     const iiwa_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
-    const iiwa_real t2 = -0.4*lam2_32;
-    const iiwa_real t3 = 0.4*lam2_12 - a2_x;
-    const iiwa_real a3_x = s3*t2 - c3*t3;
-    const iiwa_real a3_y = s3*t3 + c3*t2;
     /* link 4: angular velocity [rad/s] */
     const iiwa_real w4_x = c4*w3_x + s4*w3_z;
     const iiwa_real w4_y = c4*w3_z - s4*w3_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a4_x = c4*a3_x + s4*a3_z;
+    const iiwa_real a4_y = c4*a3_z - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const iiwa_real alpha4_x = qd[3]*w4_y - (-c4*alpha3_x - s4*alpha3_z);
     const iiwa_real alpha4_y = c4*alpha3_z - s4*alpha3_x - qd[3]*w4_x;
@@ -138,13 +142,17 @@ void iiwa_inverse_dynamics(
     const iiwa_real lam4_31 = ww4_zx - alpha4_y;
     const iiwa_real lam4_32 = alpha4_x + ww4_yz;
     const iiwa_real lam4_33 = neg_ww4_xx - ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a4_x = c4*a3_x + s4*a3_z;
-    const iiwa_real a4_y = c4*a3_z - s4*a3_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = c5*w4_x - s5*w4_z;
     const iiwa_real t4 = -s5;
     const iiwa_real w5_y = t4*w4_x - c5*w4_z;
+    const iiwa_real t5 = a3_y - 0.4*lam4_32;
+    const iiwa_real t6 = -0.4*lam4_12 - a4_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a5_x = s5*t5 - c5*t6;
+    const iiwa_real a5_y = s5*t6 + c5*t5;
     /* link 5: angular acceleration [rad/s^2] */
     const iiwa_real alpha5_x = qd[4]*w5_y - (s5*alpha4_z - c5*alpha4_x);
     const iiwa_real alpha5_y = t4*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
@@ -168,16 +176,13 @@ void iiwa_inverse_dynamics(
     const iiwa_real lam5_31 = ww5_zx - alpha5_y;
     const iiwa_real lam5_32 = alpha5_x + ww5_yz;
     const iiwa_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
-    const iiwa_real t5 = a3_y - 0.4*lam4_32;
-    const iiwa_real t6 = -0.4*lam4_12 - a4_x;
-    const iiwa_real a5_x = s5*t5 - c5*t6;
-    const iiwa_real a5_y = s5*t6 + c5*t5;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = c6*w5_x - s6*w5_z;
     const iiwa_real t7 = -s6;
     const iiwa_real w6_y = t7*w5_x - c6*w5_z;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
+    const iiwa_real a6_y = t7*a5_x - c6*a5_z;
     /* link 6: angular acceleration [rad/s^2] */
     const iiwa_real alpha6_x = qd[5]*w6_y - (s6*alpha5_z - c6*alpha5_x);
     const iiwa_real alpha6_y = t7*alpha5_x - c6*alpha5_z - qd[5]*w6_x;
@@ -201,12 +206,16 @@ void iiwa_inverse_dynamics(
     const iiwa_real lam6_31 = ww6_zx - alpha6_y;
     const iiwa_real lam6_32 = alpha6_x + ww6_yz;
     const iiwa_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
-    const iiwa_real a6_y = t7*a5_x - c6*a5_z;
+    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a7_z = -0.126*neg_lam6_22 - a6_y;
     /* link 7: angular velocity [rad/s] */
     const iiwa_real w7_x = c7*w6_x + s7*w6_z;
     const iiwa_real w7_y = c7*w6_z - s7*w6_x;
+    const iiwa_real t8 = a5_y - 0.126*lam6_32;
+    const iiwa_real t9 = neg_a6_x + 0.126*lam6_12;
+    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a7_x = s7*t8 - c7*t9;
+    const iiwa_real a7_y = s7*t9 + c7*t8;
     /* link 7: angular acceleration [rad/s^2] */
     const iiwa_real alpha7_x = qd[6]*w7_y - (-c7*alpha6_x - s7*alpha6_z);
     const iiwa_real alpha7_y = c7*alpha6_z - s7*alpha6_x - qd[6]*w7_x;
@@ -230,12 +239,6 @@ void iiwa_inverse_dynamics(
     const iiwa_real lam7_31 = ww7_zx - alpha7_y;
     const iiwa_real lam7_32 = alpha7_x + ww7_yz;
     const iiwa_real neg_lam7_33 = ww7_xx + ww7_yy;
-    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a7_z = -0.126*neg_lam6_22 - a6_y;
-    const iiwa_real t8 = a5_y - 0.126*lam6_32;
-    const iiwa_real t9 = neg_a6_x + 0.126*lam6_12;
-    const iiwa_real a7_x = s7*t8 - c7*t9;
-    const iiwa_real a7_y = s7*t9 + c7*t8;
     /* link 1: moment that turns the link [N m] */
     const iiwa_real nc1_z = 0.8058116303302202*qdd[0];
     /* link 2: moment that turns the link [N m] */
@@ -251,9 +254,9 @@ void iiwa_inverse_dynamics(
     const iiwa_real fc3_x = 1.0168650139155704*neg_lam3_11 - 0.04389618410240257*lam3_12;
     const iiwa_real fc3_y = 0.04389618410240257*neg_lam3_22 - 1.0168650139155704*lam3_21;
     /* link 3: moment that turns the link [N m] */
-    const iiwa_real nc3_x = -0.04389618410240257*a3_z - (0.06405373385272267*(neg_lam3_22 -
-        neg_lam3_33) - 0.45257769458388303*lam3_32 - (0.1005265342798281*neg_lam3_31 -
-        0.16230144331072144*lam3_21));
+    const iiwa_real neg_nc3_x = 0.06405373385272267*(neg_lam3_22 - neg_lam3_33) -
+        0.45257769458388303*lam3_32 - (0.1005265342798281*neg_lam3_31 - 0.16230144331072144*lam3_21)
+        + 0.04389618410240257*a3_z;
     const iiwa_real nc3_y = 0.20191091047133833*neg_lam3_31 - 0.16230144331072144*(neg_lam3_11 -
         neg_lam3_33) + (0.1005265342798281*lam3_32 - 0.06405373385272267*lam3_12) +
         1.0168650139155704*a3_z;
@@ -295,9 +298,9 @@ void iiwa_inverse_dynamics(
     const iiwa_real fc6_y = 1.291128497815195*neg_lam6_22 - 1.5656307599463828*lam6_21;
     const iiwa_real fc6_z = -1.5656307599463828*lam6_31 - 1.291128497815195*lam6_32;
     /* link 6: moment that turns the link [N m] */
-    const iiwa_real neg_nc6_x = -2.0289563933923875*lam6_32 - 0.0870114460092663*(neg_lam6_22 -
-        neg_lam6_33) - (0.042925575293549574*lam6_21 - 0.36144292274665746*lam6_31) +
-        1.291128497815195*a5_y;
+    const iiwa_real nc6_x = -1.291128497815195*a5_y - (-2.0289563933923875*lam6_32 -
+        0.0870114460092663*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574*lam6_21 -
+        0.36144292274665746*lam6_31));
     const iiwa_real nc6_y = 0.042925575293549574*(neg_lam6_11 - neg_lam6_33) -
         0.4239952187044951*lam6_31 - (-0.0870114460092663*lam6_12 - 0.36144292274665746*lam6_32) +
         1.5656307599463828*a5_y;
@@ -306,13 +309,13 @@ void iiwa_inverse_dynamics(
         0.0870114460092663*lam6_13);
     const iiwa_real nc6_z = t14 - (1.5656307599463828*a6_y + 1.291128497815195*neg_a6_x);
     /* link 7: force that moves the link [N] */
-    const iiwa_real neg_fc7_x = 0.9999503996366931*neg_lam7_11 - 0.708306797966195*lam7_12;
+    const iiwa_real fc7_x = 0.708306797966195*lam7_12 - 0.9999503996366931*neg_lam7_11;
     const iiwa_real fc7_y = 0.9999503996366931*lam7_21 - 0.708306797966195*neg_lam7_22;
     const iiwa_real fc7_z = 0.9999503996366931*lam7_31 + 0.708306797966195*lam7_32;
     /* link 7: moment that turns the link [N m] */
-    const iiwa_real neg_nc7_x = -0.2922782720134952*lam7_32 - 0.061680050398747424*(neg_lam7_22 -
-        neg_lam7_33) + (0.2024621683128357*lam7_21 - 0.2114247825686032*lam7_31) -
-        0.708306797966195*a7_z;
+    const iiwa_real nc7_x = 0.708306797966195*a7_z - (-0.2922782720134952*lam7_32 -
+        0.061680050398747424*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357*lam7_21 -
+        0.2114247825686032*lam7_31));
     const iiwa_real nc7_y = -0.19090892097190032*lam7_31 - 0.2024621683128357*(neg_lam7_11 -
         neg_lam7_33) - (0.2114247825686032*lam7_32 - 0.061680050398747424*lam7_12) -
         0.9999503996366931*a7_z;
@@ -320,47 +323,74 @@ void iiwa_inverse_dynamics(
         0.2114247825686032*(neg_lam7_11 - neg_lam7_22) + (0.2024621683128357*lam7_23 -
         0.061680050398747424*lam7_13);
     const iiwa_real nc7_z = t15 + (0.9999503996366931*a7_y - 0.708306797966195*a7_x);
-    const iiwa_real t16 = s7*neg_fc7_x - c7*fc7_y;
+    /* link 7: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real neg_f07_x = s7*fc7_y - c7*fc7_x;
+    const iiwa_real f07_y = s7*fc7_x + c7*fc7_y;
+    /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
+    const iiwa_real n07_y = s7*nc7_x + c7*nc7_y;
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126*t16 - neg_nc6_x);
+    const iiwa_real n6_x = n07_x + (nc6_x - 0.126*f07_y);
     const iiwa_real n6_y = nc6_y - nc7_z;
-    const iiwa_real t17 = c7*neg_fc7_x + s7*fc7_y;
-    const iiwa_real n6_z = nc6_z - 0.126*t17 - (s7*neg_nc7_x - c7*nc7_y);
+    const iiwa_real n6_z = n07_y + (nc6_z - 0.126*neg_f07_x);
     /* link 6: force through the joint [N] */
-    const iiwa_real f6_x = fc6_x - t17;
+    const iiwa_real f6_x = fc6_x - neg_f07_x;
     const iiwa_real f6_y = fc6_y - fc7_z;
-    const iiwa_real f6_z = fc6_z - t16;
+    const iiwa_real f6_z = fc6_z + f07_y;
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f06_x = c6*f6_x - s6*f6_y;
+    const iiwa_real f06_y = s6*f6_x + c6*f6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n06_x = c6*n6_x - s6*n6_y;
+    const iiwa_real n06_y = s6*n6_x + c6*n6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y);
+    const iiwa_real n5_x = nc5_x + n06_x;
     const iiwa_real n5_y = nc5_y + n6_z;
-    const iiwa_real n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y);
+    const iiwa_real n5_z = nc5_z - n06_y;
     /* link 5: force through the joint [N] */
-    const iiwa_real f5_x = fc5_x + (c6*f6_x - s6*f6_y);
+    const iiwa_real f5_x = fc5_x + f06_x;
     const iiwa_real f5_y = fc5_y + f6_z;
-    const iiwa_real f5_z = fc5_z - (s6*f6_x + c6*f6_y);
-    const iiwa_real t18 = s5*f5_x + c5*f5_y;
+    const iiwa_real f5_z = fc5_z - f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f05_x = c5*f5_x - s5*f5_y;
+    const iiwa_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n05_x = c5*n5_x - s5*n5_y;
+    const iiwa_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4*t18);
+    const iiwa_real n4_x = n05_x - (neg_nc4_x + 0.4*f05_y);
     const iiwa_real n4_y = nc4_y + n5_z;
-    const iiwa_real t19 = c5*f5_x - s5*f5_y;
-    const iiwa_real n4_z = t4*n5_x - c5*n5_y + (nc4_z - 0.4*t19);
+    const iiwa_real n4_z = nc4_z - 0.4*f05_x - n05_y;
     /* link 4: force through the joint [N] */
-    const iiwa_real f4_x = fc4_x + t19;
+    const iiwa_real f4_x = fc4_x + f05_x;
     const iiwa_real f4_y = fc4_y + f5_z;
-    const iiwa_real f4_z = fc4_z - t18;
+    const iiwa_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f04_x = c4*f4_x - s4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n04_x = c4*n4_x - s4*n4_y;
+    const iiwa_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y);
+    const iiwa_real n3_x = n04_x - neg_nc3_x;
     const iiwa_real n3_y = nc3_y - n4_z;
-    const iiwa_real n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y);
+    const iiwa_real n3_z = nc3_z + n04_y;
     /* link 3: force through the joint [N] */
-    const iiwa_real f3_x = fc3_x + (c4*f4_x - s4*f4_y);
+    const iiwa_real f3_x = fc3_x + f04_x;
     const iiwa_real f3_y = fc3_y - f4_z;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f03_x = c3*f3_x - s3*f3_y;
+    const iiwa_real f03_y = s3*f3_x + c3*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n03_x = c3*n3_x - s3*n3_y;
+    const iiwa_real n03_y = s3*n3_x + c3*n3_y;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n2_x = s3*n3_y - c3*n3_x + (0.4*(s3*f3_x + c3*f3_y) - nc2_x);
+    const iiwa_real n2_x = n03_x - (0.4*f03_y - nc2_x);
     const iiwa_real n2_y = nc2_y - n3_z;
-    const iiwa_real n2_z = nc2_z + 0.4*(c3*f3_x - s3*f3_y) - (-s3*n3_x - c3*n3_y);
+    const iiwa_real n2_z = n03_y + (nc2_z + 0.4*f03_x);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n1_z = nc1_z + (s2*neg_n2_x - c2*n2_y);
+    const iiwa_real n1_z = nc1_z - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = n3_z;
@@ -371,7 +401,7 @@ void iiwa_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 64 multiplications, 38 additions = 102; 4 unary minus; 12 sine/cosine */
+ * 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine */
 void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -395,19 +425,16 @@ void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
     const iiwa_real a2_y = -9.81*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a3_x = c3*a2_x;
-    const iiwa_real t1 = -s3;
-    const iiwa_real a3_y = t1*a2_x;
+    const iiwa_real a3_y = -s3*a2_x;
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a4_x = c4*a3_x - s4*a2_y;
-    const iiwa_real t2 = -s4;
-    const iiwa_real a4_y = t2*a3_x - c4*a2_y;
+    const iiwa_real a4_y = -s4*a3_x - c4*a2_y;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a5_x = c5*a4_x + s5*a3_y;
     const iiwa_real a5_y = c5*a3_y - s5*a4_x;
     /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a6_x = c6*a5_x - s6*a4_y;
-    const iiwa_real t3 = -s6;
-    const iiwa_real a6_y = t3*a5_x - c6*a4_y;
+    const iiwa_real a6_y = -s6*a5_x - c6*a4_y;
     /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a7_x = c7*a6_x + s7*a5_y;
     const iiwa_real a7_y = c7*a5_y - s7*a6_x;
@@ -433,28 +460,42 @@ void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
     const iiwa_real nc7_x = -0.708306797966195*a6_y;
     const iiwa_real nc7_y = 0.9999503996366931*a6_y;
     const iiwa_real nc7_z = 0.9999503996366931*a7_y - 0.708306797966195*a7_x;
+    /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
+    const iiwa_real n07_y = s7*nc7_x + c7*nc7_y;
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n6_x = nc6_x - (s7*nc7_y - c7*nc7_x);
+    const iiwa_real n6_x = nc6_x + n07_x;
     const iiwa_real n6_y = nc6_y - nc7_z;
-    const iiwa_real n6_z = nc6_z - (-s7*nc7_x - c7*nc7_y);
+    const iiwa_real n6_z = nc6_z + n07_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n06_x = c6*n6_x - s6*n6_y;
+    const iiwa_real n06_y = s6*n6_x + c6*n6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n5_x = nc5_x - (s6*n6_y - c6*n6_x);
+    const iiwa_real n5_x = nc5_x + n06_x;
     const iiwa_real n5_y = nc5_y + n6_z;
-    const iiwa_real n5_z = nc5_z + (t3*n6_x - c6*n6_y);
+    const iiwa_real n5_z = nc5_z - n06_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n05_x = c5*n5_x - s5*n5_y;
+    const iiwa_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n4_x = nc4_x + (c5*n5_x - s5*n5_y);
+    const iiwa_real n4_x = nc4_x + n05_x;
     const iiwa_real n4_y = nc4_y + n5_z;
-    const iiwa_real n4_z = nc4_z - (s5*n5_x + c5*n5_y);
+    const iiwa_real n4_z = nc4_z - n05_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n04_x = c4*n4_x - s4*n4_y;
+    const iiwa_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n3_x = nc3_x - (s4*n4_y - c4*n4_x);
+    const iiwa_real n3_x = nc3_x + n04_x;
     const iiwa_real n3_y = nc3_y - n4_z;
-    const iiwa_real n3_z = nc3_z - (t2*n4_x - c4*n4_y);
+    const iiwa_real n3_z = nc3_z + n04_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n03_x = c3*n3_x - s3*n3_y;
+    const iiwa_real n03_y = s3*n3_x + c3*n3_y;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n2_x = c3*n3_x - s3*n3_y;
-    const iiwa_real n2_z = nc2_z - (t1*n3_x - c3*n3_y);
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n1_z = c2*n3_z - s2*n2_x;
-    tau[0] = n1_z;
+    const iiwa_real n2_z = nc2_z + n03_y;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real neg_n02_y = c2*n3_z - s2*n03_x;
+    tau[0] = neg_n02_y;
     tau[1] = n2_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
@@ -487,6 +528,9 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     /* link 2: angular velocity [rad/s] */
     const iiwa_real w2_x = t1*s2;
     const iiwa_real w2_y = t1*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a2_x = -9.81*s2;
+    const iiwa_real a2_y = -9.81*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const iiwa_real alpha2_x = qd[1]*w2_y;
     const iiwa_real alpha2_y = -qd[1]*w2_x;
@@ -499,16 +543,19 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real neg_lam2_11 = ww2_yy + ww2_zz;
     const iiwa_real neg_lam2_22 = ww2_xx + ww2_zz;
     const iiwa_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a2_x = -9.81*s2;
-    const iiwa_real a2_y = -9.81*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = c3*w2_x + qd[1]*s3;
     const iiwa_real w3_y = qd[1]*c3 - s3*w2_x;
+    const iiwa_real t2 = -0.8*alpha2_x;
+    const iiwa_real t3 = 0.4*ww2_xy - a2_x;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a3_x = s3*t2 - c3*t3;
+    const iiwa_real a3_y = s3*t3 + c3*t2;
     /* link 3: angular acceleration [rad/s^2] */
     const iiwa_real alpha3_x = c3*alpha2_x + qd[2]*w3_y;
-    const iiwa_real t2 = -s3;
-    const iiwa_real alpha3_y = t2*alpha2_x - qd[2]*w3_x;
+    const iiwa_real alpha3_y = -s3*alpha2_x - qd[2]*w3_x;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_z = qd[2] - w2_y;
     /* link 3: products of the angular velocity [1/s^2] */
@@ -528,15 +575,12 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real neg_lam3_31 = alpha3_y - ww3_zx;
     const iiwa_real lam3_32 = alpha3_x + ww3_yz;
     const iiwa_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
-    const iiwa_real t3 = -0.8*alpha2_x;
-    const iiwa_real t4 = 0.4*ww2_xy - a2_x;
-    const iiwa_real a3_x = s3*t3 - c3*t4;
-    const iiwa_real a3_y = s3*t4 + c3*t3;
     /* link 4: angular velocity [rad/s] */
     const iiwa_real w4_x = c4*w3_x + s4*w3_z;
     const iiwa_real w4_y = c4*w3_z - s4*w3_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a4_x = c4*a3_x + s4*a3_z;
+    const iiwa_real a4_y = c4*a3_z - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const iiwa_real alpha4_x = qd[3]*w4_y - (s4*alpha2_y - c4*alpha3_x);
     const iiwa_real alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd[3]*w4_x;
@@ -559,13 +603,16 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real lam4_31 = ww4_zx - alpha4_y;
     const iiwa_real lam4_32 = alpha4_x + ww4_yz;
     const iiwa_real lam4_33 = neg_ww4_xx - ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a4_x = c4*a3_x + s4*a3_z;
-    const iiwa_real a4_y = c4*a3_z - s4*a3_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = c5*w4_x - s5*w4_z;
-    const iiwa_real t5 = -s5;
-    const iiwa_real w5_y = t5*w4_x - c5*w4_z;
+    const iiwa_real w5_y = -s5*w4_x - c5*w4_z;
+    const iiwa_real t4 = a3_y - 0.4*lam4_32;
+    const iiwa_real t5 = -0.4*lam4_12 - a4_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a5_x = s5*t4 - c5*t5;
+    const iiwa_real a5_y = s5*t5 + c5*t4;
     /* link 5: angular acceleration [rad/s^2] */
     const iiwa_real alpha5_x = qd[4]*w5_y - (-c5*alpha4_x - s5*alpha3_y);
     const iiwa_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
@@ -588,19 +635,16 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real lam5_31 = ww5_zx - alpha5_y;
     const iiwa_real lam5_32 = alpha5_x + ww5_yz;
     const iiwa_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
-    const iiwa_real t6 = a3_y - 0.4*lam4_32;
-    const iiwa_real t7 = -0.4*lam4_12 - a4_x;
-    const iiwa_real a5_x = s5*t6 - c5*t7;
-    const iiwa_real a5_y = s5*t7 + c5*t6;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = c6*w5_x - s6*w5_z;
-    const iiwa_real t8 = -s6;
-    const iiwa_real w6_y = t8*w5_x - c6*w5_z;
+    const iiwa_real t6 = -s6;
+    const iiwa_real w6_y = t6*w5_x - c6*w5_z;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
+    const iiwa_real a6_y = t6*a5_x - c6*a5_z;
     /* link 6: angular acceleration [rad/s^2] */
     const iiwa_real alpha6_x = qd[5]*w6_y - (s6*alpha4_y - c6*alpha5_x);
-    const iiwa_real alpha6_y = t8*alpha5_x - c6*alpha4_y - qd[5]*w6_x;
+    const iiwa_real alpha6_y = t6*alpha5_x - c6*alpha4_y - qd[5]*w6_x;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_z = qd[5] + w5_y;
     /* link 6: products of the angular velocity [1/s^2] */
@@ -620,12 +664,16 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real lam6_31 = ww6_zx - alpha6_y;
     const iiwa_real lam6_32 = alpha6_x + ww6_yz;
     const iiwa_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
-    const iiwa_real a6_y = t8*a5_x - c6*a5_z;
+    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a7_z = -0.126*neg_lam6_22 - a6_y;
     /* link 7: angular velocity [rad/s] */
     const iiwa_real w7_x = c7*w6_x + s7*w6_z;
     const iiwa_real w7_y = c7*w6_z - s7*w6_x;
+    const iiwa_real t7 = a5_y - 0.126*lam6_32;
+    const iiwa_real t8 = neg_a6_x + 0.126*lam6_12;
+    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a7_x = s7*t7 - c7*t8;
+    const iiwa_real a7_y = s7*t8 + c7*t7;
     /* link 7: angular acceleration [rad/s^2] */
     const iiwa_real alpha7_x = qd[6]*w7_y - (-c7*alpha6_x - s7*alpha5_y);
     const iiwa_real alpha7_y = c7*alpha5_y - s7*alpha6_x - qd[6]*w7_x;
@@ -648,12 +696,6 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real lam7_31 = ww7_zx - alpha7_y;
     const iiwa_real lam7_32 = alpha7_x + ww7_yz;
     const iiwa_real neg_lam7_33 = ww7_xx + ww7_yy;
-    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a7_z = -0.126*neg_lam6_22 - a6_y;
-    const iiwa_real t9 = a5_y - 0.126*lam6_32;
-    const iiwa_real t10 = neg_a6_x + 0.126*lam6_12;
-    const iiwa_real a7_x = s7*t9 - c7*t10;
-    const iiwa_real a7_y = s7*t10 + c7*t9;
     /* link 2: moment that turns the link [N m] */
     const iiwa_real nc2_x = 1.0437049982058304*alpha2_y + 0.20091837135316784*ww2_xy -
         (-8.476803571151484*alpha2_x - 0.26458063578324464*(neg_lam2_22 - neg_lam2_33));
@@ -665,16 +707,16 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real fc3_x = 1.0168650139155704*neg_lam3_11 - 0.04389618410240257*lam3_12;
     const iiwa_real fc3_y = 0.04389618410240257*neg_lam3_22 - 1.0168650139155704*lam3_21;
     /* link 3: moment that turns the link [N m] */
-    const iiwa_real nc3_x = -0.04389618410240257*a3_z - (0.06405373385272267*(neg_lam3_22 -
-        neg_lam3_33) - 0.45257769458388303*lam3_32 - (0.1005265342798281*neg_lam3_31 -
-        0.16230144331072144*lam3_21));
+    const iiwa_real neg_nc3_x = 0.06405373385272267*(neg_lam3_22 - neg_lam3_33) -
+        0.45257769458388303*lam3_32 - (0.1005265342798281*neg_lam3_31 - 0.16230144331072144*lam3_21)
+        + 0.04389618410240257*a3_z;
     const iiwa_real nc3_y = 0.20191091047133833*neg_lam3_31 - 0.16230144331072144*(neg_lam3_11 -
         neg_lam3_33) - (0.06405373385272267*lam3_12 - 0.1005265342798281*lam3_32) +
         1.0168650139155704*a3_z;
-    const iiwa_real t11 = 0.45257769458388303*lam3_12 - 0.20191091047133833*lam3_21 +
+    const iiwa_real t9 = 0.45257769458388303*lam3_12 - 0.20191091047133833*lam3_21 +
         0.1005265342798281*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144*lam3_23 +
         0.06405373385272267*lam3_13);
-    const iiwa_real nc3_z = 0.04389618410240257*a3_x - 1.0168650139155704*a3_y - t11;
+    const iiwa_real neg_nc3_z = t9 + (1.0168650139155704*a3_y - 0.04389618410240257*a3_x);
     /* link 4: force that moves the link [N] */
     const iiwa_real fc4_x = 0.5168019281781282*neg_lam4_11 + 8.054835434921454*lam4_12;
     const iiwa_real fc4_y = 8.054835434921454*lam4_22 - 0.5168019281781282*lam4_21;
@@ -685,10 +727,10 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real nc4_y = 0.013124222729483126*(neg_lam4_11 + lam4_33) -
         0.24852411424661205*lam4_31 + (0.09675036990607108*lam4_12 + 0.20921122087079386*lam4_32) -
         0.5168019281781282*a3_y;
-    const iiwa_real t12 = 3.569490999313376*lam4_12 - 0.24852411424661205*lam4_21 +
+    const iiwa_real t10 = 3.569490999313376*lam4_12 - 0.24852411424661205*lam4_21 +
         0.20921122087079386*(neg_lam4_11 + lam4_22) + (0.013124222729483126*lam4_23 +
         0.09675036990607108*lam4_13);
-    const iiwa_real neg_nc4_z = t12 + (0.5168019281781282*a4_y + 8.054835434921454*a4_x);
+    const iiwa_real nc4_z = -8.054835434921454*a4_x - 0.5168019281781282*a4_y - t10;
     /* link 5: force that moves the link [N] */
     const iiwa_real fc5_x = 0.25252954507510866*neg_lam5_11 + 0.4193059538543958*lam5_12;
     const iiwa_real fc5_y = -0.4193059538543958*neg_lam5_22 - 0.25252954507510866*lam5_21;
@@ -700,10 +742,10 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real nc5_y = 0.041147842218669614*(neg_lam5_11 - neg_lam5_33) -
         0.09474888781047501*lam5_31 + (0.03284626166448073*lam5_32 - 0.05680835589544868*lam5_12) +
         0.25252954507510866*a5_z;
-    const iiwa_real t13 = 0.09474888781047501*lam5_21 - 0.20655564034097101*lam5_12 -
+    const iiwa_real t11 = 0.09474888781047501*lam5_21 - 0.20655564034097101*lam5_12 -
         0.03284626166448073*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614*lam5_23 -
         0.05680835589544868*lam5_13);
-    const iiwa_real nc5_z = t13 - (0.25252954507510866*a5_y + 0.4193059538543958*a5_x);
+    const iiwa_real nc5_z = t11 - (0.25252954507510866*a5_y + 0.4193059538543958*a5_x);
     /* link 6: force that moves the link [N] */
     const iiwa_real fc6_x = 1.5656307599463828*neg_lam6_11 - 1.291128497815195*lam6_12;
     const iiwa_real fc6_y = 1.291128497815195*neg_lam6_22 - 1.5656307599463828*lam6_21;
@@ -715,67 +757,92 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real nc6_y = 0.042925575293549574*(neg_lam6_11 - neg_lam6_33) -
         0.4239952187044951*lam6_31 - (-0.0870114460092663*lam6_12 - 0.36144292274665746*lam6_32) +
         1.5656307599463828*a5_y;
-    const iiwa_real t14 = 0.4239952187044951*lam6_21 - 2.0289563933923875*lam6_12 -
+    const iiwa_real t12 = 0.4239952187044951*lam6_21 - 2.0289563933923875*lam6_12 -
         0.36144292274665746*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574*lam6_23 +
         0.0870114460092663*lam6_13);
-    const iiwa_real nc6_z = t14 - (1.5656307599463828*a6_y + 1.291128497815195*neg_a6_x);
+    const iiwa_real nc6_z = t12 - (1.5656307599463828*a6_y + 1.291128497815195*neg_a6_x);
     /* link 7: force that moves the link [N] */
     const iiwa_real fc7_x = 0.708306797966195*lam7_12 - 0.9999503996366931*neg_lam7_11;
     const iiwa_real fc7_y = 0.9999503996366931*lam7_21 - 0.708306797966195*neg_lam7_22;
     const iiwa_real fc7_z = 0.9999503996366931*lam7_31 + 0.708306797966195*lam7_32;
     /* link 7: moment that turns the link [N m] */
-    const iiwa_real neg_nc7_x = -0.2922782720134952*lam7_32 - 0.061680050398747424*(neg_lam7_22 -
-        neg_lam7_33) + (0.2024621683128357*lam7_21 - 0.2114247825686032*lam7_31) -
-        0.708306797966195*a7_z;
+    const iiwa_real nc7_x = 0.708306797966195*a7_z - (-0.2922782720134952*lam7_32 -
+        0.061680050398747424*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357*lam7_21 -
+        0.2114247825686032*lam7_31));
     const iiwa_real nc7_y = -0.19090892097190032*lam7_31 - 0.2024621683128357*(neg_lam7_11 -
         neg_lam7_33) + (0.061680050398747424*lam7_12 - 0.2114247825686032*lam7_32) -
         0.9999503996366931*a7_z;
-    const iiwa_real t15 = 0.2922782720134952*lam7_12 - 0.19090892097190032*lam7_21 -
+    const iiwa_real t13 = 0.2922782720134952*lam7_12 - 0.19090892097190032*lam7_21 -
         0.2114247825686032*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357*lam7_23 -
         0.061680050398747424*lam7_13);
-    const iiwa_real nc7_z = 0.9999503996366931*a7_y - 0.708306797966195*a7_x - t15;
-    const iiwa_real t16 = -s7*fc7_x - c7*fc7_y;
+    const iiwa_real nc7_z = 0.9999503996366931*a7_y - 0.708306797966195*a7_x - t13;
+    /* link 7: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f07_x = c7*fc7_x - s7*fc7_y;
+    const iiwa_real neg_f07_y = -s7*fc7_x - c7*fc7_y;
+    /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
+    const iiwa_real n07_y = s7*nc7_x + c7*nc7_y;
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126*t16 - neg_nc6_x);
+    const iiwa_real n6_x = n07_x + (0.126*neg_f07_y - neg_nc6_x);
     const iiwa_real n6_y = nc6_y - nc7_z;
-    const iiwa_real t17 = s7*fc7_y - c7*fc7_x;
-    const iiwa_real n6_z = nc6_z - 0.126*t17 - (s7*neg_nc7_x - c7*nc7_y);
+    const iiwa_real n6_z = n07_y + (nc6_z + 0.126*f07_x);
     /* link 6: force through the joint [N] */
-    const iiwa_real f6_x = fc6_x - t17;
+    const iiwa_real f6_x = fc6_x + f07_x;
     const iiwa_real f6_y = fc6_y - fc7_z;
-    const iiwa_real f6_z = fc6_z - t16;
+    const iiwa_real f6_z = fc6_z - neg_f07_y;
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f06_x = c6*f6_x - s6*f6_y;
+    const iiwa_real f06_y = s6*f6_x + c6*f6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n06_x = c6*n6_x - s6*n6_y;
+    const iiwa_real n06_y = s6*n6_x + c6*n6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y);
+    const iiwa_real n5_x = nc5_x + n06_x;
     const iiwa_real n5_y = nc5_y + n6_z;
-    const iiwa_real n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y);
+    const iiwa_real n5_z = nc5_z - n06_y;
     /* link 5: force through the joint [N] */
-    const iiwa_real f5_x = fc5_x + (c6*f6_x - s6*f6_y);
+    const iiwa_real f5_x = fc5_x + f06_x;
     const iiwa_real f5_y = fc5_y + f6_z;
-    const iiwa_real f5_z = fc5_z - (s6*f6_x + c6*f6_y);
-    const iiwa_real t18 = s5*f5_x + c5*f5_y;
+    const iiwa_real f5_z = fc5_z - f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f05_x = c5*f5_x - s5*f5_y;
+    const iiwa_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n05_x = c5*n5_x - s5*n5_y;
+    const iiwa_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4*t18);
+    const iiwa_real n4_x = n05_x - (neg_nc4_x + 0.4*f05_y);
     const iiwa_real n4_y = nc4_y + n5_z;
-    const iiwa_real t19 = c5*f5_x - s5*f5_y;
-    const iiwa_real n4_z = t5*n5_x - c5*n5_y - (neg_nc4_z + 0.4*t19);
+    const iiwa_real n4_z = nc4_z - 0.4*f05_x - n05_y;
     /* link 4: force through the joint [N] */
-    const iiwa_real f4_x = fc4_x + t19;
+    const iiwa_real f4_x = fc4_x + f05_x;
     const iiwa_real f4_y = fc4_y + f5_z;
-    const iiwa_real f4_z = fc4_z - t18;
+    const iiwa_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f04_x = c4*f4_x - s4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n04_x = c4*n4_x - s4*n4_y;
+    const iiwa_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y);
+    const iiwa_real n3_x = n04_x - neg_nc3_x;
     const iiwa_real n3_y = nc3_y - n4_z;
-    const iiwa_real n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y);
+    const iiwa_real n3_z = n04_y - neg_nc3_z;
     /* link 3: force through the joint [N] */
-    const iiwa_real f3_x = fc3_x + (c4*f4_x - s4*f4_y);
+    const iiwa_real f3_x = fc3_x + f04_x;
     const iiwa_real f3_y = fc3_y - f4_z;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f03_x = c3*f3_x - s3*f3_y;
+    const iiwa_real f03_y = s3*f3_x + c3*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n03_x = c3*n3_x - s3*n3_y;
+    const iiwa_real n03_y = s3*n3_x + c3*n3_y;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n2_x = s3*n3_y - c3*n3_x + (0.4*(s3*f3_x + c3*f3_y) - nc2_x);
+    const iiwa_real neg_n2_x = 0.4*f03_y - nc2_x - n03_x;
     const iiwa_real n2_y = nc2_y - n3_z;
-    const iiwa_real n2_z = nc2_z + 0.4*(c3*f3_x - s3*f3_y) - (t2*n3_x - c3*n3_y);
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n1_z = s2*neg_n2_x - c2*n2_y;
-    tau[0] = n1_z;
+    const iiwa_real n2_z = n03_y + (nc2_z + 0.4*f03_x);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real neg_n02_y = s2*neg_n2_x - c2*n2_y;
+    tau[0] = neg_n02_y;
     tau[1] = n2_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
@@ -1257,6 +1324,9 @@ void iiwa_forward_dynamics(
     /* link 2: angular velocity [rad/s] */
     const iiwa_real w2_x = t30*s2;
     const iiwa_real w2_y = t30*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a2_x = -9.81*s2;
+    const iiwa_real a2_y = -9.81*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const iiwa_real alpha2_x = qd[1]*w2_y;
     const iiwa_real alpha2_y = -qd[1]*w2_x;
@@ -1269,12 +1339,16 @@ void iiwa_forward_dynamics(
     const iiwa_real neg_lam2_11 = ww2_yy + ww2_zz;
     const iiwa_real neg_lam2_22 = ww2_xx + ww2_zz;
     const iiwa_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a2_x = -9.81*s2;
-    const iiwa_real a2_y = -9.81*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = c3*w2_x + qd[1]*s3;
     const iiwa_real w3_y = qd[1]*c3 - s3*w2_x;
+    const iiwa_real t31 = -0.8*alpha2_x;
+    const iiwa_real t32 = 0.4*ww2_xy - a2_x;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a3_x = s3*t31 - c3*t32;
+    const iiwa_real a3_y = s3*t32 + c3*t31;
     /* link 3: angular acceleration [rad/s^2] */
     const iiwa_real alpha3_x = c3*alpha2_x + qd[2]*w3_y;
     const iiwa_real alpha3_y = t22*alpha2_x - qd[2]*w3_x;
@@ -1297,15 +1371,12 @@ void iiwa_forward_dynamics(
     const iiwa_real neg_lam3_31 = alpha3_y - ww3_zx;
     const iiwa_real lam3_32 = alpha3_x + ww3_yz;
     const iiwa_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
-    const iiwa_real t31 = -0.8*alpha2_x;
-    const iiwa_real t32 = 0.4*ww2_xy - a2_x;
-    const iiwa_real a3_x = s3*t31 - c3*t32;
-    const iiwa_real a3_y = s3*t32 + c3*t31;
     /* link 4: angular velocity [rad/s] */
     const iiwa_real w4_x = c4*w3_x + s4*w3_z;
     const iiwa_real w4_y = c4*w3_z - s4*w3_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a4_x = c4*a3_x + s4*a3_z;
+    const iiwa_real a4_y = c4*a3_z - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const iiwa_real alpha4_x = qd[3]*w4_y - (s4*alpha2_y - c4*alpha3_x);
     const iiwa_real alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd[3]*w4_x;
@@ -1328,12 +1399,16 @@ void iiwa_forward_dynamics(
     const iiwa_real lam4_31 = ww4_zx - alpha4_y;
     const iiwa_real lam4_32 = alpha4_x + ww4_yz;
     const iiwa_real lam4_33 = neg_ww4_xx - ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a4_x = c4*a3_x + s4*a3_z;
-    const iiwa_real a4_y = c4*a3_z - s4*a3_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = c5*w4_x - s5*w4_z;
     const iiwa_real w5_y = t2*w4_x - c5*w4_z;
+    const iiwa_real t33 = a3_y - 0.4*lam4_32;
+    const iiwa_real t34 = -0.4*lam4_12 - a4_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a5_x = s5*t33 - c5*t34;
+    const iiwa_real a5_y = s5*t34 + c5*t33;
     /* link 5: angular acceleration [rad/s^2] */
     const iiwa_real alpha5_x = qd[4]*w5_y - (t1*alpha4_x - s5*alpha3_y);
     const iiwa_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
@@ -1356,16 +1431,13 @@ void iiwa_forward_dynamics(
     const iiwa_real lam5_31 = ww5_zx - alpha5_y;
     const iiwa_real lam5_32 = alpha5_x + ww5_yz;
     const iiwa_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
-    const iiwa_real t33 = a3_y - 0.4*lam4_32;
-    const iiwa_real t34 = -0.4*lam4_12 - a4_x;
-    const iiwa_real a5_x = s5*t33 - c5*t34;
-    const iiwa_real a5_y = s5*t34 + c5*t33;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = c6*w5_x - s6*w5_z;
     const iiwa_real t35 = -s6;
     const iiwa_real w6_y = t35*w5_x - c6*w5_z;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
+    const iiwa_real a6_y = t35*a5_x - c6*a5_z;
     /* link 6: angular acceleration [rad/s^2] */
     const iiwa_real alpha6_x = qd[5]*w6_y - (s6*alpha4_y - c6*alpha5_x);
     const iiwa_real alpha6_y = t35*alpha5_x - c6*alpha4_y - qd[5]*w6_x;
@@ -1388,12 +1460,16 @@ void iiwa_forward_dynamics(
     const iiwa_real lam6_31 = ww6_zx - alpha6_y;
     const iiwa_real lam6_32 = alpha6_x + ww6_yz;
     const iiwa_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
-    const iiwa_real a6_y = t35*a5_x - c6*a5_z;
+    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a7_z = -0.126*neg_lam6_22 - a6_y;
     /* link 7: angular velocity [rad/s] */
     const iiwa_real w7_x = c7*w6_x + s7*w6_z;
     const iiwa_real w7_y = c7*w6_z - s7*w6_x;
+    const iiwa_real t36 = a5_y - 0.126*lam6_32;
+    const iiwa_real t37 = neg_a6_x + 0.126*lam6_12;
+    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const iiwa_real a7_x = s7*t36 - c7*t37;
+    const iiwa_real a7_y = s7*t37 + c7*t36;
     /* link 7: angular acceleration [rad/s^2] */
     const iiwa_real alpha7_x = qd[6]*w7_y - (-c7*alpha6_x - s7*alpha5_y);
     const iiwa_real alpha7_y = c7*alpha5_y - s7*alpha6_x - qd[6]*w7_x;
@@ -1416,12 +1492,6 @@ void iiwa_forward_dynamics(
     const iiwa_real lam7_31 = ww7_zx - alpha7_y;
     const iiwa_real lam7_32 = alpha7_x + ww7_yz;
     const iiwa_real neg_lam7_33 = ww7_xx + ww7_yy;
-    /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a7_z = -0.126*neg_lam6_22 - a6_y;
-    const iiwa_real t36 = a5_y - 0.126*lam6_32;
-    const iiwa_real t37 = neg_a6_x + 0.126*lam6_12;
-    const iiwa_real a7_x = s7*t36 - c7*t37;
-    const iiwa_real a7_y = s7*t37 + c7*t36;
     /* link 2: moment that turns the link [N m] */
     const iiwa_real nc2_x = 1.0437049982058304*alpha2_y + 0.20091837135316784*ww2_xy -
         (-8.476803571151484*alpha2_x - 0.26458063578324464*(neg_lam2_22 - neg_lam2_33));
@@ -1433,16 +1503,16 @@ void iiwa_forward_dynamics(
     const iiwa_real fc3_x = 1.0168650139155704*neg_lam3_11 - 0.04389618410240257*lam3_12;
     const iiwa_real fc3_y = 0.04389618410240257*neg_lam3_22 - 1.0168650139155704*lam3_21;
     /* link 3: moment that turns the link [N m] */
-    const iiwa_real nc3_x = -0.04389618410240257*a3_z - (0.06405373385272267*(neg_lam3_22 -
-        neg_lam3_33) - 0.45257769458388303*lam3_32 - (0.1005265342798281*neg_lam3_31 -
-        0.16230144331072144*lam3_21));
+    const iiwa_real neg_nc3_x = 0.06405373385272267*(neg_lam3_22 - neg_lam3_33) -
+        0.45257769458388303*lam3_32 - (0.1005265342798281*neg_lam3_31 - 0.16230144331072144*lam3_21)
+        + 0.04389618410240257*a3_z;
     const iiwa_real nc3_y = 0.20191091047133833*neg_lam3_31 - 0.16230144331072144*(neg_lam3_11 -
         neg_lam3_33) - (0.06405373385272267*lam3_12 - 0.1005265342798281*lam3_32) +
         1.0168650139155704*a3_z;
     const iiwa_real t38 = 0.45257769458388303*lam3_12 - 0.20191091047133833*lam3_21 +
         0.1005265342798281*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144*lam3_23 +
         0.06405373385272267*lam3_13);
-    const iiwa_real nc3_z = 0.04389618410240257*a3_x - 1.0168650139155704*a3_y - t38;
+    const iiwa_real neg_nc3_z = t38 + (1.0168650139155704*a3_y - 0.04389618410240257*a3_x);
     /* link 4: force that moves the link [N] */
     const iiwa_real fc4_x = 0.5168019281781282*neg_lam4_11 + 8.054835434921454*lam4_12;
     const iiwa_real fc4_y = 8.054835434921454*lam4_22 - 0.5168019281781282*lam4_21;
@@ -1492,9 +1562,9 @@ void iiwa_forward_dynamics(
     const iiwa_real fc7_y = 0.9999503996366931*lam7_21 - 0.708306797966195*neg_lam7_22;
     const iiwa_real fc7_z = 0.9999503996366931*lam7_31 + 0.708306797966195*lam7_32;
     /* link 7: moment that turns the link [N m] */
-    const iiwa_real neg_nc7_x = -0.2922782720134952*lam7_32 - 0.061680050398747424*(neg_lam7_22 -
-        neg_lam7_33) + (0.2024621683128357*lam7_21 - 0.2114247825686032*lam7_31) -
-        0.708306797966195*a7_z;
+    const iiwa_real nc7_x = 0.708306797966195*a7_z - (-0.2922782720134952*lam7_32 -
+        0.061680050398747424*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357*lam7_21 -
+        0.2114247825686032*lam7_31));
     const iiwa_real nc7_y = -0.19090892097190032*lam7_31 - 0.2024621683128357*(neg_lam7_11 -
         neg_lam7_33) + (0.061680050398747424*lam7_12 - 0.2114247825686032*lam7_32) -
         0.9999503996366931*a7_z;
@@ -1502,49 +1572,74 @@ void iiwa_forward_dynamics(
         0.2114247825686032*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357*lam7_23 -
         0.061680050398747424*lam7_13);
     const iiwa_real nc7_z = 0.9999503996366931*a7_y - 0.708306797966195*a7_x - t42;
-    const iiwa_real t43 = -s7*fc7_x - c7*fc7_y;
+    /* link 7: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f07_x = c7*fc7_x - s7*fc7_y;
+    const iiwa_real neg_f07_y = -s7*fc7_x - c7*fc7_y;
+    /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
+    const iiwa_real n07_y = s7*nc7_x + c7*nc7_y;
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126*t43 - neg_nc6_x);
+    const iiwa_real n6_x = n07_x + (0.126*neg_f07_y - neg_nc6_x);
     const iiwa_real n6_y = nc6_y - nc7_z;
-    const iiwa_real t44 = s7*fc7_y - c7*fc7_x;
-    const iiwa_real n6_z = nc6_z - 0.126*t44 - (s7*neg_nc7_x - c7*nc7_y);
+    const iiwa_real n6_z = n07_y + (nc6_z + 0.126*f07_x);
     /* link 6: force through the joint [N] */
-    const iiwa_real f6_x = fc6_x - t44;
+    const iiwa_real f6_x = fc6_x + f07_x;
     const iiwa_real f6_y = fc6_y - fc7_z;
-    const iiwa_real f6_z = fc6_z - t43;
+    const iiwa_real f6_z = fc6_z - neg_f07_y;
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f06_x = c6*f6_x - s6*f6_y;
+    const iiwa_real f06_y = s6*f6_x + c6*f6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n06_x = c6*n6_x - s6*n6_y;
+    const iiwa_real n06_y = s6*n6_x + c6*n6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y);
+    const iiwa_real n5_x = nc5_x + n06_x;
     const iiwa_real n5_y = nc5_y + n6_z;
-    const iiwa_real n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y);
+    const iiwa_real n5_z = nc5_z - n06_y;
     /* link 5: force through the joint [N] */
-    const iiwa_real f5_x = fc5_x + (c6*f6_x - s6*f6_y);
+    const iiwa_real f5_x = fc5_x + f06_x;
     const iiwa_real f5_y = fc5_y + f6_z;
-    const iiwa_real f5_z = fc5_z - (s6*f6_x + c6*f6_y);
-    const iiwa_real t45 = s5*f5_x + c5*f5_y;
+    const iiwa_real f5_z = fc5_z - f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f05_x = c5*f5_x - s5*f5_y;
+    const iiwa_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n05_x = c5*n5_x - s5*n5_y;
+    const iiwa_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4*t45);
+    const iiwa_real n4_x = n05_x - (neg_nc4_x + 0.4*f05_y);
     const iiwa_real n4_y = nc4_y + n5_z;
-    const iiwa_real t46 = c5*f5_x - s5*f5_y;
-    const iiwa_real n4_z = t2*n5_x - c5*n5_y - (neg_nc4_z + 0.4*t46);
+    const iiwa_real neg_n4_z = n05_y + (neg_nc4_z + 0.4*f05_x);
     /* link 4: force through the joint [N] */
-    const iiwa_real f4_x = fc4_x + t46;
+    const iiwa_real f4_x = fc4_x + f05_x;
     const iiwa_real f4_y = fc4_y + f5_z;
-    const iiwa_real f4_z = fc4_z - t45;
+    const iiwa_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f04_x = c4*f4_x - s4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n04_x = c4*n4_x - s4*n4_y;
+    const iiwa_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y);
-    const iiwa_real n3_y = nc3_y - n4_z;
-    const iiwa_real n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y);
+    const iiwa_real n3_x = n04_x - neg_nc3_x;
+    const iiwa_real n3_y = nc3_y + neg_n4_z;
+    const iiwa_real n3_z = n04_y - neg_nc3_z;
     /* link 3: force through the joint [N] */
-    const iiwa_real f3_x = fc3_x + (c4*f4_x - s4*f4_y);
+    const iiwa_real f3_x = fc3_x + f04_x;
     const iiwa_real f3_y = fc3_y - f4_z;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const iiwa_real f03_x = c3*f3_x - s3*f3_y;
+    const iiwa_real f03_y = s3*f3_x + c3*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n03_x = c3*n3_x - s3*n3_y;
+    const iiwa_real n03_y = s3*n3_x + c3*n3_y;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n2_x = s3*n3_y - c3*n3_x + (0.4*(s3*f3_x + c3*f3_y) - nc2_x);
+    const iiwa_real n2_x = n03_x - (0.4*f03_y - nc2_x);
     const iiwa_real n2_y = nc2_y - n3_z;
-    const iiwa_real n2_z = nc2_z + 0.4*(c3*f3_x - s3*f3_y) - (t22*n3_x - c3*n3_y);
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n1_z = s2*neg_n2_x - c2*n2_y;
+    const iiwa_real n2_z = n03_y + (nc2_z + 0.4*f03_x);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const iiwa_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: forward substitution */
-    const iiwa_real y1 = tau[0] - n1_z;
+    const iiwa_real y1 = tau[0] + n02_y;
     /* factorisation M = L D L^T */
     const iiwa_real ipivot1 = 1.0 / m1_1;
     const iiwa_real l2_1 = nu1_z_6*ipivot1;
@@ -1595,23 +1690,23 @@ void iiwa_forward_dynamics(
     const iiwa_real ld7_6 = -ld6_5*l7_5 - (nu1_z_2*l7_1 - nu6_z + ld6_2*l7_2 + ld6_3*l7_3 +
         ld6_4*l7_4);
     const iiwa_real l7_6 = ipivot6*ld7_6;
-    const iiwa_real t47 = 0.48318719298539553 - nu1_z*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 -
+    const iiwa_real t43 = 0.48318719298539553 - nu1_z*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 -
         ld7_5*l7_5;
-    const iiwa_real pivot7 = t47 - ld7_6*l7_6;
+    const iiwa_real pivot7 = t43 - ld7_6*l7_6;
     const iiwa_real ipivot7 = 1.0 / pivot7;
     /* link 2: forward substitution */
     const iiwa_real y2 = tau[1] - n2_z - y1*l2_1;
     /* link 3: forward substitution */
     const iiwa_real y3 = tau[2] - n3_z - y1*l3_1 - l3_2*y2;
     /* link 4: forward substitution */
-    const iiwa_real y4 = tau[3] - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3;
+    const iiwa_real y4 = tau[3] + neg_n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3;
     /* link 5: forward substitution */
     const iiwa_real y5 = tau[4] - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4;
     /* link 6: forward substitution */
     const iiwa_real y6 = tau[5] - n6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
-    const iiwa_real t48 = tau[6] - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5;
+    const iiwa_real t44 = tau[6] - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5;
     /* link 7: forward substitution */
-    const iiwa_real y7 = t48 - l7_6*y6;
+    const iiwa_real y7 = t44 - l7_6*y6;
     /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const iiwa_real qdd7 = ipivot7*y7;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
@@ -1622,12 +1717,12 @@ void iiwa_forward_dynamics(
     const iiwa_real qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6 - l7_4*qdd7;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const iiwa_real qdd3 = -(l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6) - l7_3*qdd7;
-    const iiwa_real t49 = -(l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6);
+    const iiwa_real t45 = -(l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6);
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd2 = t49 - l7_2*qdd7;
-    const iiwa_real t50 = l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6;
+    const iiwa_real qdd2 = t45 - l7_2*qdd7;
+    const iiwa_real t46 = l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd1 = -l7_1*qdd7 - t50;
+    const iiwa_real qdd1 = -l7_1*qdd7 - t46;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

@@ -16,8 +16,8 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 296 multiplications, 281 additions = 577; 8 unary minus; 12 sine/cosine
-!   gravity: 64 multiplications, 38 additions = 102; 4 unary minus; 12 sine/cosine
+!   inverse_dynamics: 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine
+!   gravity: 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
 !   bias: 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
 !   mass_matrix: 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
 !   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12
@@ -36,7 +36,7 @@ module iiwa_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 296 multiplications, 281 additions = 577; 8 unary minus; 12 sine/cosine
+  ! 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine
   pure subroutine iiwa_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="iiwa_inverse_dynamics_f")
     real(rk), intent(in) :: q(7)
@@ -44,34 +44,36 @@ contains
     real(rk), intent(in) :: qdd(7)
     real(rk), intent(out) :: tau(7)
     real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, c7, s7, t1, w2_x, w2_y, ww2_yz
-    real(rk) :: ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
-    real(rk) :: lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33
-    real(rk) :: a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, alpha3_z, w3_z
-    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12
-    real(rk) :: lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, a3_z
-    real(rk) :: t2, t3, a3_x, a3_y, w4_x, w4_y, alpha4_x, alpha4_y
-    real(rk) :: alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx, ww4_yy, ww4_zz
-    real(rk) :: neg_lam4_11, lam4_12, lam4_13, lam4_21, lam4_22, lam4_23, lam4_31, lam4_32
-    real(rk) :: lam4_33, a4_x, a4_y, w5_x, t4, w5_y, alpha5_x, alpha5_y
-    real(rk) :: alpha5_z, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz
-    real(rk) :: neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32
-    real(rk) :: neg_lam5_33, a5_z, t5, t6, a5_x, a5_y, w6_x, t7
-    real(rk) :: w6_y, alpha6_x, alpha6_y, alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy
-    real(rk) :: ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22
-    real(rk) :: lam6_23, lam6_31, lam6_32, neg_lam6_33, neg_a6_x, a6_y, w7_x, w7_y
-    real(rk) :: alpha7_x, alpha7_y, alpha7_z, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx
-    real(rk) :: ww7_yy, ww7_zz, neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23
-    real(rk) :: lam7_31, lam7_32, neg_lam7_33, a7_z, t8, t9, a7_x, a7_y
-    real(rk) :: nc1_z, nc2_x, nc2_y, t10, nc2_z, fc3_x, fc3_y, nc3_x
+    real(rk) :: c6, s6, c7, s7, t1, w2_x, w2_y, a2_x
+    real(rk) :: a2_y, ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy
+    real(rk) :: ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23, lam2_31
+    real(rk) :: lam2_32, neg_lam2_33, a3_z, w3_x, w3_y, t2, t3, a3_x
+    real(rk) :: a3_y, alpha3_x, alpha3_y, alpha3_z, w3_z, ww3_yz, ww3_zx, ww3_xy
+    real(rk) :: ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22
+    real(rk) :: lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, w4_x, w4_y, a4_x, a4_y
+    real(rk) :: alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx
+    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, lam4_22, lam4_23
+    real(rk) :: lam4_31, lam4_32, lam4_33, a5_z, w5_x, t4, w5_y, t5
+    real(rk) :: t6, a5_x, a5_y, alpha5_x, alpha5_y, alpha5_z, w5_z, ww5_yz
+    real(rk) :: ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13
+    real(rk) :: lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, t7
+    real(rk) :: w6_y, neg_a6_x, a6_y, alpha6_x, alpha6_y, alpha6_z, w6_z, ww6_yz
+    real(rk) :: ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13
+    real(rk) :: lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33, a7_z, w7_x
+    real(rk) :: w7_y, t8, t9, a7_x, a7_y, alpha7_x, alpha7_y, alpha7_z
+    real(rk) :: w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11
+    real(rk) :: lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33
+    real(rk) :: nc1_z, nc2_x, nc2_y, t10, nc2_z, fc3_x, fc3_y, neg_nc3_x
     real(rk) :: nc3_y, t11, nc3_z, fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y
     real(rk) :: t12, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t13
-    real(rk) :: nc5_z, fc6_x, fc6_y, fc6_z, neg_nc6_x, nc6_y, t14, nc6_z
-    real(rk) :: neg_fc7_x, fc7_y, fc7_z, neg_nc7_x, nc7_y, t15, nc7_z, t16
-    real(rk) :: neg_n6_x, n6_y, t17, n6_z, f6_x, f6_y, f6_z, n5_x
-    real(rk) :: n5_y, n5_z, f5_x, f5_y, f5_z, t18, neg_n4_x, n4_y
-    real(rk) :: t19, n4_z, f4_x, f4_y, f4_z, n3_x, n3_y, n3_z
-    real(rk) :: f3_x, f3_y, neg_n2_x, n2_y, n2_z, n1_z
+    real(rk) :: nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t14, nc6_z
+    real(rk) :: fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t15, nc7_z, neg_f07_x
+    real(rk) :: f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y
+    real(rk) :: f6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z
+    real(rk) :: f5_x, f5_y, f5_z, f05_x, f05_y, n05_x, n05_y, n4_x
+    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, n04_x, n04_y
+    real(rk) :: n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y, n03_x
+    real(rk) :: n03_y, n2_x, n2_y, n2_z, n02_y, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -90,6 +92,9 @@ contains
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
     ww2_yz = qd(2)*w2_y
     ww2_zx = qd(2)*w2_x
@@ -111,12 +116,16 @@ contains
     lam2_31 = ww2_zx + neg_alpha2_y
     lam2_32 = ww2_yz + alpha2_x
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = -0.4_rk*neg_lam2_22 - a2_y
     ! link 3: angular velocity [rad/s]
     w3_x = c3*w2_x + qd(2)*s3
     w3_y = qd(2)*c3 - s3*w2_x
+    t2 = -0.4_rk*lam2_32
+    t3 = 0.4_rk*lam2_12 - a2_x
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_x = s3*t2 - c3*t3
+    a3_y = s3*t3 + c3*t2
     ! link 3: angular acceleration [rad/s^2]
     alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - qdd(2)*s3)
     alpha3_y = qdd(2)*c3 - s3*alpha2_x - qd(3)*w3_x
@@ -140,15 +149,12 @@ contains
     neg_lam3_31 = alpha3_y - ww3_zx
     lam3_32 = alpha3_x + ww3_yz
     neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = -0.4_rk*neg_lam2_22 - a2_y
-    t2 = -0.4_rk*lam2_32
-    t3 = 0.4_rk*lam2_12 - a2_x
-    a3_x = s3*t2 - c3*t3
-    a3_y = s3*t3 + c3*t2
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_z
+    a4_y = c4*a3_z - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*alpha3_z)
     alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
@@ -172,13 +178,17 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     lam4_33 = neg_ww4_xx - ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_z
-    a4_y = c4*a3_z - s4*a3_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_z = a4_y + 0.4_rk*lam4_22
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
     t4 = -s5
     w5_y = t4*w4_x - c5*w4_z
+    t5 = a3_y - 0.4_rk*lam4_32
+    t6 = -0.4_rk*lam4_12 - a4_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = s5*t5 - c5*t6
+    a5_y = s5*t6 + c5*t5
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = qd(5)*w5_y - (s5*alpha4_z - c5*alpha4_x)
     alpha5_y = t4*alpha4_x - c5*alpha4_z - qd(5)*w5_x
@@ -202,16 +212,13 @@ contains
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y + 0.4_rk*lam4_22
-    t5 = a3_y - 0.4_rk*lam4_32
-    t6 = -0.4_rk*lam4_12 - a4_x
-    a5_x = s5*t5 - c5*t6
-    a5_y = s5*t6 + c5*t5
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
     t7 = -s6
     w6_y = t7*w5_x - c6*w5_z
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a6_x = s6*a5_z - c6*a5_x
+    a6_y = t7*a5_x - c6*a5_z
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (s6*alpha5_z - c6*alpha5_x)
     alpha6_y = t7*alpha5_x - c6*alpha5_z - qd(6)*w6_x
@@ -235,12 +242,16 @@ contains
     lam6_31 = ww6_zx - alpha6_y
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a6_x = s6*a5_z - c6*a5_x
-    a6_y = t7*a5_x - c6*a5_z
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_z = -0.126_rk*neg_lam6_22 - a6_y
     ! link 7: angular velocity [rad/s]
     w7_x = c7*w6_x + s7*w6_z
     w7_y = c7*w6_z - s7*w6_x
+    t8 = a5_y - 0.126_rk*lam6_32
+    t9 = neg_a6_x + 0.126_rk*lam6_12
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_x = s7*t8 - c7*t9
+    a7_y = s7*t9 + c7*t8
     ! link 7: angular acceleration [rad/s^2]
     alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha6_z)
     alpha7_y = c7*alpha6_z - s7*alpha6_x - qd(7)*w7_x
@@ -264,12 +275,6 @@ contains
     lam7_31 = ww7_zx - alpha7_y
     lam7_32 = alpha7_x + ww7_yz
     neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_z = -0.126_rk*neg_lam6_22 - a6_y
-    t8 = a5_y - 0.126_rk*lam6_32
-    t9 = neg_a6_x + 0.126_rk*lam6_12
-    a7_x = s7*t8 - c7*t9
-    a7_y = s7*t9 + c7*t8
     ! link 1: moment that turns the link [N m]
     nc1_z = 0.8058116303302202_rk*qdd(1)
     ! link 2: moment that turns the link [N m]
@@ -285,9 +290,9 @@ contains
     fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
     fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
     ! link 3: moment that turns the link [N m]
-    nc3_x = -0.04389618410240257_rk*a3_z - (0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
+    neg_nc3_x = 0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
         0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
-        0.16230144331072144_rk*lam3_21))
+        0.16230144331072144_rk*lam3_21) + 0.04389618410240257_rk*a3_z
     nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
         neg_lam3_33) + (0.1005265342798281_rk*lam3_32 - 0.06405373385272267_rk*lam3_12) + &
         1.0168650139155704_rk*a3_z
@@ -330,9 +335,9 @@ contains
     fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
     fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
     ! link 6: moment that turns the link [N m]
-    neg_nc6_x = -2.0289563933923875_rk*lam6_32 - 0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) &
-        - (0.042925575293549574_rk*lam6_21 - 0.36144292274665746_rk*lam6_31) + &
-        1.291128497815195_rk*a5_y
+    nc6_x = -1.291128497815195_rk*a5_y - (-2.0289563933923875_rk*lam6_32 - &
+        0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574_rk*lam6_21 - &
+        0.36144292274665746_rk*lam6_31))
     nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
         (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
         1.5656307599463828_rk*a5_y
@@ -341,13 +346,13 @@ contains
         0.0870114460092663_rk*lam6_13)
     nc6_z = t14 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
     ! link 7: force that moves the link [N]
-    neg_fc7_x = 0.9999503996366931_rk*neg_lam7_11 - 0.708306797966195_rk*lam7_12
+    fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
     fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
     fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
     ! link 7: moment that turns the link [N m]
-    neg_nc7_x = -0.2922782720134952_rk*lam7_32 - 0.061680050398747424_rk*(neg_lam7_22 - &
-        neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - 0.2114247825686032_rk*lam7_31) - &
-        0.708306797966195_rk*a7_z
+    nc7_x = 0.708306797966195_rk*a7_z - (-0.2922782720134952_rk*lam7_32 - &
+        0.061680050398747424_rk*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - &
+        0.2114247825686032_rk*lam7_31))
     nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) - &
         (0.2114247825686032_rk*lam7_32 - 0.061680050398747424_rk*lam7_12) - &
         0.9999503996366931_rk*a7_z
@@ -355,47 +360,74 @@ contains
         0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) + (0.2024621683128357_rk*lam7_23 - &
         0.061680050398747424_rk*lam7_13)
     nc7_z = t15 + (0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x)
-    t16 = s7*neg_fc7_x - c7*fc7_y
+    ! link 7: force through the joint, along the axes that its turn starts from [N]
+    neg_f07_x = s7*fc7_y - c7*fc7_x
+    f07_y = s7*fc7_x + c7*fc7_y
+    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
+    n07_x = c7*nc7_x - s7*nc7_y
+    n07_y = s7*nc7_x + c7*nc7_y
     ! link 6: moment through the joint, about the frame's origin [N m]
-    neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126_rk*t16 - neg_nc6_x)
+    n6_x = n07_x + (nc6_x - 0.126_rk*f07_y)
     n6_y = nc6_y - nc7_z
-    t17 = c7*neg_fc7_x + s7*fc7_y
-    n6_z = nc6_z - 0.126_rk*t17 - (s7*neg_nc7_x - c7*nc7_y)
+    n6_z = n07_y + (nc6_z - 0.126_rk*neg_f07_x)
     ! link 6: force through the joint [N]
-    f6_x = fc6_x - t17
+    f6_x = fc6_x - neg_f07_x
     f6_y = fc6_y - fc7_z
-    f6_z = fc6_z - t16
+    f6_z = fc6_z + f07_y
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*f6_x - s6*f6_y
+    f06_y = s6*f6_x + c6*f6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*n6_x - s6*n6_y
+    n06_y = s6*n6_x + c6*n6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y + n6_z
-    n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y)
+    n5_z = nc5_z - n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x + (c6*f6_x - s6*f6_y)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y + f6_z
-    f5_z = fc5_z - (s6*f6_x + c6*f6_y)
-    t18 = s5*f5_x + c5*f5_y
+    f5_z = fc5_z - f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4_rk*t18)
+    n4_x = n05_x - (neg_nc4_x + 0.4_rk*f05_y)
     n4_y = nc4_y + n5_z
-    t19 = c5*f5_x - s5*f5_y
-    n4_z = t4*n5_x - c5*n5_y + (nc4_z - 0.4_rk*t19)
+    n4_z = nc4_z - 0.4_rk*f05_x - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + t19
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + f5_z
-    f4_z = fc4_z - t18
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y)
+    n3_x = n04_x - neg_nc3_x
     n3_y = nc3_y - n4_z
-    n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y)
+    n3_z = nc3_z + n04_y
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + (c4*f4_x - s4*f4_y)
+    f3_x = fc3_x + f04_x
     f3_y = fc3_y - f4_z
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c3*f3_x - s3*f3_y
+    f03_y = s3*f3_x + c3*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_x = c3*n3_x - s3*n3_y
+    n03_y = s3*n3_x + c3*n3_y
     ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = s3*n3_y - c3*n3_x + (0.4_rk*(s3*f3_x + c3*f3_y) - nc2_x)
+    n2_x = n03_x - (0.4_rk*f03_y - nc2_x)
     n2_y = nc2_y - n3_z
-    n2_z = nc2_z + 0.4_rk*(c3*f3_x - s3*f3_y) - (-s3*n3_x - c3*n3_y)
+    n2_z = n03_y + (nc2_z + 0.4_rk*f03_x)
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*n2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = nc1_z + (s2*neg_n2_x - c2*n2_y)
+    n1_z = nc1_z - n02_y
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = n3_z
@@ -406,19 +438,19 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 64 multiplications, 38 additions = 102; 4 unary minus; 12 sine/cosine
+  ! 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
   pure subroutine iiwa_gravity(q, tau) &
       bind(c, name="iiwa_gravity_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: tau(7)
     real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, c7, s7, a2_x, a2_y, a3_x, t1
-    real(rk) :: a3_y, a4_x, t2, a4_y, a5_x, a5_y, a6_x, t3
-    real(rk) :: a6_y, a7_x, a7_y, nc2_z, nc3_x, nc3_y, nc3_z, nc4_x
-    real(rk) :: nc4_y, nc4_z, nc5_x, nc5_y, nc5_z, nc6_x, nc6_y, nc6_z
-    real(rk) :: nc7_x, nc7_y, nc7_z, n6_x, n6_y, n6_z, n5_x, n5_y
-    real(rk) :: n5_z, n4_x, n4_y, n4_z, n3_x, n3_y, n3_z, n2_x
-    real(rk) :: n2_z, n1_z
+    real(rk) :: c6, s6, c7, s7, a2_x, a2_y, a3_x, a3_y
+    real(rk) :: a4_x, a4_y, a5_x, a5_y, a6_x, a6_y, a7_x, a7_y
+    real(rk) :: nc2_z, nc3_x, nc3_y, nc3_z, nc4_x, nc4_y, nc4_z, nc5_x
+    real(rk) :: nc5_y, nc5_z, nc6_x, nc6_y, nc6_z, nc7_x, nc7_y, nc7_z
+    real(rk) :: n07_x, n07_y, n6_x, n6_y, n6_z, n06_x, n06_y, n5_x
+    real(rk) :: n5_y, n5_z, n05_x, n05_y, n4_x, n4_y, n4_z, n04_x
+    real(rk) :: n04_y, n3_x, n3_y, n3_z, n03_x, n03_y, n2_z, neg_n02_y
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -438,19 +470,16 @@ contains
     a2_y = -9.81_rk*c2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_x = c3*a2_x
-    t1 = -s3
-    a3_y = t1*a2_x
+    a3_y = -s3*a2_x
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
     a4_x = c4*a3_x - s4*a2_y
-    t2 = -s4
-    a4_y = t2*a3_x - c4*a2_y
+    a4_y = -s4*a3_x - c4*a2_y
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
     a5_x = c5*a4_x + s5*a3_y
     a5_y = c5*a3_y - s5*a4_x
     ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
     a6_x = c6*a5_x - s6*a4_y
-    t3 = -s6
-    a6_y = t3*a5_x - c6*a4_y
+    a6_y = -s6*a5_x - c6*a4_y
     ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
     a7_x = c7*a6_x + s7*a5_y
     a7_y = c7*a5_y - s7*a6_x
@@ -476,28 +505,42 @@ contains
     nc7_x = -0.708306797966195_rk*a6_y
     nc7_y = 0.9999503996366931_rk*a6_y
     nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x
+    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
+    n07_x = c7*nc7_x - s7*nc7_y
+    n07_y = s7*nc7_x + c7*nc7_y
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = nc6_x - (s7*nc7_y - c7*nc7_x)
+    n6_x = nc6_x + n07_x
     n6_y = nc6_y - nc7_z
-    n6_z = nc6_z - (-s7*nc7_x - c7*nc7_y)
+    n6_z = nc6_z + n07_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*n6_x - s6*n6_y
+    n06_y = s6*n6_x + c6*n6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x - (s6*n6_y - c6*n6_x)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y + n6_z
-    n5_z = nc5_z + (t3*n6_x - c6*n6_y)
+    n5_z = nc5_z - n06_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z - (s5*n5_x + c5*n5_y)
+    n4_z = nc4_z - n05_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (s4*n4_y - c4*n4_x)
+    n3_x = nc3_x + n04_x
     n3_y = nc3_y - n4_z
-    n3_z = nc3_z - (t2*n4_x - c4*n4_y)
+    n3_z = nc3_z + n04_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_x = c3*n3_x - s3*n3_y
+    n03_y = s3*n3_x + c3*n3_y
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = c3*n3_x - s3*n3_y
-    n2_z = nc2_z - (t1*n3_x - c3*n3_y)
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = c2*n3_z - s2*n2_x
-    tau(1) = n1_z
+    n2_z = nc2_z + n03_y
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    neg_n02_y = c2*n3_z - s2*n03_x
+    tau(1) = neg_n02_y
     tau(2) = n2_z
     tau(3) = n3_z
     tau(4) = n4_z
@@ -514,32 +557,34 @@ contains
     real(rk), intent(in) :: qd(7)
     real(rk), intent(out) :: tau(7)
     real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, c7, s7, t1, w2_x, w2_y, alpha2_x
-    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33
-    real(rk) :: a2_x, a2_y, w3_x, w3_y, alpha3_x, t2, alpha3_y, w3_z
-    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12
-    real(rk) :: lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, a3_z
-    real(rk) :: t3, t4, a3_x, a3_y, w4_x, w4_y, alpha4_x, alpha4_y
-    real(rk) :: w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx, ww4_yy, ww4_zz, neg_lam4_11
-    real(rk) :: lam4_12, lam4_13, lam4_21, lam4_22, lam4_23, lam4_31, lam4_32, lam4_33
-    real(rk) :: a4_x, a4_y, w5_x, t5, w5_y, alpha5_x, alpha5_y, w5_z
-    real(rk) :: ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12
-    real(rk) :: lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_z
-    real(rk) :: t6, t7, a5_x, a5_y, w6_x, t8, w6_y, alpha6_x
+    real(rk) :: c6, s6, c7, s7, t1, w2_x, w2_y, a2_x
+    real(rk) :: a2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: neg_lam2_22, neg_lam2_33, a3_z, w3_x, w3_y, t2, t3, a3_x
+    real(rk) :: a3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx
+    real(rk) :: ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_23
+    real(rk) :: neg_lam3_31, lam3_32, neg_lam3_33, w4_x, w4_y, a4_x, a4_y, alpha4_x
+    real(rk) :: alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx, ww4_yy, ww4_zz
+    real(rk) :: neg_lam4_11, lam4_12, lam4_13, lam4_21, lam4_22, lam4_23, lam4_31, lam4_32
+    real(rk) :: lam4_33, a5_z, w5_x, w5_y, t4, t5, a5_x, a5_y
+    real(rk) :: alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy
+    real(rk) :: ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31
+    real(rk) :: lam5_32, neg_lam5_33, w6_x, t6, w6_y, neg_a6_x, a6_y, alpha6_x
     real(rk) :: alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
     real(rk) :: neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32
-    real(rk) :: neg_lam6_33, neg_a6_x, a6_y, w7_x, w7_y, alpha7_x, alpha7_y, w7_z
-    real(rk) :: ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11, lam7_12
-    real(rk) :: lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33, a7_z
-    real(rk) :: t9, t10, a7_x, a7_y, nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, nc3_x, nc3_y, t11, nc3_z, fc4_x, fc4_y, fc4_z
-    real(rk) :: neg_nc4_x, nc4_y, t12, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x
-    real(rk) :: nc5_y, t13, nc5_z, fc6_x, fc6_y, fc6_z, neg_nc6_x, nc6_y
-    real(rk) :: t14, nc6_z, fc7_x, fc7_y, fc7_z, neg_nc7_x, nc7_y, t15
-    real(rk) :: nc7_z, t16, neg_n6_x, n6_y, t17, n6_z, f6_x, f6_y
-    real(rk) :: f6_z, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, t18
-    real(rk) :: neg_n4_x, n4_y, t19, n4_z, f4_x, f4_y, f4_z, n3_x
-    real(rk) :: n3_y, n3_z, f3_x, f3_y, neg_n2_x, n2_y, n2_z, n1_z
+    real(rk) :: neg_lam6_33, a7_z, w7_x, w7_y, t7, t8, a7_x, a7_y
+    real(rk) :: alpha7_x, alpha7_y, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy
+    real(rk) :: ww7_zz, neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31
+    real(rk) :: lam7_32, neg_lam7_33, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, neg_nc3_x
+    real(rk) :: nc3_y, t9, neg_nc3_z, fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y
+    real(rk) :: t10, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t11
+    real(rk) :: nc5_z, fc6_x, fc6_y, fc6_z, neg_nc6_x, nc6_y, t12, nc6_z
+    real(rk) :: fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t13, nc7_z, f07_x
+    real(rk) :: neg_f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y
+    real(rk) :: f6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z
+    real(rk) :: f5_x, f5_y, f5_z, f05_x, f05_y, n05_x, n05_y, n4_x
+    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, n04_x, n04_y
+    real(rk) :: n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y, n03_x
+    real(rk) :: n03_y, neg_n2_x, n2_y, n2_z, neg_n02_y
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -558,6 +603,9 @@ contains
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
     alpha2_y = -qd(2)*w2_x
@@ -570,16 +618,19 @@ contains
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = -0.4_rk*neg_lam2_22 - a2_y
     ! link 3: angular velocity [rad/s]
     w3_x = c3*w2_x + qd(2)*s3
     w3_y = qd(2)*c3 - s3*w2_x
+    t2 = -0.8_rk*alpha2_x
+    t3 = 0.4_rk*ww2_xy - a2_x
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_x = s3*t2 - c3*t3
+    a3_y = s3*t3 + c3*t2
     ! link 3: angular acceleration [rad/s^2]
     alpha3_x = c3*alpha2_x + qd(3)*w3_y
-    t2 = -s3
-    alpha3_y = t2*alpha2_x - qd(3)*w3_x
+    alpha3_y = -s3*alpha2_x - qd(3)*w3_x
     ! link 3: angular velocity [rad/s]
     w3_z = qd(3) - w2_y
     ! link 3: products of the angular velocity [1/s^2]
@@ -599,15 +650,12 @@ contains
     neg_lam3_31 = alpha3_y - ww3_zx
     lam3_32 = alpha3_x + ww3_yz
     neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = -0.4_rk*neg_lam2_22 - a2_y
-    t3 = -0.8_rk*alpha2_x
-    t4 = 0.4_rk*ww2_xy - a2_x
-    a3_x = s3*t3 - c3*t4
-    a3_y = s3*t4 + c3*t3
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_z
+    a4_y = c4*a3_z - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = qd(4)*w4_y - (s4*alpha2_y - c4*alpha3_x)
     alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd(4)*w4_x
@@ -630,13 +678,16 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     lam4_33 = neg_ww4_xx - ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_z
-    a4_y = c4*a3_z - s4*a3_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_z = a4_y + 0.4_rk*lam4_22
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t5 = -s5
-    w5_y = t5*w4_x - c5*w4_z
+    w5_y = -s5*w4_x - c5*w4_z
+    t4 = a3_y - 0.4_rk*lam4_32
+    t5 = -0.4_rk*lam4_12 - a4_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = s5*t4 - c5*t5
+    a5_y = s5*t5 + c5*t4
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = qd(5)*w5_y - (-c5*alpha4_x - s5*alpha3_y)
     alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
@@ -659,19 +710,16 @@ contains
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y + 0.4_rk*lam4_22
-    t6 = a3_y - 0.4_rk*lam4_32
-    t7 = -0.4_rk*lam4_12 - a4_x
-    a5_x = s5*t6 - c5*t7
-    a5_y = s5*t7 + c5*t6
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
-    t8 = -s6
-    w6_y = t8*w5_x - c6*w5_z
+    t6 = -s6
+    w6_y = t6*w5_x - c6*w5_z
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a6_x = s6*a5_z - c6*a5_x
+    a6_y = t6*a5_x - c6*a5_z
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (s6*alpha4_y - c6*alpha5_x)
-    alpha6_y = t8*alpha5_x - c6*alpha4_y - qd(6)*w6_x
+    alpha6_y = t6*alpha5_x - c6*alpha4_y - qd(6)*w6_x
     ! link 6: angular velocity [rad/s]
     w6_z = qd(6) + w5_y
     ! link 6: products of the angular velocity [1/s^2]
@@ -691,12 +739,16 @@ contains
     lam6_31 = ww6_zx - alpha6_y
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a6_x = s6*a5_z - c6*a5_x
-    a6_y = t8*a5_x - c6*a5_z
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_z = -0.126_rk*neg_lam6_22 - a6_y
     ! link 7: angular velocity [rad/s]
     w7_x = c7*w6_x + s7*w6_z
     w7_y = c7*w6_z - s7*w6_x
+    t7 = a5_y - 0.126_rk*lam6_32
+    t8 = neg_a6_x + 0.126_rk*lam6_12
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_x = s7*t7 - c7*t8
+    a7_y = s7*t8 + c7*t7
     ! link 7: angular acceleration [rad/s^2]
     alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha5_y)
     alpha7_y = c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
@@ -719,12 +771,6 @@ contains
     lam7_31 = ww7_zx - alpha7_y
     lam7_32 = alpha7_x + ww7_yz
     neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_z = -0.126_rk*neg_lam6_22 - a6_y
-    t9 = a5_y - 0.126_rk*lam6_32
-    t10 = neg_a6_x + 0.126_rk*lam6_12
-    a7_x = s7*t9 - c7*t10
-    a7_y = s7*t10 + c7*t9
     ! link 2: moment that turns the link [N m]
     nc2_x = 1.0437049982058304_rk*alpha2_y + 0.20091837135316784_rk*ww2_xy - &
         (-8.476803571151484_rk*alpha2_x - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
@@ -736,16 +782,16 @@ contains
     fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
     fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
     ! link 3: moment that turns the link [N m]
-    nc3_x = -0.04389618410240257_rk*a3_z - (0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
+    neg_nc3_x = 0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
         0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
-        0.16230144331072144_rk*lam3_21))
+        0.16230144331072144_rk*lam3_21) + 0.04389618410240257_rk*a3_z
     nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
         neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) + &
         1.0168650139155704_rk*a3_z
-    t11 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
+    t9 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
         0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144_rk*lam3_23 + &
         0.06405373385272267_rk*lam3_13)
-    nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y - t11
+    neg_nc3_z = t9 + (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
     ! link 4: force that moves the link [N]
     fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
     fc4_y = 8.054835434921454_rk*lam4_22 - 0.5168019281781282_rk*lam4_21
@@ -757,10 +803,10 @@ contains
     nc4_y = 0.013124222729483126_rk*(neg_lam4_11 + lam4_33) - 0.24852411424661205_rk*lam4_31 + &
         (0.09675036990607108_rk*lam4_12 + 0.20921122087079386_rk*lam4_32) - &
         0.5168019281781282_rk*a3_y
-    t12 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
+    t10 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
         0.20921122087079386_rk*(neg_lam4_11 + lam4_22) + (0.013124222729483126_rk*lam4_23 + &
         0.09675036990607108_rk*lam4_13)
-    neg_nc4_z = t12 + (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
+    nc4_z = -8.054835434921454_rk*a4_x - 0.5168019281781282_rk*a4_y - t10
     ! link 5: force that moves the link [N]
     fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
     fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
@@ -772,10 +818,10 @@ contains
     nc5_y = 0.041147842218669614_rk*(neg_lam5_11 - neg_lam5_33) - 0.09474888781047501_rk*lam5_31 + &
         (0.03284626166448073_rk*lam5_32 - 0.05680835589544868_rk*lam5_12) + &
         0.25252954507510866_rk*a5_z
-    t13 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
+    t11 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
         0.03284626166448073_rk*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614_rk*lam5_23 - &
         0.05680835589544868_rk*lam5_13)
-    nc5_z = t13 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
+    nc5_z = t11 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
     ! link 6: force that moves the link [N]
     fc6_x = 1.5656307599463828_rk*neg_lam6_11 - 1.291128497815195_rk*lam6_12
     fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
@@ -787,67 +833,92 @@ contains
     nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
         (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
         1.5656307599463828_rk*a5_y
-    t14 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
+    t12 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
         0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
         0.0870114460092663_rk*lam6_13)
-    nc6_z = t14 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
+    nc6_z = t12 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
     ! link 7: force that moves the link [N]
     fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
     fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
     fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
     ! link 7: moment that turns the link [N m]
-    neg_nc7_x = -0.2922782720134952_rk*lam7_32 - 0.061680050398747424_rk*(neg_lam7_22 - &
-        neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - 0.2114247825686032_rk*lam7_31) - &
-        0.708306797966195_rk*a7_z
+    nc7_x = 0.708306797966195_rk*a7_z - (-0.2922782720134952_rk*lam7_32 - &
+        0.061680050398747424_rk*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - &
+        0.2114247825686032_rk*lam7_31))
     nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) + &
         (0.061680050398747424_rk*lam7_12 - 0.2114247825686032_rk*lam7_32) - &
         0.9999503996366931_rk*a7_z
-    t15 = 0.2922782720134952_rk*lam7_12 - 0.19090892097190032_rk*lam7_21 - &
+    t13 = 0.2922782720134952_rk*lam7_12 - 0.19090892097190032_rk*lam7_21 - &
         0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357_rk*lam7_23 - &
         0.061680050398747424_rk*lam7_13)
-    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t15
-    t16 = -s7*fc7_x - c7*fc7_y
+    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t13
+    ! link 7: force through the joint, along the axes that its turn starts from [N]
+    f07_x = c7*fc7_x - s7*fc7_y
+    neg_f07_y = -s7*fc7_x - c7*fc7_y
+    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
+    n07_x = c7*nc7_x - s7*nc7_y
+    n07_y = s7*nc7_x + c7*nc7_y
     ! link 6: moment through the joint, about the frame's origin [N m]
-    neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126_rk*t16 - neg_nc6_x)
+    n6_x = n07_x + (0.126_rk*neg_f07_y - neg_nc6_x)
     n6_y = nc6_y - nc7_z
-    t17 = s7*fc7_y - c7*fc7_x
-    n6_z = nc6_z - 0.126_rk*t17 - (s7*neg_nc7_x - c7*nc7_y)
+    n6_z = n07_y + (nc6_z + 0.126_rk*f07_x)
     ! link 6: force through the joint [N]
-    f6_x = fc6_x - t17
+    f6_x = fc6_x + f07_x
     f6_y = fc6_y - fc7_z
-    f6_z = fc6_z - t16
+    f6_z = fc6_z - neg_f07_y
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*f6_x - s6*f6_y
+    f06_y = s6*f6_x + c6*f6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*n6_x - s6*n6_y
+    n06_y = s6*n6_x + c6*n6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y + n6_z
-    n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y)
+    n5_z = nc5_z - n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x + (c6*f6_x - s6*f6_y)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y + f6_z
-    f5_z = fc5_z - (s6*f6_x + c6*f6_y)
-    t18 = s5*f5_x + c5*f5_y
+    f5_z = fc5_z - f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4_rk*t18)
+    n4_x = n05_x - (neg_nc4_x + 0.4_rk*f05_y)
     n4_y = nc4_y + n5_z
-    t19 = c5*f5_x - s5*f5_y
-    n4_z = t5*n5_x - c5*n5_y - (neg_nc4_z + 0.4_rk*t19)
+    n4_z = nc4_z - 0.4_rk*f05_x - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + t19
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + f5_z
-    f4_z = fc4_z - t18
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y)
+    n3_x = n04_x - neg_nc3_x
     n3_y = nc3_y - n4_z
-    n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y)
+    n3_z = n04_y - neg_nc3_z
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + (c4*f4_x - s4*f4_y)
+    f3_x = fc3_x + f04_x
     f3_y = fc3_y - f4_z
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c3*f3_x - s3*f3_y
+    f03_y = s3*f3_x + c3*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_x = c3*n3_x - s3*n3_y
+    n03_y = s3*n3_x + c3*n3_y
     ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = s3*n3_y - c3*n3_x + (0.4_rk*(s3*f3_x + c3*f3_y) - nc2_x)
+    neg_n2_x = 0.4_rk*f03_y - nc2_x - n03_x
     n2_y = nc2_y - n3_z
-    n2_z = nc2_z + 0.4_rk*(c3*f3_x - s3*f3_y) - (t2*n3_x - c3*n3_y)
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y
-    tau(1) = n1_z
+    n2_z = n03_y + (nc2_z + 0.4_rk*f03_x)
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    neg_n02_y = s2*neg_n2_x - c2*n2_y
+    tau(1) = neg_n02_y
     tau(2) = n2_z
     tau(3) = n3_z
     tau(4) = n4_z
@@ -1156,40 +1227,42 @@ contains
     real(rk) :: k3_xz, k3_yz, m3_3, t22, fu2_x_5, neg_fu2_z_3, nu2_x_5, nu2_z_5
     real(rk) :: nu1_z_5, t23, t24, t25, t26, k2_zz, t27, k2_yy
     real(rk) :: k2_xy, k2_xz, k2_yz, t28, m2_2, nu1_z_6, t29, m1_1
-    real(rk) :: t30, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy
-    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_x, a2_y, w3_x, w3_y
-    real(rk) :: alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy
-    real(rk) :: ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31
-    real(rk) :: lam3_32, neg_lam3_33, a3_z, t31, t32, a3_x, a3_y, w4_x
-    real(rk) :: w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx
-    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, lam4_22, lam4_23
-    real(rk) :: lam4_31, lam4_32, lam4_33, a4_x, a4_y, w5_x, w5_y, alpha5_x
-    real(rk) :: alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz
-    real(rk) :: neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32
-    real(rk) :: neg_lam5_33, a5_z, t33, t34, a5_x, a5_y, w6_x, t35
-    real(rk) :: w6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx
-    real(rk) :: ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23
-    real(rk) :: lam6_31, lam6_32, neg_lam6_33, neg_a6_x, a6_y, w7_x, w7_y, alpha7_x
-    real(rk) :: alpha7_y, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz
-    real(rk) :: neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32
-    real(rk) :: neg_lam7_33, a7_z, t36, t37, a7_x, a7_y, nc2_x, nc2_y
-    real(rk) :: nc2_z, fc3_x, fc3_y, nc3_x, nc3_y, t38, nc3_z, fc4_x
+    real(rk) :: t30, w2_x, w2_y, a2_x, a2_y, alpha2_x, alpha2_y, ww2_xy
+    real(rk) :: ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, w3_x
+    real(rk) :: w3_y, t31, t32, a3_x, a3_y, alpha3_x, alpha3_y, w3_z
+    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12
+    real(rk) :: lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, w4_x
+    real(rk) :: w4_y, a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx
+    real(rk) :: ww4_xy, neg_ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21
+    real(rk) :: lam4_22, lam4_23, lam4_31, lam4_32, lam4_33, a5_z, w5_x, w5_y
+    real(rk) :: t33, t34, a5_x, a5_y, alpha5_x, alpha5_y, w5_z, ww5_yz
+    real(rk) :: ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13
+    real(rk) :: lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, t35
+    real(rk) :: w6_y, neg_a6_x, a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx
+    real(rk) :: ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21
+    real(rk) :: neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33, a7_z, w7_x, w7_y
+    real(rk) :: t36, t37, a7_x, a7_y, alpha7_x, alpha7_y, w7_z, ww7_yz
+    real(rk) :: ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11, lam7_12, lam7_13
+    real(rk) :: lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33, nc2_x, nc2_y
+    real(rk) :: nc2_z, fc3_x, fc3_y, neg_nc3_x, nc3_y, t38, neg_nc3_z, fc4_x
     real(rk) :: fc4_y, fc4_z, neg_nc4_x, nc4_y, t39, neg_nc4_z, fc5_x, fc5_y
     real(rk) :: fc5_z, nc5_x, nc5_y, t40, nc5_z, fc6_x, fc6_y, fc6_z
-    real(rk) :: neg_nc6_x, nc6_y, t41, nc6_z, fc7_x, fc7_y, fc7_z, neg_nc7_x
-    real(rk) :: nc7_y, t42, nc7_z, t43, neg_n6_x, n6_y, t44, n6_z
-    real(rk) :: f6_x, f6_y, f6_z, n5_x, n5_y, n5_z, f5_x, f5_y
-    real(rk) :: f5_z, t45, neg_n4_x, n4_y, t46, n4_z, f4_x, f4_y
-    real(rk) :: f4_z, n3_x, n3_y, n3_z, f3_x, f3_y, neg_n2_x, n2_y
-    real(rk) :: n2_z, n1_z, y1, ipivot1, l2_1, l3_1, l4_1, l5_1
-    real(rk) :: l6_1, l7_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2
-    real(rk) :: ld5_2, l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3
-    real(rk) :: ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, ld7_3, l7_3
-    real(rk) :: pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, ld7_4, l7_4
-    real(rk) :: pivot5, ipivot5, ld6_5, l6_5, ld7_5, l7_5, pivot6, ipivot6
-    real(rk) :: ld7_6, l7_6, t47, pivot7, ipivot7, y2, y3, y4
-    real(rk) :: y5, y6, t48, y7, qdd7, qdd6, qdd5, qdd4
-    real(rk) :: qdd3, t49, qdd2, t50, qdd1
+    real(rk) :: neg_nc6_x, nc6_y, t41, nc6_z, fc7_x, fc7_y, fc7_z, nc7_x
+    real(rk) :: nc7_y, t42, nc7_z, f07_x, neg_f07_y, n07_x, n07_y, n6_x
+    real(rk) :: n6_y, n6_z, f6_x, f6_y, f6_z, f06_x, f06_y, n06_x
+    real(rk) :: n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, f05_x
+    real(rk) :: f05_y, n05_x, n05_y, n4_x, n4_y, neg_n4_z, f4_x, f4_y
+    real(rk) :: f4_z, f04_x, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x
+    real(rk) :: f3_y, f03_x, f03_y, n03_x, n03_y, n2_x, n2_y, n2_z
+    real(rk) :: n02_y, y1, ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1
+    real(rk) :: l7_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2
+    real(rk) :: l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3, ld4_3
+    real(rk) :: l4_3, ld5_3, l5_3, ld6_3, l6_3, ld7_3, l7_3, pivot4
+    real(rk) :: ipivot4, ld5_4, l5_4, ld6_4, l6_4, ld7_4, l7_4, pivot5
+    real(rk) :: ipivot5, ld6_5, l6_5, ld7_5, l7_5, pivot6, ipivot6, ld7_6
+    real(rk) :: l7_6, t43, pivot7, ipivot7, y2, y3, y4, y5
+    real(rk) :: y6, t44, y7, qdd7, qdd6, qdd5, qdd4, qdd3
+    real(rk) :: t45, qdd2, t46, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -1395,6 +1468,9 @@ contains
     ! link 2: angular velocity [rad/s]
     w2_x = t30*s2
     w2_y = t30*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.81_rk*s2
+    a2_y = -9.81_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
     alpha2_y = -qd(2)*w2_x
@@ -1407,12 +1483,16 @@ contains
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = -0.4_rk*neg_lam2_22 - a2_y
     ! link 3: angular velocity [rad/s]
     w3_x = c3*w2_x + qd(2)*s3
     w3_y = qd(2)*c3 - s3*w2_x
+    t31 = -0.8_rk*alpha2_x
+    t32 = 0.4_rk*ww2_xy - a2_x
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_x = s3*t31 - c3*t32
+    a3_y = s3*t32 + c3*t31
     ! link 3: angular acceleration [rad/s^2]
     alpha3_x = c3*alpha2_x + qd(3)*w3_y
     alpha3_y = t22*alpha2_x - qd(3)*w3_x
@@ -1435,15 +1515,12 @@ contains
     neg_lam3_31 = alpha3_y - ww3_zx
     lam3_32 = alpha3_x + ww3_yz
     neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = -0.4_rk*neg_lam2_22 - a2_y
-    t31 = -0.8_rk*alpha2_x
-    t32 = 0.4_rk*ww2_xy - a2_x
-    a3_x = s3*t31 - c3*t32
-    a3_y = s3*t32 + c3*t31
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_z
+    a4_y = c4*a3_z - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = qd(4)*w4_y - (s4*alpha2_y - c4*alpha3_x)
     alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd(4)*w4_x
@@ -1466,12 +1543,16 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     lam4_33 = neg_ww4_xx - ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_z
-    a4_y = c4*a3_z - s4*a3_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_z = a4_y + 0.4_rk*lam4_22
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
     w5_y = t2*w4_x - c5*w4_z
+    t33 = a3_y - 0.4_rk*lam4_32
+    t34 = -0.4_rk*lam4_12 - a4_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = s5*t33 - c5*t34
+    a5_y = s5*t34 + c5*t33
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = qd(5)*w5_y - (t1*alpha4_x - s5*alpha3_y)
     alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
@@ -1494,16 +1575,13 @@ contains
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y + 0.4_rk*lam4_22
-    t33 = a3_y - 0.4_rk*lam4_32
-    t34 = -0.4_rk*lam4_12 - a4_x
-    a5_x = s5*t33 - c5*t34
-    a5_y = s5*t34 + c5*t33
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
     t35 = -s6
     w6_y = t35*w5_x - c6*w5_z
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a6_x = s6*a5_z - c6*a5_x
+    a6_y = t35*a5_x - c6*a5_z
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (s6*alpha4_y - c6*alpha5_x)
     alpha6_y = t35*alpha5_x - c6*alpha4_y - qd(6)*w6_x
@@ -1526,12 +1604,16 @@ contains
     lam6_31 = ww6_zx - alpha6_y
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a6_x = s6*a5_z - c6*a5_x
-    a6_y = t35*a5_x - c6*a5_z
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_z = -0.126_rk*neg_lam6_22 - a6_y
     ! link 7: angular velocity [rad/s]
     w7_x = c7*w6_x + s7*w6_z
     w7_y = c7*w6_z - s7*w6_x
+    t36 = a5_y - 0.126_rk*lam6_32
+    t37 = neg_a6_x + 0.126_rk*lam6_12
+    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a7_x = s7*t36 - c7*t37
+    a7_y = s7*t37 + c7*t36
     ! link 7: angular acceleration [rad/s^2]
     alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha5_y)
     alpha7_y = c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
@@ -1554,12 +1636,6 @@ contains
     lam7_31 = ww7_zx - alpha7_y
     lam7_32 = alpha7_x + ww7_yz
     neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_z = -0.126_rk*neg_lam6_22 - a6_y
-    t36 = a5_y - 0.126_rk*lam6_32
-    t37 = neg_a6_x + 0.126_rk*lam6_12
-    a7_x = s7*t36 - c7*t37
-    a7_y = s7*t37 + c7*t36
     ! link 2: moment that turns the link [N m]
     nc2_x = 1.0437049982058304_rk*alpha2_y + 0.20091837135316784_rk*ww2_xy - &
         (-8.476803571151484_rk*alpha2_x - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
@@ -1571,16 +1647,16 @@ contains
     fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
     fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
     ! link 3: moment that turns the link [N m]
-    nc3_x = -0.04389618410240257_rk*a3_z - (0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
+    neg_nc3_x = 0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
         0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
-        0.16230144331072144_rk*lam3_21))
+        0.16230144331072144_rk*lam3_21) + 0.04389618410240257_rk*a3_z
     nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
         neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) + &
         1.0168650139155704_rk*a3_z
     t38 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
         0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144_rk*lam3_23 + &
         0.06405373385272267_rk*lam3_13)
-    nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y - t38
+    neg_nc3_z = t38 + (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
     ! link 4: force that moves the link [N]
     fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
     fc4_y = 8.054835434921454_rk*lam4_22 - 0.5168019281781282_rk*lam4_21
@@ -1631,9 +1707,9 @@ contains
     fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
     fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
     ! link 7: moment that turns the link [N m]
-    neg_nc7_x = -0.2922782720134952_rk*lam7_32 - 0.061680050398747424_rk*(neg_lam7_22 - &
-        neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - 0.2114247825686032_rk*lam7_31) - &
-        0.708306797966195_rk*a7_z
+    nc7_x = 0.708306797966195_rk*a7_z - (-0.2922782720134952_rk*lam7_32 - &
+        0.061680050398747424_rk*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - &
+        0.2114247825686032_rk*lam7_31))
     nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) + &
         (0.061680050398747424_rk*lam7_12 - 0.2114247825686032_rk*lam7_32) - &
         0.9999503996366931_rk*a7_z
@@ -1641,49 +1717,74 @@ contains
         0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357_rk*lam7_23 - &
         0.061680050398747424_rk*lam7_13)
     nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t42
-    t43 = -s7*fc7_x - c7*fc7_y
+    ! link 7: force through the joint, along the axes that its turn starts from [N]
+    f07_x = c7*fc7_x - s7*fc7_y
+    neg_f07_y = -s7*fc7_x - c7*fc7_y
+    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
+    n07_x = c7*nc7_x - s7*nc7_y
+    n07_y = s7*nc7_x + c7*nc7_y
     ! link 6: moment through the joint, about the frame's origin [N m]
-    neg_n6_x = c7*neg_nc7_x + s7*nc7_y - (0.126_rk*t43 - neg_nc6_x)
+    n6_x = n07_x + (0.126_rk*neg_f07_y - neg_nc6_x)
     n6_y = nc6_y - nc7_z
-    t44 = s7*fc7_y - c7*fc7_x
-    n6_z = nc6_z - 0.126_rk*t44 - (s7*neg_nc7_x - c7*nc7_y)
+    n6_z = n07_y + (nc6_z + 0.126_rk*f07_x)
     ! link 6: force through the joint [N]
-    f6_x = fc6_x - t44
+    f6_x = fc6_x + f07_x
     f6_y = fc6_y - fc7_z
-    f6_z = fc6_z - t43
+    f6_z = fc6_z - neg_f07_y
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*f6_x - s6*f6_y
+    f06_y = s6*f6_x + c6*f6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*n6_x - s6*n6_y
+    n06_y = s6*n6_x + c6*n6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x - (c6*neg_n6_x + s6*n6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y + n6_z
-    n5_z = nc5_z + (s6*neg_n6_x - c6*n6_y)
+    n5_z = nc5_z - n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x + (c6*f6_x - s6*f6_y)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y + f6_z
-    f5_z = fc5_z - (s6*f6_x + c6*f6_y)
-    t45 = s5*f5_x + c5*f5_y
+    f5_z = fc5_z - f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    neg_n4_x = s5*n5_y - c5*n5_x + (neg_nc4_x + 0.4_rk*t45)
+    n4_x = n05_x - (neg_nc4_x + 0.4_rk*f05_y)
     n4_y = nc4_y + n5_z
-    t46 = c5*f5_x - s5*f5_y
-    n4_z = t2*n5_x - c5*n5_y - (neg_nc4_z + 0.4_rk*t46)
+    neg_n4_z = n05_y + (neg_nc4_z + 0.4_rk*f05_x)
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + t46
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + f5_z
-    f4_z = fc4_z - t45
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (c4*neg_n4_x + s4*n4_y)
-    n3_y = nc3_y - n4_z
-    n3_z = nc3_z - (s4*neg_n4_x - c4*n4_y)
+    n3_x = n04_x - neg_nc3_x
+    n3_y = nc3_y + neg_n4_z
+    n3_z = n04_y - neg_nc3_z
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + (c4*f4_x - s4*f4_y)
+    f3_x = fc3_x + f04_x
     f3_y = fc3_y - f4_z
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c3*f3_x - s3*f3_y
+    f03_y = s3*f3_x + c3*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_x = c3*n3_x - s3*n3_y
+    n03_y = s3*n3_x + c3*n3_y
     ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = s3*n3_y - c3*n3_x + (0.4_rk*(s3*f3_x + c3*f3_y) - nc2_x)
+    n2_x = n03_x - (0.4_rk*f03_y - nc2_x)
     n2_y = nc2_y - n3_z
-    n2_z = nc2_z + 0.4_rk*(c3*f3_x - s3*f3_y) - (t22*n3_x - c3*n3_y)
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y
+    n2_z = n03_y + (nc2_z + 0.4_rk*f03_x)
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*n2_y
     ! link 1: forward substitution
-    y1 = tau(1) - n1_z
+    y1 = tau(1) + n02_y
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
     l2_1 = nu1_z_6*ipivot1
@@ -1732,22 +1833,22 @@ contains
     ipivot6 = 1.0_rk / pivot6
     ld7_6 = -ld6_5*l7_5 - (nu1_z_2*l7_1 - nu6_z + ld6_2*l7_2 + ld6_3*l7_3 + ld6_4*l7_4)
     l7_6 = ipivot6*ld7_6
-    t47 = 0.48318719298539553_rk - nu1_z*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
-    pivot7 = t47 - ld7_6*l7_6
+    t43 = 0.48318719298539553_rk - nu1_z*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
+    pivot7 = t43 - ld7_6*l7_6
     ipivot7 = 1.0_rk / pivot7
     ! link 2: forward substitution
     y2 = tau(2) - n2_z - y1*l2_1
     ! link 3: forward substitution
     y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
     ! link 4: forward substitution
-    y4 = tau(4) - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
+    y4 = tau(4) + neg_n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
     ! link 5: forward substitution
     y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
     ! link 6: forward substitution
     y6 = tau(6) - n6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
-    t48 = tau(7) - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5
+    t44 = tau(7) - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5
     ! link 7: forward substitution
-    y7 = t48 - l7_6*y6
+    y7 = t44 - l7_6*y6
     ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd7 = ipivot7*y7
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
@@ -1758,12 +1859,12 @@ contains
     qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6 - l7_4*qdd7
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd3 = -(l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6) - l7_3*qdd7
-    t49 = -(l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6)
+    t45 = -(l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6)
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = t49 - l7_2*qdd7
-    t50 = l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6
+    qdd2 = t45 - l7_2*qdd7
+    t46 = l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -l7_1*qdd7 - t50
+    qdd1 = -l7_1*qdd7 - t46
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 193 multiplications, 159 additions = 352; 8 unary minus; 10 sine/cosine
- *   gravity: 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine
- *   bias: 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine
- *   mass_matrix: 109 multiplications, 92 additions = 201; 3 unary minus; 8 sine/cosine
- *   forward_dynamics: 369 multiplications, 290 additions, 6 divisions = 665; 19 unary minus; 10
+ *   inverse_dynamics: 187 multiplications, 151 additions = 338; 4 unary minus; 10 sine/cosine
+ *   gravity: 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
+ *   bias: 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
+ *   mass_matrix: 103 multiplications, 85 additions = 188; 2 unary minus; 8 sine/cosine
+ *   forward_dynamics: 354 multiplications, 270 additions, 6 divisions = 630; 16 unary minus; 12
  *       sine/cosine
  */
 #include "puma560.h"
@@ -28,7 +28,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 193 multiplications, 159 additions = 352; 8 unary minus; 10 sine/cosine */
+ * 187 multiplications, 151 additions = 338; 4 unary minus; 10 sine/cosine */
 void puma560_inverse_dynamics(
     const puma560_real q[6],
     const puma560_real qd[6],
@@ -41,58 +41,71 @@ void puma560_inverse_dynamics(
     /* sines and cosines of the joint angles */
     const puma560_real c2 = cos(q[1]);
     const puma560_real s2 = sin(again[1]);
-    const puma560_real c3 = cos(q[2]);
-    const puma560_real s3 = sin(again[2]);
     const puma560_real c4 = cos(q[3]);
     const puma560_real s4 = sin(again[3]);
     const puma560_real c5 = cos(q[4]);
     const puma560_real s5 = sin(again[4]);
     const puma560_real c6 = cos(q[5]);
     const puma560_real s6 = sin(again[5]);
+    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real c23 = cos(angle23);
+    const puma560_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_real w3_z = qd[1] + qd[2];
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_real alpha3_z = qdd[1] + qdd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a2_z = -0.1501*ww1_zz;
     const puma560_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const puma560_real w2_x = t1*s2;
     const puma560_real w2_y = t1*c2;
+    const puma560_real t2 = 0.1501*qdd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real neg_a2_x = c2*t2 + 9.8*s2;
+    const puma560_real a2_y = s2*t2 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_real ww2_yz = qd[1]*w2_y;
     const puma560_real ww2_zx = qd[1]*w2_x;
     /* link 2: angular acceleration [rad/s^2] */
     const puma560_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const puma560_real alpha2_y = -(qdd[0]*c2) - ww2_zx;
+    const puma560_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_real ww2_xy = w2_x*w2_y;
     const puma560_real ww2_xx = w2_x*w2_x;
     const puma560_real ww2_yy = w2_y*w2_y;
-    const puma560_real neg_ww2_zz = -qd[1]*qd[1];
+    const puma560_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_real lam2_11 = neg_ww2_zz - ww2_yy;
+    const puma560_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_real lam2_12 = ww2_xy - qdd[1];
-    const puma560_real lam2_13 = ww2_zx + alpha2_y;
+    const puma560_real lam2_13 = ww2_zx - neg_alpha2_y;
     const puma560_real lam2_21 = qdd[1] + ww2_xy;
-    const puma560_real lam2_22 = neg_ww2_zz - ww2_xx;
+    const puma560_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_real lam2_23 = ww2_yz - alpha2_x;
-    const puma560_real lam2_31 = ww2_zx - alpha2_y;
+    const puma560_real lam2_31 = ww2_zx + neg_alpha2_y;
     const puma560_real lam2_32 = ww2_yz + alpha2_x;
-    const puma560_real lam2_33 = -ww2_xx - ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a2_z = -0.2435*ww1_zz;
-    const puma560_real t2 = 0.2435*qdd[0];
-    const puma560_real neg_a2_x = c2*t2 + 9.8*s2;
-    const puma560_real a2_y = s2*t2 - 9.8*c2;
+    const puma560_real neg_lam2_33 = ww2_xx + ww2_yy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a3_z = a2_z + 0.4318*lam2_31;
     /* link 3: angular velocity [rad/s] */
-    const puma560_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_real w3_y = c3*w2_y - s3*w2_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const puma560_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    const puma560_real alpha3_z = qdd[1] + qdd[2];
-    /* link 3: angular velocity [rad/s] */
-    const puma560_real w3_z = qd[1] + qd[2];
+    const puma560_real w3_x = t1*s23;
+    const puma560_real w3_y = t1*c23;
+    const puma560_real t3 = 0.4318*neg_lam2_11;
+    const puma560_real t4 = 0.4318*lam2_21;
+    const puma560_real t5 = t2 + (c2*t3 + s2*t4);
+    const puma560_real t6 = s2*t3 - c2*t4 + 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real neg_a3_x = c23*t5 + s23*t6;
+    const puma560_real a3_y = s23*t5 - c23*t6;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_real ww3_yz = w3_y*w3_z;
-    const puma560_real ww3_zx = w3_x*w3_z;
+    const puma560_real ww3_yz = w3_z*w3_y;
+    const puma560_real ww3_zx = w3_z*w3_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_real alpha3_x = ww3_yz - qdd[0]*s23;
+    const puma560_real neg_alpha3_y = qdd[0]*c23 + ww3_zx;
+    /* link 3: products of the angular velocity [1/s^2] */
     const puma560_real ww3_xy = w3_x*w3_y;
     const puma560_real ww3_xx = w3_x*w3_x;
     const puma560_real ww3_yy = w3_y*w3_y;
@@ -100,43 +113,40 @@ void puma560_inverse_dynamics(
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_real neg_lam3_11 = ww3_yy + ww3_zz;
     const puma560_real lam3_12 = ww3_xy - alpha3_z;
-    const puma560_real lam3_13 = alpha3_y + ww3_zx;
+    const puma560_real lam3_13 = ww3_zx - neg_alpha3_y;
     const puma560_real lam3_21 = alpha3_z + ww3_xy;
     const puma560_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_real lam3_32 = alpha3_x + ww3_yz;
+    const puma560_real lam3_31 = ww3_zx + neg_alpha3_y;
+    const puma560_real lam3_32 = ww3_yz + alpha3_x;
     const puma560_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a3_z = a2_z - (0.0934*lam2_33 - 0.4318*lam2_31);
-    const puma560_real t3 = a2_y + (0.4318*lam2_21 - 0.0934*lam2_23);
-    const puma560_real t4 = neg_a2_x + (0.0934*lam2_13 - 0.4318*lam2_11);
-    const puma560_real a3_x = s3*t3 - c3*t4;
-    const puma560_real a3_y = s3*t4 + c3*t3;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a4_z = 0.0203*lam3_21 - 0.4331*neg_lam3_22 - a3_y;
     /* link 4: angular velocity [rad/s] */
     const puma560_real w4_x = c4*w3_x + s4*w3_z;
     const puma560_real w4_y = c4*w3_z - s4*w3_x;
+    const puma560_real t7 = neg_a3_x + (0.4331*lam3_12 - 0.0203*neg_lam3_11);
+    const puma560_real t8 = 0.0203*lam3_31 + 0.4331*lam3_32 - a3_z;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a4_x = -(c4*t7) - s4*t8;
+    const puma560_real a4_y = s4*t7 - c4*t8;
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_real alpha4_x = qd[3]*w4_y - (-c4*alpha3_x - s4*alpha3_z);
     const puma560_real alpha4_y = c4*alpha3_z - s4*alpha3_x - qd[3]*w4_x;
-    const puma560_real alpha4_z = qdd[3] - alpha3_y;
+    const puma560_real alpha4_z = qdd[3] + neg_alpha3_y;
     /* link 4: angular velocity [rad/s] */
     const puma560_real w4_z = qd[3] - w3_y;
     /* link 4: products of the angular velocity [1/s^2] */
     const puma560_real ww4_yz = w4_y*w4_z;
     const puma560_real ww4_zx = w4_x*w4_z;
     const puma560_real ww4_xy = w4_x*w4_y;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a4_z = 0.0203*lam3_21 - 0.4331*neg_lam3_22 - a3_y;
-    const puma560_real t5 = 0.4331*lam3_12 - 0.0203*neg_lam3_11 - a3_x;
-    const puma560_real t6 = 0.0203*lam3_31 + 0.4331*lam3_32 - a3_z;
-    const puma560_real a4_x = -(c4*t5) - s4*t6;
-    const puma560_real a4_y = s4*t5 - c4*t6;
     /* link 5: angular velocity [rad/s] */
     const puma560_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_real t7 = -s5;
-    const puma560_real w5_y = t7*w4_x - c5*w4_z;
+    const puma560_real t9 = -s5;
+    const puma560_real w5_y = t9*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a5_x = c5*a4_x - s5*a4_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const puma560_real alpha5_y = t7*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
+    const puma560_real alpha5_y = t9*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
     const puma560_real alpha5_z = qdd[4] + alpha4_y;
     /* link 5: angular velocity [rad/s] */
     const puma560_real w5_z = qd[4] + w4_y;
@@ -151,8 +161,6 @@ void puma560_inverse_dynamics(
     const puma560_real neg_lam5_22 = ww5_xx + ww5_zz;
     const puma560_real lam5_31 = ww5_zx - alpha5_y;
     const puma560_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*alpha4_z - c5*alpha4_x);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a5_x = c5*a4_x - s5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const puma560_real w6_x = c6*w5_x + s6*w5_z;
     const puma560_real w6_y = c6*w5_z - s6*w5_x;
@@ -164,16 +172,16 @@ void puma560_inverse_dynamics(
     const puma560_real ww6_yz = w6_y*w6_z;
     const puma560_real ww6_zx = w6_x*w6_z;
     /* link 2: force that moves the link [N] */
-    const puma560_real fc2_x = 3.79559*lam2_11 + 0.1044*lam2_12;
-    const puma560_real fc2_y = 3.79559*lam2_21 + 0.1044*lam2_22;
+    const puma560_real fc2_x = 0.1044*lam2_12 - 3.79559*neg_lam2_11;
+    const puma560_real fc2_y = 3.79559*lam2_21 - 0.1044*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_real neg_nc2_x = 0.0016704*(lam2_33 - lam2_22) - 0.0731264*lam2_32 +
-        (-0.0070992*lam2_31 - 0.233911466*lam2_21) + 0.0254214*ww1_zz;
-    const puma560_real nc2_y = 0.233911466*(lam2_33 - lam2_11) - 1.674987602*lam2_31 +
-        (-0.0016704*lam2_12 - 0.0070992*lam2_32) + 0.924226165*ww1_zz;
-    const puma560_real t8 = 1.674987602*lam2_21 - 0.0731264*lam2_12 + 0.0070992*(lam2_22 - lam2_11)
-        + (0.0016704*lam2_13 - 0.233911466*lam2_23);
-    const puma560_real nc2_z = t8 + (3.79559*a2_y + 0.1044*neg_a2_x);
+    const puma560_real neg_nc2_x = -0.0731264*lam2_32 - 0.00808056*(neg_lam2_22 - neg_lam2_33) +
+        (0.12059664*lam2_21 - 0.0070992*lam2_31) + 0.01567044*ww1_zz;
+    const puma560_real nc2_y = -1.674987602*lam2_31 - 0.12059664*(neg_lam2_11 - neg_lam2_33) -
+        (0.0070992*lam2_32 - 0.00808056*lam2_12) + 0.569718059*ww1_zz;
+    const puma560_real t10 = 1.674987602*lam2_21 - 0.0731264*lam2_12 + 0.0070992*(neg_lam2_11 -
+        neg_lam2_22) - (0.00808056*lam2_13 - 0.12059664*lam2_23);
+    const puma560_real nc2_z = t10 + (3.79559*a2_y + 0.1044*neg_a2_x);
     /* link 3: force that moves the link [N] */
     const puma560_real fc3_x = 0.025375*neg_lam3_11 - 0.861795*lam3_12;
     const puma560_real fc3_y = 0.861795*neg_lam3_22 - 0.025375*lam3_21;
@@ -184,8 +192,8 @@ void puma560_inverse_dynamics(
     const puma560_real nc3_y = -0.004704*lam3_12 - 0.0106736385*lam3_32 - 0.0167651125*lam3_31 +
         0.025375*a3_z;
     const puma560_real nc3_z = 0.0167651125*lam3_21 - 0.3163401365*lam3_12 +
-        0.0106736385*(neg_lam3_11 - neg_lam3_22) + 0.004704*lam3_13 - (0.025375*a3_y -
-        0.861795*a3_x);
+        0.0106736385*(neg_lam3_11 - neg_lam3_22) + 0.004704*lam3_13 - (0.025375*a3_y +
+        0.861795*neg_a3_x);
     /* link 4: moment that turns the link [N m] */
     const puma560_real nc4_y = -0.0013*ww4_zx;
     const puma560_real nc4_x = 0.0014*ww4_yz + 0.0001*alpha4_x;
@@ -202,49 +210,59 @@ void puma560_inverse_dynamics(
     const puma560_real nc6_x = 4e-05*ww6_yz;
     const puma560_real nc6_y = -4e-05*ww6_zx;
     const puma560_real nc6_z = 4e-05*alpha6_z;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n06_x = c6*nc6_x - s6*nc6_y;
+    const puma560_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 6: joint torque [N m], at a prismatic joint force [N] */
     const puma560_real tau6 = nc6_z + 0.193*qdd[5];
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const puma560_real n5_x = nc5_x + n06_x;
     const puma560_real n5_y = nc5_y - nc6_z;
-    const puma560_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    const puma560_real n5_z = nc5_z + n06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f05_x = c5*fc5_x - s5*fc5_y;
+    const puma560_real f05_y = s5*fc5_x + c5*fc5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n05_x = c5*n5_x - s5*n5_y;
+    const puma560_real n05_y = s5*n5_x + c5*n5_y;
     /* link 5: joint torque [N m], at a prismatic joint force [N] */
     const puma560_real tau5 = n5_z + 0.179*qdd[4];
-    /* link 4: force through the joint [N] */
-    const puma560_real f4_x = c5*fc5_x - s5*fc5_y;
-    const puma560_real neg_f4_z = s5*fc5_x + c5*fc5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const puma560_real n4_x = nc4_x + n05_x;
     const puma560_real n4_y = nc4_y + n5_z;
-    const puma560_real n4_z = nc4_z + (t7*n5_x - c5*n5_y);
+    const puma560_real n4_z = nc4_z - n05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f04_x = c4*f05_x - s4*fc5_z;
+    const puma560_real f04_y = s4*f05_x + c4*fc5_z;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n04_x = c4*n4_x - s4*n4_y;
+    const puma560_real n04_y = s4*n4_x + c4*n4_y;
     /* link 4: joint torque [N m], at a prismatic joint force [N] */
     const puma560_real tau4 = n4_z + 0.2*qdd[3];
-    const puma560_real t9 = s4*f4_x + c4*fc5_z;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n3_x = c4*n4_x - s4*n4_y - (0.4331*t9 - nc3_x);
-    const puma560_real n3_y = nc3_y + 0.0203*t9 - n4_z;
-    const puma560_real t10 = c4*f4_x - s4*fc5_z;
-    const puma560_real n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203*neg_f4_z - 0.4331*t10));
+    const puma560_real n3_x = n04_x - (0.4331*f04_y - nc3_x);
+    const puma560_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
+    const puma560_real n3_z = n04_y + (nc3_z - (0.0203*f05_y - 0.4331*f04_x));
     /* link 3: force through the joint [N] */
-    const puma560_real f3_x = fc3_x + t10;
-    const puma560_real f3_y = fc3_y + neg_f4_z;
-    const puma560_real f3_z = fc3_z + t9;
+    const puma560_real f3_x = fc3_x + f04_x;
+    const puma560_real f3_y = fc3_y + f05_y;
+    const puma560_real f3_z = fc3_z + f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f03_x = c23*f3_x - s23*f3_y;
+    const puma560_real f03_y = s23*f3_x + c23*f3_y;
     /* link 3: joint torque [N m], at a prismatic joint force [N] */
     const puma560_real tau3 = n3_z + 0.83*qdd[2];
-    const puma560_real t11 = s3*f3_x + c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n2_x = c3*n3_x - s3*n3_y + (0.0934*t11 - neg_nc2_x);
-    const puma560_real t12 = c3*f3_x - s3*f3_y;
-    const puma560_real n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934*t12 + 0.4318*f3_z));
-    const puma560_real n2_z = n3_z + (nc2_z + 0.4318*t11);
-    /* link 2: force through the joint [N] */
-    const puma560_real f2_x = fc2_x + t12;
-    const puma560_real f2_y = fc2_y + t11;
+    const puma560_real t11 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n02_z = n3_z + (nc2_z + (f03_y*t11 - f03_x*(0.4318*s2)));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_real tau2 = n2_z + 4.71*qdd[1];
+    const puma560_real tau2 = n02_z + 4.71*qdd[1];
+    const puma560_real t12 = 0.1501*f02_x - (f3_z*t11 - (c2*nc2_y - (s2*neg_nc2_x - (s23*n3_x +
+        c23*n3_y))));
     /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_real tau1 = 0.2435*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y) +
-        2.6017295505*qdd[0];
+    const puma560_real tau1 = 2.6017295505*qdd[0] - t12;
     tau[0] = tau1;
     tau[1] = tau2;
     tau[2] = tau3;
@@ -254,7 +272,7 @@ void puma560_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine */
+ * 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine */
 void puma560_gravity(const puma560_real q[6], puma560_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -263,18 +281,16 @@ void puma560_gravity(const puma560_real q[6], puma560_real tau[6])
     /* sines and cosines of the joint angles */
     const puma560_real c2 = cos(q[1]);
     const puma560_real s2 = sin(again[1]);
-    const puma560_real c3 = cos(q[2]);
-    const puma560_real s3 = sin(again[2]);
     const puma560_real c4 = cos(q[3]);
     const puma560_real s4 = sin(again[3]);
     const puma560_real c5 = cos(q[4]);
     const puma560_real s5 = sin(again[4]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a2_x = -9.8*s2;
-    const puma560_real a2_y = -9.8*c2;
+    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real c23 = cos(angle23);
+    const puma560_real s23 = sin(angle23);
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a3_x = c3*a2_x + s3*a2_y;
-    const puma560_real a3_y = c3*a2_y - s3*a2_x;
+    const puma560_real a3_x = -9.8*s23;
+    const puma560_real a3_y = -9.8*c23;
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const puma560_real a4_x = c4*a3_x;
     const puma560_real neg_a4_y = s4*a3_x;
@@ -283,32 +299,33 @@ void puma560_gravity(const puma560_real q[6], puma560_real tau[6])
     /* link 2: moment that turns the link [N m] */
     const puma560_real nc2_z = 1.02312*s2 - 37.196782*c2;
     /* link 3: moment that turns the link [N m] */
-    const puma560_real nc3_z = 0.861795*a3_x - 0.025375*a3_y;
+    const puma560_real nc3_z = 0.248675*c23 - 8.445591*s23;
     /* link 5: moment that turns the link [N m] */
     const puma560_real nc5_x = 0.00288*neg_a4_y;
     const puma560_real nc5_z = 0.00288*a5_x;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n4_x = c5*nc5_x;
-    const puma560_real n4_z = -s5*nc5_x;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n05_x = c5*nc5_x;
+    const puma560_real n05_y = s5*nc5_x;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real neg_n04_x = s4*nc5_z - c4*n05_x;
+    const puma560_real n04_y = s4*n05_x + c4*nc5_z;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n3_x = c4*n4_x - s4*nc5_z;
-    const puma560_real n3_z = nc3_z - (-s4*n4_x - c4*nc5_z);
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_real neg_n2_x = -c3*n3_x - s3*n4_z;
-    const puma560_real n2_y = s3*n3_x - c3*n4_z;
-    const puma560_real n2_z = nc2_z + n3_z;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n1_z = s2*neg_n2_x - c2*n2_y;
-    tau[0] = n1_z;
-    tau[1] = n2_z;
+    const puma560_real n3_z = nc3_z + n04_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real neg_n03_y = s23*neg_n04_x - c23*n05_y;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n02_z = nc2_z + n3_z;
+    const puma560_real t1 = -n05_y;
+    tau[0] = neg_n03_y;
+    tau[1] = n02_z;
     tau[2] = n3_z;
-    tau[3] = n4_z;
+    tau[3] = t1;
     tau[4] = nc5_z;
     tau[5] = 0.0;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine */
+ * 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine */
 void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -317,67 +334,71 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
     /* sines and cosines of the joint angles */
     const puma560_real c2 = cos(q[1]);
     const puma560_real s2 = sin(again[1]);
-    const puma560_real c3 = cos(q[2]);
-    const puma560_real s3 = sin(again[2]);
     const puma560_real c4 = cos(q[3]);
     const puma560_real s4 = sin(again[3]);
     const puma560_real c5 = cos(q[4]);
     const puma560_real s5 = sin(again[4]);
     const puma560_real c6 = cos(q[5]);
     const puma560_real s6 = sin(again[5]);
+    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real c23 = cos(angle23);
+    const puma560_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_real w3_z = qd[1] + qd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_real ww1_zz = qd[0]*qd[0];
-    const puma560_real t1 = -qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a2_z = -0.1501*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const puma560_real w2_x = t1*s2;
-    const puma560_real w2_y = t1*c2;
+    const puma560_real neg_w2_x = qd[0]*s2;
+    const puma560_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const puma560_real alpha2_x = qd[1]*w2_y;
-    const puma560_real alpha2_y = -qd[1]*w2_x;
+    const puma560_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const puma560_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_real ww2_xy = w2_x*w2_y;
-    const puma560_real ww2_xx = w2_x*w2_x;
-    const puma560_real ww2_yy = w2_y*w2_y;
+    const puma560_real ww2_xy = neg_w2_x*neg_w2_y;
+    const puma560_real ww2_xx = neg_w2_x*neg_w2_x;
+    const puma560_real ww2_yy = neg_w2_y*neg_w2_y;
     const puma560_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a2_z = -0.2435*ww1_zz;
-    const puma560_real a2_x = -9.8*s2;
-    const puma560_real a2_y = -9.8*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a3_z = a2_z - 0.8636*alpha2_y;
+    const puma560_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_real w3_y = c3*w2_y - s3*w2_x;
+    const puma560_real w3_x = t1*s23;
+    const puma560_real w3_y = t1*c23;
+    const puma560_real t2 = 0.4318*neg_lam2_11;
+    const puma560_real t3 = 0.4318*ww2_xy;
+    const puma560_real t4 = c2*t2 + s2*t3;
+    const puma560_real t5 = s2*t2 - c2*t3 + 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real neg_a3_x = c23*t4 + s23*t5;
+    const puma560_real a3_y = s23*t4 - c23*t5;
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const puma560_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_real w3_z = qd[1] + qd[2];
+    const puma560_real alpha3_x = w3_z*w3_y;
+    const puma560_real alpha3_y = -w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_real ww3_yz = w3_y*w3_z;
-    const puma560_real ww3_zx = w3_x*w3_z;
     const puma560_real ww3_xy = w3_x*w3_y;
-    const puma560_real neg_ww3_xx = -w3_x*w3_x;
+    const puma560_real ww3_xx = w3_x*w3_x;
     const puma560_real ww3_yy = w3_y*w3_y;
     const puma560_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_real lam3_13 = alpha3_y + ww3_zx;
-    const puma560_real lam3_22 = neg_ww3_xx - ww3_zz;
-    const puma560_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_real lam3_32 = alpha3_x + ww3_yz;
-    const puma560_real lam3_33 = neg_ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a3_z = a2_z - (0.8636*alpha2_y - 0.0934*neg_lam2_33);
-    const puma560_real t2 = 0.4318*neg_lam2_11 - a2_x;
-    const puma560_real t3 = -0.4318*ww2_xy - a2_y;
-    const puma560_real neg_a3_x = c3*t2 + s3*t3;
-    const puma560_real a3_y = s3*t2 - c3*t3;
+    const puma560_real neg_lam3_22 = ww3_xx + ww3_zz;
+    const puma560_real neg_lam3_33 = ww3_xx + ww3_yy;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a4_z = 0.0203*ww3_xy - 0.4331*neg_lam3_22 - a3_y;
     /* link 4: angular velocity [rad/s] */
     const puma560_real w4_x = c4*w3_x + s4*w3_z;
     const puma560_real w4_y = c4*w3_z - s4*w3_x;
+    const puma560_real t6 = neg_a3_x + (0.4331*ww3_xy - 0.0203*neg_lam3_11);
+    const puma560_real t7 = 0.8662*alpha3_x - 0.0406*alpha3_y - a3_z;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a4_x = -(c4*t6) - s4*t7;
+    const puma560_real a4_y = s4*t6 - c4*t7;
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
     const puma560_real alpha4_y = -s4*alpha3_x - qd[3]*w4_x;
@@ -387,16 +408,11 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
     const puma560_real ww4_yz = w4_y*w4_z;
     const puma560_real ww4_zx = w4_x*w4_z;
     const puma560_real ww4_xy = w4_x*w4_y;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a4_z = 0.0203*ww3_xy + 0.4331*lam3_22 - a3_y;
-    const puma560_real t4 = neg_a3_x + (0.4331*ww3_xy - 0.0203*neg_lam3_11);
-    const puma560_real t5 = 0.0203*lam3_31 + 0.4331*lam3_32 - a3_z;
-    const puma560_real a4_x = -(c4*t4) - s4*t5;
-    const puma560_real a4_y = s4*t4 - c4*t5;
     /* link 5: angular velocity [rad/s] */
     const puma560_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_real t6 = -s5;
-    const puma560_real w5_y = t6*w4_x - c5*w4_z;
+    const puma560_real w5_y = -s5*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a5_x = c5*a4_x - s5*a4_z;
     /* link 5: angular acceleration [rad/s^2] */
     const puma560_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
@@ -412,8 +428,6 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
     const puma560_real neg_lam5_22 = ww5_xx + ww5_zz;
     const puma560_real lam5_31 = ww5_zx - alpha5_y;
     const puma560_real lam5_32 = w5_y*(qd[4] + w5_z) - (-c5*alpha4_x - s5*alpha3_y);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a5_x = c5*a4_x - s5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const puma560_real w6_x = c6*w5_x + s6*w5_z;
     const puma560_real w6_y = c6*w5_z - s6*w5_x;
@@ -425,23 +439,23 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
     const puma560_real fc2_x = 0.1044*ww2_xy - 3.79559*neg_lam2_11;
     const puma560_real fc2_y = 3.79559*ww2_xy - 0.1044*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_real neg_nc2_x = 0.0016704*(neg_lam2_22 - neg_lam2_33) - 0.1462528*alpha2_x +
-        (0.0141984*alpha2_y - 0.233911466*ww2_xy) + 0.0254214*ww1_zz;
-    const puma560_real nc2_y = 3.349975204*alpha2_y + 0.233911466*(neg_lam2_11 - neg_lam2_33) -
-        (0.0016704*ww2_xy + 0.0141984*alpha2_x) + 0.924226165*ww1_zz;
+    const puma560_real neg_nc2_x = 0.1462528*neg_alpha2_x - 0.00808056*(neg_lam2_22 - neg_lam2_33) +
+        (0.0141984*alpha2_y + 0.12059664*ww2_xy) + 0.01567044*ww1_zz;
+    const puma560_real nc2_y = 3.349975204*alpha2_y - 0.12059664*(neg_lam2_11 - neg_lam2_33) +
+        (0.00808056*ww2_xy + 0.0141984*neg_alpha2_x) + 0.569718059*ww1_zz;
     const puma560_real nc2_z = 1.601861202*ww2_xy + 0.0070992*(neg_lam2_11 - neg_lam2_22) -
         (37.196782*c2 - 1.02312*s2);
     /* link 3: force that moves the link [N] */
     const puma560_real fc3_x = 0.025375*neg_lam3_11 - 0.861795*ww3_xy;
-    const puma560_real fc3_y = -0.025375*ww3_xy - 0.861795*lam3_22;
-    const puma560_real fc3_z = -0.025375*lam3_31 - 0.861795*lam3_32;
+    const puma560_real fc3_y = 0.861795*neg_lam3_22 - 0.025375*ww3_xy;
+    const puma560_real fc3_z = 0.05075*alpha3_y - 1.72359*alpha3_x;
     /* link 3: moment that turns the link [N m] */
-    const puma560_real nc3_x = -0.861795*a3_z - (0.004704*(lam3_33 - lam3_22) - 0.3163401365*lam3_32
-        - 0.0106736385*lam3_31);
-    const puma560_real nc3_y = -0.004704*ww3_xy - 0.0106736385*lam3_32 - 0.0167651125*lam3_31 +
+    const puma560_real nc3_x = -0.861795*a3_z - (0.004704*(neg_lam3_22 - neg_lam3_33) -
+        0.632680273*alpha3_x + 0.021347277*alpha3_y);
+    const puma560_real nc3_y = 0.033530225*alpha3_y - (0.004704*ww3_xy + 0.021347277*alpha3_x) +
         0.025375*a3_z;
-    const puma560_real nc3_z = 0.0106736385*(neg_lam3_11 + lam3_22) - 0.299575024*ww3_xy +
-        0.004704*lam3_13 - (0.025375*a3_y + 0.861795*neg_a3_x);
+    const puma560_real neg_nc3_z = 0.299575024*ww3_xy - 0.0106736385*(neg_lam3_11 - neg_lam3_22) +
+        (0.025375*a3_y + 0.861795*neg_a3_x);
     /* link 4: moment that turns the link [N m] */
     const puma560_real nc4_y = -0.0013*ww4_zx;
     const puma560_real nc4_x = 0.0014*ww4_yz + 0.0001*alpha4_x;
@@ -458,42 +472,52 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
     const puma560_real nc6_x = 4e-05*ww6_yz;
     const puma560_real nc6_y = -4e-05*ww6_zx;
     const puma560_real nc6_z = -4e-05*alpha5_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n06_x = c6*nc6_x - s6*nc6_y;
+    const puma560_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const puma560_real n5_x = nc5_x + n06_x;
     const puma560_real n5_y = nc5_y - nc6_z;
-    const puma560_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
-    /* link 4: force through the joint [N] */
-    const puma560_real f4_x = c5*fc5_x - s5*fc5_y;
-    const puma560_real neg_f4_z = s5*fc5_x + c5*fc5_y;
+    const puma560_real n5_z = nc5_z + n06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f05_x = c5*fc5_x - s5*fc5_y;
+    const puma560_real f05_y = s5*fc5_x + c5*fc5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n05_x = c5*n5_x - s5*n5_y;
+    const puma560_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const puma560_real n4_x = nc4_x + n05_x;
     const puma560_real n4_y = nc4_y + n5_z;
-    const puma560_real n4_z = nc4_z + (t6*n5_x - c5*n5_y);
-    const puma560_real t7 = s4*f4_x + c4*fc5_z;
+    const puma560_real n4_z = nc4_z - n05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f04_x = c4*f05_x - s4*fc5_z;
+    const puma560_real f04_y = s4*f05_x + c4*fc5_z;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n04_x = c4*n4_x - s4*n4_y;
+    const puma560_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n3_x = c4*n4_x - s4*n4_y - (0.4331*t7 - nc3_x);
-    const puma560_real n3_y = nc3_y + 0.0203*t7 - n4_z;
-    const puma560_real t8 = c4*f4_x - s4*fc5_z;
-    const puma560_real n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203*neg_f4_z - 0.4331*t8));
+    const puma560_real n3_x = n04_x - (0.4331*f04_y - nc3_x);
+    const puma560_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
+    const puma560_real n3_z = n04_y - (neg_nc3_z + (0.0203*f05_y - 0.4331*f04_x));
     /* link 3: force through the joint [N] */
-    const puma560_real f3_x = fc3_x + t8;
-    const puma560_real f3_y = fc3_y + neg_f4_z;
-    const puma560_real f3_z = fc3_z + t7;
-    const puma560_real t9 = s3*f3_x + c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n2_x = c3*n3_x - s3*n3_y + (0.0934*t9 - neg_nc2_x);
-    const puma560_real t10 = c3*f3_x - s3*f3_y;
-    const puma560_real n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934*t10 + 0.4318*f3_z));
-    const puma560_real n2_z = n3_z + (nc2_z + 0.4318*t9);
-    /* link 2: force through the joint [N] */
-    const puma560_real f2_x = fc2_x + t10;
-    const puma560_real f2_y = fc2_y + t9;
-    /* link 1: force through the joint [N] */
-    const puma560_real neg_f1_x = s2*f2_y - c2*f2_x;
+    const puma560_real f3_x = fc3_x + f04_x;
+    const puma560_real f3_y = fc3_y + f05_y;
+    const puma560_real f3_z = fc3_z + f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f03_x = c23*f3_x - s23*f3_y;
+    const puma560_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n03_y = s23*n3_x + c23*n3_y;
+    const puma560_real t8 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t8);
+    const puma560_real n02_z = n3_z + (nc2_z + (f03_y*t8 - f03_x*(0.4318*s2)));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n1_z = 0.2435*neg_f1_x - (s2*n2_x + c2*n2_y);
+    const puma560_real n1_z = -0.1501*f02_x - n02_y;
     tau[0] = n1_z;
-    tau[1] = n2_z;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
@@ -501,7 +525,7 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 109 multiplications, 92 additions = 201; 3 unary minus; 8 sine/cosine */
+ * 103 multiplications, 85 additions = 188; 2 unary minus; 8 sine/cosine */
 void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -535,19 +559,19 @@ void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
     const puma560_real fu3_z = s4*fu4_x;
     /* link 3: moment for a unit acceleration of a joint further out */
     const puma560_real nu3_y = 0.0203*fu3_z;
-    const puma560_real nu3_x_2 = -0.4331*fu3_z - 0.00064216*s4;
+    const puma560_real neg_nu3_x = 0.00064216*s4 + 0.4331*fu3_z;
     const puma560_real nu3_z_2 = 0.00064216*c4 - (5.8464e-05*s5 - 0.4331*fu3_x);
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_real fu2_x = c3*fu3_x + s3*fu4_z;
     const puma560_real fu2_y = s3*fu3_x - c3*fu4_z;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu2_x = s3*nu3_y - c3*nu3_x_2 - 0.0934*fu2_y;
-    const puma560_real nu2_y_2 = s3*nu3_x_2 + c3*nu3_y - (0.0934*fu2_x + 0.4318*fu3_z);
+    const puma560_real neg_nu2_x = c3*neg_nu3_x + s3*nu3_y;
+    const puma560_real nu2_y_2 = -0.4318*fu3_z - (s3*neg_nu3_x - c3*nu3_y);
     const puma560_real nu2_z = nu3_z_2 + 0.4318*fu2_y;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_real fu1_x = c2*fu2_x - s2*fu2_y;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_real nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.2435*fu1_x;
+    const puma560_real nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.1501*fu1_x;
     const puma560_real t1 = 0.00020216*(c5*c5);
     /* link 4: second moment of the composite body [kg m^2] */
     const puma560_real k4_zz = t1 + 0.00022;
@@ -561,20 +585,20 @@ void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
     const puma560_real t2 = c4*k4_xz;
     const puma560_real t3 = 0.4331*fu3_z_2;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu3_x = t2 + t3;
+    const puma560_real neg_nu3_x_2 = t2 + t3;
     const puma560_real nu3_y_2 = t1 - 0.00184216 + 0.0203*fu3_z_2;
     const puma560_real nu3_z_3 = 0.4331*fu3_x_2 - s4*k4_xz;
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_real fu2_x_2 = c3*fu3_x_2;
     const puma560_real fu2_y_2 = s3*fu3_x_2;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu2_x_2 = c3*neg_nu3_x + s3*nu3_y_2 - 0.0934*fu2_y_2;
-    const puma560_real nu2_y_3 = -0.0934*fu2_x_2 - 0.4318*fu3_z_2 - (s3*neg_nu3_x - c3*nu3_y_2);
+    const puma560_real neg_nu2_x_2 = c3*neg_nu3_x_2 + s3*nu3_y_2;
+    const puma560_real nu2_y_3 = -0.4318*fu3_z_2 - (s3*neg_nu3_x_2 - c3*nu3_y_2);
     const puma560_real nu2_z_2 = nu3_z_3 + 0.4318*fu2_y_2;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_real fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_real nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.2435*fu1_x_2;
+    const puma560_real nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.1501*fu1_x_2;
     const puma560_real t4 = t1 - 0.00030216;
     const puma560_real t5 = c4*c4*t4;
     /* link 3: second moment of the composite body [kg m^2] */
@@ -583,54 +607,55 @@ void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_real h3_x = fu3_z_2 - 0.025375;
     const puma560_real neg_h3_y = fu4_x + 0.861795;
-    const puma560_real t6 = t5 - 0.00077 + 0.0406*fu3_z_2;
+    const puma560_real t6 = 0.00077 - t5 - 0.0406*fu3_z_2;
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_real k3_xx = 0.0167651125 - t6;
+    const puma560_real k3_xx = t6 + 0.0167651125;
     const puma560_real t7 = k4_zz + 0.002494656*c5;
     const puma560_real k3_yy = t7 + 0.3156901365;
     const puma560_real k3_xy = 0.0106736385 - (t3 + (t2 - 5.8464e-05*c5));
     const puma560_real k3_yz = nu3_z_3 - 0.004704;
-    const puma560_real t8 = t6 - t7;
+    const puma560_real t8 = t6 + t7;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_real m3_3 = 1.162455249 - t8;
+    const puma560_real m3_3 = t8 + 1.162455249;
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_real fu2_x_3 = c3*neg_h3_y - s3*h3_x;
     const puma560_real fu2_y_3 = s3*neg_h3_y + c3*h3_x;
-    const puma560_real t9 = c3*neg_k3_xz + s3*k3_yz;
-    const puma560_real t10 = 0.0934*fu2_y_3;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real nu2_x_2 = t9 + t10;
-    const puma560_real nu2_y_4 = s3*neg_k3_xz - c3*k3_yz - 0.0934*fu2_x_3;
-    const puma560_real nu2_z_3 = 0.4318*fu2_y_3 - (t8 - 0.332455249);
+    const puma560_real nu2_x_2 = c3*neg_k3_xz + s3*k3_yz;
+    const puma560_real nu2_y_4 = s3*neg_k3_xz - c3*k3_yz;
+    const puma560_real nu2_z_3 = t8 + 0.332455249 + 0.4318*fu2_y_3;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_real fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_real nu1_z_4 = -0.2435*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4);
+    const puma560_real nu1_z_4 = -0.1501*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4);
+    const puma560_real t9 = c3*c3;
+    const puma560_real t10 = t6 - t7 - 0.298925024;
+    const puma560_real t11 = c3*s3;
+    const puma560_real t12 = t9*t10 - k3_xy*(2.0*t11);
+    const puma560_real t13 = k3_xx - t12;
+    const puma560_real t14 = k3_zz - t13;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const puma560_real k2_zz = t13 + t14;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_real h2_x = fu2_y_3 + 3.79559;
     const puma560_real neg_h2_y = fu2_x_3 - 0.1044;
-    const puma560_real t11 = t6 + t7 + 0.298925024;
-    const puma560_real t12 = c3*s3;
-    const puma560_real t13 = c3*c3;
+    const puma560_real t15 = t14 - k3_zz;
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_real k2_xy = 0.0070992 - (t11*t12 - k3_xy*(2.0*t13 - 1.0) + 0.4318*fu2_x_3);
-    const puma560_real neg_k2_xz = t10 + (t9 + 0.4318*fu3_x_2) + 0.233911466;
-    const puma560_real k2_yz = -nu2_y_4 - 0.0016704;
-    const puma560_real t14 = k3_xy*(-2.0*t12) - t13*t11;
-    const puma560_real t15 = t14 - k3_xx;
-    const puma560_real t16 = k3_zz + t15;
-    const puma560_real t17 = t16 - k3_zz;
-    const puma560_real t18 = k3_yy + t14 + 0.8636*fu2_y_3;
+    const puma560_real k2_yy = 0.0731264 - t15;
+    const puma560_real k2_xy = t10*t11 - k3_xy*(1.0 - 2.0*t9) - 0.4318*fu2_x_3 + 0.0070992;
+    const puma560_real neg_k2_xz = nu2_x_2 + 0.4318*fu3_x_2 - 0.12059664;
+    const puma560_real k2_yz = 0.00808056 - nu2_y_4;
+    const puma560_real t16 = k3_yy + t12 + 0.8636*fu2_y_3;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_2 = 6.458114002 - (t17 - t18);
+    const puma560_real m2_2 = 6.458114002 - (t15 - t16);
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_real fu1_x_4 = c2*neg_h2_y - s2*h2_x;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_real nu1_z_5 = -0.2435*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz);
-    const puma560_real t19 = c2*c2*(t17 + t18 + 1.601861202) - (t17 - 0.0731264) -
-        k2_xy*(2.0*(c2*s2));
+    const puma560_real nu1_z_5 = -0.1501*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz);
+    const puma560_real t17 = k2_xy*(2.0*(c2*s2)) - c2*c2*(t15 + t16 + 1.601861202) - k2_yy - (k2_zz
+        - 0.3002*fu3_x_2);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_real m1_1 = -0.3002*fu3_x_2 - (t15 - t19 - t16 - 2.6017295505);
+    const puma560_real m1_1 = 2.6017295505 - t17;
     M[0] = m1_1;
     M[1] = nu1_z_5;
     M[2] = nu1_z_4;
@@ -670,7 +695,7 @@ void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 369 multiplications, 290 additions, 6 divisions = 665; 19 unary minus; 10 sine/cosine */
+ * 354 multiplications, 270 additions, 6 divisions = 630; 16 unary minus; 12 sine/cosine */
 void puma560_forward_dynamics(
     const puma560_real q[6],
     const puma560_real qd[6],
@@ -710,19 +735,19 @@ void puma560_forward_dynamics(
     const puma560_real fu3_z = s4*fu4_x;
     /* link 3: moment for a unit acceleration of a joint further out */
     const puma560_real nu3_y = 0.0203*fu3_z;
-    const puma560_real nu3_x_2 = -0.4331*fu3_z - 0.00064216*s4;
+    const puma560_real neg_nu3_x = 0.00064216*s4 + 0.4331*fu3_z;
     const puma560_real nu3_z_2 = 0.00064216*c4 - (5.8464e-05*s5 - 0.4331*fu3_x);
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_real fu2_x = c3*fu3_x + s3*fu4_z;
     const puma560_real fu2_y = s3*fu3_x - c3*fu4_z;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu2_x = s3*nu3_y - c3*nu3_x_2 - 0.0934*fu2_y;
-    const puma560_real nu2_y_2 = s3*nu3_x_2 + c3*nu3_y - (0.0934*fu2_x + 0.4318*fu3_z);
+    const puma560_real neg_nu2_x = c3*neg_nu3_x + s3*nu3_y;
+    const puma560_real nu2_y_2 = -0.4318*fu3_z - (s3*neg_nu3_x - c3*nu3_y);
     const puma560_real nu2_z = nu3_z_2 + 0.4318*fu2_y;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_real fu1_x = c2*fu2_x - s2*fu2_y;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_real nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.2435*fu1_x;
+    const puma560_real nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.1501*fu1_x;
     const puma560_real t1 = 0.00020216*(c5*c5);
     /* link 4: second moment of the composite body [kg m^2] */
     const puma560_real k4_zz = t1 + 0.00022;
@@ -736,20 +761,20 @@ void puma560_forward_dynamics(
     const puma560_real t2 = c4*k4_xz;
     const puma560_real t3 = 0.4331*fu3_z_2;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu3_x = t2 + t3;
+    const puma560_real neg_nu3_x_2 = t2 + t3;
     const puma560_real nu3_y_2 = t1 - 0.00184216 + 0.0203*fu3_z_2;
     const puma560_real nu3_z_3 = 0.4331*fu3_x_2 - s4*k4_xz;
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_real fu2_x_2 = c3*fu3_x_2;
     const puma560_real fu2_y_2 = s3*fu3_x_2;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu2_x_2 = c3*neg_nu3_x + s3*nu3_y_2 - 0.0934*fu2_y_2;
-    const puma560_real nu2_y_3 = -0.0934*fu2_x_2 - 0.4318*fu3_z_2 - (s3*neg_nu3_x - c3*nu3_y_2);
+    const puma560_real neg_nu2_x_2 = c3*neg_nu3_x_2 + s3*nu3_y_2;
+    const puma560_real nu2_y_3 = -0.4318*fu3_z_2 - (s3*neg_nu3_x_2 - c3*nu3_y_2);
     const puma560_real nu2_z_2 = nu3_z_3 + 0.4318*fu2_y_2;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_real fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_real nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.2435*fu1_x_2;
+    const puma560_real nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.1501*fu1_x_2;
     const puma560_real t4 = t1 - 0.00030216;
     const puma560_real t5 = c4*c4*t4;
     /* link 3: second moment of the composite body [kg m^2] */
@@ -771,94 +796,102 @@ void puma560_forward_dynamics(
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_real fu2_x_3 = c3*neg_h3_y - s3*h3_x;
     const puma560_real fu2_y_3 = s3*neg_h3_y + c3*h3_x;
-    const puma560_real t9 = c3*neg_k3_xz + s3*k3_yz;
-    const puma560_real t10 = 0.0934*fu2_y_3;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real nu2_x_2 = t9 + t10;
-    const puma560_real nu2_y_4 = s3*neg_k3_xz - c3*k3_yz - 0.0934*fu2_x_3;
+    const puma560_real nu2_x_2 = c3*neg_k3_xz + s3*k3_yz;
+    const puma560_real nu2_y_4 = s3*neg_k3_xz - c3*k3_yz;
     const puma560_real nu2_z_3 = 0.4318*fu2_y_3 - (t8 - 0.332455249);
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_real fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_real nu1_z_4 = -0.2435*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4);
+    const puma560_real nu1_z_4 = -0.1501*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4);
+    const puma560_real t9 = c3*c3;
+    const puma560_real t10 = t6 + t7 + 0.298925024;
+    const puma560_real t11 = c3*s3;
+    const puma560_real t12 = t9*t10 + k3_xy*(2.0*t11);
+    const puma560_real t13 = k3_xx + t12;
+    const puma560_real t14 = k3_zz - t13;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const puma560_real k2_zz = t13 + t14;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_real h2_x = fu2_y_3 + 3.79559;
     const puma560_real neg_h2_y = fu2_x_3 - 0.1044;
-    const puma560_real t11 = t6 + t7 + 0.298925024;
-    const puma560_real t12 = c3*s3;
-    const puma560_real t13 = c3*c3;
+    const puma560_real t15 = t14 - k3_zz;
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_real k2_xy = 0.0070992 - (t11*t12 - k3_xy*(2.0*t13 - 1.0) + 0.4318*fu2_x_3);
-    const puma560_real neg_k2_xz = t10 + (t9 + 0.4318*fu3_x_2) + 0.233911466;
-    const puma560_real k2_yz = -nu2_y_4 - 0.0016704;
-    const puma560_real t14 = k3_xy*(-2.0*t12) - t13*t11;
-    const puma560_real t15 = t14 - k3_xx;
-    const puma560_real t16 = k3_zz + t15;
-    const puma560_real t17 = t16 - k3_zz;
-    const puma560_real t18 = k3_yy + t14 + 0.8636*fu2_y_3;
+    const puma560_real k2_yy = 0.0731264 - t15;
+    const puma560_real k2_xy = 0.0070992 - (t10*t11 - k3_xy*(2.0*t9 - 1.0) + 0.4318*fu2_x_3);
+    const puma560_real neg_k2_xz = nu2_x_2 + 0.4318*fu3_x_2 - 0.12059664;
+    const puma560_real k2_yz = 0.00808056 - nu2_y_4;
+    const puma560_real t16 = k3_yy - t12 + 0.8636*fu2_y_3;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_2 = 6.458114002 - (t17 - t18);
+    const puma560_real m2_2 = 6.458114002 - (t15 - t16);
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_real fu1_x_4 = c2*neg_h2_y - s2*h2_x;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_real nu1_z_5 = -0.2435*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz);
-    const puma560_real t19 = c2*c2*(t17 + t18 + 1.601861202) - (t17 - 0.0731264) -
-        k2_xy*(2.0*(c2*s2));
+    const puma560_real nu1_z_5 = -0.1501*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz);
+    const puma560_real t17 = k2_xy*(2.0*(c2*s2)) - c2*c2*(t15 + t16 + 1.601861202) - k2_yy - (k2_zz
+        - 0.3002*fu3_x_2);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_real m1_1 = -0.3002*fu3_x_2 - (t15 - t19 - t16 - 2.6017295505);
+    const puma560_real m1_1 = 2.6017295505 - t17;
+    /* sines and cosines of the joint angles */
+    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real c23 = cos(angle23);
+    const puma560_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_real w3_z = qd[1] + qd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_real ww1_zz = qd[0]*qd[0];
-    const puma560_real t20 = -qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a2_z = -0.1501*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const puma560_real w2_x = t20*s2;
-    const puma560_real w2_y = t20*c2;
+    const puma560_real neg_w2_x = qd[0]*s2;
+    const puma560_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const puma560_real alpha2_x = qd[1]*w2_y;
-    const puma560_real alpha2_y = -qd[1]*w2_x;
+    const puma560_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const puma560_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_real ww2_xy = w2_x*w2_y;
-    const puma560_real ww2_xx = w2_x*w2_x;
-    const puma560_real ww2_yy = w2_y*w2_y;
+    const puma560_real ww2_xy = neg_w2_x*neg_w2_y;
+    const puma560_real ww2_xx = neg_w2_x*neg_w2_x;
+    const puma560_real ww2_yy = neg_w2_y*neg_w2_y;
     const puma560_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a2_z = -0.2435*ww1_zz;
-    const puma560_real a2_x = -9.8*s2;
-    const puma560_real a2_y = -9.8*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a3_z = a2_z - 0.8636*alpha2_y;
+    const puma560_real t18 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_real w3_y = c3*w2_y - s3*w2_x;
+    const puma560_real w3_x = t18*s23;
+    const puma560_real w3_y = t18*c23;
+    const puma560_real t19 = 0.4318*neg_lam2_11;
+    const puma560_real t20 = 0.4318*ww2_xy;
+    const puma560_real t21 = c2*t19 + s2*t20;
+    const puma560_real t22 = s2*t19 - c2*t20 + 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real neg_a3_x = c23*t21 + s23*t22;
+    const puma560_real a3_y = s23*t21 - c23*t22;
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const puma560_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_real w3_z = qd[1] + qd[2];
+    const puma560_real alpha3_x = w3_z*w3_y;
+    const puma560_real alpha3_y = -w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_real ww3_yz = w3_y*w3_z;
-    const puma560_real ww3_zx = w3_x*w3_z;
     const puma560_real ww3_xy = w3_x*w3_y;
-    const puma560_real neg_ww3_xx = -w3_x*w3_x;
+    const puma560_real ww3_xx = w3_x*w3_x;
     const puma560_real ww3_yy = w3_y*w3_y;
     const puma560_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_real lam3_13 = alpha3_y + ww3_zx;
-    const puma560_real lam3_22 = neg_ww3_xx - ww3_zz;
-    const puma560_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_real lam3_32 = alpha3_x + ww3_yz;
-    const puma560_real lam3_33 = neg_ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a3_z = a2_z - (0.8636*alpha2_y - 0.0934*neg_lam2_33);
-    const puma560_real t21 = 0.4318*neg_lam2_11 - a2_x;
-    const puma560_real t22 = -0.4318*ww2_xy - a2_y;
-    const puma560_real neg_a3_x = c3*t21 + s3*t22;
-    const puma560_real a3_y = s3*t21 - c3*t22;
+    const puma560_real neg_lam3_22 = ww3_xx + ww3_zz;
+    const puma560_real neg_lam3_33 = ww3_xx + ww3_yy;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a4_z = 0.0203*ww3_xy - 0.4331*neg_lam3_22 - a3_y;
     /* link 4: angular velocity [rad/s] */
     const puma560_real w4_x = c4*w3_x + s4*w3_z;
     const puma560_real w4_y = c4*w3_z - s4*w3_x;
+    const puma560_real t23 = neg_a3_x + (0.4331*ww3_xy - 0.0203*neg_lam3_11);
+    const puma560_real t24 = 0.8662*alpha3_x - 0.0406*alpha3_y - a3_z;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a4_x = -(c4*t23) - s4*t24;
+    const puma560_real a4_y = s4*t23 - c4*t24;
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
     const puma560_real alpha4_y = -s4*alpha3_x - qd[3]*w4_x;
@@ -868,16 +901,11 @@ void puma560_forward_dynamics(
     const puma560_real ww4_yz = w4_y*w4_z;
     const puma560_real ww4_zx = w4_x*w4_z;
     const puma560_real ww4_xy = w4_x*w4_y;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a4_z = 0.0203*ww3_xy + 0.4331*lam3_22 - a3_y;
-    const puma560_real t23 = neg_a3_x + (0.4331*ww3_xy - 0.0203*neg_lam3_11);
-    const puma560_real t24 = 0.0203*lam3_31 + 0.4331*lam3_32 - a3_z;
-    const puma560_real a4_x = -(c4*t23) - s4*t24;
-    const puma560_real a4_y = s4*t23 - c4*t24;
     /* link 5: angular velocity [rad/s] */
     const puma560_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_real t25 = -s5;
-    const puma560_real w5_y = t25*w4_x - c5*w4_z;
+    const puma560_real w5_y = -s5*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_real a5_x = c5*a4_x - s5*a4_z;
     /* link 5: angular acceleration [rad/s^2] */
     const puma560_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
@@ -893,8 +921,6 @@ void puma560_forward_dynamics(
     const puma560_real neg_lam5_22 = ww5_xx + ww5_zz;
     const puma560_real lam5_31 = ww5_zx - alpha5_y;
     const puma560_real lam5_32 = w5_y*(qd[4] + w5_z) - (-c5*alpha4_x - s5*alpha3_y);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_real a5_x = c5*a4_x - s5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const puma560_real w6_x = c6*w5_x + s6*w5_z;
     const puma560_real w6_y = c6*w5_z - s6*w5_x;
@@ -906,23 +932,23 @@ void puma560_forward_dynamics(
     const puma560_real fc2_x = 0.1044*ww2_xy - 3.79559*neg_lam2_11;
     const puma560_real fc2_y = 3.79559*ww2_xy - 0.1044*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_real neg_nc2_x = 0.0016704*(neg_lam2_22 - neg_lam2_33) - 0.1462528*alpha2_x +
-        (0.0141984*alpha2_y - 0.233911466*ww2_xy) + 0.0254214*ww1_zz;
-    const puma560_real nc2_y = 3.349975204*alpha2_y + 0.233911466*(neg_lam2_11 - neg_lam2_33) -
-        (0.0016704*ww2_xy + 0.0141984*alpha2_x) + 0.924226165*ww1_zz;
+    const puma560_real neg_nc2_x = 0.1462528*neg_alpha2_x - 0.00808056*(neg_lam2_22 - neg_lam2_33) +
+        (0.0141984*alpha2_y + 0.12059664*ww2_xy) + 0.01567044*ww1_zz;
+    const puma560_real nc2_y = 3.349975204*alpha2_y - 0.12059664*(neg_lam2_11 - neg_lam2_33) +
+        (0.00808056*ww2_xy + 0.0141984*neg_alpha2_x) + 0.569718059*ww1_zz;
     const puma560_real nc2_z = 1.601861202*ww2_xy + 0.0070992*(neg_lam2_11 - neg_lam2_22) -
         (37.196782*c2 - 1.02312*s2);
     /* link 3: force that moves the link [N] */
     const puma560_real fc3_x = 0.025375*neg_lam3_11 - 0.861795*ww3_xy;
-    const puma560_real fc3_y = -0.025375*ww3_xy - 0.861795*lam3_22;
-    const puma560_real fc3_z = -0.025375*lam3_31 - 0.861795*lam3_32;
+    const puma560_real fc3_y = 0.861795*neg_lam3_22 - 0.025375*ww3_xy;
+    const puma560_real fc3_z = 0.05075*alpha3_y - 1.72359*alpha3_x;
     /* link 3: moment that turns the link [N m] */
-    const puma560_real nc3_x = -0.861795*a3_z - (0.004704*(lam3_33 - lam3_22) - 0.3163401365*lam3_32
-        - 0.0106736385*lam3_31);
-    const puma560_real nc3_y = -0.004704*ww3_xy - 0.0106736385*lam3_32 - 0.0167651125*lam3_31 +
+    const puma560_real nc3_x = -0.861795*a3_z - (0.004704*(neg_lam3_22 - neg_lam3_33) -
+        0.632680273*alpha3_x + 0.021347277*alpha3_y);
+    const puma560_real nc3_y = 0.033530225*alpha3_y - (0.004704*ww3_xy + 0.021347277*alpha3_x) +
         0.025375*a3_z;
-    const puma560_real nc3_z = 0.0106736385*(neg_lam3_11 + lam3_22) - 0.299575024*ww3_xy +
-        0.004704*lam3_13 - (0.025375*a3_y + 0.861795*neg_a3_x);
+    const puma560_real neg_nc3_z = 0.299575024*ww3_xy - 0.0106736385*(neg_lam3_11 - neg_lam3_22) +
+        (0.025375*a3_y + 0.861795*neg_a3_x);
     /* link 4: moment that turns the link [N m] */
     const puma560_real nc4_y = -0.0013*ww4_zx;
     const puma560_real nc4_x = 0.0014*ww4_yz + 0.0001*alpha4_x;
@@ -939,42 +965,52 @@ void puma560_forward_dynamics(
     const puma560_real nc6_x = 4e-05*ww6_yz;
     const puma560_real nc6_y = -4e-05*ww6_zx;
     const puma560_real nc6_z = -4e-05*alpha5_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n06_x = c6*nc6_x - s6*nc6_y;
+    const puma560_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const puma560_real n5_x = nc5_x + n06_x;
     const puma560_real n5_y = nc5_y - nc6_z;
-    const puma560_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
-    /* link 4: force through the joint [N] */
-    const puma560_real f4_x = c5*fc5_x - s5*fc5_y;
-    const puma560_real neg_f4_z = s5*fc5_x + c5*fc5_y;
+    const puma560_real n5_z = nc5_z + n06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f05_x = c5*fc5_x - s5*fc5_y;
+    const puma560_real f05_y = s5*fc5_x + c5*fc5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n05_x = c5*n5_x - s5*n5_y;
+    const puma560_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const puma560_real n4_x = nc4_x + n05_x;
     const puma560_real n4_y = nc4_y + n5_z;
-    const puma560_real n4_z = nc4_z + (t25*n5_x - c5*n5_y);
-    const puma560_real t26 = s4*f4_x + c4*fc5_z;
+    const puma560_real n4_z = nc4_z - n05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f04_x = c4*f05_x - s4*fc5_z;
+    const puma560_real f04_y = s4*f05_x + c4*fc5_z;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n04_x = c4*n4_x - s4*n4_y;
+    const puma560_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n3_x = c4*n4_x - s4*n4_y - (0.4331*t26 - nc3_x);
-    const puma560_real n3_y = nc3_y + 0.0203*t26 - n4_z;
-    const puma560_real t27 = c4*f4_x - s4*fc5_z;
-    const puma560_real n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203*neg_f4_z - 0.4331*t27));
+    const puma560_real n3_x = n04_x - (0.4331*f04_y - nc3_x);
+    const puma560_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
+    const puma560_real n3_z = n04_y - (neg_nc3_z + (0.0203*f05_y - 0.4331*f04_x));
     /* link 3: force through the joint [N] */
-    const puma560_real f3_x = fc3_x + t27;
-    const puma560_real f3_y = fc3_y + neg_f4_z;
-    const puma560_real f3_z = fc3_z + t26;
-    const puma560_real t28 = s3*f3_x + c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n2_x = c3*n3_x - s3*n3_y + (0.0934*t28 - neg_nc2_x);
-    const puma560_real t29 = c3*f3_x - s3*f3_y;
-    const puma560_real n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934*t29 + 0.4318*f3_z));
-    const puma560_real n2_z = n3_z + (nc2_z + 0.4318*t28);
-    /* link 2: force through the joint [N] */
-    const puma560_real f2_x = fc2_x + t29;
-    const puma560_real f2_y = fc2_y + t28;
-    /* link 1: force through the joint [N] */
-    const puma560_real neg_f1_x = s2*f2_y - c2*f2_x;
+    const puma560_real f3_x = fc3_x + f04_x;
+    const puma560_real f3_y = fc3_y + f05_y;
+    const puma560_real f3_z = fc3_z + f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f03_x = c23*f3_x - s23*f3_y;
+    const puma560_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n03_y = s23*n3_x + c23*n3_y;
+    const puma560_real t25 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t25);
+    const puma560_real n02_z = n3_z + (nc2_z + (f03_y*t25 - f03_x*(0.4318*s2)));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_real n1_z = 0.2435*neg_f1_x - (s2*n2_x + c2*n2_y);
+    const puma560_real neg_n1_z = n02_y + 0.1501*f02_x;
     /* link 1: forward substitution */
-    const puma560_real y1 = tau[0] - n1_z;
+    const puma560_real y1 = tau[0] + neg_n1_z;
     /* factorisation M = L D L^T */
     const puma560_real ipivot1 = 1.0 / m1_1;
     const puma560_real l2_1 = nu1_z_5*ipivot1;
@@ -1014,7 +1050,7 @@ void puma560_forward_dynamics(
         ld6_5*l6_5;
     const puma560_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
-    const puma560_real y2 = tau[1] - n2_z - y1*l2_1;
+    const puma560_real y2 = tau[1] - n02_z - y1*l2_1;
     /* link 3: forward substitution */
     const puma560_real y3 = tau[2] - n3_z - y1*l3_1 - l3_2*y2;
     /* link 4: forward substitution */
@@ -1033,9 +1069,9 @@ void puma560_forward_dynamics(
     const puma560_real qdd3 = -l6_3*qdd6 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5);
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_real qdd2 = -l6_2*qdd6 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5);
-    const puma560_real t30 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4);
+    const puma560_real t26 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real qdd1 = t30 - l6_1*qdd6;
+    const puma560_real qdd1 = t26 - l6_1*qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

@@ -15,11 +15,11 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 193 multiplications, 159 additions = 352; 8 unary minus; 10 sine/cosine
-!   gravity: 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine
-!   bias: 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine
-!   mass_matrix: 109 multiplications, 92 additions = 201; 3 unary minus; 8 sine/cosine
-!   forward_dynamics: 369 multiplications, 290 additions, 6 divisions = 665; 19 unary minus; 10
+!   inverse_dynamics: 187 multiplications, 151 additions = 338; 4 unary minus; 10 sine/cosine
+!   gravity: 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
+!   bias: 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
+!   mass_matrix: 103 multiplications, 85 additions = 188; 2 unary minus; 8 sine/cosine
+!   forward_dynamics: 354 multiplications, 270 additions, 6 divisions = 630; 16 unary minus; 12
 !       sine/cosine
 module puma560_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,88 +35,102 @@ module puma560_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 193 multiplications, 159 additions = 352; 8 unary minus; 10 sine/cosine
+  ! 187 multiplications, 151 additions = 338; 4 unary minus; 10 sine/cosine
   pure subroutine puma560_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="puma560_inverse_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: qdd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, ww1_zz, t1, w2_x, w2_y, ww2_yz, ww2_zx
-    real(rk) :: alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, neg_ww2_zz, lam2_11, lam2_12
-    real(rk) :: lam2_13, lam2_21, lam2_22, lam2_23, lam2_31, lam2_32, lam2_33, a2_z
-    real(rk) :: t2, neg_a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, alpha3_z
-    real(rk) :: w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11
-    real(rk) :: lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_31, lam3_32, neg_lam3_33, a3_z
-    real(rk) :: t3, t4, a3_x, a3_y, w4_x, w4_y, alpha4_x, alpha4_y
-    real(rk) :: alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, a4_z, t5, t6
-    real(rk) :: a4_x, a4_y, w5_x, t7, w5_y, alpha5_y, alpha5_z, w5_z
-    real(rk) :: ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22, lam5_31
-    real(rk) :: lam5_32, a5_x, w6_x, w6_y, alpha6_z, w6_z, ww6_yz, ww6_zx
-    real(rk) :: fc2_x, fc2_y, neg_nc2_x, nc2_y, t8, nc2_z, fc3_x, fc3_y
-    real(rk) :: fc3_z, nc3_x, nc3_y, nc3_z, nc4_y, nc4_x, nc4_z, fc5_x
-    real(rk) :: fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z
-    real(rk) :: tau6, n5_x, n5_y, n5_z, tau5, f4_x, neg_f4_z, n4_x
-    real(rk) :: n4_y, n4_z, tau4, t9, n3_x, n3_y, t10, n3_z
-    real(rk) :: f3_x, f3_y, f3_z, tau3, t11, n2_x, t12, n2_y
-    real(rk) :: n2_z, f2_x, f2_y, tau2, tau1
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
+    real(rk) :: angle23, c23, s23, w3_z, alpha3_z, ww1_zz, a2_z, t1
+    real(rk) :: w2_x, w2_y, t2, neg_a2_x, a2_y, ww2_yz, ww2_zx, alpha2_x
+    real(rk) :: neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13
+    real(rk) :: lam2_21, neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33, a3_z, w3_x
+    real(rk) :: w3_y, t3, t4, t5, t6, neg_a3_x, a3_y, ww3_yz
+    real(rk) :: ww3_zx, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11
+    real(rk) :: lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_31, lam3_32, neg_lam3_33, a4_z
+    real(rk) :: w4_x, w4_y, t7, t8, a4_x, a4_y, alpha4_x, alpha4_y
+    real(rk) :: alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, w5_x, t9, w5_y
+    real(rk) :: a5_x, alpha5_y, alpha5_z, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz
+    real(rk) :: lam5_12, lam5_21, neg_lam5_22, lam5_31, lam5_32, w6_x, w6_y, alpha6_z
+    real(rk) :: w6_z, ww6_yz, ww6_zx, fc2_x, fc2_y, neg_nc2_x, nc2_y, t10
+    real(rk) :: nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, nc4_y
+    real(rk) :: nc4_x, nc4_z, fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z
+    real(rk) :: nc6_x, nc6_y, nc6_z, n06_x, n06_y, tau6, n5_x, n5_y
+    real(rk) :: n5_z, f05_x, f05_y, n05_x, n05_y, tau5, n4_x, n4_y
+    real(rk) :: n4_z, f04_x, f04_y, n04_x, n04_y, tau4, n3_x, n3_y
+    real(rk) :: n3_z, f3_x, f3_y, f3_z, f03_x, f03_y, tau3, t11
+    real(rk) :: n02_z, f02_x, tau2, t12, tau1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
     c6 = cos(q(6))
     s6 = sin(q(6))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_z = qdd(2) + qdd(3)
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1501_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    t2 = 0.1501_rk*qdd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a2_x = c2*t2 + 9.8_rk*s2
+    a2_y = s2*t2 - 9.8_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
     ww2_yz = qd(2)*w2_y
     ww2_zx = qd(2)*w2_x
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = ww2_yz - qdd(1)*s2
-    alpha2_y = -(qdd(1)*c2) - ww2_zx
+    neg_alpha2_y = qdd(1)*c2 + ww2_zx
     ! link 2: products of the angular velocity [1/s^2]
     ww2_xy = w2_x*w2_y
     ww2_xx = w2_x*w2_x
     ww2_yy = w2_y*w2_y
-    neg_ww2_zz = -qd(2)*qd(2)
+    ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam2_11 = neg_ww2_zz - ww2_yy
+    neg_lam2_11 = ww2_yy + ww2_zz
     lam2_12 = ww2_xy - qdd(2)
-    lam2_13 = ww2_zx + alpha2_y
+    lam2_13 = ww2_zx - neg_alpha2_y
     lam2_21 = qdd(2) + ww2_xy
-    lam2_22 = neg_ww2_zz - ww2_xx
+    neg_lam2_22 = ww2_xx + ww2_zz
     lam2_23 = ww2_yz - alpha2_x
-    lam2_31 = ww2_zx - alpha2_y
+    lam2_31 = ww2_zx + neg_alpha2_y
     lam2_32 = ww2_yz + alpha2_x
-    lam2_33 = -ww2_xx - ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.2435_rk*ww1_zz
-    t2 = 0.2435_rk*qdd(1)
-    neg_a2_x = c2*t2 + 9.8_rk*s2
-    a2_y = s2*t2 - 9.8_rk*c2
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z + 0.4318_rk*lam2_31
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    alpha3_z = qdd(2) + qdd(3)
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    w3_x = t1*s23
+    w3_y = t1*c23
+    t3 = 0.4318_rk*neg_lam2_11
+    t4 = 0.4318_rk*lam2_21
+    t5 = t2 + (c2*t3 + s2*t4)
+    t6 = s2*t3 - c2*t4 + 9.8_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*t5 + s23*t6
+    a3_y = s23*t5 - c23*t6
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
+    ww3_yz = w3_z*w3_y
+    ww3_zx = w3_z*w3_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = ww3_yz - qdd(1)*s23
+    neg_alpha3_y = qdd(1)*c23 + ww3_zx
+    ! link 3: products of the angular velocity [1/s^2]
     ww3_xy = w3_x*w3_y
     ww3_xx = w3_x*w3_x
     ww3_yy = w3_y*w3_y
@@ -124,43 +138,40 @@ contains
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
     lam3_12 = ww3_xy - alpha3_z
-    lam3_13 = alpha3_y + ww3_zx
+    lam3_13 = ww3_zx - neg_alpha3_y
     lam3_21 = alpha3_z + ww3_xy
     neg_lam3_22 = ww3_xx + ww3_zz
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
+    lam3_31 = ww3_zx + neg_alpha3_y
+    lam3_32 = ww3_yz + alpha3_x
     neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.0934_rk*lam2_33 - 0.4318_rk*lam2_31)
-    t3 = a2_y + (0.4318_rk*lam2_21 - 0.0934_rk*lam2_23)
-    t4 = neg_a2_x + (0.0934_rk*lam2_13 - 0.4318_rk*lam2_11)
-    a3_x = s3*t3 - c3*t4
-    a3_y = s3*t4 + c3*t3
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.0203_rk*lam3_21 - 0.4331_rk*neg_lam3_22 - a3_y
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
+    t7 = neg_a3_x + (0.4331_rk*lam3_12 - 0.0203_rk*neg_lam3_11)
+    t8 = 0.0203_rk*lam3_31 + 0.4331_rk*lam3_32 - a3_z
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = -(c4*t7) - s4*t8
+    a4_y = s4*t7 - c4*t8
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*alpha3_z)
     alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
-    alpha4_z = qdd(4) - alpha3_y
+    alpha4_z = qdd(4) + neg_alpha3_y
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w3_y
     ! link 4: products of the angular velocity [1/s^2]
     ww4_yz = w4_y*w4_z
     ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = 0.0203_rk*lam3_21 - 0.4331_rk*neg_lam3_22 - a3_y
-    t5 = 0.4331_rk*lam3_12 - 0.0203_rk*neg_lam3_11 - a3_x
-    t6 = 0.0203_rk*lam3_31 + 0.4331_rk*lam3_32 - a3_z
-    a4_x = -(c4*t5) - s4*t6
-    a4_y = s4*t5 - c4*t6
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t7 = -s5
-    w5_y = t7*w4_x - c5*w4_z
+    t9 = -s5
+    w5_y = t9*w4_x - c5*w4_z
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x - s5*a4_z
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_y = t7*alpha4_x - c5*alpha4_z - qd(5)*w5_x
+    alpha5_y = t9*alpha4_x - c5*alpha4_z - qd(5)*w5_x
     alpha5_z = qdd(5) + alpha4_y
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -175,8 +186,6 @@ contains
     neg_lam5_22 = ww5_xx + ww5_zz
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = w5_y*(qd(5) + w5_z) - (s5*alpha4_z - c5*alpha4_x)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x - s5*a4_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
@@ -188,16 +197,16 @@ contains
     ww6_yz = w6_y*w6_z
     ww6_zx = w6_x*w6_z
     ! link 2: force that moves the link [N]
-    fc2_x = 3.79559_rk*lam2_11 + 0.1044_rk*lam2_12
-    fc2_y = 3.79559_rk*lam2_21 + 0.1044_rk*lam2_22
+    fc2_x = 0.1044_rk*lam2_12 - 3.79559_rk*neg_lam2_11
+    fc2_y = 3.79559_rk*lam2_21 - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
-    neg_nc2_x = 0.0016704_rk*(lam2_33 - lam2_22) - 0.0731264_rk*lam2_32 + (-0.0070992_rk*lam2_31 - &
-        0.233911466_rk*lam2_21) + 0.0254214_rk*ww1_zz
-    nc2_y = 0.233911466_rk*(lam2_33 - lam2_11) - 1.674987602_rk*lam2_31 + (-0.0016704_rk*lam2_12 - &
-        0.0070992_rk*lam2_32) + 0.924226165_rk*ww1_zz
-    t8 = 1.674987602_rk*lam2_21 - 0.0731264_rk*lam2_12 + 0.0070992_rk*(lam2_22 - lam2_11) + &
-        (0.0016704_rk*lam2_13 - 0.233911466_rk*lam2_23)
-    nc2_z = t8 + (3.79559_rk*a2_y + 0.1044_rk*neg_a2_x)
+    neg_nc2_x = -0.0731264_rk*lam2_32 - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
+        (0.12059664_rk*lam2_21 - 0.0070992_rk*lam2_31) + 0.01567044_rk*ww1_zz
+    nc2_y = -1.674987602_rk*lam2_31 - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) - &
+        (0.0070992_rk*lam2_32 - 0.00808056_rk*lam2_12) + 0.569718059_rk*ww1_zz
+    t10 = 1.674987602_rk*lam2_21 - 0.0731264_rk*lam2_12 + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) &
+        - (0.00808056_rk*lam2_13 - 0.12059664_rk*lam2_23)
+    nc2_z = t10 + (3.79559_rk*a2_y + 0.1044_rk*neg_a2_x)
     ! link 3: force that moves the link [N]
     fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*lam3_12
     fc3_y = 0.861795_rk*neg_lam3_22 - 0.025375_rk*lam3_21
@@ -208,7 +217,7 @@ contains
     nc3_y = -0.004704_rk*lam3_12 - 0.0106736385_rk*lam3_32 - 0.0167651125_rk*lam3_31 + &
         0.025375_rk*a3_z
     nc3_z = 0.0167651125_rk*lam3_21 - 0.3163401365_rk*lam3_12 + 0.0106736385_rk*(neg_lam3_11 - &
-        neg_lam3_22) + 0.004704_rk*lam3_13 - (0.025375_rk*a3_y - 0.861795_rk*a3_x)
+        neg_lam3_22) + 0.004704_rk*lam3_13 - (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
     ! link 4: moment that turns the link [N m]
     nc4_y = -0.0013_rk*ww4_zx
     nc4_x = 0.0014_rk*ww4_yz + 0.0001_rk*alpha4_x
@@ -225,48 +234,58 @@ contains
     nc6_x = 4e-05_rk*ww6_yz
     nc6_y = -4e-05_rk*ww6_zx
     nc6_z = 4e-05_rk*alpha6_z
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 6: joint torque [N m], at a prismatic joint force [N]
     tau6 = nc6_z + 0.193_rk*qdd(6)
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    n5_z = nc5_z + n06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*fc5_x - s5*fc5_y
+    f05_y = s5*fc5_x + c5*fc5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 5: joint torque [N m], at a prismatic joint force [N]
     tau5 = n5_z + 0.179_rk*qdd(5)
-    ! link 4: force through the joint [N]
-    f4_x = c5*fc5_x - s5*fc5_y
-    neg_f4_z = s5*fc5_x + c5*fc5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t7*n5_x - c5*n5_y)
+    n4_z = nc4_z - n05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f05_x - s4*fc5_z
+    f04_y = s4*f05_x + c4*fc5_z
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 4: joint torque [N m], at a prismatic joint force [N]
     tau4 = n4_z + 0.2_rk*qdd(4)
-    t9 = s4*f4_x + c4*fc5_z
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*n4_y - (0.4331_rk*t9 - nc3_x)
-    n3_y = nc3_y + 0.0203_rk*t9 - n4_z
-    t10 = c4*f4_x - s4*fc5_z
-    n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203_rk*neg_f4_z - 0.4331_rk*t10))
+    n3_x = n04_x - (0.4331_rk*f04_y - nc3_x)
+    n3_y = nc3_y + 0.0203_rk*f04_y - n4_z
+    n3_z = n04_y + (nc3_z - (0.0203_rk*f05_y - 0.4331_rk*f04_x))
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + t10
-    f3_y = fc3_y + neg_f4_z
-    f3_z = fc3_z + t9
+    f3_x = fc3_x + f04_x
+    f3_y = fc3_y + f05_y
+    f3_z = fc3_z + f04_y
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*f3_x - s23*f3_y
+    f03_y = s23*f3_x + c23*f3_y
     ! link 3: joint torque [N m], at a prismatic joint force [N]
     tau3 = n3_z + 0.83_rk*qdd(3)
-    t11 = s3*f3_x + c3*f3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = c3*n3_x - s3*n3_y + (0.0934_rk*t11 - neg_nc2_x)
-    t12 = c3*f3_x - s3*f3_y
-    n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934_rk*t12 + 0.4318_rk*f3_z))
-    n2_z = n3_z + (nc2_z + 0.4318_rk*t11)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x + t12
-    f2_y = fc2_y + t11
+    t11 = 0.4318_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = n3_z + (nc2_z + (f03_y*t11 - f03_x*(0.4318_rk*s2)))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
     ! link 2: joint torque [N m], at a prismatic joint force [N]
-    tau2 = n2_z + 4.71_rk*qdd(2)
+    tau2 = n02_z + 4.71_rk*qdd(2)
+    t12 = 0.1501_rk*f02_x - (f3_z*t11 - (c2*nc2_y - (s2*neg_nc2_x - (s23*n3_x + c23*n3_y))))
     ! link 1: joint torque [N m], at a prismatic joint force [N]
-    tau1 = 0.2435_rk*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y) + 2.6017295505_rk*qdd(1)
+    tau1 = 2.6017295505_rk*qdd(1) - t12
     tau(1) = tau1
     tau(2) = tau2
     tau(3) = tau3
@@ -276,31 +295,29 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine
+  ! 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
   pure subroutine puma560_gravity(q, tau) &
       bind(c, name="puma560_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: a2_x, a2_y, a3_x, a3_y, a4_x, neg_a4_y, a5_x, nc2_z
-    real(rk) :: nc3_z, nc5_x, nc5_z, n4_x, n4_z, n3_x, n3_z, neg_n2_x
-    real(rk) :: n2_y, n2_z, n1_z
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23
+    real(rk) :: s23, a3_x, a3_y, a4_x, neg_a4_y, a5_x, nc2_z, nc3_z
+    real(rk) :: nc5_x, nc5_z, n05_x, n05_y, neg_n04_x, n04_y, n3_z, neg_n03_y
+    real(rk) :: n02_z, t1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = c3*a2_x + s3*a2_y
-    a3_y = c3*a2_y - s3*a2_x
+    a3_x = -9.8_rk*s23
+    a3_y = -9.8_rk*c23
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
     a4_x = c4*a3_x
     neg_a4_y = s4*a3_x
@@ -309,119 +326,124 @@ contains
     ! link 2: moment that turns the link [N m]
     nc2_z = 1.02312_rk*s2 - 37.196782_rk*c2
     ! link 3: moment that turns the link [N m]
-    nc3_z = 0.861795_rk*a3_x - 0.025375_rk*a3_y
+    nc3_z = 0.248675_rk*c23 - 8.445591_rk*s23
     ! link 5: moment that turns the link [N m]
     nc5_x = 0.00288_rk*neg_a4_y
     nc5_z = 0.00288_rk*a5_x
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = c5*nc5_x
-    n4_z = -s5*nc5_x
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*nc5_x
+    n05_y = s5*nc5_x
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    neg_n04_x = s4*nc5_z - c4*n05_x
+    n04_y = s4*n05_x + c4*nc5_z
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*nc5_z
-    n3_z = nc3_z - (-s4*n4_x - c4*nc5_z)
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = -c3*n3_x - s3*n4_z
-    n2_y = s3*n3_x - c3*n4_z
-    n2_z = nc2_z + n3_z
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y
-    tau(1) = n1_z
-    tau(2) = n2_z
+    n3_z = nc3_z + n04_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    neg_n03_y = s23*neg_n04_x - c23*n05_y
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = nc2_z + n3_z
+    t1 = -n05_y
+    tau(1) = neg_n03_y
+    tau(2) = n02_z
     tau(3) = n3_z
-    tau(4) = n4_z
+    tau(4) = t1
     tau(5) = nc5_z
     tau(6) = 0.0_rk
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine
+  ! 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
   pure subroutine puma560_bias(q, qd, tau) &
       bind(c, name="puma560_bias_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, ww1_zz, t1, w2_x, w2_y, alpha2_x, alpha2_y
-    real(rk) :: ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_z
-    real(rk) :: a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, w3_z, ww3_yz
-    real(rk) :: ww3_zx, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_13, lam3_22
-    real(rk) :: lam3_31, lam3_32, lam3_33, a3_z, t2, t3, neg_a3_x, a3_y
-    real(rk) :: w4_x, w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy
-    real(rk) :: a4_z, t4, t5, a4_x, a4_y, w5_x, t6, w5_y
-    real(rk) :: alpha5_y, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21
-    real(rk) :: neg_lam5_22, lam5_31, lam5_32, a5_x, w6_x, w6_y, w6_z, ww6_yz
-    real(rk) :: ww6_zx, fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y
-    real(rk) :: fc3_z, nc3_x, nc3_y, nc3_z, nc4_y, nc4_x, nc4_z, fc5_x
-    real(rk) :: fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z
-    real(rk) :: n5_x, n5_y, n5_z, f4_x, neg_f4_z, n4_x, n4_y, n4_z
-    real(rk) :: t7, n3_x, n3_y, t8, n3_z, f3_x, f3_y, f3_z
-    real(rk) :: t9, n2_x, t10, n2_y, n2_z, f2_x, f2_y, neg_f1_x
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
+    real(rk) :: angle23, c23, s23, w3_z, ww1_zz, a2_z, neg_w2_x, neg_w2_y
+    real(rk) :: neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22
+    real(rk) :: neg_lam2_33, a3_z, t1, w3_x, w3_y, t2, t3, t4
+    real(rk) :: t5, neg_a3_x, a3_y, alpha3_x, alpha3_y, ww3_xy, ww3_xx, ww3_yy
+    real(rk) :: ww3_zz, neg_lam3_11, neg_lam3_22, neg_lam3_33, a4_z, w4_x, w4_y, t6
+    real(rk) :: t7, a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx
+    real(rk) :: ww4_xy, w5_x, w5_y, a5_x, alpha5_y, w5_z, ww5_zx, ww5_xy
+    real(rk) :: ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22, lam5_31, lam5_32, w6_x
+    real(rk) :: w6_y, w6_z, ww6_yz, ww6_zx, fc2_x, fc2_y, neg_nc2_x, nc2_y
+    real(rk) :: nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, neg_nc3_z, nc4_y
+    real(rk) :: nc4_x, nc4_z, fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z
+    real(rk) :: nc6_x, nc6_y, nc6_z, n06_x, n06_y, n5_x, n5_y, n5_z
+    real(rk) :: f05_x, f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f04_x
+    real(rk) :: f04_y, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y
+    real(rk) :: f3_z, f03_x, f03_y, n03_y, t8, n02_y, n02_z, f02_x
     real(rk) :: n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
     c6 = cos(q(6))
     s6 = sin(q(6))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
-    t1 = -qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1501_rk*ww1_zz
     ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
+    neg_w2_x = qd(1)*s2
+    neg_w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_x = qd(2)*neg_w2_y
+    alpha2_y = qd(2)*neg_w2_x
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
+    ww2_xy = neg_w2_x*neg_w2_y
+    ww2_xx = neg_w2_x*neg_w2_x
+    ww2_yy = neg_w2_y*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.2435_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - 0.8636_rk*alpha2_y
+    t1 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
+    w3_x = t1*s23
+    w3_y = t1*c23
+    t2 = 0.4318_rk*neg_lam2_11
+    t3 = 0.4318_rk*ww2_xy
+    t4 = c2*t2 + s2*t3
+    t5 = s2*t2 - c2*t3 + 9.8_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*t4 + s23*t5
+    a3_y = s23*t4 - c23*t5
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    alpha3_x = w3_z*w3_y
+    alpha3_y = -w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
     ww3_xy = w3_x*w3_y
-    neg_ww3_xx = -w3_x*w3_x
+    ww3_xx = w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_13 = alpha3_y + ww3_zx
-    lam3_22 = neg_ww3_xx - ww3_zz
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
-    lam3_33 = neg_ww3_xx - ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.8636_rk*alpha2_y - 0.0934_rk*neg_lam2_33)
-    t2 = 0.4318_rk*neg_lam2_11 - a2_x
-    t3 = -0.4318_rk*ww2_xy - a2_y
-    neg_a3_x = c3*t2 + s3*t3
-    a3_y = s3*t2 - c3*t3
+    neg_lam3_22 = ww3_xx + ww3_zz
+    neg_lam3_33 = ww3_xx + ww3_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.0203_rk*ww3_xy - 0.4331_rk*neg_lam3_22 - a3_y
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
+    t6 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
+    t7 = 0.8662_rk*alpha3_x - 0.0406_rk*alpha3_y - a3_z
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = -(c4*t6) - s4*t7
+    a4_y = s4*t6 - c4*t7
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha3_x + qd(4)*w4_y
     alpha4_y = -s4*alpha3_x - qd(4)*w4_x
@@ -431,16 +453,11 @@ contains
     ww4_yz = w4_y*w4_z
     ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = 0.0203_rk*ww3_xy + 0.4331_rk*lam3_22 - a3_y
-    t4 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
-    t5 = 0.0203_rk*lam3_31 + 0.4331_rk*lam3_32 - a3_z
-    a4_x = -(c4*t4) - s4*t5
-    a4_y = s4*t4 - c4*t5
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t6 = -s5
-    w5_y = t6*w4_x - c5*w4_z
+    w5_y = -s5*w4_x - c5*w4_z
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x - s5*a4_z
     ! link 5: angular acceleration [rad/s^2]
     alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
@@ -456,8 +473,6 @@ contains
     neg_lam5_22 = ww5_xx + ww5_zz
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = w5_y*(qd(5) + w5_z) - (-c5*alpha4_x - s5*alpha3_y)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x - s5*a4_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
@@ -469,23 +484,23 @@ contains
     fc2_x = 0.1044_rk*ww2_xy - 3.79559_rk*neg_lam2_11
     fc2_y = 3.79559_rk*ww2_xy - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
-    neg_nc2_x = 0.0016704_rk*(neg_lam2_22 - neg_lam2_33) - 0.1462528_rk*alpha2_x + &
-        (0.0141984_rk*alpha2_y - 0.233911466_rk*ww2_xy) + 0.0254214_rk*ww1_zz
-    nc2_y = 3.349975204_rk*alpha2_y + 0.233911466_rk*(neg_lam2_11 - neg_lam2_33) - &
-        (0.0016704_rk*ww2_xy + 0.0141984_rk*alpha2_x) + 0.924226165_rk*ww1_zz
+    neg_nc2_x = 0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
+        (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy) + 0.01567044_rk*ww1_zz
+    nc2_y = 3.349975204_rk*alpha2_y - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) + &
+        (0.00808056_rk*ww2_xy + 0.0141984_rk*neg_alpha2_x) + 0.569718059_rk*ww1_zz
     nc2_z = 1.601861202_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (37.196782_rk*c2 - &
         1.02312_rk*s2)
     ! link 3: force that moves the link [N]
     fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*ww3_xy
-    fc3_y = -0.025375_rk*ww3_xy - 0.861795_rk*lam3_22
-    fc3_z = -0.025375_rk*lam3_31 - 0.861795_rk*lam3_32
+    fc3_y = 0.861795_rk*neg_lam3_22 - 0.025375_rk*ww3_xy
+    fc3_z = 0.05075_rk*alpha3_y - 1.72359_rk*alpha3_x
     ! link 3: moment that turns the link [N m]
-    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(lam3_33 - lam3_22) - 0.3163401365_rk*lam3_32 - &
-        0.0106736385_rk*lam3_31)
-    nc3_y = -0.004704_rk*ww3_xy - 0.0106736385_rk*lam3_32 - 0.0167651125_rk*lam3_31 + &
+    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.632680273_rk*alpha3_x &
+        + 0.021347277_rk*alpha3_y)
+    nc3_y = 0.033530225_rk*alpha3_y - (0.004704_rk*ww3_xy + 0.021347277_rk*alpha3_x) + &
         0.025375_rk*a3_z
-    nc3_z = 0.0106736385_rk*(neg_lam3_11 + lam3_22) - 0.299575024_rk*ww3_xy + 0.004704_rk*lam3_13 &
-        - (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
+    neg_nc3_z = 0.299575024_rk*ww3_xy - 0.0106736385_rk*(neg_lam3_11 - neg_lam3_22) + &
+        (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
     ! link 4: moment that turns the link [N m]
     nc4_y = -0.0013_rk*ww4_zx
     nc4_x = 0.0014_rk*ww4_yz + 0.0001_rk*alpha4_x
@@ -502,42 +517,52 @@ contains
     nc6_x = 4e-05_rk*ww6_yz
     nc6_y = -4e-05_rk*ww6_zx
     nc6_z = -4e-05_rk*alpha5_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
-    ! link 4: force through the joint [N]
-    f4_x = c5*fc5_x - s5*fc5_y
-    neg_f4_z = s5*fc5_x + c5*fc5_y
+    n5_z = nc5_z + n06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*fc5_x - s5*fc5_y
+    f05_y = s5*fc5_x + c5*fc5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t6*n5_x - c5*n5_y)
-    t7 = s4*f4_x + c4*fc5_z
+    n4_z = nc4_z - n05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f05_x - s4*fc5_z
+    f04_y = s4*f05_x + c4*fc5_z
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*n4_y - (0.4331_rk*t7 - nc3_x)
-    n3_y = nc3_y + 0.0203_rk*t7 - n4_z
-    t8 = c4*f4_x - s4*fc5_z
-    n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203_rk*neg_f4_z - 0.4331_rk*t8))
+    n3_x = n04_x - (0.4331_rk*f04_y - nc3_x)
+    n3_y = nc3_y + 0.0203_rk*f04_y - n4_z
+    n3_z = n04_y - (neg_nc3_z + (0.0203_rk*f05_y - 0.4331_rk*f04_x))
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + t8
-    f3_y = fc3_y + neg_f4_z
-    f3_z = fc3_z + t7
-    t9 = s3*f3_x + c3*f3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = c3*n3_x - s3*n3_y + (0.0934_rk*t9 - neg_nc2_x)
-    t10 = c3*f3_x - s3*f3_y
-    n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934_rk*t10 + 0.4318_rk*f3_z))
-    n2_z = n3_z + (nc2_z + 0.4318_rk*t9)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x + t10
-    f2_y = fc2_y + t9
-    ! link 1: force through the joint [N]
-    neg_f1_x = s2*f2_y - c2*f2_x
+    f3_x = fc3_x + f04_x
+    f3_y = fc3_y + f05_y
+    f3_z = fc3_z + f04_y
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*f3_x - s23*f3_y
+    f03_y = s23*f3_x + c23*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*n3_x + c23*n3_y
+    t8 = 0.4318_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t8)
+    n02_z = n3_z + (nc2_z + (f03_y*t8 - f03_x*(0.4318_rk*s2)))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.2435_rk*neg_f1_x - (s2*n2_x + c2*n2_y)
+    n1_z = -0.1501_rk*f02_x - n02_y
     tau(1) = n1_z
-    tau(2) = n2_z
+    tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = n5_z
@@ -545,22 +570,22 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 109 multiplications, 92 additions = 201; 3 unary minus; 8 sine/cosine
+  ! 103 multiplications, 85 additions = 188; 2 unary minus; 8 sine/cosine
   pure subroutine puma560_mass_matrix(q, M) &
       bind(c, name="puma560_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
     real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
     real(rk) :: nu4_x, nu4_z, nu3_x, nu3_z, nu2_x, nu2_y, nu1_z, fu4_x
-    real(rk) :: fu4_z, fu3_x, fu3_z, nu3_y, nu3_x_2, nu3_z_2, fu2_x, fu2_y
+    real(rk) :: fu4_z, fu3_x, fu3_z, nu3_y, neg_nu3_x, nu3_z_2, fu2_x, fu2_y
     real(rk) :: neg_nu2_x, nu2_y_2, nu2_z, fu1_x, nu1_z_2, t1, k4_zz, k4_xz
-    real(rk) :: k4_xx, m4_4, fu3_x_2, fu3_z_2, t2, t3, neg_nu3_x, nu3_y_2
+    real(rk) :: k4_xx, m4_4, fu3_x_2, fu3_z_2, t2, t3, neg_nu3_x_2, nu3_y_2
     real(rk) :: nu3_z_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_3, nu2_z_2, fu1_x_2, nu1_z_3
     real(rk) :: t4, t5, k3_zz, neg_k3_xz, h3_x, neg_h3_y, t6, k3_xx
     real(rk) :: t7, k3_yy, k3_xy, k3_yz, t8, m3_3, fu2_x_3, fu2_y_3
-    real(rk) :: t9, t10, nu2_x_2, nu2_y_4, nu2_z_3, fu1_x_3, nu1_z_4, h2_x
-    real(rk) :: neg_h2_y, t11, t12, t13, k2_xy, neg_k2_xz, k2_yz, t14
-    real(rk) :: t15, t16, t17, t18, m2_2, fu1_x_4, nu1_z_5, t19
+    real(rk) :: nu2_x_2, nu2_y_4, nu2_z_3, fu1_x_3, nu1_z_4, t9, t10, t11
+    real(rk) :: t12, t13, t14, k2_zz, h2_x, neg_h2_y, t15, k2_yy
+    real(rk) :: k2_xy, neg_k2_xz, k2_yz, t16, m2_2, fu1_x_4, nu1_z_5, t17
     real(rk) :: m1_1
 
     ! sines and cosines of the joint angles
@@ -591,19 +616,19 @@ contains
     fu3_z = s4*fu4_x
     ! link 3: moment for a unit acceleration of a joint further out
     nu3_y = 0.0203_rk*fu3_z
-    nu3_x_2 = -0.4331_rk*fu3_z - 0.00064216_rk*s4
+    neg_nu3_x = 0.00064216_rk*s4 + 0.4331_rk*fu3_z
     nu3_z_2 = 0.00064216_rk*c4 - (5.8464e-05_rk*s5 - 0.4331_rk*fu3_x)
     ! link 2: force for a unit acceleration of a joint further out
     fu2_x = c3*fu3_x + s3*fu4_z
     fu2_y = s3*fu3_x - c3*fu4_z
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x = s3*nu3_y - c3*nu3_x_2 - 0.0934_rk*fu2_y
-    nu2_y_2 = s3*nu3_x_2 + c3*nu3_y - (0.0934_rk*fu2_x + 0.4318_rk*fu3_z)
+    neg_nu2_x = c3*neg_nu3_x + s3*nu3_y
+    nu2_y_2 = -0.4318_rk*fu3_z - (s3*neg_nu3_x - c3*nu3_y)
     nu2_z = nu3_z_2 + 0.4318_rk*fu2_y
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x = c2*fu2_x - s2*fu2_y
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.2435_rk*fu1_x
+    nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.1501_rk*fu1_x
     t1 = 0.00020216_rk*(c5*c5)
     ! link 4: second moment of the composite body [kg m^2]
     k4_zz = t1 + 0.00022_rk
@@ -617,20 +642,20 @@ contains
     t2 = c4*k4_xz
     t3 = 0.4331_rk*fu3_z_2
     ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x = t2 + t3
+    neg_nu3_x_2 = t2 + t3
     nu3_y_2 = t1 - 0.00184216_rk + 0.0203_rk*fu3_z_2
     nu3_z_3 = 0.4331_rk*fu3_x_2 - s4*k4_xz
     ! link 2: force for a unit acceleration of a joint further out
     fu2_x_2 = c3*fu3_x_2
     fu2_y_2 = s3*fu3_x_2
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x_2 = c3*neg_nu3_x + s3*nu3_y_2 - 0.0934_rk*fu2_y_2
-    nu2_y_3 = -0.0934_rk*fu2_x_2 - 0.4318_rk*fu3_z_2 - (s3*neg_nu3_x - c3*nu3_y_2)
+    neg_nu2_x_2 = c3*neg_nu3_x_2 + s3*nu3_y_2
+    nu2_y_3 = -0.4318_rk*fu3_z_2 - (s3*neg_nu3_x_2 - c3*nu3_y_2)
     nu2_z_2 = nu3_z_3 + 0.4318_rk*fu2_y_2
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.2435_rk*fu1_x_2
+    nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.1501_rk*fu1_x_2
     t4 = t1 - 0.00030216_rk
     t5 = c4*c4*t4
     ! link 3: second moment of the composite body [kg m^2]
@@ -639,53 +664,55 @@ contains
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_x = fu3_z_2 - 0.025375_rk
     neg_h3_y = fu4_x + 0.861795_rk
-    t6 = t5 - 0.00077_rk + 0.0406_rk*fu3_z_2
+    t6 = 0.00077_rk - t5 - 0.0406_rk*fu3_z_2
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.0167651125_rk - t6
+    k3_xx = t6 + 0.0167651125_rk
     t7 = k4_zz + 0.002494656_rk*c5
     k3_yy = t7 + 0.3156901365_rk
     k3_xy = 0.0106736385_rk - (t3 + (t2 - 5.8464e-05_rk*c5))
     k3_yz = nu3_z_3 - 0.004704_rk
-    t8 = t6 - t7
+    t8 = t6 + t7
     ! link 3: mass matrix, its row of this joint
-    m3_3 = 1.162455249_rk - t8
+    m3_3 = t8 + 1.162455249_rk
     ! link 2: force for a unit acceleration of a joint further out
     fu2_x_3 = c3*neg_h3_y - s3*h3_x
     fu2_y_3 = s3*neg_h3_y + c3*h3_x
-    t9 = c3*neg_k3_xz + s3*k3_yz
-    t10 = 0.0934_rk*fu2_y_3
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_2 = t9 + t10
-    nu2_y_4 = s3*neg_k3_xz - c3*k3_yz - 0.0934_rk*fu2_x_3
-    nu2_z_3 = 0.4318_rk*fu2_y_3 - (t8 - 0.332455249_rk)
+    nu2_x_2 = c3*neg_k3_xz + s3*k3_yz
+    nu2_y_4 = s3*neg_k3_xz - c3*k3_yz
+    nu2_z_3 = t8 + 0.332455249_rk + 0.4318_rk*fu2_y_3
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_4 = -0.2435_rk*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4)
+    nu1_z_4 = -0.1501_rk*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4)
+    t9 = c3*c3
+    t10 = t6 - t7 - 0.298925024_rk
+    t11 = c3*s3
+    t12 = t9*t10 - k3_xy*(2.0_rk*t11)
+    t13 = k3_xx - t12
+    t14 = k3_zz - t13
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = t13 + t14
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_x = fu2_y_3 + 3.79559_rk
     neg_h2_y = fu2_x_3 - 0.1044_rk
-    t11 = t6 + t7 + 0.298925024_rk
-    t12 = c3*s3
-    t13 = c3*c3
+    t15 = t14 - k3_zz
     ! link 2: second moment of the composite body [kg m^2]
-    k2_xy = 0.0070992_rk - (t11*t12 - k3_xy*(2.0_rk*t13 - 1.0_rk) + 0.4318_rk*fu2_x_3)
-    neg_k2_xz = t10 + (t9 + 0.4318_rk*fu3_x_2) + 0.233911466_rk
-    k2_yz = -nu2_y_4 - 0.0016704_rk
-    t14 = k3_xy*(-2.0_rk*t12) - t13*t11
-    t15 = t14 - k3_xx
-    t16 = k3_zz + t15
-    t17 = t16 - k3_zz
-    t18 = k3_yy + t14 + 0.8636_rk*fu2_y_3
+    k2_yy = 0.0731264_rk - t15
+    k2_xy = t10*t11 - k3_xy*(1.0_rk - 2.0_rk*t9) - 0.4318_rk*fu2_x_3 + 0.0070992_rk
+    neg_k2_xz = nu2_x_2 + 0.4318_rk*fu3_x_2 - 0.12059664_rk
+    k2_yz = 0.00808056_rk - nu2_y_4
+    t16 = k3_yy + t12 + 0.8636_rk*fu2_y_3
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.458114002_rk - (t17 - t18)
+    m2_2 = 6.458114002_rk - (t15 - t16)
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x_4 = c2*neg_h2_y - s2*h2_x
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_5 = -0.2435_rk*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz)
-    t19 = c2*c2*(t17 + t18 + 1.601861202_rk) - (t17 - 0.0731264_rk) - k2_xy*(2.0_rk*(c2*s2))
+    nu1_z_5 = -0.1501_rk*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz)
+    t17 = k2_xy*(2.0_rk*(c2*s2)) - c2*c2*(t15 + t16 + 1.601861202_rk) - k2_yy - (k2_zz - &
+        0.3002_rk*fu3_x_2)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = -0.3002_rk*fu3_x_2 - (t15 - t19 - t16 - 2.6017295505_rk)
+    m1_1 = 2.6017295505_rk - t17
     M(1) = m1_1
     M(2) = nu1_z_5
     M(3) = nu1_z_4
@@ -725,7 +752,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 369 multiplications, 290 additions, 6 divisions = 665; 19 unary minus; 10 sine/cosine
+  ! 354 multiplications, 270 additions, 6 divisions = 630; 16 unary minus; 12 sine/cosine
   pure subroutine puma560_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -734,37 +761,37 @@ contains
     real(rk), intent(out) :: qdd(6)
     real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
     real(rk) :: c6, s6, nu4_x, nu4_z, nu3_x, nu3_z, nu2_x, nu2_y
-    real(rk) :: nu1_z, fu4_x, fu4_z, fu3_x, fu3_z, nu3_y, nu3_x_2, nu3_z_2
+    real(rk) :: nu1_z, fu4_x, fu4_z, fu3_x, fu3_z, nu3_y, neg_nu3_x, nu3_z_2
     real(rk) :: fu2_x, fu2_y, neg_nu2_x, nu2_y_2, nu2_z, fu1_x, nu1_z_2, t1
     real(rk) :: k4_zz, k4_xz, k4_xx, m4_4, fu3_x_2, fu3_z_2, t2, t3
-    real(rk) :: neg_nu3_x, nu3_y_2, nu3_z_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_3, nu2_z_2
+    real(rk) :: neg_nu3_x_2, nu3_y_2, nu3_z_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_3, nu2_z_2
     real(rk) :: fu1_x_2, nu1_z_3, t4, t5, k3_zz, neg_k3_xz, h3_x, neg_h3_y
     real(rk) :: t6, k3_xx, t7, k3_yy, k3_xy, k3_yz, t8, m3_3
-    real(rk) :: fu2_x_3, fu2_y_3, t9, t10, nu2_x_2, nu2_y_4, nu2_z_3, fu1_x_3
-    real(rk) :: nu1_z_4, h2_x, neg_h2_y, t11, t12, t13, k2_xy, neg_k2_xz
-    real(rk) :: k2_yz, t14, t15, t16, t17, t18, m2_2, fu1_x_4
-    real(rk) :: nu1_z_5, t19, m1_1, ww1_zz, t20, w2_x, w2_y, alpha2_x
-    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33
-    real(rk) :: a2_z, a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, w3_z
-    real(rk) :: ww3_yz, ww3_zx, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_13
-    real(rk) :: lam3_22, lam3_31, lam3_32, lam3_33, a3_z, t21, t22, neg_a3_x
-    real(rk) :: a3_y, w4_x, w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx
-    real(rk) :: ww4_xy, a4_z, t23, t24, a4_x, a4_y, w5_x, t25
-    real(rk) :: w5_y, alpha5_y, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12
-    real(rk) :: lam5_21, neg_lam5_22, lam5_31, lam5_32, a5_x, w6_x, w6_y, w6_z
-    real(rk) :: ww6_yz, ww6_zx, fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, nc4_y, nc4_x, nc4_z
-    real(rk) :: fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y
-    real(rk) :: nc6_z, n5_x, n5_y, n5_z, f4_x, neg_f4_z, n4_x, n4_y
-    real(rk) :: n4_z, t26, n3_x, n3_y, t27, n3_z, f3_x, f3_y
-    real(rk) :: f3_z, t28, n2_x, t29, n2_y, n2_z, f2_x, f2_y
-    real(rk) :: neg_f1_x, n1_z, y1, ipivot1, l2_1, l3_1, l4_1, l5_1
-    real(rk) :: l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2
-    real(rk) :: l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3
-    real(rk) :: l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4
-    real(rk) :: l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2
-    real(rk) :: y3, y4, y5, y6, qdd6, qdd5, qdd4, qdd3
-    real(rk) :: qdd2, t30, qdd1
+    real(rk) :: fu2_x_3, fu2_y_3, nu2_x_2, nu2_y_4, nu2_z_3, fu1_x_3, nu1_z_4, t9
+    real(rk) :: t10, t11, t12, t13, t14, k2_zz, h2_x, neg_h2_y
+    real(rk) :: t15, k2_yy, k2_xy, neg_k2_xz, k2_yz, t16, m2_2, fu1_x_4
+    real(rk) :: nu1_z_5, t17, m1_1, angle23, c23, s23, w3_z, ww1_zz
+    real(rk) :: a2_z, neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy
+    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, t18, w3_x, w3_y
+    real(rk) :: t19, t20, t21, t22, neg_a3_x, a3_y, alpha3_x, alpha3_y
+    real(rk) :: ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, neg_lam3_22, neg_lam3_33, a4_z
+    real(rk) :: w4_x, w4_y, t23, t24, a4_x, a4_y, alpha4_x, alpha4_y
+    real(rk) :: w4_z, ww4_yz, ww4_zx, ww4_xy, w5_x, w5_y, a5_x, alpha5_y
+    real(rk) :: w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22
+    real(rk) :: lam5_31, lam5_32, w6_x, w6_y, w6_z, ww6_yz, ww6_zx, fc2_x
+    real(rk) :: fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x
+    real(rk) :: nc3_y, neg_nc3_z, nc4_y, nc4_x, nc4_z, fc5_x, fc5_y, fc5_z
+    real(rk) :: nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z, n06_x, n06_y
+    real(rk) :: n5_x, n5_y, n5_z, f05_x, f05_y, n05_x, n05_y, n4_x
+    real(rk) :: n4_y, n4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y
+    real(rk) :: n3_z, f3_x, f3_y, f3_z, f03_x, f03_y, n03_y, t25
+    real(rk) :: n02_y, n02_z, f02_x, neg_n1_z, y1, ipivot1, l2_1, l3_1
+    real(rk) :: l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2
+    real(rk) :: l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3
+    real(rk) :: l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4
+    real(rk) :: l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6
+    real(rk) :: ipivot6, y2, y3, y4, y5, y6, qdd6, qdd5
+    real(rk) :: qdd4, qdd3, qdd2, t26, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -796,19 +823,19 @@ contains
     fu3_z = s4*fu4_x
     ! link 3: moment for a unit acceleration of a joint further out
     nu3_y = 0.0203_rk*fu3_z
-    nu3_x_2 = -0.4331_rk*fu3_z - 0.00064216_rk*s4
+    neg_nu3_x = 0.00064216_rk*s4 + 0.4331_rk*fu3_z
     nu3_z_2 = 0.00064216_rk*c4 - (5.8464e-05_rk*s5 - 0.4331_rk*fu3_x)
     ! link 2: force for a unit acceleration of a joint further out
     fu2_x = c3*fu3_x + s3*fu4_z
     fu2_y = s3*fu3_x - c3*fu4_z
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x = s3*nu3_y - c3*nu3_x_2 - 0.0934_rk*fu2_y
-    nu2_y_2 = s3*nu3_x_2 + c3*nu3_y - (0.0934_rk*fu2_x + 0.4318_rk*fu3_z)
+    neg_nu2_x = c3*neg_nu3_x + s3*nu3_y
+    nu2_y_2 = -0.4318_rk*fu3_z - (s3*neg_nu3_x - c3*nu3_y)
     nu2_z = nu3_z_2 + 0.4318_rk*fu2_y
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x = c2*fu2_x - s2*fu2_y
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.2435_rk*fu1_x
+    nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.1501_rk*fu1_x
     t1 = 0.00020216_rk*(c5*c5)
     ! link 4: second moment of the composite body [kg m^2]
     k4_zz = t1 + 0.00022_rk
@@ -822,20 +849,20 @@ contains
     t2 = c4*k4_xz
     t3 = 0.4331_rk*fu3_z_2
     ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x = t2 + t3
+    neg_nu3_x_2 = t2 + t3
     nu3_y_2 = t1 - 0.00184216_rk + 0.0203_rk*fu3_z_2
     nu3_z_3 = 0.4331_rk*fu3_x_2 - s4*k4_xz
     ! link 2: force for a unit acceleration of a joint further out
     fu2_x_2 = c3*fu3_x_2
     fu2_y_2 = s3*fu3_x_2
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x_2 = c3*neg_nu3_x + s3*nu3_y_2 - 0.0934_rk*fu2_y_2
-    nu2_y_3 = -0.0934_rk*fu2_x_2 - 0.4318_rk*fu3_z_2 - (s3*neg_nu3_x - c3*nu3_y_2)
+    neg_nu2_x_2 = c3*neg_nu3_x_2 + s3*nu3_y_2
+    nu2_y_3 = -0.4318_rk*fu3_z_2 - (s3*neg_nu3_x_2 - c3*nu3_y_2)
     nu2_z_2 = nu3_z_3 + 0.4318_rk*fu2_y_2
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.2435_rk*fu1_x_2
+    nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.1501_rk*fu1_x_2
     t4 = t1 - 0.00030216_rk
     t5 = c4*c4*t4
     ! link 3: second moment of the composite body [kg m^2]
@@ -857,93 +884,102 @@ contains
     ! link 2: force for a unit acceleration of a joint further out
     fu2_x_3 = c3*neg_h3_y - s3*h3_x
     fu2_y_3 = s3*neg_h3_y + c3*h3_x
-    t9 = c3*neg_k3_xz + s3*k3_yz
-    t10 = 0.0934_rk*fu2_y_3
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_2 = t9 + t10
-    nu2_y_4 = s3*neg_k3_xz - c3*k3_yz - 0.0934_rk*fu2_x_3
+    nu2_x_2 = c3*neg_k3_xz + s3*k3_yz
+    nu2_y_4 = s3*neg_k3_xz - c3*k3_yz
     nu2_z_3 = 0.4318_rk*fu2_y_3 - (t8 - 0.332455249_rk)
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_4 = -0.2435_rk*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4)
+    nu1_z_4 = -0.1501_rk*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4)
+    t9 = c3*c3
+    t10 = t6 + t7 + 0.298925024_rk
+    t11 = c3*s3
+    t12 = t9*t10 + k3_xy*(2.0_rk*t11)
+    t13 = k3_xx + t12
+    t14 = k3_zz - t13
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = t13 + t14
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_x = fu2_y_3 + 3.79559_rk
     neg_h2_y = fu2_x_3 - 0.1044_rk
-    t11 = t6 + t7 + 0.298925024_rk
-    t12 = c3*s3
-    t13 = c3*c3
+    t15 = t14 - k3_zz
     ! link 2: second moment of the composite body [kg m^2]
-    k2_xy = 0.0070992_rk - (t11*t12 - k3_xy*(2.0_rk*t13 - 1.0_rk) + 0.4318_rk*fu2_x_3)
-    neg_k2_xz = t10 + (t9 + 0.4318_rk*fu3_x_2) + 0.233911466_rk
-    k2_yz = -nu2_y_4 - 0.0016704_rk
-    t14 = k3_xy*(-2.0_rk*t12) - t13*t11
-    t15 = t14 - k3_xx
-    t16 = k3_zz + t15
-    t17 = t16 - k3_zz
-    t18 = k3_yy + t14 + 0.8636_rk*fu2_y_3
+    k2_yy = 0.0731264_rk - t15
+    k2_xy = 0.0070992_rk - (t10*t11 - k3_xy*(2.0_rk*t9 - 1.0_rk) + 0.4318_rk*fu2_x_3)
+    neg_k2_xz = nu2_x_2 + 0.4318_rk*fu3_x_2 - 0.12059664_rk
+    k2_yz = 0.00808056_rk - nu2_y_4
+    t16 = k3_yy - t12 + 0.8636_rk*fu2_y_3
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.458114002_rk - (t17 - t18)
+    m2_2 = 6.458114002_rk - (t15 - t16)
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x_4 = c2*neg_h2_y - s2*h2_x
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_5 = -0.2435_rk*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz)
-    t19 = c2*c2*(t17 + t18 + 1.601861202_rk) - (t17 - 0.0731264_rk) - k2_xy*(2.0_rk*(c2*s2))
+    nu1_z_5 = -0.1501_rk*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz)
+    t17 = k2_xy*(2.0_rk*(c2*s2)) - c2*c2*(t15 + t16 + 1.601861202_rk) - k2_yy - (k2_zz - &
+        0.3002_rk*fu3_x_2)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = -0.3002_rk*fu3_x_2 - (t15 - t19 - t16 - 2.6017295505_rk)
+    m1_1 = 2.6017295505_rk - t17
+    ! sines and cosines of the joint angles
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
-    t20 = -qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1501_rk*ww1_zz
     ! link 2: angular velocity [rad/s]
-    w2_x = t20*s2
-    w2_y = t20*c2
+    neg_w2_x = qd(1)*s2
+    neg_w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_x = qd(2)*neg_w2_y
+    alpha2_y = qd(2)*neg_w2_x
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
+    ww2_xy = neg_w2_x*neg_w2_y
+    ww2_xx = neg_w2_x*neg_w2_x
+    ww2_yy = neg_w2_y*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.2435_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - 0.8636_rk*alpha2_y
+    t18 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
+    w3_x = t18*s23
+    w3_y = t18*c23
+    t19 = 0.4318_rk*neg_lam2_11
+    t20 = 0.4318_rk*ww2_xy
+    t21 = c2*t19 + s2*t20
+    t22 = s2*t19 - c2*t20 + 9.8_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*t21 + s23*t22
+    a3_y = s23*t21 - c23*t22
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    alpha3_x = w3_z*w3_y
+    alpha3_y = -w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
     ww3_xy = w3_x*w3_y
-    neg_ww3_xx = -w3_x*w3_x
+    ww3_xx = w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_13 = alpha3_y + ww3_zx
-    lam3_22 = neg_ww3_xx - ww3_zz
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
-    lam3_33 = neg_ww3_xx - ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.8636_rk*alpha2_y - 0.0934_rk*neg_lam2_33)
-    t21 = 0.4318_rk*neg_lam2_11 - a2_x
-    t22 = -0.4318_rk*ww2_xy - a2_y
-    neg_a3_x = c3*t21 + s3*t22
-    a3_y = s3*t21 - c3*t22
+    neg_lam3_22 = ww3_xx + ww3_zz
+    neg_lam3_33 = ww3_xx + ww3_yy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.0203_rk*ww3_xy - 0.4331_rk*neg_lam3_22 - a3_y
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
+    t23 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
+    t24 = 0.8662_rk*alpha3_x - 0.0406_rk*alpha3_y - a3_z
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = -(c4*t23) - s4*t24
+    a4_y = s4*t23 - c4*t24
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha3_x + qd(4)*w4_y
     alpha4_y = -s4*alpha3_x - qd(4)*w4_x
@@ -953,16 +989,11 @@ contains
     ww4_yz = w4_y*w4_z
     ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = 0.0203_rk*ww3_xy + 0.4331_rk*lam3_22 - a3_y
-    t23 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
-    t24 = 0.0203_rk*lam3_31 + 0.4331_rk*lam3_32 - a3_z
-    a4_x = -(c4*t23) - s4*t24
-    a4_y = s4*t23 - c4*t24
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t25 = -s5
-    w5_y = t25*w4_x - c5*w4_z
+    w5_y = -s5*w4_x - c5*w4_z
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x - s5*a4_z
     ! link 5: angular acceleration [rad/s^2]
     alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
@@ -978,8 +1009,6 @@ contains
     neg_lam5_22 = ww5_xx + ww5_zz
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = w5_y*(qd(5) + w5_z) - (-c5*alpha4_x - s5*alpha3_y)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x - s5*a4_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
@@ -991,23 +1020,23 @@ contains
     fc2_x = 0.1044_rk*ww2_xy - 3.79559_rk*neg_lam2_11
     fc2_y = 3.79559_rk*ww2_xy - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
-    neg_nc2_x = 0.0016704_rk*(neg_lam2_22 - neg_lam2_33) - 0.1462528_rk*alpha2_x + &
-        (0.0141984_rk*alpha2_y - 0.233911466_rk*ww2_xy) + 0.0254214_rk*ww1_zz
-    nc2_y = 3.349975204_rk*alpha2_y + 0.233911466_rk*(neg_lam2_11 - neg_lam2_33) - &
-        (0.0016704_rk*ww2_xy + 0.0141984_rk*alpha2_x) + 0.924226165_rk*ww1_zz
+    neg_nc2_x = 0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
+        (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy) + 0.01567044_rk*ww1_zz
+    nc2_y = 3.349975204_rk*alpha2_y - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) + &
+        (0.00808056_rk*ww2_xy + 0.0141984_rk*neg_alpha2_x) + 0.569718059_rk*ww1_zz
     nc2_z = 1.601861202_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (37.196782_rk*c2 - &
         1.02312_rk*s2)
     ! link 3: force that moves the link [N]
     fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*ww3_xy
-    fc3_y = -0.025375_rk*ww3_xy - 0.861795_rk*lam3_22
-    fc3_z = -0.025375_rk*lam3_31 - 0.861795_rk*lam3_32
+    fc3_y = 0.861795_rk*neg_lam3_22 - 0.025375_rk*ww3_xy
+    fc3_z = 0.05075_rk*alpha3_y - 1.72359_rk*alpha3_x
     ! link 3: moment that turns the link [N m]
-    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(lam3_33 - lam3_22) - 0.3163401365_rk*lam3_32 - &
-        0.0106736385_rk*lam3_31)
-    nc3_y = -0.004704_rk*ww3_xy - 0.0106736385_rk*lam3_32 - 0.0167651125_rk*lam3_31 + &
+    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.632680273_rk*alpha3_x &
+        + 0.021347277_rk*alpha3_y)
+    nc3_y = 0.033530225_rk*alpha3_y - (0.004704_rk*ww3_xy + 0.021347277_rk*alpha3_x) + &
         0.025375_rk*a3_z
-    nc3_z = 0.0106736385_rk*(neg_lam3_11 + lam3_22) - 0.299575024_rk*ww3_xy + 0.004704_rk*lam3_13 &
-        - (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
+    neg_nc3_z = 0.299575024_rk*ww3_xy - 0.0106736385_rk*(neg_lam3_11 - neg_lam3_22) + &
+        (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
     ! link 4: moment that turns the link [N m]
     nc4_y = -0.0013_rk*ww4_zx
     nc4_x = 0.0014_rk*ww4_yz + 0.0001_rk*alpha4_x
@@ -1024,42 +1053,52 @@ contains
     nc6_x = 4e-05_rk*ww6_yz
     nc6_y = -4e-05_rk*ww6_zx
     nc6_z = -4e-05_rk*alpha5_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
-    ! link 4: force through the joint [N]
-    f4_x = c5*fc5_x - s5*fc5_y
-    neg_f4_z = s5*fc5_x + c5*fc5_y
+    n5_z = nc5_z + n06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*fc5_x - s5*fc5_y
+    f05_y = s5*fc5_x + c5*fc5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t25*n5_x - c5*n5_y)
-    t26 = s4*f4_x + c4*fc5_z
+    n4_z = nc4_z - n05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f05_x - s4*fc5_z
+    f04_y = s4*f05_x + c4*fc5_z
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*n4_y - (0.4331_rk*t26 - nc3_x)
-    n3_y = nc3_y + 0.0203_rk*t26 - n4_z
-    t27 = c4*f4_x - s4*fc5_z
-    n3_z = s4*n4_x + c4*n4_y + (nc3_z - (0.0203_rk*neg_f4_z - 0.4331_rk*t27))
+    n3_x = n04_x - (0.4331_rk*f04_y - nc3_x)
+    n3_y = nc3_y + 0.0203_rk*f04_y - n4_z
+    n3_z = n04_y - (neg_nc3_z + (0.0203_rk*f05_y - 0.4331_rk*f04_x))
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + t27
-    f3_y = fc3_y + neg_f4_z
-    f3_z = fc3_z + t26
-    t28 = s3*f3_x + c3*f3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = c3*n3_x - s3*n3_y + (0.0934_rk*t28 - neg_nc2_x)
-    t29 = c3*f3_x - s3*f3_y
-    n2_y = s3*n3_x + c3*n3_y + (nc2_y - (0.0934_rk*t29 + 0.4318_rk*f3_z))
-    n2_z = n3_z + (nc2_z + 0.4318_rk*t28)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x + t29
-    f2_y = fc2_y + t28
-    ! link 1: force through the joint [N]
-    neg_f1_x = s2*f2_y - c2*f2_x
+    f3_x = fc3_x + f04_x
+    f3_y = fc3_y + f05_y
+    f3_z = fc3_z + f04_y
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*f3_x - s23*f3_y
+    f03_y = s23*f3_x + c23*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*n3_x + c23*n3_y
+    t25 = 0.4318_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t25)
+    n02_z = n3_z + (nc2_z + (f03_y*t25 - f03_x*(0.4318_rk*s2)))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.2435_rk*neg_f1_x - (s2*n2_x + c2*n2_y)
+    neg_n1_z = n02_y + 0.1501_rk*f02_x
     ! link 1: forward substitution
-    y1 = tau(1) - n1_z
+    y1 = tau(1) + neg_n1_z
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
     l2_1 = nu1_z_5*ipivot1
@@ -1098,7 +1137,7 @@ contains
     pivot6 = 0.19304_rk - nu1_z*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - ld6_5*l6_5
     ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
-    y2 = tau(2) - n2_z - y1*l2_1
+    y2 = tau(2) - n02_z - y1*l2_1
     ! link 3: forward substitution
     y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
     ! link 4: forward substitution
@@ -1117,9 +1156,9 @@ contains
     qdd3 = -l6_3*qdd6 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5)
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = -l6_2*qdd6 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5)
-    t30 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4)
+    t26 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = t30 - l6_1*qdd6
+    qdd1 = t26 - l6_1*qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 193 multiplications, 159 additions = 352; 8 unary minus; 10 sine/cosine
- *   gravity: 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine
- *   bias: 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine
- *   mass_matrix: 109 multiplications, 92 additions = 201; 3 unary minus; 8 sine/cosine
- *   forward_dynamics: 369 multiplications, 290 additions, 6 divisions = 665; 19 unary minus; 10
+ *   inverse_dynamics: 187 multiplications, 151 additions = 338; 4 unary minus; 10 sine/cosine
+ *   gravity: 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
+ *   bias: 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
+ *   mass_matrix: 103 multiplications, 85 additions = 188; 2 unary minus; 8 sine/cosine
+ *   forward_dynamics: 354 multiplications, 270 additions, 6 divisions = 630; 16 unary minus; 12
  *       sine/cosine
  */
 #ifndef PUMA560_H

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 92 multiplications, 80 additions = 172; 6 unary minus; 4 sine/cosine
- *   gravity: 7 multiplications, 3 additions = 10; 0 unary minus; 4 sine/cosine
- *   bias: 78 multiplications, 58 additions = 136; 4 unary minus; 4 sine/cosine
- *   mass_matrix: 26 multiplications, 23 additions = 49; 1 unary minus; 4 sine/cosine
- *   forward_dynamics: 120 multiplications, 94 additions, 3 divisions = 217; 5 unary minus; 4
+ *   inverse_dynamics: 88 multiplications, 72 additions = 160; 1 unary minus; 4 sine/cosine
+ *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
+ *   bias: 71 multiplications, 45 additions = 116; 1 unary minus; 4 sine/cosine
+ *   mass_matrix: 26 multiplications, 23 additions = 49; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 113 multiplications, 81 additions, 3 divisions = 197; 1 unary minus; 6
  *       sine/cosine
  */
 #include "puma560_3dof.h"
@@ -28,7 +28,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 92 multiplications, 80 additions = 172; 6 unary minus; 4 sine/cosine */
+ * 88 multiplications, 72 additions = 160; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_inverse_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -41,109 +41,118 @@ void puma560_3dof_inverse_dynamics(
     /* sines and cosines of the joint angles */
     const puma560_3dof_real c2 = cos(q[1]);
     const puma560_3dof_real s2 = sin(again[1]);
-    const puma560_3dof_real c3 = cos(q[2]);
-    const puma560_3dof_real s3 = sin(again[2]);
+    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real c23 = cos(angle23);
+    const puma560_3dof_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_3dof_real w3_z = qd[1] + qd[2];
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_3dof_real alpha3_z = qdd[1] + qdd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_3dof_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real a2_z = -0.1501*ww1_zz;
     const puma560_3dof_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const puma560_3dof_real w2_x = t1*s2;
     const puma560_3dof_real w2_y = t1*c2;
+    const puma560_3dof_real t2 = 0.1501*qdd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real neg_a2_x = c2*t2 + 9.8*s2;
+    const puma560_3dof_real a2_y = s2*t2 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_3dof_real ww2_yz = qd[1]*w2_y;
     const puma560_3dof_real ww2_zx = qd[1]*w2_x;
     /* link 2: angular acceleration [rad/s^2] */
     const puma560_3dof_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const puma560_3dof_real alpha2_y = -(qdd[0]*c2) - ww2_zx;
+    const puma560_3dof_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_3dof_real ww2_xy = w2_x*w2_y;
     const puma560_3dof_real ww2_xx = w2_x*w2_x;
     const puma560_3dof_real ww2_yy = w2_y*w2_y;
-    const puma560_3dof_real neg_ww2_zz = -qd[1]*qd[1];
+    const puma560_3dof_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real lam2_11 = neg_ww2_zz - ww2_yy;
+    const puma560_3dof_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_3dof_real lam2_12 = ww2_xy - qdd[1];
-    const puma560_3dof_real lam2_13 = ww2_zx + alpha2_y;
+    const puma560_3dof_real lam2_13 = ww2_zx - neg_alpha2_y;
     const puma560_3dof_real lam2_21 = qdd[1] + ww2_xy;
-    const puma560_3dof_real lam2_22 = neg_ww2_zz - ww2_xx;
+    const puma560_3dof_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_3dof_real lam2_23 = ww2_yz - alpha2_x;
-    const puma560_3dof_real lam2_31 = ww2_zx - alpha2_y;
+    const puma560_3dof_real lam2_31 = ww2_zx + neg_alpha2_y;
     const puma560_3dof_real lam2_32 = ww2_yz + alpha2_x;
-    const puma560_3dof_real lam2_33 = -ww2_xx - ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a2_z = -0.2435*ww1_zz;
-    const puma560_3dof_real t2 = 0.2435*qdd[0];
-    const puma560_3dof_real neg_a2_x = c2*t2 + 9.8*s2;
-    const puma560_3dof_real a2_y = s2*t2 - 9.8*c2;
+    const puma560_3dof_real neg_lam2_33 = ww2_xx + ww2_yy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real a3_z = a2_z + 0.4318*lam2_31;
     /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_3dof_real w3_y = c3*w2_y - s3*w2_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    const puma560_3dof_real alpha3_z = qdd[1] + qdd[2];
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_z = qd[1] + qd[2];
+    const puma560_3dof_real w3_x = t1*s23;
+    const puma560_3dof_real w3_y = t1*c23;
+    const puma560_3dof_real t3 = 0.4318*neg_lam2_11;
+    const puma560_3dof_real t4 = 0.4318*lam2_21;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real neg_a3_x = c23*(t2 + (c2*t3 + s2*t4)) + s23*(s2*t3 - c2*t4 + 9.8);
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww3_zx = w3_x*w3_z;
+    const puma560_3dof_real ww3_yz = w3_z*w3_y;
+    const puma560_3dof_real ww3_zx = w3_z*w3_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_3dof_real alpha3_x = ww3_yz - qdd[0]*s23;
+    const puma560_3dof_real neg_alpha3_y = qdd[0]*c23 + ww3_zx;
+    /* link 3: products of the angular velocity [1/s^2] */
     const puma560_3dof_real ww3_xy = w3_x*w3_y;
     const puma560_3dof_real ww3_xx = w3_x*w3_x;
     const puma560_3dof_real ww3_yy = w3_y*w3_y;
     const puma560_3dof_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_3dof_real lam3_12 = ww3_xy - alpha3_z;
-    const puma560_3dof_real lam3_13 = alpha3_y + ww3_zx;
+    const puma560_3dof_real lam3_13 = ww3_zx - neg_alpha3_y;
     const puma560_3dof_real lam3_21 = alpha3_z + ww3_xy;
     const puma560_3dof_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_3dof_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_3dof_real lam3_32 = w3_y*(qd[2] + w3_z) - (-c3*alpha2_x - s3*alpha2_y);
+    const puma560_3dof_real lam3_31 = ww3_zx + neg_alpha3_y;
+    const puma560_3dof_real lam3_32 = ww3_yz + alpha3_x;
     const puma560_3dof_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a3_z = a2_z - (0.0934*lam2_33 - 0.4318*lam2_31);
-    const puma560_3dof_real a3_x = s3*(a2_y + (0.4318*lam2_21 - 0.0934*lam2_23)) - c3*(neg_a2_x +
-        (0.0934*lam2_13 - 0.4318*lam2_11));
     /* link 2: force that moves the link [N] */
-    const puma560_3dof_real fc2_x = 3.25584*lam2_11 + 0.1044*lam2_12;
-    const puma560_3dof_real fc2_y = 3.25584*lam2_21 + 0.1044*lam2_22;
+    const puma560_3dof_real fc2_x = 0.1044*lam2_12 - 3.25584*neg_lam2_11;
+    const puma560_3dof_real fc2_y = 3.25584*lam2_21 - 0.1044*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_real neg_nc2_x = 0.0016704*(lam2_33 - lam2_22) - 0.0731264*lam2_32 +
-        (-0.0070992*lam2_31 - 0.183498816*lam2_21) + 0.0254214*ww1_zz;
-    const puma560_3dof_real nc2_y = 0.183498816*(lam2_33 - lam2_11) - 1.441923552*lam2_31 +
-        (-0.0016704*lam2_12 - 0.0070992*lam2_32) + 0.79279704*ww1_zz;
-    const puma560_3dof_real t3 = 1.441923552*lam2_21 - 0.0731264*lam2_12 + 0.0070992*(lam2_22 -
-        lam2_11) + (0.0016704*lam2_13 - 0.183498816*lam2_23);
-    const puma560_3dof_real nc2_z = t3 + (3.25584*a2_y + 0.1044*neg_a2_x);
+    const puma560_3dof_real nc2_x = -0.01567044*ww1_zz - (-0.0731264*lam2_32 -
+        0.00808056*(neg_lam2_22 - neg_lam2_33) + (0.12059664*lam2_21 - 0.0070992*lam2_31));
+    const puma560_3dof_real nc2_y = -1.441923552*lam2_31 - 0.12059664*(neg_lam2_11 - neg_lam2_33) -
+        (0.0070992*lam2_32 - 0.00808056*lam2_12) + 0.488701584*ww1_zz;
+    const puma560_3dof_real t5 = 1.441923552*lam2_21 - 0.0731264*lam2_12 + 0.0070992*(neg_lam2_11 -
+        neg_lam2_22) - (0.00808056*lam2_13 - 0.12059664*lam2_23);
+    const puma560_3dof_real nc2_z = t5 + (3.25584*a2_y + 0.1044*neg_a2_x);
     /* link 3: force that moves the link [N] */
     const puma560_3dof_real fc3_x = -0.336*lam3_12;
     const puma560_3dof_real fc3_y = 0.336*neg_lam3_22;
+    const puma560_3dof_real fc3_z = -0.336*lam3_32;
     /* link 3: moment that turns the link [N m] */
     const puma560_3dof_real nc3_y = -0.01625*lam3_31 - 0.004704*lam3_12;
-    const puma560_3dof_real nc3_x = -0.336*a3_z - (0.004704*(neg_lam3_22 - neg_lam3_33) -
-        0.09327*lam3_32);
-    const puma560_3dof_real nc3_z = 0.01625*lam3_21 - 0.09327*lam3_12 + 0.004704*lam3_13 +
-        0.336*a3_x;
+    const puma560_3dof_real neg_nc3_x = 0.004704*(neg_lam3_22 - neg_lam3_33) - 0.09327*lam3_32 +
+        0.336*a3_z;
+    const puma560_3dof_real nc3_z = 0.01625*lam3_21 - 0.09327*lam3_12 + 0.004704*lam3_13 -
+        0.336*neg_a3_x;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_3dof_real f03_x = c23*fc3_x - s23*fc3_y;
+    const puma560_3dof_real f03_y = s23*fc3_x + c23*fc3_y;
     /* link 3: joint torque [N m], at a prismatic joint force [N] */
     const puma560_3dof_real tau3 = nc3_z + 0.83*qdd[2];
-    const puma560_3dof_real t4 = s3*fc3_x + c3*fc3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_real neg_n2_x = s3*nc3_y - c3*nc3_x - (0.0934*t4 - neg_nc2_x);
-    const puma560_3dof_real t5 = c3*fc3_x - s3*fc3_y;
-    const puma560_3dof_real n2_y = nc2_y - (0.0934*t5 - 0.1450848*lam3_32) - (-s3*nc3_x - c3*nc3_y);
-    const puma560_3dof_real n2_z = nc3_z + (nc2_z + 0.4318*t4);
-    /* link 2: force through the joint [N] */
-    const puma560_3dof_real f2_x = fc2_x + t5;
-    const puma560_3dof_real f2_y = fc2_y + t4;
+    const puma560_3dof_real t6 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_real n02_z = nc3_z + (nc2_z + (f03_y*t6 - f03_x*(0.4318*s2)));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_3dof_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real tau2 = n2_z + 4.71*qdd[1];
+    const puma560_3dof_real tau2 = n02_z + 4.71*qdd[1];
+    const puma560_3dof_real t7 = 0.1501*f02_x - (fc3_z*t6 - (c2*nc2_y - (s23*neg_nc3_x - c23*nc3_y -
+        s2*nc2_x)));
     /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real tau1 = 0.2435*(s2*f2_y - c2*f2_x) + (s2*neg_n2_x - c2*n2_y) +
-        2.573567038*qdd[0];
+    const puma560_3dof_real tau1 = 2.573567038*qdd[0] - t7;
     tau[0] = tau1;
     tau[1] = tau2;
     tau[2] = tau3;
 }
 
 /* torques that hold the arm at rest
- * 7 multiplications, 3 additions = 10; 0 unary minus; 4 sine/cosine */
+ * 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine */
 void puma560_3dof_gravity(const puma560_3dof_real q[3], puma560_3dof_real tau[3])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -152,26 +161,21 @@ void puma560_3dof_gravity(const puma560_3dof_real q[3], puma560_3dof_real tau[3]
     /* sines and cosines of the joint angles */
     const puma560_3dof_real c2 = cos(q[1]);
     const puma560_3dof_real s2 = sin(again[1]);
-    const puma560_3dof_real c3 = cos(q[2]);
-    const puma560_3dof_real s3 = sin(again[2]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a2_x = -9.8*s2;
-    const puma560_3dof_real a2_y = -9.8*c2;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a3_x = c3*a2_x + s3*a2_y;
+    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real s23 = sin(angle23);
     /* link 2: moment that turns the link [N m] */
     const puma560_3dof_real nc2_z = 1.02312*s2 - 31.907232*c2;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real nc3_z = 0.336*a3_x;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_real n2_z = nc2_z + nc3_z;
+    const puma560_3dof_real nc3_z = -3.2928*s23;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_real n02_z = nc2_z + nc3_z;
     tau[0] = 0.0;
-    tau[1] = n2_z;
+    tau[1] = n02_z;
     tau[2] = nc3_z;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 78 multiplications, 58 additions = 136; 4 unary minus; 4 sine/cosine */
+ * 71 multiplications, 45 additions = 116; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_bias(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -183,90 +187,90 @@ void puma560_3dof_bias(
     /* sines and cosines of the joint angles */
     const puma560_3dof_real c2 = cos(q[1]);
     const puma560_3dof_real s2 = sin(again[1]);
-    const puma560_3dof_real c3 = cos(q[2]);
-    const puma560_3dof_real s3 = sin(again[2]);
+    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real c23 = cos(angle23);
+    const puma560_3dof_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_3dof_real w3_z = qd[1] + qd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_3dof_real ww1_zz = qd[0]*qd[0];
-    const puma560_3dof_real t1 = -qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real a2_z = -0.1501*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_real w2_x = t1*s2;
-    const puma560_3dof_real w2_y = t1*c2;
+    const puma560_3dof_real neg_w2_x = qd[0]*s2;
+    const puma560_3dof_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_real alpha2_x = qd[1]*w2_y;
-    const puma560_3dof_real alpha2_y = -qd[1]*w2_x;
+    const puma560_3dof_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const puma560_3dof_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww2_xy = w2_x*w2_y;
-    const puma560_3dof_real ww2_xx = w2_x*w2_x;
-    const puma560_3dof_real ww2_yy = w2_y*w2_y;
+    const puma560_3dof_real ww2_xy = neg_w2_x*neg_w2_y;
+    const puma560_3dof_real ww2_xx = neg_w2_x*neg_w2_x;
+    const puma560_3dof_real ww2_yy = neg_w2_y*neg_w2_y;
     const puma560_3dof_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_3dof_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_3dof_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_3dof_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a2_z = -0.2435*ww1_zz;
-    const puma560_3dof_real a2_x = -9.8*s2;
-    const puma560_3dof_real a2_y = -9.8*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real a3_z = a2_z - 0.8636*alpha2_y;
+    const puma560_3dof_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_3dof_real w3_y = c3*w2_y - s3*w2_x;
+    const puma560_3dof_real w3_x = t1*s23;
+    const puma560_3dof_real w3_y = t1*c23;
+    const puma560_3dof_real t2 = 0.4318*neg_lam2_11;
+    const puma560_3dof_real t3 = 0.4318*ww2_xy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real neg_a3_x = c23*(c2*t2 + s2*t3) + s23*(s2*t2 - c2*t3 + 9.8);
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_z = qd[1] + qd[2];
+    const puma560_3dof_real alpha3_x = w3_z*w3_y;
+    const puma560_3dof_real neg_alpha3_y = w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww3_zx = w3_x*w3_z;
     const puma560_3dof_real ww3_xy = w3_x*w3_y;
     const puma560_3dof_real ww3_xx = w3_x*w3_x;
     const puma560_3dof_real ww3_yy = w3_y*w3_y;
     const puma560_3dof_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real lam3_13 = alpha3_y + ww3_zx;
     const puma560_3dof_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_3dof_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_3dof_real lam3_32 = w3_y*(qd[2] + w3_z) - (-c3*alpha2_x - s3*alpha2_y);
     const puma560_3dof_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a3_z = a2_z - (0.8636*alpha2_y - 0.0934*neg_lam2_33);
-    const puma560_3dof_real neg_a3_x = c3*(0.4318*neg_lam2_11 - a2_x) + s3*(-0.4318*ww2_xy - a2_y);
     /* link 2: force that moves the link [N] */
     const puma560_3dof_real fc2_x = 0.1044*ww2_xy - 3.25584*neg_lam2_11;
     const puma560_3dof_real fc2_y = 3.25584*ww2_xy - 0.1044*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_real neg_nc2_x = 0.0016704*(neg_lam2_22 - neg_lam2_33) - 0.1462528*alpha2_x +
-        (0.0141984*alpha2_y - 0.183498816*ww2_xy) + 0.0254214*ww1_zz;
-    const puma560_3dof_real nc2_y = 2.883847104*alpha2_y + 0.183498816*(neg_lam2_11 - neg_lam2_33) -
-        (0.0016704*ww2_xy + 0.0141984*alpha2_x) + 0.79279704*ww1_zz;
+    const puma560_3dof_real neg_nc2_x = 0.1462528*neg_alpha2_x - 0.00808056*(neg_lam2_22 -
+        neg_lam2_33) + (0.0141984*alpha2_y + 0.12059664*ww2_xy) + 0.01567044*ww1_zz;
+    const puma560_3dof_real nc2_y = 2.883847104*alpha2_y - 0.12059664*(neg_lam2_11 - neg_lam2_33) +
+        (0.00808056*ww2_xy + 0.0141984*neg_alpha2_x) + 0.488701584*ww1_zz;
     const puma560_3dof_real nc2_z = 1.368797152*ww2_xy + 0.0070992*(neg_lam2_11 - neg_lam2_22) -
         (31.907232*c2 - 1.02312*s2);
     /* link 3: force that moves the link [N] */
     const puma560_3dof_real fc3_x = -0.336*ww3_xy;
     const puma560_3dof_real fc3_y = 0.336*neg_lam3_22;
+    const puma560_3dof_real fc3_z = -0.672*alpha3_x;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real nc3_y = -0.01625*lam3_31 - 0.004704*ww3_xy;
+    const puma560_3dof_real nc3_y = -0.0325*neg_alpha3_y - 0.004704*ww3_xy;
     const puma560_3dof_real nc3_x = -0.336*a3_z - (0.004704*(neg_lam3_22 - neg_lam3_33) -
-        0.09327*lam3_32);
-    const puma560_3dof_real nc3_z = 0.004704*lam3_13 - 0.07702*ww3_xy - 0.336*neg_a3_x;
-    const puma560_3dof_real t2 = s3*fc3_x + c3*fc3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_real neg_n2_x = s3*nc3_y - c3*nc3_x - (0.0934*t2 - neg_nc2_x);
-    const puma560_3dof_real t3 = c3*fc3_x - s3*fc3_y;
-    const puma560_3dof_real n2_y = nc2_y - (0.0934*t3 - 0.1450848*lam3_32) - (-s3*nc3_x - c3*nc3_y);
-    const puma560_3dof_real n2_z = nc3_z + (nc2_z + 0.4318*t2);
-    /* link 2: force through the joint [N] */
-    const puma560_3dof_real f2_x = fc2_x + t3;
-    const puma560_3dof_real f2_y = fc2_y + t2;
-    /* link 1: force through the joint [N] */
-    const puma560_3dof_real neg_f1_x = s2*f2_y - c2*f2_x;
+        0.18654*alpha3_x);
+    const puma560_3dof_real nc3_z = -0.336*neg_a3_x - 0.07702*ww3_xy;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_3dof_real f03_x = c23*fc3_x - s23*fc3_y;
+    const puma560_3dof_real f03_y = s23*fc3_x + c23*fc3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_real n03_y = s23*nc3_x + c23*nc3_y;
+    const puma560_3dof_real t4 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t4);
+    const puma560_3dof_real n02_z = nc3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t4));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_3dof_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_real n1_z = s2*neg_n2_x - c2*n2_y + 0.2435*neg_f1_x;
+    const puma560_3dof_real n1_z = -0.1501*f02_x - n02_y;
     tau[0] = n1_z;
-    tau[1] = n2_z;
+    tau[1] = n02_z;
     tau[2] = nc3_z;
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 26 multiplications, 23 additions = 49; 1 unary minus; 4 sine/cosine */
+ * 26 multiplications, 23 additions = 49; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[9])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -281,13 +285,13 @@ void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[
     const puma560_3dof_real fu2_x = 0.336*c3;
     const puma560_3dof_real fu2_y = 0.336*s3;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_real nu2_x = 0.0266784*s3;
-    const puma560_3dof_real nu2_y = -0.0266784*c3;
+    const puma560_3dof_real neg_nu2_x = 0.004704*s3;
+    const puma560_3dof_real nu2_y = 0.004704*c3;
     const puma560_3dof_real nu2_z = 0.1450848*s3 + 0.10952;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_3dof_real fu1_x = c2*fu2_x - s2*fu2_y;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_real nu1_z = -0.2435*fu1_x - (s2*nu2_x + c2*nu2_y);
+    const puma560_3dof_real nu1_z = s2*neg_nu2_x - c2*nu2_y - 0.1501*fu1_x;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_3dof_real h2_x = fu2_y + 3.25584;
     const puma560_3dof_real neg_h2_y = fu2_x - 0.1044;
@@ -295,15 +299,15 @@ void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[
     /* link 2: second moment of the composite body [kg m^2] */
     const puma560_3dof_real k2_yy = t1 + 0.0893764;
     const puma560_3dof_real k2_xy = 0.0070992 - (0.07702*(c3*s3) + 0.1450848*c3);
-    const puma560_3dof_real neg_k2_xz = nu2_x + 0.183498816;
-    const puma560_3dof_real k2_yz = -nu2_y - 0.0016704;
+    const puma560_3dof_real k2_xz = neg_nu2_x + 0.12059664;
+    const puma560_3dof_real k2_yz = 0.00808056 - nu2_y;
     const puma560_3dof_real t2 = t1 - 0.09327 - 0.2901696*s3;
     /* link 2: mass matrix, its row of this joint */
     const puma560_3dof_real m2_2 = t1 - t2 + 6.241299952;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_3dof_real fu1_x_2 = c2*neg_h2_y - s2*h2_x;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_real nu1_z_2 = -0.2435*fu1_x_2 - (s2*neg_k2_xz - c2*k2_yz);
+    const puma560_3dof_real nu1_z_2 = s2*k2_xz + c2*k2_yz - 0.1501*fu1_x_2;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_real m1_1 = k2_yy - (c2*c2*(t1 + t2 - 1.352547152) + k2_xy*(2.0*(c2*s2))) +
         2.573567038;
@@ -319,7 +323,7 @@ void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[
 }
 
 /* accelerations that the torques tau give
- * 120 multiplications, 94 additions, 3 divisions = 217; 5 unary minus; 4 sine/cosine */
+ * 113 multiplications, 81 additions, 3 divisions = 197; 1 unary minus; 6 sine/cosine */
 void puma560_3dof_forward_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -338,13 +342,13 @@ void puma560_3dof_forward_dynamics(
     const puma560_3dof_real fu2_x = 0.336*c3;
     const puma560_3dof_real fu2_y = 0.336*s3;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_real nu2_x = 0.0266784*s3;
-    const puma560_3dof_real nu2_y = -0.0266784*c3;
+    const puma560_3dof_real neg_nu2_x = 0.004704*s3;
+    const puma560_3dof_real nu2_y = 0.004704*c3;
     const puma560_3dof_real nu2_z = 0.1450848*s3 + 0.10952;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_3dof_real fu1_x = c2*fu2_x - s2*fu2_y;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_real nu1_z = -0.2435*fu1_x - (s2*nu2_x + c2*nu2_y);
+    const puma560_3dof_real nu1_z = s2*neg_nu2_x - c2*nu2_y - 0.1501*fu1_x;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_3dof_real h2_x = fu2_y + 3.25584;
     const puma560_3dof_real neg_h2_y = fu2_x - 0.1044;
@@ -352,93 +356,96 @@ void puma560_3dof_forward_dynamics(
     /* link 2: second moment of the composite body [kg m^2] */
     const puma560_3dof_real k2_yy = t1 + 0.0893764;
     const puma560_3dof_real k2_xy = 0.0070992 - (0.07702*(c3*s3) + 0.1450848*c3);
-    const puma560_3dof_real neg_k2_xz = nu2_x + 0.183498816;
-    const puma560_3dof_real k2_yz = -nu2_y - 0.0016704;
+    const puma560_3dof_real k2_xz = neg_nu2_x + 0.12059664;
+    const puma560_3dof_real k2_yz = 0.00808056 - nu2_y;
     const puma560_3dof_real t2 = t1 - 0.09327 - 0.2901696*s3;
     /* link 2: mass matrix, its row of this joint */
     const puma560_3dof_real m2_2 = t1 - t2 + 6.241299952;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_3dof_real fu1_x_2 = c2*neg_h2_y - s2*h2_x;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_real nu1_z_2 = -0.2435*fu1_x_2 - (s2*neg_k2_xz - c2*k2_yz);
+    const puma560_3dof_real nu1_z_2 = s2*k2_xz + c2*k2_yz - 0.1501*fu1_x_2;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_real m1_1 = k2_yy - (c2*c2*(t1 + t2 - 1.352547152) + k2_xy*(2.0*(c2*s2))) +
         2.573567038;
+    /* sines and cosines of the joint angles */
+    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real c23 = cos(angle23);
+    const puma560_3dof_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_3dof_real w3_z = qd[1] + qd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_3dof_real ww1_zz = qd[0]*qd[0];
-    const puma560_3dof_real t3 = -qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real a2_z = -0.1501*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_real w2_x = t3*s2;
-    const puma560_3dof_real w2_y = t3*c2;
+    const puma560_3dof_real neg_w2_x = qd[0]*s2;
+    const puma560_3dof_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_real alpha2_x = qd[1]*w2_y;
-    const puma560_3dof_real alpha2_y = -qd[1]*w2_x;
+    const puma560_3dof_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const puma560_3dof_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww2_xy = w2_x*w2_y;
-    const puma560_3dof_real ww2_xx = w2_x*w2_x;
-    const puma560_3dof_real ww2_yy = w2_y*w2_y;
+    const puma560_3dof_real ww2_xy = neg_w2_x*neg_w2_y;
+    const puma560_3dof_real ww2_xx = neg_w2_x*neg_w2_x;
+    const puma560_3dof_real ww2_yy = neg_w2_y*neg_w2_y;
     const puma560_3dof_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_3dof_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_3dof_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_3dof_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a2_z = -0.2435*ww1_zz;
-    const puma560_3dof_real a2_x = -9.8*s2;
-    const puma560_3dof_real a2_y = -9.8*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real a3_z = a2_z - 0.8636*alpha2_y;
+    const puma560_3dof_real t3 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_3dof_real w3_y = c3*w2_y - s3*w2_x;
+    const puma560_3dof_real w3_x = t3*s23;
+    const puma560_3dof_real w3_y = t3*c23;
+    const puma560_3dof_real t4 = 0.4318*neg_lam2_11;
+    const puma560_3dof_real t5 = 0.4318*ww2_xy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_3dof_real neg_a3_x = c23*(c2*t4 + s2*t5) + s23*(s2*t4 - c2*t5 + 9.8);
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_z = qd[1] + qd[2];
+    const puma560_3dof_real alpha3_x = w3_z*w3_y;
+    const puma560_3dof_real neg_alpha3_y = w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww3_zx = w3_x*w3_z;
     const puma560_3dof_real ww3_xy = w3_x*w3_y;
     const puma560_3dof_real ww3_xx = w3_x*w3_x;
     const puma560_3dof_real ww3_yy = w3_y*w3_y;
     const puma560_3dof_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real lam3_13 = alpha3_y + ww3_zx;
     const puma560_3dof_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_3dof_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_3dof_real lam3_32 = w3_y*(qd[2] + w3_z) - (-c3*alpha2_x - s3*alpha2_y);
     const puma560_3dof_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a3_z = a2_z - (0.8636*alpha2_y - 0.0934*neg_lam2_33);
-    const puma560_3dof_real neg_a3_x = c3*(0.4318*neg_lam2_11 - a2_x) + s3*(-0.4318*ww2_xy - a2_y);
     /* link 2: force that moves the link [N] */
     const puma560_3dof_real fc2_x = 0.1044*ww2_xy - 3.25584*neg_lam2_11;
     const puma560_3dof_real fc2_y = 3.25584*ww2_xy - 0.1044*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_real neg_nc2_x = 0.0016704*(neg_lam2_22 - neg_lam2_33) - 0.1462528*alpha2_x +
-        (0.0141984*alpha2_y - 0.183498816*ww2_xy) + 0.0254214*ww1_zz;
-    const puma560_3dof_real nc2_y = 2.883847104*alpha2_y + 0.183498816*(neg_lam2_11 - neg_lam2_33) -
-        (0.0016704*ww2_xy + 0.0141984*alpha2_x) + 0.79279704*ww1_zz;
+    const puma560_3dof_real neg_nc2_x = 0.1462528*neg_alpha2_x - 0.00808056*(neg_lam2_22 -
+        neg_lam2_33) + (0.0141984*alpha2_y + 0.12059664*ww2_xy) + 0.01567044*ww1_zz;
+    const puma560_3dof_real nc2_y = 2.883847104*alpha2_y - 0.12059664*(neg_lam2_11 - neg_lam2_33) +
+        (0.00808056*ww2_xy + 0.0141984*neg_alpha2_x) + 0.488701584*ww1_zz;
     const puma560_3dof_real nc2_z = 1.368797152*ww2_xy + 0.0070992*(neg_lam2_11 - neg_lam2_22) -
         (31.907232*c2 - 1.02312*s2);
     /* link 3: force that moves the link [N] */
     const puma560_3dof_real fc3_x = -0.336*ww3_xy;
     const puma560_3dof_real fc3_y = 0.336*neg_lam3_22;
+    const puma560_3dof_real fc3_z = -0.672*alpha3_x;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real nc3_y = -0.01625*lam3_31 - 0.004704*ww3_xy;
+    const puma560_3dof_real nc3_y = -0.0325*neg_alpha3_y - 0.004704*ww3_xy;
     const puma560_3dof_real nc3_x = -0.336*a3_z - (0.004704*(neg_lam3_22 - neg_lam3_33) -
-        0.09327*lam3_32);
-    const puma560_3dof_real nc3_z = 0.004704*lam3_13 - 0.07702*ww3_xy - 0.336*neg_a3_x;
-    const puma560_3dof_real t4 = s3*fc3_x + c3*fc3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_real neg_n2_x = s3*nc3_y - c3*nc3_x - (0.0934*t4 - neg_nc2_x);
-    const puma560_3dof_real t5 = c3*fc3_x - s3*fc3_y;
-    const puma560_3dof_real n2_y = nc2_y - (0.0934*t5 - 0.1450848*lam3_32) - (-s3*nc3_x - c3*nc3_y);
-    const puma560_3dof_real n2_z = nc3_z + (nc2_z + 0.4318*t4);
-    /* link 2: force through the joint [N] */
-    const puma560_3dof_real f2_x = fc2_x + t5;
-    const puma560_3dof_real f2_y = fc2_y + t4;
-    /* link 1: force through the joint [N] */
-    const puma560_3dof_real neg_f1_x = s2*f2_y - c2*f2_x;
+        0.18654*alpha3_x);
+    const puma560_3dof_real nc3_z = -0.336*neg_a3_x - 0.07702*ww3_xy;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_3dof_real f03_x = c23*fc3_x - s23*fc3_y;
+    const puma560_3dof_real f03_y = s23*fc3_x + c23*fc3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_real n03_y = s23*nc3_x + c23*nc3_y;
+    const puma560_3dof_real t6 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t6);
+    const puma560_3dof_real n02_z = nc3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t6));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_3dof_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_real n1_z = s2*neg_n2_x - c2*n2_y + 0.2435*neg_f1_x;
+    const puma560_3dof_real n1_z = -0.1501*f02_x - n02_y;
     /* link 1: forward substitution */
     const puma560_3dof_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
@@ -452,7 +459,7 @@ void puma560_3dof_forward_dynamics(
     const puma560_3dof_real pivot3 = 0.93952 - nu1_z*l3_1 - ld3_2*l3_2;
     const puma560_3dof_real ipivot3 = 1.0 / pivot3;
     /* link 2: forward substitution */
-    const puma560_3dof_real y2 = tau[1] - n2_z - y1*l2_1;
+    const puma560_3dof_real y2 = tau[1] - n02_z - y1*l2_1;
     /* link 3: forward substitution */
     const puma560_3dof_real y3 = tau[2] - nc3_z - y1*l3_1 - l3_2*y2;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */

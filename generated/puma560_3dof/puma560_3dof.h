@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 92 multiplications, 80 additions = 172; 6 unary minus; 4 sine/cosine
- *   gravity: 7 multiplications, 3 additions = 10; 0 unary minus; 4 sine/cosine
- *   bias: 78 multiplications, 58 additions = 136; 4 unary minus; 4 sine/cosine
- *   mass_matrix: 26 multiplications, 23 additions = 49; 1 unary minus; 4 sine/cosine
- *   forward_dynamics: 120 multiplications, 94 additions, 3 divisions = 217; 5 unary minus; 4
+ *   inverse_dynamics: 88 multiplications, 72 additions = 160; 1 unary minus; 4 sine/cosine
+ *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
+ *   bias: 71 multiplications, 45 additions = 116; 1 unary minus; 4 sine/cosine
+ *   mass_matrix: 26 multiplications, 23 additions = 49; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 113 multiplications, 81 additions, 3 divisions = 197; 1 unary minus; 6
  *       sine/cosine
  */
 #ifndef PUMA560_3DOF_H

@@ -15,11 +15,11 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 75 multiplications, 58 additions = 133; 5 unary minus; 4 sine/cosine
-!   gravity: 6 multiplications, 2 additions = 8; 0 unary minus; 4 sine/cosine
-!   bias: 64 multiplications, 39 additions = 103; 4 unary minus; 4 sine/cosine
-!   mass_matrix: 24 multiplications, 20 additions = 44; 1 unary minus; 4 sine/cosine
-!   forward_dynamics: 104 multiplications, 72 additions, 3 divisions = 179; 5 unary minus; 4
+!   inverse_dynamics: 70 multiplications, 49 additions = 119; 1 unary minus; 4 sine/cosine
+!   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
+!   bias: 59 multiplications, 29 additions = 88; 1 unary minus; 4 sine/cosine
+!   mass_matrix: 20 multiplications, 16 additions = 36; 0 unary minus; 4 sine/cosine
+!   forward_dynamics: 95 multiplications, 58 additions, 3 divisions = 156; 1 unary minus; 6
 !       sine/cosine
 module puma560_3dof_d4_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,65 +35,78 @@ module puma560_3dof_d4_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 75 multiplications, 58 additions = 133; 5 unary minus; 4 sine/cosine
+  ! 70 multiplications, 49 additions = 119; 1 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_d4_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="puma560_3dof_d4_inverse_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: qdd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, c3, s3, ww1_zz, t1, w2_x, w2_y
-    real(rk) :: ww2_yz, ww2_zx, alpha2_x, alpha2_y, ww2_xy, ww2_xx, neg_ww2_yy, ww2_zz
-    real(rk) :: lam2_11, lam2_12, lam2_13, lam2_21, lam2_23, lam2_31, lam2_32, lam2_33
-    real(rk) :: a2_z, t2, neg_a2_x, a2_y, w3_x, w3_y, alpha3_z, w3_z
-    real(rk) :: ww3_xy, ww3_xx, ww3_zz, lam3_12, lam3_21, neg_lam3_22, t3, neg_lam3_31
-    real(rk) :: lam3_32, a3_z, a3_x, nc1_z, fc2_x, fc2_y, nc2_x, nc2_y
-    real(rk) :: nc2_z, fc3_x, fc3_y, nc3_y, nc3_x, nc3_z, t4, neg_n2_x
-    real(rk) :: t5, n2_y, n2_z, f2_x, f2_y, n1_z
+    real(rk) :: c2, s2, angle23, c23, s23, w3_z, alpha3_z, ww1_zz
+    real(rk) :: a2_z, t1, w2_x, w2_y, t2, a2_y, ww2_yz, ww2_zx
+    real(rk) :: alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12
+    real(rk) :: lam2_21, lam2_23, lam2_31, lam2_32, neg_lam2_33, a3_z, w3_x, w3_y
+    real(rk) :: t3, t4, neg_a3_x, ww3_yz, ww3_zx, alpha3_x, neg_alpha3_y, ww3_xy
+    real(rk) :: ww3_xx, ww3_zz, lam3_12, lam3_21, neg_lam3_22, lam3_31, lam3_32, nc1_z
+    real(rk) :: fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z
+    real(rk) :: nc3_y, nc3_x, nc3_z, f03_x, f03_y, n03_y, t5, n02_y
+    real(rk) :: n02_z, f02_x, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_z = qdd(2) + qdd(3)
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1501_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    t2 = 0.1501_rk*qdd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_y = s2*t2 - 9.8_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
     ww2_yz = qd(2)*w2_y
     ww2_zx = qd(2)*w2_x
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = ww2_yz - qdd(1)*s2
-    alpha2_y = -(qdd(1)*c2) - ww2_zx
+    neg_alpha2_y = qdd(1)*c2 + ww2_zx
     ! link 2: products of the angular velocity [1/s^2]
     ww2_xy = w2_x*w2_y
     ww2_xx = w2_x*w2_x
-    neg_ww2_yy = -w2_y*w2_y
+    ww2_yy = w2_y*w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam2_11 = neg_ww2_yy - ww2_zz
+    neg_lam2_11 = ww2_yy + ww2_zz
     lam2_12 = ww2_xy - qdd(2)
-    lam2_13 = ww2_zx + alpha2_y
     lam2_21 = qdd(2) + ww2_xy
     lam2_23 = ww2_yz - alpha2_x
-    lam2_31 = ww2_zx - alpha2_y
+    lam2_31 = ww2_zx + neg_alpha2_y
     lam2_32 = ww2_yz + alpha2_x
-    lam2_33 = neg_ww2_yy - ww2_xx
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.2435_rk*ww1_zz
-    t2 = 0.2435_rk*qdd(1)
-    neg_a2_x = c2*t2 + 9.8_rk*s2
-    a2_y = s2*t2 - 9.8_rk*c2
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z + 0.4318_rk*lam2_31
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
+    w3_x = t1*s23
+    w3_y = t1*c23
+    t3 = 0.4318_rk*neg_lam2_11
+    t4 = 0.4318_rk*lam2_21
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*(t2 + (c2*t3 + s2*t4)) + s23*(s2*t3 - c2*t4 + 9.8_rk)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yz = w3_z*w3_y
+    ww3_zx = w3_z*w3_x
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_z = qdd(2) + qdd(3)
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    alpha3_x = ww3_yz - qdd(1)*s23
+    neg_alpha3_y = qdd(1)*c23 + ww3_zx
     ! link 3: products of the angular velocity [1/s^2]
     ww3_xy = w3_x*w3_y
     ww3_xx = w3_x*w3_x
@@ -102,174 +115,170 @@ contains
     lam3_12 = ww3_xy - alpha3_z
     lam3_21 = alpha3_z + ww3_xy
     neg_lam3_22 = ww3_xx + ww3_zz
-    t3 = qd(3) + w3_z
-    neg_lam3_31 = c3*alpha2_y - s3*alpha2_x - w3_x*t3
-    lam3_32 = w3_y*t3 - (-c3*alpha2_x - s3*alpha2_y)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.0934_rk*lam2_33 - 0.4318_rk*lam2_31)
-    a3_x = s3*(a2_y + (0.4318_rk*lam2_21 - 0.0934_rk*lam2_23)) - c3*(neg_a2_x + (0.0934_rk*lam2_13 &
-        - 0.4318_rk*lam2_11))
+    lam3_31 = ww3_zx + neg_alpha3_y
+    lam3_32 = ww3_yz + alpha3_x
     ! link 1: moment that turns the link [N m]
     nc1_z = 0.1684918105_rk*qdd(1)
     ! link 2: force that moves the link [N]
-    fc2_x = 5.74719_rk*lam2_11
+    fc2_x = -5.74719_rk*neg_lam2_11
     fc2_y = 5.74719_rk*lam2_21
     ! link 2: moment that turns the link [N m]
-    nc2_x = 2.4275_rk*lam2_32 + 0.647298426_rk*lam2_21
-    nc2_y = 0.647298426_rk*(lam2_33 - lam2_11) - 5.894500002_rk*lam2_31 + 1.399440765_rk*ww1_zz
-    nc2_z = 5.894500002_rk*lam2_21 - 2.4275_rk*lam2_12 - 0.647298426_rk*lam2_23 + 5.74719_rk*a2_y
+    neg_nc2_x = -2.4275_rk*lam2_32 - 0.11051088_rk*lam2_21
+    nc2_y = 0.11051088_rk*(neg_lam2_11 - neg_lam2_33) - 5.894500002_rk*lam2_31 + &
+        0.862653219_rk*ww1_zz
+    nc2_z = 5.894500002_rk*lam2_21 - 2.4275_rk*lam2_12 - 0.11051088_rk*lam2_23 + 5.74719_rk*a2_y
     ! link 3: force that moves the link [N]
     fc3_x = -4.74117_rk*lam3_12
     fc3_y = 4.74117_rk*neg_lam3_22
+    fc3_z = -4.74117_rk*lam3_32
     ! link 3: moment that turns the link [N m]
-    nc3_y = 0.4327_rk*neg_lam3_31
+    nc3_y = -0.4327_rk*lam3_31
     nc3_x = 3.874353618_rk*lam3_32 - 4.74117_rk*a3_z
-    nc3_z = 0.4327_rk*lam3_21 - 3.874353618_rk*lam3_12 + 4.74117_rk*a3_x
-    t4 = s3*fc3_x + c3*fc3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = s3*nc3_y - c3*nc3_x - (nc2_x + 0.0934_rk*t4)
-    t5 = c3*fc3_x - s3*fc3_y
-    n2_y = nc2_y - (0.0934_rk*t5 - 2.047237206_rk*lam3_32) - (-s3*nc3_x - c3*nc3_y)
-    n2_z = nc3_z + (nc2_z + 0.4318_rk*t4)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x + t5
-    f2_y = fc2_y + t4
+    nc3_z = 0.4327_rk*lam3_21 - 3.874353618_rk*lam3_12 - 4.74117_rk*neg_a3_x
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*fc3_x - s23*fc3_y
+    f03_y = s23*fc3_x + c23*fc3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*nc3_x + c23*nc3_y
+    t5 = 0.4318_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t5)
+    n02_z = nc3_z + (nc2_z + (f03_y*t5 - f03_x*(0.4318_rk*s2)))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y + (nc1_z + 0.2435_rk*(s2*f2_y - c2*f2_x))
+    n1_z = nc1_z - 0.1501_rk*f02_x - n02_y
     tau(1) = n1_z
-    tau(2) = n2_z
+    tau(2) = n02_z
     tau(3) = nc3_z
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 6 multiplications, 2 additions = 8; 0 unary minus; 4 sine/cosine
+  ! 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
   pure subroutine puma560_3dof_d4_gravity(q, tau) &
       bind(c, name="puma560_3dof_d4_gravity_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, c3, s3, a2_x, a2_y, a3_x, nc2_z
-    real(rk) :: nc3_z, n2_z
+    real(rk) :: c2, angle23, s23, nc2_z, nc3_z, n02_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
-    s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = c3*a2_x + s3*a2_y
+    angle23 = q(2) + q(3)
+    s23 = sin(angle23)
     ! link 2: moment that turns the link [N m]
     nc2_z = -56.322462_rk*c2
     ! link 3: moment that turns the link [N m]
-    nc3_z = 4.74117_rk*a3_x
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = nc2_z + nc3_z
+    nc3_z = -46.463466_rk*s23
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = nc2_z + nc3_z
     tau(1) = 0.0_rk
-    tau(2) = n2_z
+    tau(2) = n02_z
     tau(3) = nc3_z
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 64 multiplications, 39 additions = 103; 4 unary minus; 4 sine/cosine
+  ! 59 multiplications, 29 additions = 88; 1 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_d4_bias(q, qd, tau) &
       bind(c, name="puma560_3dof_d4_bias_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, c3, s3, ww1_zz, t1, w2_x, w2_y
-    real(rk) :: alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_33
-    real(rk) :: a2_z, a2_x, a2_y, w3_x, w3_y, w3_z, ww3_xy, ww3_xx
-    real(rk) :: ww3_zz, neg_lam3_22, t2, neg_lam3_31, lam3_32, a3_z, neg_a3_x, fc2_x
-    real(rk) :: fc2_y, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, nc3_y, nc3_x
-    real(rk) :: nc3_z, t3, neg_n2_x, t4, n2_y, n2_z, f2_x, f2_y
-    real(rk) :: neg_f1_x, n1_z
+    real(rk) :: c2, s2, angle23, c23, s23, w3_z, ww1_zz, a2_z
+    real(rk) :: neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz
+    real(rk) :: neg_lam2_11, neg_lam2_33, a3_z, t1, w3_x, w3_y, t2, t3
+    real(rk) :: neg_a3_x, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_zz, neg_lam3_22, fc2_x
+    real(rk) :: fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_y
+    real(rk) :: nc3_x, nc3_z, f03_x, f03_y, n03_y, t4, n02_y, n02_z
+    real(rk) :: f02_x, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
-    t1 = -qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1501_rk*ww1_zz
     ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
+    neg_w2_x = qd(1)*s2
+    neg_w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_x = qd(2)*neg_w2_y
+    alpha2_y = qd(2)*neg_w2_x
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
+    ww2_xy = neg_w2_x*neg_w2_y
+    ww2_xx = neg_w2_x*neg_w2_x
+    ww2_yy = neg_w2_y*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.2435_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - 0.8636_rk*alpha2_y
+    t1 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
-    w3_z = qd(2) + qd(3)
+    w3_x = t1*s23
+    w3_y = t1*c23
+    t2 = 0.4318_rk*neg_lam2_11
+    t3 = 0.4318_rk*ww2_xy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*(c2*t2 + s2*t3) + s23*(s2*t2 - c2*t3 + 9.8_rk)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = w3_z*w3_y
+    neg_alpha3_y = w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
     ww3_xy = w3_x*w3_y
     ww3_xx = w3_x*w3_x
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_22 = ww3_xx + ww3_zz
-    t2 = qd(3) + w3_z
-    neg_lam3_31 = c3*alpha2_y - s3*alpha2_x - w3_x*t2
-    lam3_32 = w3_y*t2 - (-c3*alpha2_x - s3*alpha2_y)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.8636_rk*alpha2_y - 0.0934_rk*neg_lam2_33)
-    neg_a3_x = c3*(0.4318_rk*neg_lam2_11 - a2_x) + s3*(-0.4318_rk*ww2_xy - a2_y)
     ! link 2: force that moves the link [N]
     fc2_x = -5.74719_rk*neg_lam2_11
     fc2_y = 5.74719_rk*ww2_xy
     ! link 2: moment that turns the link [N m]
-    nc2_x = 4.855_rk*alpha2_x + 0.647298426_rk*ww2_xy
-    nc2_y = 11.789000004_rk*alpha2_y + 0.647298426_rk*(neg_lam2_11 - neg_lam2_33) + &
-        1.399440765_rk*ww1_zz
+    neg_nc2_x = 4.855_rk*neg_alpha2_x - 0.11051088_rk*ww2_xy
+    nc2_y = 11.789000004_rk*alpha2_y + 0.11051088_rk*(neg_lam2_11 - neg_lam2_33) + &
+        0.862653219_rk*ww1_zz
     nc2_z = 3.467000002_rk*ww2_xy - 56.322462_rk*c2
     ! link 3: force that moves the link [N]
     fc3_x = -4.74117_rk*ww3_xy
     fc3_y = 4.74117_rk*neg_lam3_22
+    fc3_z = -9.48234_rk*alpha3_x
     ! link 3: moment that turns the link [N m]
-    nc3_y = 0.4327_rk*neg_lam3_31
-    nc3_x = 3.874353618_rk*lam3_32 - 4.74117_rk*a3_z
+    nc3_y = -0.8654_rk*neg_alpha3_y
+    nc3_x = 7.748707236_rk*alpha3_x - 4.74117_rk*a3_z
     nc3_z = -4.74117_rk*neg_a3_x - 3.441653618_rk*ww3_xy
-    t3 = s3*fc3_x + c3*fc3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = s3*nc3_y - c3*nc3_x - (nc2_x + 0.0934_rk*t3)
-    t4 = c3*fc3_x - s3*fc3_y
-    n2_y = nc2_y - (0.0934_rk*t4 - 2.047237206_rk*lam3_32) - (-s3*nc3_x - c3*nc3_y)
-    n2_z = nc3_z + (nc2_z + 0.4318_rk*t3)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x + t4
-    f2_y = fc2_y + t3
-    ! link 1: force through the joint [N]
-    neg_f1_x = s2*f2_y - c2*f2_x
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*fc3_x - s23*fc3_y
+    f03_y = s23*fc3_x + c23*fc3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*nc3_x + c23*nc3_y
+    t4 = 0.4318_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t4)
+    n02_z = nc3_z + (nc2_z - (f03_x*(0.4318_rk*s2) - f03_y*t4))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y + 0.2435_rk*neg_f1_x
+    n1_z = -0.1501_rk*f02_x - n02_y
     tau(1) = n1_z
-    tau(2) = n2_z
+    tau(2) = n02_z
     tau(3) = nc3_z
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 24 multiplications, 20 additions = 44; 1 unary minus; 4 sine/cosine
+  ! 20 multiplications, 16 additions = 36; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_d4_mass_matrix(q, M) &
       bind(c, name="puma560_3dof_d4_mass_matrix_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: M(9)
-    real(rk) :: c2, s2, c3, s3, fu2_x, fu2_y, nu2_x, nu2_y
-    real(rk) :: nu2_z, t1, fu1_x, t2, nu1_z, k2_xy, h2_x, t3
-    real(rk) :: k2_yy, k2_xz, t4, m2_2, fu1_x_2, nu1_z_2, m1_1
+    real(rk) :: c2, s2, c3, s3, fu2_x, fu2_y, nu2_z, t1
+    real(rk) :: fu1_x, nu1_z, k2_xy, h2_x, t2, k2_yy, t3, m2_2
+    real(rk) :: fu1_x_2, nu1_z_2, m1_1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -280,32 +289,28 @@ contains
     fu2_x = 4.74117_rk*c3
     fu2_y = 4.74117_rk*s3
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x = 0.442825278_rk*s3
-    nu2_y = -0.442825278_rk*c3
     nu2_z = 2.047237206_rk*s3 + 4.307053618_rk
     t1 = c2*fu2_x
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x = t1 - s2*fu2_y
-    t2 = c2*nu2_y
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z = -0.2435_rk*fu1_x - (s2*nu2_x + t2)
+    nu1_z = -0.1501_rk*fu1_x
     ! link 2: second moment of the composite body [kg m^2]
     k2_xy = -2.047237206_rk*c3 - 3.441653618_rk*(c3*s3)
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_x = fu2_y + 5.74719_rk
-    t3 = 3.441653618_rk*(c3*c3)
+    t2 = 3.441653618_rk*(c3*c3)
     ! link 2: second moment of the composite body [kg m^2]
-    k2_yy = t3 + 2.8602_rk
-    k2_xz = -nu2_x - 0.647298426_rk
-    t4 = t3 - 3.874353618_rk - 4.094474412_rk*s3
+    k2_yy = t2 + 2.8602_rk
+    t3 = t2 - 3.874353618_rk - 4.094474412_rk*s3
     ! link 2: mass matrix, its row of this joint
-    m2_2 = t3 - t4 + 8.754700002_rk
+    m2_2 = t2 - t3 + 8.754700002_rk
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x_2 = t1 - s2*h2_x
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = s2*k2_xz - t2 - 0.2435_rk*fu1_x_2
+    nu1_z_2 = -0.1501_rk*fu1_x_2 - 0.11051088_rk*s2
     ! link 1: mass matrix, its row of this joint
-    m1_1 = k2_yy - (c2*c2*(t3 + t4 - 3.034300002_rk) + k2_xy*(2.0_rk*(c2*s2))) + 0.1684918105_rk
+    m1_1 = k2_yy - (c2*c2*(t2 + t3 - 3.034300002_rk) + k2_xy*(2.0_rk*(c2*s2))) + 0.1684918105_rk
     M(1) = m1_1
     M(2) = nu1_z_2
     M(3) = nu1_z
@@ -318,24 +323,24 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 104 multiplications, 72 additions, 3 divisions = 179; 5 unary minus; 4 sine/cosine
+  ! 95 multiplications, 58 additions, 3 divisions = 156; 1 unary minus; 6 sine/cosine
   pure subroutine puma560_3dof_d4_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_d4_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
-    real(rk) :: c2, s2, c3, s3, fu2_x, fu2_y, nu2_x, nu2_y
-    real(rk) :: nu2_z, t1, fu1_x, t2, nu1_z, k2_xy, h2_x, t3
-    real(rk) :: k2_yy, k2_xz, t4, m2_2, fu1_x_2, nu1_z_2, m1_1, ww1_zz
-    real(rk) :: t5, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy
-    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_33, a2_z, a2_x, a2_y, w3_x, w3_y
-    real(rk) :: w3_z, ww3_xy, ww3_xx, ww3_zz, neg_lam3_22, t6, neg_lam3_31, lam3_32
-    real(rk) :: a3_z, neg_a3_x, fc2_x, fc2_y, nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, nc3_y, nc3_x, nc3_z, t7, neg_n2_x, t8, n2_y
-    real(rk) :: n2_z, f2_x, f2_y, neg_f1_x, n1_z, y1, ipivot1, l2_1
-    real(rk) :: l3_1, pivot2, ipivot2, ld3_2, l3_2, pivot3, ipivot3, y2
-    real(rk) :: y3, qdd3, qdd2, qdd1
+    real(rk) :: c2, s2, c3, s3, fu2_x, fu2_y, nu2_z, t1
+    real(rk) :: fu1_x, nu1_z, k2_xy, h2_x, t2, k2_yy, t3, m2_2
+    real(rk) :: fu1_x_2, nu1_z_2, m1_1, angle23, c23, s23, w3_z, ww1_zz
+    real(rk) :: a2_z, neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy
+    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_33, a3_z, t4, w3_x, w3_y, t5
+    real(rk) :: t6, neg_a3_x, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_zz, neg_lam3_22
+    real(rk) :: fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z
+    real(rk) :: nc3_y, nc3_x, nc3_z, f03_x, f03_y, n03_y, t7, n02_y
+    real(rk) :: n02_z, f02_x, n1_z, y1, ipivot1, l2_1, l3_1, pivot2
+    real(rk) :: ipivot2, ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3
+    real(rk) :: qdd2, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -346,97 +351,100 @@ contains
     fu2_x = 4.74117_rk*c3
     fu2_y = 4.74117_rk*s3
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x = 0.442825278_rk*s3
-    nu2_y = -0.442825278_rk*c3
     nu2_z = 2.047237206_rk*s3 + 4.307053618_rk
     t1 = c2*fu2_x
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x = t1 - s2*fu2_y
-    t2 = c2*nu2_y
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z = -0.2435_rk*fu1_x - (s2*nu2_x + t2)
+    nu1_z = -0.1501_rk*fu1_x
     ! link 2: second moment of the composite body [kg m^2]
     k2_xy = -2.047237206_rk*c3 - 3.441653618_rk*(c3*s3)
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_x = fu2_y + 5.74719_rk
-    t3 = 3.441653618_rk*(c3*c3)
+    t2 = 3.441653618_rk*(c3*c3)
     ! link 2: second moment of the composite body [kg m^2]
-    k2_yy = t3 + 2.8602_rk
-    k2_xz = -nu2_x - 0.647298426_rk
-    t4 = t3 - 3.874353618_rk - 4.094474412_rk*s3
+    k2_yy = t2 + 2.8602_rk
+    t3 = t2 - 3.874353618_rk - 4.094474412_rk*s3
     ! link 2: mass matrix, its row of this joint
-    m2_2 = t3 - t4 + 8.754700002_rk
+    m2_2 = t2 - t3 + 8.754700002_rk
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x_2 = t1 - s2*h2_x
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = s2*k2_xz - t2 - 0.2435_rk*fu1_x_2
+    nu1_z_2 = -0.1501_rk*fu1_x_2 - 0.11051088_rk*s2
     ! link 1: mass matrix, its row of this joint
-    m1_1 = k2_yy - (c2*c2*(t3 + t4 - 3.034300002_rk) + k2_xy*(2.0_rk*(c2*s2))) + 0.1684918105_rk
+    m1_1 = k2_yy - (c2*c2*(t2 + t3 - 3.034300002_rk) + k2_xy*(2.0_rk*(c2*s2))) + 0.1684918105_rk
+    ! sines and cosines of the joint angles
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
-    t5 = -qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1501_rk*ww1_zz
     ! link 2: angular velocity [rad/s]
-    w2_x = t5*s2
-    w2_y = t5*c2
+    neg_w2_x = qd(1)*s2
+    neg_w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_x = qd(2)*neg_w2_y
+    alpha2_y = qd(2)*neg_w2_x
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
+    ww2_xy = neg_w2_x*neg_w2_y
+    ww2_xx = neg_w2_x*neg_w2_x
+    ww2_yy = neg_w2_y*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.2435_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - 0.8636_rk*alpha2_y
+    t4 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
-    w3_z = qd(2) + qd(3)
+    w3_x = t4*s23
+    w3_y = t4*c23
+    t5 = 0.4318_rk*neg_lam2_11
+    t6 = 0.4318_rk*ww2_xy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*(c2*t5 + s2*t6) + s23*(s2*t5 - c2*t6 + 9.8_rk)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = w3_z*w3_y
+    neg_alpha3_y = w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
     ww3_xy = w3_x*w3_y
     ww3_xx = w3_x*w3_x
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_22 = ww3_xx + ww3_zz
-    t6 = qd(3) + w3_z
-    neg_lam3_31 = c3*alpha2_y - s3*alpha2_x - w3_x*t6
-    lam3_32 = w3_y*t6 - (-c3*alpha2_x - s3*alpha2_y)
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.8636_rk*alpha2_y - 0.0934_rk*neg_lam2_33)
-    neg_a3_x = c3*(0.4318_rk*neg_lam2_11 - a2_x) + s3*(-0.4318_rk*ww2_xy - a2_y)
     ! link 2: force that moves the link [N]
     fc2_x = -5.74719_rk*neg_lam2_11
     fc2_y = 5.74719_rk*ww2_xy
     ! link 2: moment that turns the link [N m]
-    nc2_x = 4.855_rk*alpha2_x + 0.647298426_rk*ww2_xy
-    nc2_y = 11.789000004_rk*alpha2_y + 0.647298426_rk*(neg_lam2_11 - neg_lam2_33) + &
-        1.399440765_rk*ww1_zz
+    neg_nc2_x = 4.855_rk*neg_alpha2_x - 0.11051088_rk*ww2_xy
+    nc2_y = 11.789000004_rk*alpha2_y + 0.11051088_rk*(neg_lam2_11 - neg_lam2_33) + &
+        0.862653219_rk*ww1_zz
     nc2_z = 3.467000002_rk*ww2_xy - 56.322462_rk*c2
     ! link 3: force that moves the link [N]
     fc3_x = -4.74117_rk*ww3_xy
     fc3_y = 4.74117_rk*neg_lam3_22
+    fc3_z = -9.48234_rk*alpha3_x
     ! link 3: moment that turns the link [N m]
-    nc3_y = 0.4327_rk*neg_lam3_31
-    nc3_x = 3.874353618_rk*lam3_32 - 4.74117_rk*a3_z
+    nc3_y = -0.8654_rk*neg_alpha3_y
+    nc3_x = 7.748707236_rk*alpha3_x - 4.74117_rk*a3_z
     nc3_z = -4.74117_rk*neg_a3_x - 3.441653618_rk*ww3_xy
-    t7 = s3*fc3_x + c3*fc3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = s3*nc3_y - c3*nc3_x - (nc2_x + 0.0934_rk*t7)
-    t8 = c3*fc3_x - s3*fc3_y
-    n2_y = nc2_y - (0.0934_rk*t8 - 2.047237206_rk*lam3_32) - (-s3*nc3_x - c3*nc3_y)
-    n2_z = nc3_z + (nc2_z + 0.4318_rk*t7)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x + t8
-    f2_y = fc2_y + t7
-    ! link 1: force through the joint [N]
-    neg_f1_x = s2*f2_y - c2*f2_x
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*fc3_x - s23*fc3_y
+    f03_y = s23*fc3_x + c23*fc3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*nc3_x + c23*nc3_y
+    t7 = 0.4318_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t7)
+    n02_z = nc3_z + (nc2_z - (f03_x*(0.4318_rk*s2) - f03_y*t7))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y + 0.2435_rk*neg_f1_x
+    n1_z = -0.1501_rk*f02_x - n02_y
     ! link 1: forward substitution
     y1 = tau(1) - n1_z
     ! factorisation M = L D L^T
@@ -450,7 +458,7 @@ contains
     pivot3 = 4.307053618_rk - nu1_z*l3_1 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
     ! link 2: forward substitution
-    y2 = tau(2) - n2_z - y1*l2_1
+    y2 = tau(2) - n02_z - y1*l2_1
     ! link 3: forward substitution
     y3 = tau(3) - nc3_z - y1*l3_1 - l3_2*y2
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]

@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 268 multiplications, 251 additions = 519; 13 unary minus; 10 sine/cosine
- *   gravity: 50 multiplications, 28 additions = 78; 5 unary minus; 10 sine/cosine
- *   bias: 254 multiplications, 226 additions = 480; 10 unary minus; 10 sine/cosine
- *   mass_matrix: 169 multiplications, 148 additions = 317; 5 unary minus; 10 sine/cosine
- *   forward_dynamics: 509 multiplications, 445 additions, 6 divisions = 960; 15 unary minus; 10
+ *   inverse_dynamics: 262 multiplications, 243 additions = 505; 7 unary minus; 10 sine/cosine
+ *   gravity: 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine
+ *   bias: 244 multiplications, 211 additions = 455; 7 unary minus; 10 sine/cosine
+ *   mass_matrix: 161 multiplications, 139 additions = 300; 6 unary minus; 10 sine/cosine
+ *   forward_dynamics: 491 multiplications, 421 additions, 6 divisions = 918; 14 unary minus; 12
  *       sine/cosine
  */
 #include "puma560_full.h"
@@ -29,7 +29,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 268 multiplications, 251 additions = 519; 13 unary minus; 10 sine/cosine */
+ * 262 multiplications, 243 additions = 505; 7 unary minus; 10 sine/cosine */
 void puma560_full_inverse_dynamics(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -42,58 +42,71 @@ void puma560_full_inverse_dynamics(
     /* sines and cosines of the joint angles */
     const puma560_full_real c2 = cos(q[1]);
     const puma560_full_real s2 = sin(again[1]);
-    const puma560_full_real c3 = cos(q[2]);
-    const puma560_full_real s3 = sin(again[2]);
     const puma560_full_real c4 = cos(q[3]);
     const puma560_full_real s4 = sin(again[3]);
     const puma560_full_real c5 = cos(q[4]);
     const puma560_full_real s5 = sin(again[4]);
     const puma560_full_real c6 = cos(q[5]);
     const puma560_full_real s6 = sin(again[5]);
+    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real c23 = cos(angle23);
+    const puma560_full_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real w3_z = qd[1] + qd[2];
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha3_z = qdd[1] + qdd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_full_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a2_z = -0.1501*ww1_zz;
     const puma560_full_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const puma560_full_real w2_x = t1*s2;
     const puma560_full_real w2_y = t1*c2;
+    const puma560_full_real t2 = 0.1501*qdd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real neg_a2_x = c2*t2 + 9.8*s2;
+    const puma560_full_real a2_y = s2*t2 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_full_real ww2_yz = qd[1]*w2_y;
     const puma560_full_real ww2_zx = qd[1]*w2_x;
     /* link 2: angular acceleration [rad/s^2] */
     const puma560_full_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const puma560_full_real alpha2_y = -(qdd[0]*c2) - ww2_zx;
+    const puma560_full_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_full_real ww2_xy = w2_x*w2_y;
     const puma560_full_real ww2_xx = w2_x*w2_x;
     const puma560_full_real ww2_yy = w2_y*w2_y;
-    const puma560_full_real neg_ww2_zz = -qd[1]*qd[1];
+    const puma560_full_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam2_11 = neg_ww2_zz - ww2_yy;
+    const puma560_full_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_full_real lam2_12 = ww2_xy - qdd[1];
-    const puma560_full_real lam2_13 = ww2_zx + alpha2_y;
+    const puma560_full_real lam2_13 = ww2_zx - neg_alpha2_y;
     const puma560_full_real lam2_21 = qdd[1] + ww2_xy;
-    const puma560_full_real lam2_22 = neg_ww2_zz - ww2_xx;
+    const puma560_full_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_full_real lam2_23 = ww2_yz - alpha2_x;
-    const puma560_full_real lam2_31 = ww2_zx - alpha2_y;
+    const puma560_full_real lam2_31 = ww2_zx + neg_alpha2_y;
     const puma560_full_real lam2_32 = ww2_yz + alpha2_x;
-    const puma560_full_real lam2_33 = -ww2_xx - ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a2_z = -0.2435*ww1_zz;
-    const puma560_full_real t2 = 0.2435*qdd[0];
-    const puma560_full_real neg_a2_x = c2*t2 + 9.8*s2;
-    const puma560_full_real a2_y = s2*t2 - 9.8*c2;
+    const puma560_full_real neg_lam2_33 = ww2_xx + ww2_yy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a3_z = a2_z + 0.4318*lam2_31;
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_full_real w3_y = c3*w2_y - s3*w2_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const puma560_full_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    const puma560_full_real alpha3_z = qdd[1] + qdd[2];
-    /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_z = qd[1] + qd[2];
+    const puma560_full_real w3_x = t1*s23;
+    const puma560_full_real w3_y = t1*c23;
+    const puma560_full_real t3 = 0.4318*neg_lam2_11;
+    const puma560_full_real t4 = 0.4318*lam2_21;
+    const puma560_full_real t5 = t2 + (c2*t3 + s2*t4);
+    const puma560_full_real t6 = s2*t3 - c2*t4 + 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real neg_a3_x = c23*t5 + s23*t6;
+    const puma560_full_real a3_y = s23*t5 - c23*t6;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww3_yz = w3_y*w3_z;
-    const puma560_full_real ww3_zx = w3_x*w3_z;
+    const puma560_full_real ww3_yz = w3_z*w3_y;
+    const puma560_full_real ww3_zx = w3_z*w3_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha3_x = ww3_yz - qdd[0]*s23;
+    const puma560_full_real neg_alpha3_y = qdd[0]*c23 + ww3_zx;
+    /* link 3: products of the angular velocity [1/s^2] */
     const puma560_full_real ww3_xy = w3_x*w3_y;
     const puma560_full_real ww3_xx = w3_x*w3_x;
     const puma560_full_real ww3_yy = w3_y*w3_y;
@@ -101,26 +114,27 @@ void puma560_full_inverse_dynamics(
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real lam3_11 = neg_ww3_zz - ww3_yy;
     const puma560_full_real lam3_12 = ww3_xy - alpha3_z;
-    const puma560_full_real lam3_13 = alpha3_y + ww3_zx;
+    const puma560_full_real lam3_13 = ww3_zx - neg_alpha3_y;
     const puma560_full_real lam3_21 = alpha3_z + ww3_xy;
     const puma560_full_real lam3_22 = neg_ww3_zz - ww3_xx;
     const puma560_full_real lam3_23 = ww3_yz - alpha3_x;
-    const puma560_full_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_full_real lam3_32 = alpha3_x + ww3_yz;
+    const puma560_full_real lam3_31 = ww3_zx + neg_alpha3_y;
+    const puma560_full_real lam3_32 = ww3_yz + alpha3_x;
     const puma560_full_real lam3_33 = -ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a3_z = a2_z - (0.0934*lam2_33 - 0.4318*lam2_31);
-    const puma560_full_real t3 = a2_y + (0.4318*lam2_21 - 0.0934*lam2_23);
-    const puma560_full_real t4 = neg_a2_x + (0.0934*lam2_13 - 0.4318*lam2_11);
-    const puma560_full_real a3_x = s3*t3 - c3*t4;
-    const puma560_full_real a3_y = s3*t4 + c3*t3;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a4_z = 0.0203*lam3_21 + 0.4331*lam3_22 - a3_y;
     /* link 4: angular velocity [rad/s] */
     const puma560_full_real w4_x = c4*w3_x + s4*w3_z;
     const puma560_full_real w4_y = c4*w3_z - s4*w3_x;
+    const puma560_full_real t7 = neg_a3_x + (0.0203*lam3_11 + 0.4331*lam3_12);
+    const puma560_full_real t8 = 0.0203*lam3_31 + 0.4331*lam3_32 - a3_z;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real neg_a4_x = c4*t7 + s4*t8;
+    const puma560_full_real a4_y = s4*t7 - c4*t8;
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_full_real alpha4_x = qd[3]*w4_y - (-c4*alpha3_x - s4*alpha3_z);
     const puma560_full_real alpha4_y = c4*alpha3_z - s4*alpha3_x - qd[3]*w4_x;
-    const puma560_full_real alpha4_z = qdd[3] - alpha3_y;
+    const puma560_full_real alpha4_z = qdd[3] + neg_alpha3_y;
     /* link 4: angular velocity [rad/s] */
     const puma560_full_real w4_z = qd[3] - w3_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -140,19 +154,16 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real lam4_31 = ww4_zx - alpha4_y;
     const puma560_full_real lam4_32 = alpha4_x + ww4_yz;
     const puma560_full_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_z = 0.0203*lam3_21 + 0.4331*lam3_22 - a3_y;
-    const puma560_full_real t5 = 0.0203*lam3_11 + 0.4331*lam3_12 - a3_x;
-    const puma560_full_real t6 = 0.0203*lam3_31 + 0.4331*lam3_32 - a3_z;
-    const puma560_full_real neg_a4_x = c4*t5 + s4*t6;
-    const puma560_full_real a4_y = s4*t5 - c4*t6;
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_full_real t7 = -s5;
-    const puma560_full_real w5_y = t7*w4_x - c5*w4_z;
+    const puma560_full_real t9 = -s5;
+    const puma560_full_real w5_y = t9*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a5_x = -c5*neg_a4_x - s5*a4_z;
+    const puma560_full_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 5: angular acceleration [rad/s^2] */
     const puma560_full_real alpha5_x = qd[4]*w5_y - (s5*alpha4_z - c5*alpha4_x);
-    const puma560_full_real alpha5_y = t7*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
+    const puma560_full_real alpha5_y = t9*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
     const puma560_full_real alpha5_z = qdd[4] + alpha4_y;
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real w5_z = qd[4] + w4_y;
@@ -173,12 +184,12 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real lam5_31 = ww5_zx - alpha5_y;
     const puma560_full_real lam5_32 = alpha5_x + ww5_yz;
     const puma560_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a5_x = -c5*neg_a4_x - s5*a4_z;
-    const puma560_full_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const puma560_full_real w6_x = c6*w5_x + s6*w5_z;
     const puma560_full_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a6_x = c6*a5_x + s6*a4_y;
+    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const puma560_full_real alpha6_x = qd[5]*w6_y - (-c6*alpha5_x - s6*alpha5_z);
     const puma560_full_real alpha6_y = c6*alpha5_z - s6*alpha5_x - qd[5]*w6_x;
@@ -202,25 +213,22 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real lam6_31 = ww6_zx - alpha6_y;
     const puma560_full_real lam6_32 = alpha6_x + ww6_yz;
     const puma560_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a6_x = c6*a5_x + s6*a4_y;
-    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 1: moment that turns the link [N m] */
     const puma560_full_real nc1_z = 2.629303206180387*qdd[0];
     /* link 2: force that moves the link [N] */
-    const puma560_full_real fc2_x = 7.6631781603519995*lam2_11 + 0.1606745919581151*lam2_12;
-    const puma560_full_real fc2_y = 7.6631781603519995*lam2_21 + 0.1606745919581151*lam2_22;
+    const puma560_full_real fc2_x = 0.1606745919581151*lam2_12 - 7.6631781603519995*neg_lam2_11;
+    const puma560_full_real fc2_y = 7.6631781603519995*lam2_21 - 0.1606745919581151*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_full_real neg_nc2_x = -0.20730445403579364*lam2_32 - 0.03578766765942975*(lam2_33
-        - lam2_22) + (-0.1174059800416141*lam2_31 - 0.6986433672331189*lam2_21) +
-        0.03912426314180102*ww1_zz;
-    const puma560_full_real nc2_y = 0.6986433672331189*(lam2_33 - lam2_11) -
-        3.522577799201274*lam2_31 - (0.1174059800416141*lam2_32 - 0.03578766765942975*lam2_12) +
-        1.8659838820457118*ww1_zz;
-    const puma560_full_real t8 = 3.522577799201274*lam2_21 - 0.20730445403579364*lam2_12 +
-        0.1174059800416141*(lam2_22 - lam2_11) + (-0.6986433672331189*lam2_23 -
-        0.03578766765942975*lam2_13);
-    const puma560_full_real nc2_z = t8 + (7.6631781603519995*a2_y + 0.1606745919581151*neg_a2_x);
+    const puma560_full_real neg_nc2_x = -0.20730445403579364*lam2_32 -
+        0.0507946745483177*(neg_lam2_22 - neg_lam2_33) + (0.017097472943757824*lam2_21 -
+        0.1174059800416141*lam2_31) + 0.024117256252913073*ww1_zz;
+    const puma560_full_real nc2_y = -3.522577799201274*lam2_31 - 0.017097472943757824*(neg_lam2_11 -
+        neg_lam2_33) - (0.1174059800416141*lam2_32 - 0.0507946745483177*lam2_12) +
+        1.1502430418688352*ww1_zz;
+    const puma560_full_real t10 = 3.522577799201274*lam2_21 - 0.20730445403579364*lam2_12 +
+        0.1174059800416141*(neg_lam2_11 - neg_lam2_22) - (0.0507946745483177*lam2_13 -
+        0.017097472943757824*lam2_23);
+    const puma560_full_real nc2_z = t10 + (7.6631781603519995*a2_y + 0.1606745919581151*neg_a2_x);
     /* link 3: force that moves the link [N] */
     const puma560_full_real fc3_x = 1.046378600789203*lam3_11 - 5.729293810689829*lam3_12;
     const puma560_full_real fc3_y = 1.046378600789203*lam3_21 - 5.729293810689829*lam3_22;
@@ -232,10 +240,10 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real nc3_y = -0.47176417886368593*lam3_31 - 0.01894848286257894*(lam3_33 -
         lam3_11) - (0.28615890025504537*lam3_32 - 0.060845712710754084*lam3_12) -
         1.046378600789203*a3_z;
-    const puma560_full_real t9 = 0.47176417886368593*lam3_21 - 3.4805327967608957*lam3_12 +
-        0.28615890025504537*(lam3_22 - lam3_11) + (0.01894848286257894*lam3_23 -
-        0.060845712710754084*lam3_13);
-    const puma560_full_real nc3_z = t9 + (1.046378600789203*a3_y + 5.729293810689829*a3_x);
+    const puma560_full_real t11 = 0.47176417886368593*lam3_21 - 3.4805327967608957*lam3_12 +
+        0.28615890025504537*(lam3_22 - lam3_11) - (0.060845712710754084*lam3_13 -
+        0.01894848286257894*lam3_23);
+    const puma560_full_real nc3_z = t11 + (1.046378600789203*a3_y - 5.729293810689829*neg_a3_x);
     /* link 4: force that moves the link [N] */
     const puma560_full_real fc4_x = 0.8719880516308344*lam4_12 - 0.7777930398944852*neg_lam4_11;
     const puma560_full_real fc4_y = 0.7777930398944852*lam4_21 - 0.8719880516308344*neg_lam4_22;
@@ -247,80 +255,97 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real nc4_y = -0.3473260245772809*lam4_31 - 0.2837491060266096*(neg_lam4_11 -
         neg_lam4_33) - (0.05337162017689789*lam4_32 - 0.10734691974802549*lam4_12) -
         0.7777930398944852*a4_z;
-    const puma560_full_real t10 = 0.3473260245772809*lam4_21 - 0.2788425785236688*lam4_12 +
+    const puma560_full_real t12 = 0.3473260245772809*lam4_21 - 0.2788425785236688*lam4_12 +
         0.05337162017689789*(neg_lam4_11 - neg_lam4_22) + (0.2837491060266096*lam4_23 -
         0.10734691974802549*lam4_13);
-    const puma560_full_real nc4_z = t10 + (0.7777930398944852*a4_y + 0.8719880516308344*neg_a4_x);
+    const puma560_full_real nc4_z = t12 + (0.7777930398944852*a4_y + 0.8719880516308344*neg_a4_x);
     /* link 5: force that moves the link [N] */
     const puma560_full_real fc5_x = 0.47660058733283606*neg_lam5_11 - 0.15165250821211493*lam5_12;
     const puma560_full_real fc5_y = 0.15165250821211493*neg_lam5_22 - 0.47660058733283606*lam5_21;
     const puma560_full_real fc5_z = -0.47660058733283606*lam5_31 - 0.15165250821211493*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const puma560_full_real nc5_x = -0.15165250821211493*a4_y - (0.18116108322165295*(neg_lam5_22 -
-        neg_lam5_33) - 0.3901127773977262*lam5_32 + (-0.08058935149735619*lam5_31 -
-        0.1558184212675505*lam5_21));
+    const puma560_full_real neg_nc5_x = 0.18116108322165295*(neg_lam5_22 - neg_lam5_33) -
+        0.3901127773977262*lam5_32 + (-0.08058935149735619*lam5_31 - 0.1558184212675505*lam5_21) +
+        0.15165250821211493*a4_y;
     const puma560_full_real nc5_y = 0.1558184212675505*(neg_lam5_11 - neg_lam5_33) -
         0.1513642331069161*lam5_31 + (-0.18116108322165295*lam5_12 - 0.08058935149735619*lam5_32) +
         0.47660058733283606*a4_y;
-    const puma560_full_real t11 = 0.1513642331069161*lam5_21 - 0.3901127773977262*lam5_12 +
+    const puma560_full_real t13 = 0.1513642331069161*lam5_21 - 0.3901127773977262*lam5_12 +
         0.08058935149735619*(neg_lam5_11 - neg_lam5_22) - (0.1558184212675505*lam5_23 -
         0.18116108322165295*lam5_13);
-    const puma560_full_real nc5_z = t11 - (0.47660058733283606*a5_y - 0.15165250821211493*a5_x);
+    const puma560_full_real nc5_z = t13 - (0.47660058733283606*a5_y - 0.15165250821211493*a5_x);
     /* link 6: force that moves the link [N] */
     const puma560_full_real fc6_x = 1.1185374890947408*neg_lam6_11 + 1.2975168001325401*lam6_12;
     const puma560_full_real fc6_y = -1.2975168001325401*neg_lam6_22 - 1.1185374890947408*lam6_21;
     const puma560_full_real fc6_z = 1.2975168001325401*lam6_32 - 1.1185374890947408*lam6_31;
     /* link 6: moment that turns the link [N m] */
-    const puma560_full_real neg_nc6_x = 0.2519035474197792*(neg_lam6_22 - neg_lam6_33) -
-        0.43637196239865417*lam6_32 - (-0.4019452224328564*lam6_31 - 0.1902613160848803*lam6_21) +
-        1.2975168001325401*a5_y;
+    const puma560_full_real nc6_x = -1.2975168001325401*a5_y - (0.2519035474197792*(neg_lam6_22 -
+        neg_lam6_33) - 0.43637196239865417*lam6_32 - (-0.4019452224328564*lam6_31 -
+        0.1902613160848803*lam6_21));
     const puma560_full_real nc6_y = -0.4714480390546099*lam6_31 - 0.1902613160848803*(neg_lam6_11 -
         neg_lam6_33) + (0.4019452224328564*lam6_32 - 0.2519035474197792*lam6_12) -
         1.1185374890947408*a5_y;
-    const puma560_full_real t12 = 0.4714480390546099*lam6_21 - 0.43637196239865417*lam6_12 -
+    const puma560_full_real t14 = 0.4714480390546099*lam6_21 - 0.43637196239865417*lam6_12 -
         0.4019452224328564*(neg_lam6_11 - neg_lam6_22) + (0.1902613160848803*lam6_23 +
         0.2519035474197792*lam6_13);
-    const puma560_full_real nc6_z = t12 - (1.1185374890947408*a6_y + 1.2975168001325401*a6_x);
+    const puma560_full_real nc6_z = t14 - (1.1185374890947408*a6_y + 1.2975168001325401*a6_x);
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f06_x = c6*fc6_x - s6*fc6_y;
+    const puma560_full_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
+    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_x = nc5_x - (c6*neg_nc6_x + s6*nc6_y);
+    const puma560_full_real n5_x = n06_x - neg_nc5_x;
     const puma560_full_real n5_y = nc5_y - nc6_z;
-    const puma560_full_real n5_z = nc5_z - (s6*neg_nc6_x - c6*nc6_y);
+    const puma560_full_real n5_z = nc5_z + n06_y;
     /* link 5: force through the joint [N] */
-    const puma560_full_real f5_x = fc5_x + (c6*fc6_x - s6*fc6_y);
+    const puma560_full_real f5_x = fc5_x + f06_x;
     const puma560_full_real f5_y = fc5_y - fc6_z;
-    const puma560_full_real f5_z = fc5_z + (s6*fc6_x + c6*fc6_y);
+    const puma560_full_real f5_z = fc5_z + f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f05_x = c5*f5_x - s5*f5_y;
+    const puma560_full_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
+    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const puma560_full_real n4_x = nc4_x + n05_x;
     const puma560_full_real n4_y = nc4_y + n5_z;
-    const puma560_full_real n4_z = nc4_z + (t7*n5_x - c5*n5_y);
+    const puma560_full_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const puma560_full_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const puma560_full_real f4_x = fc4_x + f05_x;
     const puma560_full_real f4_y = fc4_y + f5_z;
-    const puma560_full_real f4_z = fc4_z - (s5*f5_x + c5*f5_y);
-    const puma560_full_real t13 = -s4;
-    const puma560_full_real t14 = t13*f4_x - c4*f4_y;
+    const puma560_full_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real neg_f04_x = s4*f4_y - c4*f4_x;
+    const puma560_full_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n04_x = c4*n4_x - s4*n4_y;
+    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n3_x = s4*n4_y - c4*n4_x - (nc3_x + 0.4331*t14);
-    const puma560_full_real n3_y = nc3_y - 0.0203*t14 - n4_z;
-    const puma560_full_real t15 = s4*f4_y - c4*f4_x;
-    const puma560_full_real n3_z = nc3_z - (0.4331*t15 - 0.0203*f4_z) - (t13*n4_x - c4*n4_y);
+    const puma560_full_real n3_x = n04_x + (nc3_x - 0.4331*f04_y);
+    const puma560_full_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
+    const puma560_full_real n3_z = n04_y + (nc3_z - (0.4331*neg_f04_x - 0.0203*f4_z));
     /* link 3: force through the joint [N] */
-    const puma560_full_real f3_x = fc3_x - t15;
+    const puma560_full_real f3_x = fc3_x - neg_f04_x;
     const puma560_full_real f3_y = fc3_y - f4_z;
-    const puma560_full_real f3_z = fc3_z - t14;
-    const puma560_full_real t16 = -s3*f3_x - c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (neg_nc2_x + 0.0934*t16);
-    const puma560_full_real t17 = s3*f3_y - c3*f3_x;
-    const puma560_full_real n2_y = nc2_y + (0.0934*t17 - 0.4318*f3_z) - (s3*neg_n3_x - c3*n3_y);
-    const puma560_full_real n2_z = n3_z + (nc2_z - 0.4318*t16);
-    /* link 2: force through the joint [N] */
-    const puma560_full_real f2_x = fc2_x - t17;
-    const puma560_full_real f2_y = fc2_y - t16;
+    const puma560_full_real f3_z = fc3_z + f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f03_x = c23*f3_x - s23*f3_y;
+    const puma560_full_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n03_y = s23*n3_x + c23*n3_y;
+    const puma560_full_real t15 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t15);
+    const puma560_full_real n02_z = n3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t15));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n1_z = s2*neg_n2_x - c2*n2_y + (nc1_z + 0.2435*(s2*f2_y - c2*f2_x));
+    const puma560_full_real n1_z = nc1_z - 0.1501*f02_x - n02_y;
     tau[0] = n1_z;
-    tau[1] = n2_z;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
@@ -328,7 +353,7 @@ void puma560_full_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 50 multiplications, 28 additions = 78; 5 unary minus; 10 sine/cosine */
+ * 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine */
 void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -337,24 +362,21 @@ void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6]
     /* sines and cosines of the joint angles */
     const puma560_full_real c2 = cos(q[1]);
     const puma560_full_real s2 = sin(again[1]);
-    const puma560_full_real c3 = cos(q[2]);
-    const puma560_full_real s3 = sin(again[2]);
     const puma560_full_real c4 = cos(q[3]);
     const puma560_full_real s4 = sin(again[3]);
     const puma560_full_real c5 = cos(q[4]);
     const puma560_full_real s5 = sin(again[4]);
     const puma560_full_real c6 = cos(q[5]);
     const puma560_full_real s6 = sin(again[5]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a2_x = -9.8*s2;
-    const puma560_full_real a2_y = -9.8*c2;
-    const puma560_full_real t1 = -c3;
+    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real c23 = cos(angle23);
+    const puma560_full_real s23 = sin(angle23);
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a3_x = t1*a2_x - s3*a2_y;
-    const puma560_full_real a3_y = c3*a2_y - s3*a2_x;
+    const puma560_full_real a3_x = -9.8*s23;
+    const puma560_full_real a3_y = -9.8*c23;
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_x = -c4*neg_a3_x;
-    const puma560_full_real a4_y = s4*neg_a3_x;
+    const puma560_full_real a4_x = c4*a3_x;
+    const puma560_full_real a4_y = -s4*a3_x;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const puma560_full_real a5_x = c5*a4_x + s5*a3_y;
     const puma560_full_real a5_y = c5*a3_y - s5*a4_x;
@@ -364,10 +386,10 @@ void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6]
     /* link 2: moment that turns the link [N m] */
     const puma560_full_real nc2_z = 1.5746110011895278*s2 - 75.09914597144959*c2;
     /* link 3: moment that turns the link [N m] */
-    const puma560_full_real nc3_z = 1.046378600789203*a3_y - 5.729293810689829*neg_a3_x;
+    const puma560_full_real neg_nc3_z = 10.254510287734192*c23 + 56.14707934476033*s23;
     /* link 4: moment that turns the link [N m] */
-    const puma560_full_real nc4_x = -0.8719880516308344*a3_y;
-    const puma560_full_real nc4_y = 0.7777930398944852*a3_y;
+    const puma560_full_real nc4_x = 8.545482905982176*c23;
+    const puma560_full_real nc4_y = -7.622371790965955*c23;
     const puma560_full_real nc4_z = 0.7777930398944852*a4_y - 0.8719880516308344*a4_x;
     /* link 5: moment that turns the link [N m] */
     const puma560_full_real nc5_x = -0.15165250821211493*a4_y;
@@ -377,25 +399,31 @@ void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6]
     const puma560_full_real nc6_x = -1.2975168001325401*a5_y;
     const puma560_full_real nc6_y = -1.1185374890947408*a5_y;
     const puma560_full_real nc6_z = -1.2975168001325401*a6_x - 1.1185374890947408*a6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
+    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_x = nc5_x - (s6*nc6_y - c6*nc6_x);
+    const puma560_full_real n5_x = nc5_x + n06_x;
     const puma560_full_real n5_y = nc5_y - nc6_z;
-    const puma560_full_real n5_z = nc5_z - (-s6*nc6_x - c6*nc6_y);
+    const puma560_full_real n5_z = nc5_z + n06_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
+    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const puma560_full_real n4_x = nc4_x + n05_x;
     const puma560_full_real n4_y = nc4_y + n5_z;
-    const puma560_full_real n4_z = nc4_z + (-s5*n5_x - c5*n5_y);
+    const puma560_full_real n4_z = nc4_z - n05_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n04_x = c4*n4_x - s4*n4_y;
+    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n3_x = c4*n4_x - s4*n4_y;
-    const puma560_full_real n3_z = nc3_z - (-s4*n4_x - c4*n4_y);
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n2_x = t1*n3_x - s3*n4_z;
-    const puma560_full_real n2_y = s3*n3_x - c3*n4_z;
-    const puma560_full_real n2_z = nc2_z + n3_z;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n1_z = s2*neg_n2_x - c2*n2_y;
-    tau[0] = n1_z;
-    tau[1] = n2_z;
+    const puma560_full_real n3_z = n04_y - neg_nc3_z;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real neg_n03_y = c23*n4_z - s23*n04_x;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n02_z = nc2_z + n3_z;
+    tau[0] = neg_n03_y;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
@@ -403,7 +431,7 @@ void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6]
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 254 multiplications, 226 additions = 480; 10 unary minus; 10 sine/cosine */
+ * 244 multiplications, 211 additions = 455; 7 unary minus; 10 sine/cosine */
 void puma560_full_bias(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -415,72 +443,75 @@ void puma560_full_bias(
     /* sines and cosines of the joint angles */
     const puma560_full_real c2 = cos(q[1]);
     const puma560_full_real s2 = sin(again[1]);
-    const puma560_full_real c3 = cos(q[2]);
-    const puma560_full_real s3 = sin(again[2]);
     const puma560_full_real c4 = cos(q[3]);
     const puma560_full_real s4 = sin(again[3]);
     const puma560_full_real c5 = cos(q[4]);
     const puma560_full_real s5 = sin(again[4]);
     const puma560_full_real c6 = cos(q[5]);
     const puma560_full_real s6 = sin(again[5]);
+    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real c23 = cos(angle23);
+    const puma560_full_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real w3_z = qd[1] + qd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_full_real ww1_zz = qd[0]*qd[0];
-    const puma560_full_real t1 = -qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a2_z = -0.1501*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const puma560_full_real w2_x = t1*s2;
-    const puma560_full_real w2_y = t1*c2;
+    const puma560_full_real neg_w2_x = qd[0]*s2;
+    const puma560_full_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha2_x = qd[1]*w2_y;
-    const puma560_full_real alpha2_y = -qd[1]*w2_x;
+    const puma560_full_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const puma560_full_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww2_xy = w2_x*w2_y;
-    const puma560_full_real ww2_xx = w2_x*w2_x;
-    const puma560_full_real ww2_yy = w2_y*w2_y;
+    const puma560_full_real ww2_xy = neg_w2_x*neg_w2_y;
+    const puma560_full_real ww2_xx = neg_w2_x*neg_w2_x;
+    const puma560_full_real ww2_yy = neg_w2_y*neg_w2_y;
     const puma560_full_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_full_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_full_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a2_z = -0.2435*ww1_zz;
-    const puma560_full_real a2_x = -9.8*s2;
-    const puma560_full_real a2_y = -9.8*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a3_z = a2_z - 0.8636*alpha2_y;
+    const puma560_full_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_full_real w3_y = c3*w2_y - s3*w2_x;
+    const puma560_full_real w3_x = t1*s23;
+    const puma560_full_real w3_y = t1*c23;
+    const puma560_full_real t2 = 0.4318*neg_lam2_11;
+    const puma560_full_real t3 = 0.4318*ww2_xy;
+    const puma560_full_real t4 = c2*t2 + s2*t3;
+    const puma560_full_real t5 = s2*t2 - c2*t3 + 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real neg_a3_x = c23*t4 + s23*t5;
+    const puma560_full_real a3_y = s23*t4 - c23*t5;
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const puma560_full_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_z = qd[1] + qd[2];
+    const puma560_full_real alpha3_x = w3_z*w3_y;
+    const puma560_full_real t6 = -w3_z;
+    const puma560_full_real alpha3_y = t6*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww3_yz = w3_y*w3_z;
-    const puma560_full_real ww3_zx = w3_x*w3_z;
     const puma560_full_real ww3_xy = w3_x*w3_y;
     const puma560_full_real ww3_xx = w3_x*w3_x;
     const puma560_full_real ww3_yy = w3_y*w3_y;
-    const puma560_full_real neg_ww3_zz = -w3_z*w3_z;
+    const puma560_full_real neg_ww3_zz = t6*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real lam3_11 = neg_ww3_zz - ww3_yy;
-    const puma560_full_real lam3_13 = alpha3_y + ww3_zx;
     const puma560_full_real lam3_22 = neg_ww3_zz - ww3_xx;
-    const puma560_full_real lam3_23 = ww3_yz - alpha3_x;
-    const puma560_full_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_full_real lam3_32 = alpha3_x + ww3_yz;
     const puma560_full_real lam3_33 = -ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a3_z = a2_z - (0.8636*alpha2_y - 0.0934*neg_lam2_33);
-    const puma560_full_real t2 = 0.4318*neg_lam2_11 - a2_x;
-    const puma560_full_real t3 = -0.4318*ww2_xy - a2_y;
-    const puma560_full_real neg_a3_x = c3*t2 + s3*t3;
-    const puma560_full_real a3_y = s3*t2 - c3*t3;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a4_z = 0.0203*ww3_xy + 0.4331*lam3_22 - a3_y;
     /* link 4: angular velocity [rad/s] */
     const puma560_full_real w4_x = c4*w3_x + s4*w3_z;
     const puma560_full_real w4_y = c4*w3_z - s4*w3_x;
+    const puma560_full_real t7 = neg_a3_x + (0.0203*lam3_11 + 0.4331*ww3_xy);
+    const puma560_full_real t8 = 0.8662*alpha3_x - 0.0406*alpha3_y - a3_z;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real neg_a4_x = c4*t7 + s4*t8;
+    const puma560_full_real a4_y = s4*t7 - c4*t8;
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_full_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
-    const puma560_full_real t4 = -s4;
-    const puma560_full_real alpha4_y = t4*alpha3_x - qd[3]*w4_x;
+    const puma560_full_real alpha4_y = -s4*alpha3_x - qd[3]*w4_x;
     /* link 4: angular velocity [rad/s] */
     const puma560_full_real w4_z = qd[3] - w3_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -500,19 +531,15 @@ void puma560_full_bias(
     const puma560_full_real lam4_31 = ww4_zx - alpha4_y;
     const puma560_full_real lam4_32 = alpha4_x + ww4_yz;
     const puma560_full_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_z = 0.0203*ww3_xy + 0.4331*lam3_22 - a3_y;
-    const puma560_full_real t5 = neg_a3_x + (0.0203*lam3_11 + 0.4331*ww3_xy);
-    const puma560_full_real t6 = 0.0203*lam3_31 + 0.4331*lam3_32 - a3_z;
-    const puma560_full_real neg_a4_x = c4*t5 + s4*t6;
-    const puma560_full_real a4_y = s4*t5 - c4*t6;
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_full_real t7 = -s5;
-    const puma560_full_real w5_y = t7*w4_x - c5*w4_z;
-    const puma560_full_real t8 = -c5;
+    const puma560_full_real w5_y = -s5*w4_x - c5*w4_z;
+    const puma560_full_real t9 = -c5;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a5_x = t9*neg_a4_x - s5*a4_z;
+    const puma560_full_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha5_x = qd[4]*w5_y - (t8*alpha4_x - s5*alpha3_y);
+    const puma560_full_real alpha5_x = qd[4]*w5_y - (t9*alpha4_x - s5*alpha3_y);
     const puma560_full_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real w5_z = qd[4] + w4_y;
@@ -533,12 +560,12 @@ void puma560_full_bias(
     const puma560_full_real lam5_31 = ww5_zx - alpha5_y;
     const puma560_full_real lam5_32 = alpha5_x + ww5_yz;
     const puma560_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a5_x = t8*neg_a4_x - s5*a4_z;
-    const puma560_full_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const puma560_full_real w6_x = c6*w5_x + s6*w5_z;
     const puma560_full_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a6_x = c6*a5_x + s6*a4_y;
+    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const puma560_full_real alpha6_x = qd[5]*w6_y - (-c6*alpha5_x - s6*alpha4_y);
     const puma560_full_real alpha6_y = c6*alpha4_y - s6*alpha5_x - qd[5]*w6_x;
@@ -561,35 +588,31 @@ void puma560_full_bias(
     const puma560_full_real lam6_31 = ww6_zx - alpha6_y;
     const puma560_full_real lam6_32 = alpha6_x + ww6_yz;
     const puma560_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a6_x = c6*a5_x + s6*a4_y;
-    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 2: force that moves the link [N] */
     const puma560_full_real fc2_x = 0.1606745919581151*ww2_xy - 7.6631781603519995*neg_lam2_11;
     const puma560_full_real fc2_y = 7.6631781603519995*ww2_xy - 0.1606745919581151*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_full_real neg_nc2_x = -0.4146089080715873*alpha2_x -
-        0.03578766765942975*(neg_lam2_22 - neg_lam2_33) + (0.2348119600832282*alpha2_y -
-        0.6986433672331189*ww2_xy) + 0.03912426314180102*ww1_zz;
-    const puma560_full_real nc2_y = 7.045155598402548*alpha2_y + 0.6986433672331189*(neg_lam2_11 -
-        neg_lam2_33) + (0.03578766765942975*ww2_xy - 0.2348119600832282*alpha2_x) +
-        1.8659838820457118*ww1_zz;
+    const puma560_full_real neg_nc2_x = 0.4146089080715873*neg_alpha2_x -
+        0.0507946745483177*(neg_lam2_22 - neg_lam2_33) + (0.2348119600832282*alpha2_y +
+        0.017097472943757824*ww2_xy) + 0.024117256252913073*ww1_zz;
+    const puma560_full_real nc2_y = 7.045155598402548*alpha2_y - 0.017097472943757824*(neg_lam2_11 -
+        neg_lam2_33) + (0.0507946745483177*ww2_xy + 0.2348119600832282*neg_alpha2_x) +
+        1.1502430418688352*ww1_zz;
     const puma560_full_real nc2_z = 3.31527334516548*ww2_xy + 0.1174059800416141*(neg_lam2_11 -
         neg_lam2_22) - (75.09914597144959*c2 - 1.5746110011895278*s2);
     /* link 3: force that moves the link [N] */
     const puma560_full_real fc3_x = 1.046378600789203*lam3_11 - 5.729293810689829*ww3_xy;
     const puma560_full_real fc3_y = 1.046378600789203*ww3_xy - 5.729293810689829*lam3_22;
-    const puma560_full_real fc3_z = 1.046378600789203*lam3_31 - 5.729293810689829*lam3_32;
+    const puma560_full_real fc3_z = -11.458587621379658*alpha3_x - 2.092757201578406*alpha3_y;
     /* link 3: moment that turns the link [N m] */
-    const puma560_full_real nc3_x = -5.729293810689829*a3_z - (-3.4805327967608957*lam3_32 -
-        0.060845712710754084*(lam3_33 - lam3_22) + (0.01894848286257894*ww3_xy -
-        0.28615890025504537*lam3_31));
-    const puma560_full_real nc3_y = -0.47176417886368593*lam3_31 - 0.01894848286257894*(lam3_33 -
-        lam3_11) - (0.28615890025504537*lam3_32 - 0.060845712710754084*ww3_xy) -
+    const puma560_full_real nc3_x = -5.729293810689829*a3_z - (-6.961065593521791*alpha3_x -
+        0.060845712710754084*(lam3_33 - lam3_22) + (0.5723178005100907*alpha3_y +
+        0.01894848286257894*ww3_xy));
+    const puma560_full_real nc3_y = 0.9435283577273719*alpha3_y - 0.01894848286257894*(lam3_33 -
+        lam3_11) + (0.060845712710754084*ww3_xy - 0.5723178005100907*alpha3_x) -
         1.046378600789203*a3_z;
-    const puma560_full_real nc3_z = 0.28615890025504537*(lam3_22 - lam3_11) -
-        3.0087686178972097*ww3_xy + (0.01894848286257894*lam3_23 - 0.060845712710754084*lam3_13) +
-        (1.046378600789203*a3_y - 5.729293810689829*neg_a3_x);
+    const puma560_full_real nc3_z = 1.046378600789203*a3_y - 5.729293810689829*neg_a3_x -
+        (3.0087686178972097*ww3_xy - 0.28615890025504537*(lam3_22 - lam3_11));
     /* link 4: force that moves the link [N] */
     const puma560_full_real fc4_x = 0.8719880516308344*lam4_12 - 0.7777930398944852*neg_lam4_11;
     const puma560_full_real fc4_y = 0.7777930398944852*lam4_21 - 0.8719880516308344*neg_lam4_22;
@@ -601,79 +624,97 @@ void puma560_full_bias(
     const puma560_full_real nc4_y = -0.3473260245772809*lam4_31 - 0.2837491060266096*(neg_lam4_11 -
         neg_lam4_33) + (0.10734691974802549*lam4_12 - 0.05337162017689789*lam4_32) -
         0.7777930398944852*a4_z;
-    const puma560_full_real t9 = 0.2788425785236688*lam4_12 - 0.3473260245772809*lam4_21 -
+    const puma560_full_real t10 = 0.2788425785236688*lam4_12 - 0.3473260245772809*lam4_21 -
         0.05337162017689789*(neg_lam4_11 - neg_lam4_22) - (0.2837491060266096*lam4_23 -
         0.10734691974802549*lam4_13);
-    const puma560_full_real nc4_z = 0.7777930398944852*a4_y + 0.8719880516308344*neg_a4_x - t9;
+    const puma560_full_real nc4_z = 0.7777930398944852*a4_y + 0.8719880516308344*neg_a4_x - t10;
     /* link 5: force that moves the link [N] */
     const puma560_full_real fc5_x = 0.47660058733283606*neg_lam5_11 - 0.15165250821211493*lam5_12;
     const puma560_full_real fc5_y = 0.15165250821211493*neg_lam5_22 - 0.47660058733283606*lam5_21;
     const puma560_full_real fc5_z = -0.47660058733283606*lam5_31 - 0.15165250821211493*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const puma560_full_real nc5_x = -0.15165250821211493*a4_y - (0.18116108322165295*(neg_lam5_22 -
-        neg_lam5_33) - 0.3901127773977262*lam5_32 + (-0.08058935149735619*lam5_31 -
-        0.1558184212675505*lam5_21));
+    const puma560_full_real neg_nc5_x = 0.18116108322165295*(neg_lam5_22 - neg_lam5_33) -
+        0.3901127773977262*lam5_32 + (-0.08058935149735619*lam5_31 - 0.1558184212675505*lam5_21) +
+        0.15165250821211493*a4_y;
     const puma560_full_real nc5_y = 0.1558184212675505*(neg_lam5_11 - neg_lam5_33) -
         0.1513642331069161*lam5_31 + (-0.18116108322165295*lam5_12 - 0.08058935149735619*lam5_32) +
         0.47660058733283606*a4_y;
-    const puma560_full_real t10 = 0.1513642331069161*lam5_21 - 0.3901127773977262*lam5_12 +
+    const puma560_full_real t11 = 0.1513642331069161*lam5_21 - 0.3901127773977262*lam5_12 +
         0.08058935149735619*(neg_lam5_11 - neg_lam5_22) - (0.1558184212675505*lam5_23 -
         0.18116108322165295*lam5_13);
-    const puma560_full_real nc5_z = t10 - (0.47660058733283606*a5_y - 0.15165250821211493*a5_x);
+    const puma560_full_real nc5_z = t11 - (0.47660058733283606*a5_y - 0.15165250821211493*a5_x);
     /* link 6: force that moves the link [N] */
     const puma560_full_real fc6_x = 1.1185374890947408*neg_lam6_11 + 1.2975168001325401*lam6_12;
     const puma560_full_real fc6_y = -1.2975168001325401*neg_lam6_22 - 1.1185374890947408*lam6_21;
     const puma560_full_real fc6_z = 1.2975168001325401*lam6_32 - 1.1185374890947408*lam6_31;
     /* link 6: moment that turns the link [N m] */
-    const puma560_full_real neg_nc6_x = 0.2519035474197792*(neg_lam6_22 - neg_lam6_33) -
-        0.43637196239865417*lam6_32 - (-0.4019452224328564*lam6_31 - 0.1902613160848803*lam6_21) +
-        1.2975168001325401*a5_y;
+    const puma560_full_real nc6_x = -1.2975168001325401*a5_y - (0.2519035474197792*(neg_lam6_22 -
+        neg_lam6_33) - 0.43637196239865417*lam6_32 - (-0.4019452224328564*lam6_31 -
+        0.1902613160848803*lam6_21));
     const puma560_full_real nc6_y = -0.4714480390546099*lam6_31 - 0.1902613160848803*(neg_lam6_11 -
         neg_lam6_33) - (0.2519035474197792*lam6_12 - 0.4019452224328564*lam6_32) -
         1.1185374890947408*a5_y;
-    const puma560_full_real t11 = 0.43637196239865417*lam6_12 - 0.4714480390546099*lam6_21 +
+    const puma560_full_real t12 = 0.43637196239865417*lam6_12 - 0.4714480390546099*lam6_21 +
         0.4019452224328564*(neg_lam6_11 - neg_lam6_22) - (0.1902613160848803*lam6_23 +
         0.2519035474197792*lam6_13);
-    const puma560_full_real nc6_z = -1.2975168001325401*a6_x - 1.1185374890947408*a6_y - t11;
+    const puma560_full_real nc6_z = -1.2975168001325401*a6_x - 1.1185374890947408*a6_y - t12;
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f06_x = c6*fc6_x - s6*fc6_y;
+    const puma560_full_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
+    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_x = nc5_x - (c6*neg_nc6_x + s6*nc6_y);
+    const puma560_full_real n5_x = n06_x - neg_nc5_x;
     const puma560_full_real n5_y = nc5_y - nc6_z;
-    const puma560_full_real n5_z = nc5_z - (s6*neg_nc6_x - c6*nc6_y);
+    const puma560_full_real n5_z = nc5_z + n06_y;
     /* link 5: force through the joint [N] */
-    const puma560_full_real f5_x = fc5_x + (c6*fc6_x - s6*fc6_y);
+    const puma560_full_real f5_x = fc5_x + f06_x;
     const puma560_full_real f5_y = fc5_y - fc6_z;
-    const puma560_full_real f5_z = fc5_z + (s6*fc6_x + c6*fc6_y);
+    const puma560_full_real f5_z = fc5_z + f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f05_x = c5*f5_x - s5*f5_y;
+    const puma560_full_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
+    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const puma560_full_real n4_x = nc4_x + n05_x;
     const puma560_full_real n4_y = nc4_y + n5_z;
-    const puma560_full_real n4_z = nc4_z + (t7*n5_x - c5*n5_y);
+    const puma560_full_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const puma560_full_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const puma560_full_real f4_x = fc4_x + f05_x;
     const puma560_full_real f4_y = fc4_y + f5_z;
-    const puma560_full_real f4_z = fc4_z - (s5*f5_x + c5*f5_y);
-    const puma560_full_real t12 = t4*f4_x - c4*f4_y;
+    const puma560_full_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f04_x = c4*f4_x - s4*f4_y;
+    const puma560_full_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n04_x = c4*n4_x - s4*n4_y;
+    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n3_x = s4*n4_y - c4*n4_x - (nc3_x + 0.4331*t12);
-    const puma560_full_real n3_y = nc3_y - 0.0203*t12 - n4_z;
-    const puma560_full_real t13 = s4*f4_y - c4*f4_x;
-    const puma560_full_real n3_z = nc3_z - (0.4331*t13 - 0.0203*f4_z) - (t4*n4_x - c4*n4_y);
+    const puma560_full_real n3_x = n04_x + (nc3_x - 0.4331*f04_y);
+    const puma560_full_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
+    const puma560_full_real n3_z = n04_y - (-0.0203*f4_z - 0.4331*f04_x - nc3_z);
     /* link 3: force through the joint [N] */
-    const puma560_full_real f3_x = fc3_x - t13;
+    const puma560_full_real f3_x = fc3_x + f04_x;
     const puma560_full_real f3_y = fc3_y - f4_z;
-    const puma560_full_real f3_z = fc3_z - t12;
-    const puma560_full_real t14 = -s3*f3_x - c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (neg_nc2_x + 0.0934*t14);
-    const puma560_full_real t15 = s3*f3_y - c3*f3_x;
-    const puma560_full_real n2_y = nc2_y + (0.0934*t15 - 0.4318*f3_z) - (s3*neg_n3_x - c3*n3_y);
-    const puma560_full_real n2_z = n3_z + (nc2_z - 0.4318*t14);
-    /* link 2: force through the joint [N] */
-    const puma560_full_real f2_x = fc2_x - t15;
-    const puma560_full_real f2_y = fc2_y - t14;
+    const puma560_full_real f3_z = fc3_z + f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f03_x = c23*f3_x - s23*f3_y;
+    const puma560_full_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n03_y = s23*n3_x + c23*n3_y;
+    const puma560_full_real t13 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t13);
+    const puma560_full_real n02_z = n3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t13));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n1_z = s2*neg_n2_x - c2*n2_y + 0.2435*(s2*f2_y - c2*f2_x);
+    const puma560_full_real n1_z = -0.1501*f02_x - n02_y;
     tau[0] = n1_z;
-    tau[1] = n2_z;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
@@ -681,7 +722,7 @@ void puma560_full_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 169 multiplications, 148 additions = 317; 5 unary minus; 10 sine/cosine */
+ * 161 multiplications, 139 additions = 300; 6 unary minus; 10 sine/cosine */
 void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -722,13 +763,13 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     const puma560_full_real fu2_x = c3*fu3_x + s3*fu4_z;
     const puma560_full_real fu2_y = s3*fu3_x - c3*fu4_z;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu2_x = s3*nu3_y - c3*nu3_x - 0.0934*fu2_y;
-    const puma560_full_real nu2_y = 0.4318*neg_fu3_z - 0.0934*fu2_x - (-s3*nu3_x - c3*nu3_y);
+    const puma560_full_real neg_nu2_x = s3*nu3_y - c3*nu3_x;
+    const puma560_full_real nu2_y = 0.4318*neg_fu3_z - (-s3*nu3_x - c3*nu3_y);
     const puma560_full_real nu2_z = nu3_z + 0.4318*fu2_y;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x = c2*fu2_x - s2*fu2_y;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z = s2*neg_nu2_x - c2*nu2_y - 0.2435*fu1_x;
+    const puma560_full_real nu1_z = s2*neg_nu2_x - c2*nu2_y - 0.1501*fu1_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h5_x = fu5_z - 0.47660058733283606;
     const puma560_full_real t2 = c6*c6;
@@ -752,20 +793,20 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     const puma560_full_real fu3_x_2 = c4*fu4_x_2;
     const puma560_full_real fu3_z = s4*fu4_x_2;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_x_2 = -0.4331*fu3_z - (c4*neg_nu4_x + s4*m5_5);
+    const puma560_full_real neg_nu3_x = c4*neg_nu4_x + s4*m5_5 + 0.4331*fu3_z;
     const puma560_full_real nu3_y_2 = 0.0203*fu3_z - nu4_z_2;
     const puma560_full_real nu3_z_2 = 0.0203*fu4_z_2 + 0.4331*fu3_x_2 - (s4*neg_nu4_x - c4*m5_5);
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_full_real fu2_x_2 = c3*fu3_x_2 + s3*fu4_z_2;
     const puma560_full_real fu2_y_2 = s3*fu3_x_2 - c3*fu4_z_2;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu2_x_2 = s3*nu3_y_2 - c3*nu3_x_2 - 0.0934*fu2_y_2;
-    const puma560_full_real nu2_y_2 = s3*nu3_x_2 + c3*nu3_y_2 - (0.0934*fu2_x_2 + 0.4318*fu3_z);
+    const puma560_full_real neg_nu2_x_2 = c3*neg_nu3_x + s3*nu3_y_2;
+    const puma560_full_real nu2_y_2 = -0.4318*fu3_z - (s3*neg_nu3_x - c3*nu3_y_2);
     const puma560_full_real nu2_z_2 = nu3_z_2 + 0.4318*fu2_y_2;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z_2 = s2*neg_nu2_x_2 - c2*nu2_y_2 - 0.2435*fu1_x_2;
+    const puma560_full_real nu1_z_2 = s2*neg_nu2_x_2 - c2*nu2_y_2 - 0.1501*fu1_x_2;
     const puma560_full_real t5 = c5*c5;
     const puma560_full_real t6 = t4 + 0.1976234181078441;
     const puma560_full_real t7 = c5*s5;
@@ -789,20 +830,20 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     const puma560_full_real t9 = s4*k4_yz - c4*k4_xz;
     const puma560_full_real t10 = 0.4331*fu3_z_2;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_x_3 = t9 - t10;
+    const puma560_full_real nu3_x_2 = t9 - t10;
     const puma560_full_real nu3_y_3 = 0.0203*fu3_z_2 - m4_4;
     const puma560_full_real nu3_z_3 = t1*k4_xz - c4*k4_yz + 0.4331*fu3_x_3;
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_full_real fu2_x_3 = c3*fu3_x_3;
     const puma560_full_real fu2_y_3 = s3*fu3_x_3;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_x = c3*nu3_x_3 - s3*nu3_y_3 + 0.0934*fu2_y_3;
-    const puma560_full_real nu2_y_3 = s3*nu3_x_3 + c3*nu3_y_3 + (-0.0934*fu2_x_3 - 0.4318*fu3_z_2);
+    const puma560_full_real nu2_x = c3*nu3_x_2 - s3*nu3_y_3;
+    const puma560_full_real nu2_y_3 = s3*nu3_x_2 + c3*nu3_y_3 - 0.4318*fu3_z_2;
     const puma560_full_real nu2_z_3 = nu3_z_3 + 0.4318*fu2_y_3;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z_3 = -0.2435*fu1_x_3 - (s2*nu2_x + c2*nu2_y_3);
+    const puma560_full_real nu1_z_3 = -0.1501*fu1_x_3 - (s2*nu2_x + c2*nu2_y_3);
     const puma560_full_real t11 = c4*c4;
     const puma560_full_real t12 = t4 + t8 - 0.012851815603271595;
     const puma560_full_real t13 = c4*s4;
@@ -814,7 +855,7 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     const puma560_full_real neg_h3_y = fu4_x_2 + 5.729293810689829;
     const puma560_full_real t15 = 0.0406*fu3_z_2 - (k4_yy + t14);
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real neg_k3_xx = t15 - 0.47176417886368593;
+    const puma560_full_real k3_xx = 0.47176417886368593 - t15;
     const puma560_full_real t16 = k4_zz + 0.8662*fu4_x_2;
     const puma560_full_real k3_yy = t16 + 3.4805327967608957;
     const puma560_full_real k3_xy = t9 + 0.0203*fu4_x_2 - t10 + 0.28615890025504537;
@@ -826,42 +867,43 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_full_real fu2_x_4 = c3*neg_h3_y - s3*h3_x;
     const puma560_full_real fu2_y_4 = s3*neg_h3_y + c3*h3_x;
-    const puma560_full_real t17 = c3*k3_xz - s3*k3_yz;
-    const puma560_full_real t18 = 0.0934*fu2_y_4;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu2_x_3 = t17 - t18;
-    const puma560_full_real nu2_y_4 = -0.0934*fu2_x_4 - (s3*k3_xz + c3*k3_yz);
+    const puma560_full_real neg_nu2_x_3 = c3*k3_xz - s3*k3_yz;
+    const puma560_full_real nu2_y_4 = -(s3*k3_xz) - c3*k3_yz;
     const puma560_full_real nu2_z_4 = m3_3 + 0.4318*fu2_y_4;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x_4 = c2*fu2_x_4 - s2*fu2_y_4;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z_4 = s2*neg_nu2_x_3 - c2*nu2_y_4 - 0.2435*fu1_x_4;
+    const puma560_full_real nu1_z_4 = s2*neg_nu2_x_3 - c2*nu2_y_4 - 0.1501*fu1_x_4;
+    const puma560_full_real t17 = c3*c3;
+    const puma560_full_real t18 = t15 + t16 + 3.0087686178972097;
+    const puma560_full_real t19 = c3*s3;
+    const puma560_full_real t20 = t17*t18 + k3_xy*(2.0*t19);
+    const puma560_full_real t21 = k3_xx + t20;
+    const puma560_full_real t22 = k3_zz - t21;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const puma560_full_real k2_zz = t21 + t22;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h2_x = fu2_y_4 + 7.6631781603519995;
     const puma560_full_real neg_h2_y = fu2_x_4 - 0.1606745919581151;
-    const puma560_full_real t19 = t15 + t16 + 3.0087686178972097;
-    const puma560_full_real t20 = c3*s3;
-    const puma560_full_real t21 = c3*c3;
+    const puma560_full_real t23 = k3_zz - t22;
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_full_real k2_xy = 0.1174059800416141 - (t19*t20 + k3_xy*(1.0 - 2.0*t21) +
+    const puma560_full_real k2_yy = t23 + 0.20730445403579364;
+    const puma560_full_real k2_xy = 0.1174059800416141 - (t18*t19 + k3_xy*(1.0 - 2.0*t17) +
         0.4318*fu2_x_4);
-    const puma560_full_real neg_k2_xz = t18 - (t17 - 0.4318*fu3_x_3) + 0.6986433672331189;
-    const puma560_full_real k2_yz = 0.03578766765942975 - nu2_y_4;
-    const puma560_full_real t22 = t21*t19 + k3_xy*(2.0*t20);
-    const puma560_full_real t23 = neg_k3_xx - t22;
-    const puma560_full_real t24 = k3_zz + t23;
-    const puma560_full_real t25 = k3_zz - t24;
-    const puma560_full_real t26 = k3_yy - t22 + 0.8636*fu2_y_4;
+    const puma560_full_real k2_xz = neg_nu2_x_3 - 0.4318*fu3_x_3 + 0.017097472943757824;
+    const puma560_full_real k2_yz = 0.0507946745483177 - nu2_y_4;
+    const puma560_full_real t24 = k3_yy - t20 + 0.8636*fu2_y_4;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_2 = t25 + t26 + 3.7298822532370677;
+    const puma560_full_real m2_2 = t23 + t24 + 3.7298822532370677;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x_5 = c2*neg_h2_y - s2*h2_x;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z_5 = -0.2435*fu1_x_5 - (s2*neg_k2_xz - c2*k2_yz);
-    const puma560_full_real t27 = k2_xy*(-2.0*(c2*s2)) - (c2*c2*(t25 - t26 - 3.31527334516548) -
-        (t25 + 0.20730445403579364));
+    const puma560_full_real nu1_z_5 = s2*k2_xz + c2*k2_yz - 0.1501*fu1_x_5;
+    const puma560_full_real t25 = k2_yy - (c2*c2*(t23 - t24 - 3.31527334516548) +
+        k2_xy*(2.0*(c2*s2))) + (k2_zz - 0.3002*fu3_x_3);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_1 = t24 - (t23 - t27) + 2.629303206180387 - 0.3002*fu3_x_3;
+    const puma560_full_real m1_1 = t25 + 2.629303206180387;
     M[0] = m1_1;
     M[1] = nu1_z_5;
     M[2] = nu1_z_4;
@@ -901,7 +943,7 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
 }
 
 /* accelerations that the torques tau give
- * 509 multiplications, 445 additions, 6 divisions = 960; 15 unary minus; 10 sine/cosine */
+ * 491 multiplications, 421 additions, 6 divisions = 918; 14 unary minus; 12 sine/cosine */
 void puma560_full_forward_dynamics(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -947,31 +989,30 @@ void puma560_full_forward_dynamics(
     const puma560_full_real fu2_x = c3*fu3_x + s3*fu4_z;
     const puma560_full_real fu2_y = s3*fu3_x - c3*fu4_z;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu2_x = s3*nu3_y - c3*nu3_x - 0.0934*fu2_y;
-    const puma560_full_real t3 = -s3;
-    const puma560_full_real nu2_y = 0.4318*neg_fu3_z - 0.0934*fu2_x - (t3*nu3_x - c3*nu3_y);
+    const puma560_full_real neg_nu2_x = s3*nu3_y - c3*nu3_x;
+    const puma560_full_real nu2_y = 0.4318*neg_fu3_z - (-s3*nu3_x - c3*nu3_y);
     const puma560_full_real nu2_z = nu3_z + 0.4318*fu2_y;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x = c2*fu2_x - s2*fu2_y;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z = s2*neg_nu2_x - c2*nu2_y - 0.2435*fu1_x;
+    const puma560_full_real nu1_z = s2*neg_nu2_x - c2*nu2_y - 0.1501*fu1_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h5_x = fu5_z - 0.47660058733283606;
-    const puma560_full_real t4 = c6*c6;
-    const puma560_full_real t5 = c6*s6;
-    const puma560_full_real t6 = 0.03507607665595572*t4 + 0.8038904448657128*t5;
+    const puma560_full_real t3 = c6*c6;
+    const puma560_full_real t4 = c6*s6;
+    const puma560_full_real t5 = 0.03507607665595572*t3 + 0.8038904448657128*t4;
     /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_xx = t6 + 0.5877361955055702;
+    const puma560_full_real k5_xx = t5 + 0.5877361955055702;
     const puma560_full_real k5_xy = nu5_x + 0.08058935149735619;
-    const puma560_full_real k5_xz = 0.03507607665595572*t5 - 0.4019452224328564*(2.0*t4 - 1.0) -
+    const puma560_full_real k5_xz = 0.03507607665595572*t4 - 0.4019452224328564*(2.0*t3 - 1.0) -
         0.1558184212675505;
     const puma560_full_real k5_yz = nu5_z - 0.18116108322165295;
     /* link 5: mass matrix, its row of this joint */
-    const puma560_full_real m5_5 = t6 + 0.9778489729032964;
+    const puma560_full_real m5_5 = t5 + 0.9778489729032964;
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_full_real fu4_x_2 = 0.15165250821211493*c5 - s5*h5_x;
-    const puma560_full_real t7 = -c5;
-    const puma560_full_real fu4_z_2 = t7*h5_x - 0.15165250821211493*s5;
+    const puma560_full_real t6 = -c5;
+    const puma560_full_real fu4_z_2 = t6*h5_x - 0.15165250821211493*s5;
     /* link 4: moment for a unit acceleration of a joint further out */
     const puma560_full_real neg_nu4_x = c5*k5_xz - s5*k5_yz;
     const puma560_full_real nu4_z_2 = s5*k5_xz + c5*k5_yz;
@@ -979,170 +1020,178 @@ void puma560_full_forward_dynamics(
     const puma560_full_real fu3_x_2 = c4*fu4_x_2;
     const puma560_full_real fu3_z = s4*fu4_x_2;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_x_2 = -0.4331*fu3_z - (c4*neg_nu4_x + s4*m5_5);
+    const puma560_full_real neg_nu3_x = c4*neg_nu4_x + s4*m5_5 + 0.4331*fu3_z;
     const puma560_full_real nu3_y_2 = 0.0203*fu3_z - nu4_z_2;
     const puma560_full_real nu3_z_2 = 0.0203*fu4_z_2 + 0.4331*fu3_x_2 - (s4*neg_nu4_x - c4*m5_5);
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_full_real fu2_x_2 = c3*fu3_x_2 + s3*fu4_z_2;
     const puma560_full_real fu2_y_2 = s3*fu3_x_2 - c3*fu4_z_2;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu2_x_2 = s3*nu3_y_2 - c3*nu3_x_2 - 0.0934*fu2_y_2;
-    const puma560_full_real nu2_y_2 = s3*nu3_x_2 + c3*nu3_y_2 - (0.0934*fu2_x_2 + 0.4318*fu3_z);
+    const puma560_full_real neg_nu2_x_2 = c3*neg_nu3_x + s3*nu3_y_2;
+    const puma560_full_real nu2_y_2 = -0.4318*fu3_z - (s3*neg_nu3_x - c3*nu3_y_2);
     const puma560_full_real nu2_z_2 = nu3_z_2 + 0.4318*fu2_y_2;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z_2 = s2*neg_nu2_x_2 - c2*nu2_y_2 - 0.2435*fu1_x_2;
-    const puma560_full_real t8 = c5*c5;
-    const puma560_full_real t9 = t6 + 0.1976234181078441;
-    const puma560_full_real t10 = c5*s5;
-    const puma560_full_real t11 = t8*t9 - k5_xy*(2.0*t10);
+    const puma560_full_real nu1_z_2 = s2*neg_nu2_x_2 - c2*nu2_y_2 - 0.1501*fu1_x_2;
+    const puma560_full_real t7 = c5*c5;
+    const puma560_full_real t8 = t5 + 0.1976234181078441;
+    const puma560_full_real t9 = c5*s5;
+    const puma560_full_real t10 = t7*t8 - k5_xy*(2.0*t9);
     /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_full_real k4_zz = k5_xx - t11;
+    const puma560_full_real k4_zz = k5_xx - t10;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h4_x = 0.7777930398944852 - fu4_z_2;
     const puma560_full_real h4_y = 0.8719880516308344 - fu5_x;
     /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_full_real k4_xx = t11 + 0.7374388019750071;
-    const puma560_full_real k4_yy = 0.7502906175782786 - t6;
+    const puma560_full_real k4_xx = t10 + 0.7374388019750071;
+    const puma560_full_real k4_yy = 0.7502906175782786 - t5;
     const puma560_full_real k4_xy = neg_nu4_x + 0.05337162017689789;
-    const puma560_full_real k4_xz = 0.2837491060266096 - (t9*t10 - k5_xy*(1.0 - 2.0*t8));
+    const puma560_full_real k4_xz = 0.2837491060266096 - (t8*t9 - k5_xy*(1.0 - 2.0*t7));
     const puma560_full_real k4_yz = 0.10734691974802549 - nu4_z_2;
     /* link 4: mass matrix, its row of this joint */
-    const puma560_full_real m4_4 = 1.4877294195532857 - (t6 - t11);
+    const puma560_full_real m4_4 = 1.4877294195532857 - (t5 - t10);
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_full_real fu3_x_3 = -(c4*h4_y) - s4*h4_x;
     const puma560_full_real fu3_z_2 = c4*h4_x - s4*h4_y;
-    const puma560_full_real t12 = s4*k4_yz - c4*k4_xz;
-    const puma560_full_real t13 = 0.4331*fu3_z_2;
+    const puma560_full_real t11 = s4*k4_yz - c4*k4_xz;
+    const puma560_full_real t12 = 0.4331*fu3_z_2;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_x_3 = t12 - t13;
+    const puma560_full_real nu3_x_2 = t11 - t12;
     const puma560_full_real nu3_y_3 = 0.0203*fu3_z_2 - m4_4;
     const puma560_full_real nu3_z_3 = t2*k4_xz - c4*k4_yz + 0.4331*fu3_x_3;
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_full_real fu2_x_3 = c3*fu3_x_3;
     const puma560_full_real fu2_y_3 = s3*fu3_x_3;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_x = c3*nu3_x_3 - s3*nu3_y_3 + 0.0934*fu2_y_3;
-    const puma560_full_real nu2_y_3 = s3*nu3_x_3 + c3*nu3_y_3 + (-0.0934*fu2_x_3 - 0.4318*fu3_z_2);
+    const puma560_full_real nu2_x = c3*nu3_x_2 - s3*nu3_y_3;
+    const puma560_full_real nu2_y_3 = s3*nu3_x_2 + c3*nu3_y_3 - 0.4318*fu3_z_2;
     const puma560_full_real nu2_z_3 = nu3_z_3 + 0.4318*fu2_y_3;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z_3 = -0.2435*fu1_x_3 - (s2*nu2_x + c2*nu2_y_3);
-    const puma560_full_real t14 = c4*c4;
-    const puma560_full_real t15 = t6 + t11 - 0.012851815603271595;
-    const puma560_full_real t16 = c4*s4;
-    const puma560_full_real t17 = t14*t15 - k4_xy*(2.0*t16);
+    const puma560_full_real nu1_z_3 = -0.1501*fu1_x_3 - (s2*nu2_x + c2*nu2_y_3);
+    const puma560_full_real t13 = c4*c4;
+    const puma560_full_real t14 = t5 + t10 - 0.012851815603271595;
+    const puma560_full_real t15 = c4*s4;
+    const puma560_full_real t16 = t13*t14 - k4_xy*(2.0*t15);
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real k3_zz = k4_xx - t17;
+    const puma560_full_real k3_zz = k4_xx - t16;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h3_x = fu3_z_2 + 1.046378600789203;
     const puma560_full_real neg_h3_y = fu4_x_2 + 5.729293810689829;
-    const puma560_full_real t18 = 0.0406*fu3_z_2 - (k4_yy + t17);
+    const puma560_full_real t17 = 0.0406*fu3_z_2 - (k4_yy + t16);
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real neg_k3_xx = t18 - 0.47176417886368593;
-    const puma560_full_real t19 = k4_zz + 0.8662*fu4_x_2;
-    const puma560_full_real k3_yy = t19 + 3.4805327967608957;
-    const puma560_full_real k3_xy = t12 + 0.0203*fu4_x_2 - t13 + 0.28615890025504537;
-    const puma560_full_real k3_xz = t15*t16 - k4_xy*(1.0 - 2.0*t14) + 0.0203*fu3_x_3 +
+    const puma560_full_real k3_xx = 0.47176417886368593 - t17;
+    const puma560_full_real t18 = k4_zz + 0.8662*fu4_x_2;
+    const puma560_full_real k3_yy = t18 + 3.4805327967608957;
+    const puma560_full_real k3_xy = t11 + 0.0203*fu4_x_2 - t12 + 0.28615890025504537;
+    const puma560_full_real k3_xz = t14*t15 - k4_xy*(1.0 - 2.0*t13) + 0.0203*fu3_x_3 +
         0.01894848286257894;
     const puma560_full_real k3_yz = nu3_z_3 + 0.060845712710754084;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_3 = 3.9522969756245816 - (t18 - t19);
+    const puma560_full_real m3_3 = 3.9522969756245816 - (t17 - t18);
     /* link 2: force for a unit acceleration of a joint further out */
     const puma560_full_real fu2_x_4 = c3*neg_h3_y - s3*h3_x;
     const puma560_full_real fu2_y_4 = s3*neg_h3_y + c3*h3_x;
-    const puma560_full_real t20 = c3*k3_xz - s3*k3_yz;
-    const puma560_full_real t21 = 0.0934*fu2_y_4;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu2_x_3 = t20 - t21;
-    const puma560_full_real nu2_y_4 = -0.0934*fu2_x_4 - (s3*k3_xz + c3*k3_yz);
+    const puma560_full_real neg_nu2_x_3 = c3*k3_xz - s3*k3_yz;
+    const puma560_full_real nu2_y_4 = -(s3*k3_xz) - c3*k3_yz;
     const puma560_full_real nu2_z_4 = m3_3 + 0.4318*fu2_y_4;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x_4 = c2*fu2_x_4 - s2*fu2_y_4;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z_4 = s2*neg_nu2_x_3 - c2*nu2_y_4 - 0.2435*fu1_x_4;
+    const puma560_full_real nu1_z_4 = s2*neg_nu2_x_3 - c2*nu2_y_4 - 0.1501*fu1_x_4;
+    const puma560_full_real t19 = c3*c3;
+    const puma560_full_real t20 = t17 + t18 + 3.0087686178972097;
+    const puma560_full_real t21 = c3*s3;
+    const puma560_full_real t22 = t19*t20 + k3_xy*(2.0*t21);
+    const puma560_full_real t23 = k3_xx + t22;
+    const puma560_full_real t24 = k3_zz - t23;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const puma560_full_real k2_zz = t23 + t24;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h2_x = fu2_y_4 + 7.6631781603519995;
     const puma560_full_real neg_h2_y = fu2_x_4 - 0.1606745919581151;
-    const puma560_full_real t22 = t18 + t19 + 3.0087686178972097;
-    const puma560_full_real t23 = c3*s3;
-    const puma560_full_real t24 = c3*c3;
+    const puma560_full_real t25 = k3_zz - t24;
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_full_real k2_xy = 0.1174059800416141 - (t22*t23 + k3_xy*(1.0 - 2.0*t24) +
+    const puma560_full_real k2_yy = t25 + 0.20730445403579364;
+    const puma560_full_real k2_xy = 0.1174059800416141 - (t20*t21 + k3_xy*(1.0 - 2.0*t19) +
         0.4318*fu2_x_4);
-    const puma560_full_real neg_k2_xz = t21 - (t20 - 0.4318*fu3_x_3) + 0.6986433672331189;
-    const puma560_full_real k2_yz = 0.03578766765942975 - nu2_y_4;
-    const puma560_full_real t25 = t24*t22 + k3_xy*(2.0*t23);
-    const puma560_full_real t26 = neg_k3_xx - t25;
-    const puma560_full_real t27 = k3_zz + t26;
-    const puma560_full_real t28 = k3_zz - t27;
-    const puma560_full_real t29 = k3_yy - t25 + 0.8636*fu2_y_4;
+    const puma560_full_real k2_xz = neg_nu2_x_3 - 0.4318*fu3_x_3 + 0.017097472943757824;
+    const puma560_full_real k2_yz = 0.0507946745483177 - nu2_y_4;
+    const puma560_full_real t26 = k3_yy - t22 + 0.8636*fu2_y_4;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_2 = t28 + t29 + 3.7298822532370677;
+    const puma560_full_real m2_2 = t25 + t26 + 3.7298822532370677;
     /* link 1: force for a unit acceleration of a joint further out */
     const puma560_full_real fu1_x_5 = c2*neg_h2_y - s2*h2_x;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu1_z_5 = -0.2435*fu1_x_5 - (s2*neg_k2_xz - c2*k2_yz);
-    const puma560_full_real t30 = k2_xy*(-2.0*(c2*s2)) - (c2*c2*(t28 - t29 - 3.31527334516548) -
-        (t28 + 0.20730445403579364));
+    const puma560_full_real nu1_z_5 = s2*k2_xz + c2*k2_yz - 0.1501*fu1_x_5;
+    const puma560_full_real t27 = k2_yy - (c2*c2*(t25 - t26 - 3.31527334516548) +
+        k2_xy*(2.0*(c2*s2))) + (k2_zz - 0.3002*fu3_x_3);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_1 = t27 - (t26 - t30) + 2.629303206180387 - 0.3002*fu3_x_3;
+    const puma560_full_real m1_1 = t27 + 2.629303206180387;
+    /* sines and cosines of the joint angles */
+    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real c23 = cos(angle23);
+    const puma560_full_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real w3_z = qd[1] + qd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_full_real ww1_zz = qd[0]*qd[0];
-    const puma560_full_real t31 = -qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a2_z = -0.1501*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const puma560_full_real w2_x = t31*s2;
-    const puma560_full_real w2_y = t31*c2;
+    const puma560_full_real neg_w2_x = qd[0]*s2;
+    const puma560_full_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha2_x = qd[1]*w2_y;
-    const puma560_full_real alpha2_y = -qd[1]*w2_x;
+    const puma560_full_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const puma560_full_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww2_xy = w2_x*w2_y;
-    const puma560_full_real ww2_xx = w2_x*w2_x;
-    const puma560_full_real ww2_yy = w2_y*w2_y;
+    const puma560_full_real ww2_xy = neg_w2_x*neg_w2_y;
+    const puma560_full_real ww2_xx = neg_w2_x*neg_w2_x;
+    const puma560_full_real ww2_yy = neg_w2_y*neg_w2_y;
     const puma560_full_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_full_real neg_lam2_22 = ww2_xx + ww2_zz;
     const puma560_full_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a2_z = -0.2435*ww1_zz;
-    const puma560_full_real a2_x = -9.8*s2;
-    const puma560_full_real a2_y = -9.8*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a3_z = a2_z - 0.8636*alpha2_y;
+    const puma560_full_real t28 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_x = c3*w2_x + s3*w2_y;
-    const puma560_full_real w3_y = c3*w2_y - s3*w2_x;
+    const puma560_full_real w3_x = t28*s23;
+    const puma560_full_real w3_y = t28*c23;
+    const puma560_full_real t29 = 0.4318*neg_lam2_11;
+    const puma560_full_real t30 = 0.4318*ww2_xy;
+    const puma560_full_real t31 = c2*t29 + s2*t30;
+    const puma560_full_real t32 = s2*t29 - c2*t30 + 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real neg_a3_x = c23*t31 + s23*t32;
+    const puma560_full_real a3_y = s23*t31 - c23*t32;
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const puma560_full_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_z = qd[1] + qd[2];
+    const puma560_full_real alpha3_x = w3_z*w3_y;
+    const puma560_full_real t33 = -w3_z;
+    const puma560_full_real alpha3_y = t33*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww3_yz = w3_y*w3_z;
-    const puma560_full_real ww3_zx = w3_x*w3_z;
     const puma560_full_real ww3_xy = w3_x*w3_y;
     const puma560_full_real ww3_xx = w3_x*w3_x;
     const puma560_full_real ww3_yy = w3_y*w3_y;
-    const puma560_full_real neg_ww3_zz = -w3_z*w3_z;
+    const puma560_full_real neg_ww3_zz = t33*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real lam3_11 = neg_ww3_zz - ww3_yy;
-    const puma560_full_real lam3_13 = alpha3_y + ww3_zx;
     const puma560_full_real lam3_22 = neg_ww3_zz - ww3_xx;
-    const puma560_full_real lam3_23 = ww3_yz - alpha3_x;
-    const puma560_full_real lam3_31 = ww3_zx - alpha3_y;
-    const puma560_full_real lam3_32 = alpha3_x + ww3_yz;
     const puma560_full_real lam3_33 = -ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a3_z = a2_z - (0.8636*alpha2_y - 0.0934*neg_lam2_33);
-    const puma560_full_real t32 = 0.4318*neg_lam2_11 - a2_x;
-    const puma560_full_real t33 = -0.4318*ww2_xy - a2_y;
-    const puma560_full_real neg_a3_x = c3*t32 + s3*t33;
-    const puma560_full_real a3_y = s3*t32 - c3*t33;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a4_z = 0.0203*ww3_xy + 0.4331*lam3_22 - a3_y;
     /* link 4: angular velocity [rad/s] */
     const puma560_full_real w4_x = c4*w3_x + s4*w3_z;
     const puma560_full_real w4_y = c4*w3_z - s4*w3_x;
+    const puma560_full_real t34 = neg_a3_x + (0.0203*lam3_11 + 0.4331*ww3_xy);
+    const puma560_full_real t35 = 0.8662*alpha3_x - 0.0406*alpha3_y - a3_z;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real neg_a4_x = c4*t34 + s4*t35;
+    const puma560_full_real a4_y = s4*t34 - c4*t35;
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_full_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
     const puma560_full_real alpha4_y = t2*alpha3_x - qd[3]*w4_x;
@@ -1165,17 +1214,14 @@ void puma560_full_forward_dynamics(
     const puma560_full_real lam4_31 = ww4_zx - alpha4_y;
     const puma560_full_real lam4_32 = alpha4_x + ww4_yz;
     const puma560_full_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_z = 0.0203*ww3_xy + 0.4331*lam3_22 - a3_y;
-    const puma560_full_real t34 = neg_a3_x + (0.0203*lam3_11 + 0.4331*ww3_xy);
-    const puma560_full_real t35 = 0.0203*lam3_31 + 0.4331*lam3_32 - a3_z;
-    const puma560_full_real neg_a4_x = c4*t34 + s4*t35;
-    const puma560_full_real a4_y = s4*t34 - c4*t35;
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real w5_x = c5*w4_x - s5*w4_z;
     const puma560_full_real w5_y = t1*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a5_x = t6*neg_a4_x - s5*a4_z;
+    const puma560_full_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha5_x = qd[4]*w5_y - (t7*alpha4_x - s5*alpha3_y);
+    const puma560_full_real alpha5_x = qd[4]*w5_y - (t6*alpha4_x - s5*alpha3_y);
     const puma560_full_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real w5_z = qd[4] + w4_y;
@@ -1196,12 +1242,12 @@ void puma560_full_forward_dynamics(
     const puma560_full_real lam5_31 = ww5_zx - alpha5_y;
     const puma560_full_real lam5_32 = alpha5_x + ww5_yz;
     const puma560_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a5_x = t7*neg_a4_x - s5*a4_z;
-    const puma560_full_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const puma560_full_real w6_x = c6*w5_x + s6*w5_z;
     const puma560_full_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a6_x = c6*a5_x + s6*a4_y;
+    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const puma560_full_real alpha6_x = qd[5]*w6_y - (-c6*alpha5_x - s6*alpha4_y);
     const puma560_full_real alpha6_y = c6*alpha4_y - s6*alpha5_x - qd[5]*w6_x;
@@ -1224,35 +1270,31 @@ void puma560_full_forward_dynamics(
     const puma560_full_real lam6_31 = ww6_zx - alpha6_y;
     const puma560_full_real lam6_32 = alpha6_x + ww6_yz;
     const puma560_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a6_x = c6*a5_x + s6*a4_y;
-    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 2: force that moves the link [N] */
     const puma560_full_real fc2_x = 0.1606745919581151*ww2_xy - 7.6631781603519995*neg_lam2_11;
     const puma560_full_real fc2_y = 7.6631781603519995*ww2_xy - 0.1606745919581151*neg_lam2_22;
     /* link 2: moment that turns the link [N m] */
-    const puma560_full_real neg_nc2_x = -0.4146089080715873*alpha2_x -
-        0.03578766765942975*(neg_lam2_22 - neg_lam2_33) + (0.2348119600832282*alpha2_y -
-        0.6986433672331189*ww2_xy) + 0.03912426314180102*ww1_zz;
-    const puma560_full_real nc2_y = 7.045155598402548*alpha2_y + 0.6986433672331189*(neg_lam2_11 -
-        neg_lam2_33) + (0.03578766765942975*ww2_xy - 0.2348119600832282*alpha2_x) +
-        1.8659838820457118*ww1_zz;
+    const puma560_full_real neg_nc2_x = 0.4146089080715873*neg_alpha2_x -
+        0.0507946745483177*(neg_lam2_22 - neg_lam2_33) + (0.2348119600832282*alpha2_y +
+        0.017097472943757824*ww2_xy) + 0.024117256252913073*ww1_zz;
+    const puma560_full_real nc2_y = 7.045155598402548*alpha2_y - 0.017097472943757824*(neg_lam2_11 -
+        neg_lam2_33) + (0.0507946745483177*ww2_xy + 0.2348119600832282*neg_alpha2_x) +
+        1.1502430418688352*ww1_zz;
     const puma560_full_real nc2_z = 3.31527334516548*ww2_xy + 0.1174059800416141*(neg_lam2_11 -
         neg_lam2_22) - (75.09914597144959*c2 - 1.5746110011895278*s2);
     /* link 3: force that moves the link [N] */
     const puma560_full_real fc3_x = 1.046378600789203*lam3_11 - 5.729293810689829*ww3_xy;
     const puma560_full_real fc3_y = 1.046378600789203*ww3_xy - 5.729293810689829*lam3_22;
-    const puma560_full_real fc3_z = 1.046378600789203*lam3_31 - 5.729293810689829*lam3_32;
+    const puma560_full_real fc3_z = -11.458587621379658*alpha3_x - 2.092757201578406*alpha3_y;
     /* link 3: moment that turns the link [N m] */
-    const puma560_full_real nc3_x = -5.729293810689829*a3_z - (-3.4805327967608957*lam3_32 -
-        0.060845712710754084*(lam3_33 - lam3_22) + (0.01894848286257894*ww3_xy -
-        0.28615890025504537*lam3_31));
-    const puma560_full_real nc3_y = -0.47176417886368593*lam3_31 - 0.01894848286257894*(lam3_33 -
-        lam3_11) - (0.28615890025504537*lam3_32 - 0.060845712710754084*ww3_xy) -
+    const puma560_full_real nc3_x = -5.729293810689829*a3_z - (-6.961065593521791*alpha3_x -
+        0.060845712710754084*(lam3_33 - lam3_22) + (0.5723178005100907*alpha3_y +
+        0.01894848286257894*ww3_xy));
+    const puma560_full_real nc3_y = 0.9435283577273719*alpha3_y - 0.01894848286257894*(lam3_33 -
+        lam3_11) + (0.060845712710754084*ww3_xy - 0.5723178005100907*alpha3_x) -
         1.046378600789203*a3_z;
-    const puma560_full_real nc3_z = 0.28615890025504537*(lam3_22 - lam3_11) -
-        3.0087686178972097*ww3_xy + (0.01894848286257894*lam3_23 - 0.060845712710754084*lam3_13) +
-        (1.046378600789203*a3_y - 5.729293810689829*neg_a3_x);
+    const puma560_full_real nc3_z = 1.046378600789203*a3_y - 5.729293810689829*neg_a3_x -
+        (3.0087686178972097*ww3_xy - 0.28615890025504537*(lam3_22 - lam3_11));
     /* link 4: force that moves the link [N] */
     const puma560_full_real fc4_x = 0.8719880516308344*lam4_12 - 0.7777930398944852*neg_lam4_11;
     const puma560_full_real fc4_y = 0.7777930398944852*lam4_21 - 0.8719880516308344*neg_lam4_22;
@@ -1273,9 +1315,9 @@ void puma560_full_forward_dynamics(
     const puma560_full_real fc5_y = 0.15165250821211493*neg_lam5_22 - 0.47660058733283606*lam5_21;
     const puma560_full_real fc5_z = -0.47660058733283606*lam5_31 - 0.15165250821211493*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const puma560_full_real nc5_x = -0.15165250821211493*a4_y - (0.18116108322165295*(neg_lam5_22 -
-        neg_lam5_33) - 0.3901127773977262*lam5_32 + (-0.08058935149735619*lam5_31 -
-        0.1558184212675505*lam5_21));
+    const puma560_full_real neg_nc5_x = 0.18116108322165295*(neg_lam5_22 - neg_lam5_33) -
+        0.3901127773977262*lam5_32 + (-0.08058935149735619*lam5_31 - 0.1558184212675505*lam5_21) +
+        0.15165250821211493*a4_y;
     const puma560_full_real nc5_y = 0.1558184212675505*(neg_lam5_11 - neg_lam5_33) -
         0.1513642331069161*lam5_31 + (-0.18116108322165295*lam5_12 - 0.08058935149735619*lam5_32) +
         0.47660058733283606*a4_y;
@@ -1288,9 +1330,9 @@ void puma560_full_forward_dynamics(
     const puma560_full_real fc6_y = -1.2975168001325401*neg_lam6_22 - 1.1185374890947408*lam6_21;
     const puma560_full_real fc6_z = 1.2975168001325401*lam6_32 - 1.1185374890947408*lam6_31;
     /* link 6: moment that turns the link [N m] */
-    const puma560_full_real neg_nc6_x = 0.2519035474197792*(neg_lam6_22 - neg_lam6_33) -
-        0.43637196239865417*lam6_32 - (-0.4019452224328564*lam6_31 - 0.1902613160848803*lam6_21) +
-        1.2975168001325401*a5_y;
+    const puma560_full_real nc6_x = -1.2975168001325401*a5_y - (0.2519035474197792*(neg_lam6_22 -
+        neg_lam6_33) - 0.43637196239865417*lam6_32 - (-0.4019452224328564*lam6_31 -
+        0.1902613160848803*lam6_21));
     const puma560_full_real nc6_y = -0.4714480390546099*lam6_31 - 0.1902613160848803*(neg_lam6_11 -
         neg_lam6_33) - (0.2519035474197792*lam6_12 - 0.4019452224328564*lam6_32) -
         1.1185374890947408*a5_y;
@@ -1298,43 +1340,61 @@ void puma560_full_forward_dynamics(
         0.4019452224328564*(neg_lam6_11 - neg_lam6_22) - (0.1902613160848803*lam6_23 +
         0.2519035474197792*lam6_13);
     const puma560_full_real neg_nc6_z = t38 + (1.1185374890947408*a6_y + 1.2975168001325401*a6_x);
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f06_x = c6*fc6_x - s6*fc6_y;
+    const puma560_full_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
+    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_x = nc5_x - (c6*neg_nc6_x + s6*nc6_y);
+    const puma560_full_real n5_x = n06_x - neg_nc5_x;
     const puma560_full_real n5_y = nc5_y + neg_nc6_z;
-    const puma560_full_real n5_z = nc5_z - (s6*neg_nc6_x - c6*nc6_y);
+    const puma560_full_real n5_z = nc5_z + n06_y;
     /* link 5: force through the joint [N] */
-    const puma560_full_real f5_x = fc5_x + (c6*fc6_x - s6*fc6_y);
+    const puma560_full_real f5_x = fc5_x + f06_x;
     const puma560_full_real f5_y = fc5_y - fc6_z;
-    const puma560_full_real f5_z = fc5_z + (s6*fc6_x + c6*fc6_y);
+    const puma560_full_real f5_z = fc5_z + f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f05_x = c5*f5_x - s5*f5_y;
+    const puma560_full_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
+    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const puma560_full_real n4_x = nc4_x + n05_x;
     const puma560_full_real n4_y = nc4_y + n5_z;
-    const puma560_full_real n4_z = nc4_z + (t1*n5_x - c5*n5_y);
+    const puma560_full_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const puma560_full_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const puma560_full_real f4_x = fc4_x + f05_x;
     const puma560_full_real f4_y = fc4_y + f5_z;
-    const puma560_full_real f4_z = fc4_z - (s5*f5_x + c5*f5_y);
-    const puma560_full_real t39 = t2*f4_x - c4*f4_y;
+    const puma560_full_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f04_x = c4*f4_x - s4*f4_y;
+    const puma560_full_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n04_x = c4*n4_x - s4*n4_y;
+    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n3_x = s4*n4_y - c4*n4_x - (nc3_x + 0.4331*t39);
-    const puma560_full_real n3_y = nc3_y - 0.0203*t39 - n4_z;
-    const puma560_full_real t40 = s4*f4_y - c4*f4_x;
-    const puma560_full_real n3_z = nc3_z - (0.4331*t40 - 0.0203*f4_z) - (t2*n4_x - c4*n4_y);
+    const puma560_full_real n3_x = n04_x + (nc3_x - 0.4331*f04_y);
+    const puma560_full_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
+    const puma560_full_real n3_z = n04_y - (-0.0203*f4_z - 0.4331*f04_x - nc3_z);
     /* link 3: force through the joint [N] */
-    const puma560_full_real f3_x = fc3_x - t40;
+    const puma560_full_real f3_x = fc3_x + f04_x;
     const puma560_full_real f3_y = fc3_y - f4_z;
-    const puma560_full_real f3_z = fc3_z - t39;
-    const puma560_full_real t41 = t3*f3_x - c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (neg_nc2_x + 0.0934*t41);
-    const puma560_full_real t42 = s3*f3_y - c3*f3_x;
-    const puma560_full_real n2_y = nc2_y + (0.0934*t42 - 0.4318*f3_z) - (s3*neg_n3_x - c3*n3_y);
-    const puma560_full_real n2_z = n3_z + (nc2_z - 0.4318*t41);
-    /* link 2: force through the joint [N] */
-    const puma560_full_real f2_x = fc2_x - t42;
-    const puma560_full_real f2_y = fc2_y - t41;
+    const puma560_full_real f3_z = fc3_z + f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f03_x = c23*f3_x - s23*f3_y;
+    const puma560_full_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n03_y = s23*n3_x + c23*n3_y;
+    const puma560_full_real t39 = 0.4318*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t39);
+    const puma560_full_real n02_z = n3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t39));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const puma560_full_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n1_z = s2*neg_n2_x - c2*n2_y + 0.2435*(s2*f2_y - c2*f2_x);
+    const puma560_full_real n1_z = -0.1501*f02_x - n02_y;
     /* link 1: forward substitution */
     const puma560_full_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
@@ -1376,7 +1436,7 @@ void puma560_full_forward_dynamics(
         ld6_3*l6_3) - ld6_5*l6_5;
     const puma560_full_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
-    const puma560_full_real y2 = tau[1] - n2_z - y1*l2_1;
+    const puma560_full_real y2 = tau[1] - n02_z - y1*l2_1;
     /* link 3: forward substitution */
     const puma560_full_real y3 = tau[2] - n3_z - y1*l3_1 - l3_2*y2;
     /* link 4: forward substitution */

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 188 multiplications, 154 additions = 342; 8 unary minus; 10 sine/cosine
- *   gravity: 28 multiplications, 12 additions = 40; 3 unary minus; 8 sine/cosine
- *   bias: 174 multiplications, 129 additions = 303; 8 unary minus; 10 sine/cosine
- *   mass_matrix: 109 multiplications, 90 additions = 199; 2 unary minus; 8 sine/cosine
- *   forward_dynamics: 369 multiplications, 288 additions, 6 divisions = 663; 14 unary minus; 10
+ *   inverse_dynamics: 182 multiplications, 146 additions = 328; 4 unary minus; 10 sine/cosine
+ *   gravity: 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
+ *   bias: 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
+ *   mass_matrix: 103 multiplications, 83 additions = 186; 3 unary minus; 8 sine/cosine
+ *   forward_dynamics: 354 multiplications, 268 additions, 6 divisions = 628; 13 unary minus; 12
  *       sine/cosine
  */
 #ifndef PUMA560_ROTOR_IN_LINK_H

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 241 multiplications, 229 additions = 470; 5 unary minus; 10 sine/cosine
- *   gravity: 50 multiplications, 28 additions = 78; 2 unary minus; 10 sine/cosine
- *   bias: 233 multiplications, 208 additions = 441; 7 unary minus; 10 sine/cosine
+ *   inverse_dynamics: 240 multiplications, 227 additions = 467; 4 unary minus; 10 sine/cosine
+ *   gravity: 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine
+ *   bias: 227 multiplications, 198 additions = 425; 7 unary minus; 10 sine/cosine
  *   mass_matrix: 128 multiplications, 115 additions = 243; 7 unary minus; 10 sine/cosine
- *   forward_dynamics: 447 multiplications, 394 additions, 6 divisions = 847; 18 unary minus; 10
+ *   forward_dynamics: 441 multiplications, 384 additions, 6 divisions = 831; 18 unary minus; 12
  *       sine/cosine
  */
 #include "rx90.h"
@@ -28,7 +28,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 241 multiplications, 229 additions = 470; 5 unary minus; 10 sine/cosine */
+ * 240 multiplications, 227 additions = 467; 4 unary minus; 10 sine/cosine */
 void rx90_inverse_dynamics(
     const rx90_real q[6],
     const rx90_real qd[6],
@@ -41,14 +41,19 @@ void rx90_inverse_dynamics(
     /* sines and cosines of the joint angles */
     const rx90_real c2 = cos(q[1]);
     const rx90_real s2 = sin(again[1]);
-    const rx90_real c3 = cos(q[2]);
-    const rx90_real s3 = sin(again[2]);
     const rx90_real c4 = cos(q[3]);
     const rx90_real s4 = sin(again[3]);
     const rx90_real c5 = cos(q[4]);
     const rx90_real s5 = sin(again[4]);
     const rx90_real c6 = cos(q[5]);
     const rx90_real s6 = sin(again[5]);
+    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real c23 = cos(angle23);
+    const rx90_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const rx90_real w3_z = qd[1] + qd[2];
+    /* link 3: angular acceleration [rad/s^2] */
+    const rx90_real alpha3_z = qdd[1] + qdd[2];
     /* link 2: angular velocity [rad/s] */
     const rx90_real w2_x = qd[0]*s2;
     const rx90_real w2_y = qd[0]*c2;
@@ -73,21 +78,23 @@ void rx90_inverse_dynamics(
     const rx90_real lam2_31 = ww2_zx - alpha2_y;
     const rx90_real lam2_32 = ww2_yz + alpha2_x;
     const rx90_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a2_x = 9.8*s2;
-    const rx90_real a2_y = 9.8*c2;
     /* link 3: angular velocity [rad/s] */
-    const rx90_real w3_x = c3*w2_x + s3*w2_y;
-    const rx90_real w3_y = c3*w2_y - s3*w2_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const rx90_real alpha3_x = c3*alpha2_x + s3*alpha2_y + qd[2]*w3_y;
-    const rx90_real neg_alpha3_y = s3*alpha2_x - c3*alpha2_y + qd[2]*w3_x;
-    const rx90_real alpha3_z = qdd[1] + qdd[2];
-    /* link 3: angular velocity [rad/s] */
-    const rx90_real w3_z = qd[1] + qd[2];
+    const rx90_real w3_x = qd[0]*s23;
+    const rx90_real w3_y = qd[0]*c23;
+    const rx90_real t1 = 0.45*neg_lam2_11;
+    const rx90_real t2 = 0.45*lam2_21;
+    const rx90_real t3 = c2*t1 + s2*t2;
+    const rx90_real t4 = s2*t1 - c2*t2 - 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real neg_a3_x = c23*t3 + s23*t4;
+    const rx90_real a3_y = s23*t3 - c23*t4;
     /* link 3: products of the angular velocity [1/s^2] */
-    const rx90_real ww3_yz = w3_y*w3_z;
-    const rx90_real ww3_zx = w3_x*w3_z;
+    const rx90_real ww3_yz = w3_z*w3_y;
+    const rx90_real ww3_zx = w3_z*w3_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const rx90_real alpha3_x = qdd[0]*s23 + ww3_yz;
+    const rx90_real alpha3_y = qdd[0]*c23 - ww3_zx;
+    /* link 3: products of the angular velocity [1/s^2] */
     const rx90_real ww3_xy = w3_x*w3_y;
     const rx90_real neg_ww3_xx = -w3_x*w3_x;
     const rx90_real ww3_yy = w3_y*w3_y;
@@ -95,25 +102,27 @@ void rx90_inverse_dynamics(
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const rx90_real neg_lam3_11 = ww3_yy + ww3_zz;
     const rx90_real lam3_12 = ww3_xy - alpha3_z;
-    const rx90_real lam3_13 = ww3_zx - neg_alpha3_y;
+    const rx90_real lam3_13 = ww3_zx + alpha3_y;
     const rx90_real lam3_21 = alpha3_z + ww3_xy;
     const rx90_real lam3_22 = neg_ww3_xx - ww3_zz;
     const rx90_real lam3_23 = ww3_yz - alpha3_x;
-    const rx90_real lam3_31 = neg_alpha3_y + ww3_zx;
-    const rx90_real lam3_32 = alpha3_x + ww3_yz;
+    const rx90_real lam3_31 = ww3_zx - alpha3_y;
+    const rx90_real lam3_32 = ww3_yz + alpha3_x;
     const rx90_real lam3_33 = neg_ww3_xx - ww3_yy;
-    const rx90_real t1 = a2_x - 0.45*neg_lam2_11;
-    const rx90_real t2 = a2_y + 0.45*lam2_21;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a3_x = c3*t1 + s3*t2;
-    const rx90_real a3_y = c3*t2 - s3*t1;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a4_z = a3_y + 0.45*lam3_22;
     /* link 4: angular velocity [rad/s] */
     const rx90_real w4_x = c4*w3_x - s4*w3_z;
     const rx90_real w4_y = -(s4*w3_x) - c4*w3_z;
+    const rx90_real t5 = neg_a3_x - 0.45*lam3_12;
+    const rx90_real t6 = 0.45*(lam2_31 + lam3_32);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a4_x = -(c4*t5) - s4*t6;
+    const rx90_real a4_y = s4*t5 - c4*t6;
     /* link 4: angular acceleration [rad/s^2] */
     const rx90_real alpha4_x = c4*alpha3_x - s4*alpha3_z + qd[3]*w4_y;
     const rx90_real neg_alpha4_y = s4*alpha3_x + c4*alpha3_z + qd[3]*w4_x;
-    const rx90_real alpha4_z = qdd[3] - neg_alpha3_y;
+    const rx90_real alpha4_z = qdd[3] + alpha3_y;
     /* link 4: angular velocity [rad/s] */
     const rx90_real w4_z = qd[3] + w3_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -133,15 +142,12 @@ void rx90_inverse_dynamics(
     const rx90_real lam4_31 = neg_alpha4_y + ww4_zx;
     const rx90_real lam4_32 = alpha4_x + ww4_yz;
     const rx90_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a4_z = a3_y + 0.45*lam3_22;
-    const rx90_real t3 = a3_x + 0.45*lam3_12;
-    const rx90_real t4 = 0.45*(lam2_31 + lam3_32);
-    const rx90_real a4_x = c4*t3 - s4*t4;
-    const rx90_real a4_y = -(s4*t3) - c4*t4;
     /* link 5: angular velocity [rad/s] */
     const rx90_real w5_x = c5*w4_x + s5*w4_z;
     const rx90_real w5_y = c5*w4_z - s5*w4_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a5_x = c5*a4_x + s5*a4_z;
+    const rx90_real a5_y = c5*a4_z - s5*a4_x;
     /* link 5: angular acceleration [rad/s^2] */
     const rx90_real alpha5_x = c5*alpha4_x + s5*alpha4_z + qd[4]*w5_y;
     const rx90_real neg_alpha5_y = s5*alpha4_x - c5*alpha4_z + qd[4]*w5_x;
@@ -165,12 +171,12 @@ void rx90_inverse_dynamics(
     const rx90_real lam5_31 = neg_alpha5_y + ww5_zx;
     const rx90_real lam5_32 = alpha5_x + ww5_yz;
     const rx90_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a5_x = c5*a4_x + s5*a4_z;
-    const rx90_real neg_a5_y = s5*a4_x - c5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const rx90_real w6_x = c6*w5_x - s6*w5_z;
     const rx90_real w6_y = -(s6*w5_x) - c6*w5_z;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a6_x = c6*a5_x + s6*a4_y;
+    const rx90_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const rx90_real alpha6_x = c6*alpha5_x - s6*alpha5_z + qd[5]*w6_y;
     const rx90_real neg_alpha6_y = s6*alpha5_x + c6*alpha5_z + qd[5]*w6_x;
@@ -194,9 +200,6 @@ void rx90_inverse_dynamics(
     const rx90_real lam6_31 = neg_alpha6_y + ww6_zx;
     const rx90_real lam6_32 = alpha6_x + ww6_yz;
     const rx90_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a6_x = c6*a5_x + s6*a4_y;
-    const rx90_real neg_a6_y = s6*a5_x - c6*a4_y;
     /* link 1: moment that turns the link [N m] */
     const rx90_real nc1_z = 0.6379688079078735*qdd[0];
     /* link 2: moment that turns the link [N m] */
@@ -204,10 +207,10 @@ void rx90_inverse_dynamics(
         neg_lam2_33) + (0.3355665158971724*lam2_31 - 0.017315109477737248*lam2_21);
     const rx90_real nc2_y = 0.09496171507178643*lam2_12 - 0.3355665158971724*lam2_32 -
         (4.645960113642152*lam2_31 + 0.017315109477737248*(neg_lam2_11 - neg_lam2_33));
-    const rx90_real t5 = 4.645960113642152*lam2_21 - 0.5492245200976821*lam2_12 +
+    const rx90_real t7 = 4.645960113642152*lam2_21 - 0.5492245200976821*lam2_12 +
         0.3355665158971724*(neg_lam2_11 - neg_lam2_22) + (0.017315109477737248*lam2_23 -
         0.09496171507178643*lam2_13);
-    const rx90_real nc2_z = t5 + (81.05525857884084*c2 + 17.30463777489202*s2);
+    const rx90_real nc2_z = t7 + (81.05525857884084*c2 + 17.30463777489202*s2);
     /* link 3: force that moves the link [N] */
     const rx90_real fc3_x = 0.4001573159217507*neg_lam3_11 + 9.392800548482231*lam3_12;
     const rx90_real fc3_y = 9.392800548482231*lam3_22 - 0.4001573159217507*lam3_21;
@@ -218,10 +221,10 @@ void rx90_inverse_dynamics(
     const rx90_real nc3_y = 0.1800707921647878*lam2_31 - (0.19252101484679798*lam3_31 +
         0.1093030288471206*(neg_lam3_11 + lam3_33) + (0.06558551272001446*lam3_32 -
         0.0672049454639226*lam3_12));
-    const rx90_real t6 = 0.19252101484679798*lam3_21 - 5.396088354585412*lam3_12 +
-        0.06558551272001446*(neg_lam3_11 + lam3_22) - (0.0672049454639226*lam3_13 -
-        0.1093030288471206*lam3_23);
-    const rx90_real nc3_z = t6 + (-0.4001573159217507*a3_y - 9.392800548482231*a3_x);
+    const rx90_real t8 = 0.19252101484679798*lam3_21 - 5.396088354585412*lam3_12 +
+        0.06558551272001446*(neg_lam3_11 + lam3_22) + (0.1093030288471206*lam3_23 -
+        0.0672049454639226*lam3_13);
+    const rx90_real nc3_z = t8 - (0.4001573159217507*a3_y - 9.392800548482231*neg_a3_x);
     /* link 4: force that moves the link [N] */
     const rx90_real fc4_x = 1.0765039731522932*lam4_12 - 0.21759393385311085*neg_lam4_11;
     const rx90_real fc4_y = 0.21759393385311085*lam4_21 - 1.0765039731522932*neg_lam4_22;
@@ -233,10 +236,10 @@ void rx90_inverse_dynamics(
     const rx90_real nc4_y = -0.21759393385311085*a4_z - (0.1886810537096668*lam4_31 +
         0.1094831940191231*(neg_lam4_11 - neg_lam4_33) + (0.09181695932507075*lam4_32 -
         0.02981305527252843*lam4_12));
-    const rx90_real t7 = 0.1886810537096668*lam4_21 - 0.7570061710726514*lam4_12 +
+    const rx90_real t9 = 0.1886810537096668*lam4_21 - 0.7570061710726514*lam4_12 +
         0.09181695932507075*(neg_lam4_11 - neg_lam4_22) - (0.02981305527252843*lam4_13 -
         0.1094831940191231*lam4_23);
-    const rx90_real nc4_z = t7 - (1.0765039731522932*a4_x - 0.21759393385311085*a4_y);
+    const rx90_real nc4_z = t9 + (0.21759393385311085*a4_y - 1.0765039731522932*a4_x);
     /* link 5: force that moves the link [N] */
     const rx90_real fc5_x = 0.8974188745594792*neg_lam5_11 + 0.8067444135457743*lam5_12;
     const rx90_real fc5_y = -0.8067444135457743*neg_lam5_22 - 0.8974188745594792*lam5_21;
@@ -245,62 +248,83 @@ void rx90_inverse_dynamics(
     const rx90_real nc5_x = 0.09969734753381411*lam5_32 + 0.06545842652927093*(neg_lam5_22 -
         neg_lam5_33) - (0.04994749004669093*lam5_31 + 0.022422989561630666*lam5_21) -
         0.8067444135457743*a4_y;
-    const rx90_real nc5_y = -0.8974188745594792*a4_y - (0.4973859781056681*lam5_31 +
-        0.022422989561630666*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093*lam5_12 -
-        0.04994749004669093*lam5_32));
-    const rx90_real t8 = 0.4973859781056681*lam5_21 - 0.09969734753381411*lam5_12 -
+    const rx90_real neg_nc5_y = 0.4973859781056681*lam5_31 + 0.022422989561630666*(neg_lam5_11 -
+        neg_lam5_33) + (-0.06545842652927093*lam5_12 - 0.04994749004669093*lam5_32) +
+        0.8974188745594792*a4_y;
+    const rx90_real t10 = 0.4973859781056681*lam5_21 - 0.09969734753381411*lam5_12 -
         0.04994749004669093*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093*lam5_13 -
         0.022422989561630666*lam5_23);
-    const rx90_real nc5_z = t8 + (0.8974188745594792*neg_a5_y - 0.8067444135457743*a5_x);
+    const rx90_real nc5_z = t10 - (0.8974188745594792*a5_y + 0.8067444135457743*a5_x);
     /* link 6: force that moves the link [N] */
     const rx90_real fc6_x = 1.5707678306756712*neg_lam6_11 + 0.6271000643521031*lam6_12;
     const rx90_real fc6_y = -0.6271000643521031*neg_lam6_22 - 1.5707678306756712*lam6_21;
     const rx90_real fc6_z = 0.6271000643521031*lam6_32 - 1.5707678306756712*lam6_31;
     /* link 6: moment that turns the link [N m] */
     const rx90_real nc6_x = 0.13354610634435332*lam6_32 + 0.07096581179296485*(neg_lam6_22 -
-        neg_lam6_33) - (0.13821978029399798*lam6_31 - 0.1601275610650136*lam6_21) -
-        0.6271000643521031*neg_a5_y;
-    const rx90_real nc6_y = -1.5707678306756712*neg_a5_y - (0.4436030328765257*lam6_31 -
+        neg_lam6_33) - (0.13821978029399798*lam6_31 - 0.1601275610650136*lam6_21) +
+        0.6271000643521031*a5_y;
+    const rx90_real nc6_y = 1.5707678306756712*a5_y - (0.4436030328765257*lam6_31 -
         0.1601275610650136*(neg_lam6_11 - neg_lam6_33) + (-0.07096581179296485*lam6_12 -
         0.13821978029399798*lam6_32));
-    const rx90_real t9 = 0.4436030328765257*lam6_21 - 0.13354610634435332*lam6_12 -
+    const rx90_real t11 = 0.4436030328765257*lam6_21 - 0.13354610634435332*lam6_12 -
         0.13821978029399798*(neg_lam6_11 - neg_lam6_22) + (-0.1601275610650136*lam6_23 -
         0.07096581179296485*lam6_13);
-    const rx90_real nc6_z = t9 + (1.5707678306756712*neg_a6_y - 0.6271000643521031*a6_x);
+    const rx90_real nc6_z = t11 - (1.5707678306756712*a6_y + 0.6271000643521031*a6_x);
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f06_x = c6*fc6_x - s6*fc6_y;
+    const rx90_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n06_x = c6*nc6_x - s6*nc6_y;
+    const rx90_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
-    const rx90_real n5_y = nc5_y + nc6_z;
-    const rx90_real n5_z = nc5_z - (s6*nc6_x + c6*nc6_y);
+    const rx90_real n5_x = nc5_x + n06_x;
+    const rx90_real n5_y = nc6_z - neg_nc5_y;
+    const rx90_real n5_z = nc5_z - n06_y;
     /* link 5: force through the joint [N] */
-    const rx90_real f5_x = fc5_x + (c6*fc6_x - s6*fc6_y);
+    const rx90_real f5_x = fc5_x + f06_x;
     const rx90_real f5_y = fc5_y + fc6_z;
-    const rx90_real f5_z = fc5_z - (s6*fc6_x + c6*fc6_y);
+    const rx90_real f5_z = fc5_z - f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f05_x = c5*f5_x - s5*f5_y;
+    const rx90_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n05_x = c5*n5_x - s5*n5_y;
+    const rx90_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n4_x = nc4_x + (c5*n5_x - s5*n5_y);
+    const rx90_real n4_x = nc4_x + n05_x;
     const rx90_real n4_y = nc4_y - n5_z;
-    const rx90_real n4_z = nc4_z + (s5*n5_x + c5*n5_y);
+    const rx90_real n4_z = nc4_z + n05_y;
     /* link 4: force through the joint [N] */
-    const rx90_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const rx90_real f4_x = fc4_x + f05_x;
     const rx90_real f4_y = fc4_y - f5_z;
-    const rx90_real f4_z = fc4_z + (s5*f5_x + c5*f5_y);
-    const rx90_real t10 = -s4*f4_x - c4*f4_y;
+    const rx90_real f4_z = fc4_z + f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real neg_f04_x = s4*f4_y - c4*f4_x;
+    const rx90_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n04_x = c4*n4_x - s4*n4_y;
+    const rx90_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45*t10);
+    const rx90_real n3_x = n04_x + (nc3_x - 0.45*f04_y);
     const rx90_real n3_y = nc3_y + n4_z;
-    const rx90_real t11 = s4*f4_y - c4*f4_x;
-    const rx90_real n3_z = nc3_z + 0.45*t11 - (s4*n4_x + c4*n4_y);
+    const rx90_real n3_z = nc3_z + 0.45*neg_f04_x - n04_y;
     /* link 3: force through the joint [N] */
-    const rx90_real f3_x = fc3_x - t11;
+    const rx90_real f3_x = fc3_x - neg_f04_x;
     const rx90_real f3_y = fc3_y + f4_z;
-    const rx90_real f3_z = fc3_z + t10;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n2_x = nc2_x + (c3*n3_x - s3*n3_y);
-    const rx90_real n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45*f3_z);
-    const rx90_real n2_z = n3_z + (nc2_z + 0.45*(s3*f3_x + c3*f3_y));
+    const rx90_real f3_z = fc3_z - f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f03_x = c23*f3_x - s23*f3_y;
+    const rx90_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n03_y = s23*n3_x + c23*n3_y;
+    const rx90_real t12 = 0.45*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n02_y = n03_y + (s2*nc2_x + c2*nc2_y - f3_z*t12);
+    const rx90_real n02_z = n3_z + (nc2_z + (f03_y*t12 - f03_x*(0.45*s2)));
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n1_z = nc1_z + (s2*n2_x + c2*n2_y);
+    const rx90_real n1_z = nc1_z + n02_y;
     tau[0] = n1_z;
-    tau[1] = n2_z;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
@@ -308,7 +332,7 @@ void rx90_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 50 multiplications, 28 additions = 78; 2 unary minus; 10 sine/cosine */
+ * 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine */
 void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -317,24 +341,21 @@ void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
     /* sines and cosines of the joint angles */
     const rx90_real c2 = cos(q[1]);
     const rx90_real s2 = sin(again[1]);
-    const rx90_real c3 = cos(q[2]);
-    const rx90_real s3 = sin(again[2]);
     const rx90_real c4 = cos(q[3]);
     const rx90_real s4 = sin(again[3]);
     const rx90_real c5 = cos(q[4]);
     const rx90_real s5 = sin(again[4]);
     const rx90_real c6 = cos(q[5]);
     const rx90_real s6 = sin(again[5]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a2_x = 9.8*s2;
-    const rx90_real a2_y = 9.8*c2;
+    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real c23 = cos(angle23);
+    const rx90_real s23 = sin(angle23);
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a3_x = c3*a2_x + s3*a2_y;
-    const rx90_real a3_y = c3*a2_y - s3*a2_x;
+    const rx90_real a3_x = 9.8*s23;
+    const rx90_real a3_y = 9.8*c23;
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const rx90_real a4_x = c4*a3_x;
-    const rx90_real t1 = -s4;
-    const rx90_real a4_y = t1*a3_x;
+    const rx90_real a4_y = -s4*a3_x;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const rx90_real a5_x = c5*a4_x + s5*a3_y;
     const rx90_real a5_y = c5*a3_y - s5*a4_x;
@@ -344,10 +365,10 @@ void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
     /* link 2: moment that turns the link [N m] */
     const rx90_real nc2_z = 81.05525857884084*c2 + 17.30463777489202*s2;
     /* link 3: moment that turns the link [N m] */
-    const rx90_real nc3_z = -0.4001573159217507*a3_y - 9.392800548482231*a3_x;
+    const rx90_real nc3_z = -92.04944537512587*s23 - 3.921541696033157*c23;
     /* link 4: moment that turns the link [N m] */
-    const rx90_real nc4_x = 1.0765039731522932*a3_y;
-    const rx90_real nc4_y = -0.21759393385311085*a3_y;
+    const rx90_real nc4_x = 10.549738936892474*c23;
+    const rx90_real nc4_y = -2.1324205517604864*c23;
     const rx90_real nc4_z = 0.21759393385311085*a4_y - 1.0765039731522932*a4_x;
     /* link 5: moment that turns the link [N m] */
     const rx90_real nc5_x = -0.8067444135457743*a4_y;
@@ -357,25 +378,31 @@ void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
     const rx90_real nc6_x = 0.6271000643521031*a5_y;
     const rx90_real nc6_y = 1.5707678306756712*a5_y;
     const rx90_real nc6_z = 1.5707678306756712*neg_a6_y - 0.6271000643521031*a6_x;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n06_x = c6*nc6_x - s6*nc6_y;
+    const rx90_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n5_x = nc5_x - (s6*nc6_y - c6*nc6_x);
+    const rx90_real n5_x = nc5_x + n06_x;
     const rx90_real n5_y = nc5_y + nc6_z;
-    const rx90_real n5_z = nc5_z + (-s6*nc6_x - c6*nc6_y);
+    const rx90_real n5_z = nc5_z - n06_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n05_x = c5*n5_x - s5*n5_y;
+    const rx90_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n4_x = nc4_x + (c5*n5_x - s5*n5_y);
+    const rx90_real n4_x = nc4_x + n05_x;
     const rx90_real n4_y = nc4_y - n5_z;
-    const rx90_real n4_z = nc4_z + (s5*n5_x + c5*n5_y);
+    const rx90_real n4_z = nc4_z + n05_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n04_x = c4*n4_x - s4*n4_y;
+    const rx90_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_x = c4*n4_x - s4*n4_y;
-    const rx90_real n3_z = nc3_z + (t1*n4_x - c4*n4_y);
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n2_x = c3*n3_x - s3*n4_z;
-    const rx90_real n2_y = s3*n3_x + c3*n4_z;
-    const rx90_real n2_z = nc2_z + n3_z;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n1_z = s2*n2_x + c2*n2_y;
-    tau[0] = n1_z;
-    tau[1] = n2_z;
+    const rx90_real n3_z = nc3_z - n04_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n03_y = s23*n04_x + c23*n4_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n02_z = nc2_z + n3_z;
+    tau[0] = n03_y;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
@@ -383,7 +410,7 @@ void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 233 multiplications, 208 additions = 441; 7 unary minus; 10 sine/cosine */
+ * 227 multiplications, 198 additions = 425; 7 unary minus; 10 sine/cosine */
 void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -392,20 +419,23 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     /* sines and cosines of the joint angles */
     const rx90_real c2 = cos(q[1]);
     const rx90_real s2 = sin(again[1]);
-    const rx90_real c3 = cos(q[2]);
-    const rx90_real s3 = sin(again[2]);
     const rx90_real c4 = cos(q[3]);
     const rx90_real s4 = sin(again[3]);
     const rx90_real c5 = cos(q[4]);
     const rx90_real s5 = sin(again[4]);
     const rx90_real c6 = cos(q[5]);
     const rx90_real s6 = sin(again[5]);
+    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real c23 = cos(angle23);
+    const rx90_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const rx90_real w3_z = qd[1] + qd[2];
     /* link 2: angular velocity [rad/s] */
     const rx90_real w2_x = qd[0]*s2;
     const rx90_real w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const rx90_real alpha2_x = qd[1]*w2_y;
-    const rx90_real alpha2_y = -qd[1]*w2_x;
+    const rx90_real neg_alpha2_y = qd[1]*w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
     const rx90_real ww2_xy = w2_x*w2_y;
     const rx90_real ww2_xx = w2_x*w2_x;
@@ -415,41 +445,38 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real neg_lam2_11 = ww2_yy + ww2_zz;
     const rx90_real neg_lam2_22 = ww2_xx + ww2_zz;
     const rx90_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a2_x = 9.8*s2;
-    const rx90_real a2_y = 9.8*c2;
     /* link 3: angular velocity [rad/s] */
-    const rx90_real w3_x = c3*w2_x + s3*w2_y;
-    const rx90_real w3_y = c3*w2_y - s3*w2_x;
+    const rx90_real w3_x = qd[0]*s23;
+    const rx90_real w3_y = qd[0]*c23;
+    const rx90_real t1 = 0.45*neg_lam2_11;
+    const rx90_real t2 = 0.45*ww2_xy;
+    const rx90_real t3 = c2*t1 + s2*t2;
+    const rx90_real t4 = s2*t1 - c2*t2 - 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real neg_a3_x = c23*t3 + s23*t4;
+    const rx90_real a3_y = s23*t3 - c23*t4;
     /* link 3: angular acceleration [rad/s^2] */
-    const rx90_real alpha3_x = c3*alpha2_x + s3*alpha2_y + qd[2]*w3_y;
-    const rx90_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const rx90_real w3_z = qd[1] + qd[2];
+    const rx90_real alpha3_x = w3_z*w3_y;
+    const rx90_real alpha3_y = -w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const rx90_real ww3_yz = w3_y*w3_z;
-    const rx90_real ww3_zx = w3_x*w3_z;
     const rx90_real ww3_xy = w3_x*w3_y;
     const rx90_real neg_ww3_xx = -w3_x*w3_x;
     const rx90_real ww3_yy = w3_y*w3_y;
     const rx90_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const rx90_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const rx90_real lam3_13 = alpha3_y + ww3_zx;
     const rx90_real lam3_22 = neg_ww3_xx - ww3_zz;
-    const rx90_real lam3_23 = ww3_yz - alpha3_x;
-    const rx90_real lam3_31 = ww3_zx - alpha3_y;
-    const rx90_real lam3_32 = alpha3_x + ww3_yz;
     const rx90_real lam3_33 = neg_ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a3_z = -0.9*alpha2_y;
-    const rx90_real t1 = a2_x - 0.45*neg_lam2_11;
-    const rx90_real t2 = a2_y + 0.45*ww2_xy;
-    const rx90_real a3_x = c3*t1 + s3*t2;
-    const rx90_real a3_y = c3*t2 - s3*t1;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a4_z = a3_y + 0.45*lam3_22;
     /* link 4: angular velocity [rad/s] */
     const rx90_real w4_x = c4*w3_x - s4*w3_z;
     const rx90_real w4_y = -(s4*w3_x) - c4*w3_z;
+    const rx90_real t5 = neg_a3_x - 0.45*ww3_xy;
+    const rx90_real t6 = 0.9*(neg_alpha2_y + alpha3_x);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a4_x = -(c4*t5) - s4*t6;
+    const rx90_real a4_y = s4*t5 - c4*t6;
     /* link 4: angular acceleration [rad/s^2] */
     const rx90_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
     const rx90_real alpha4_y = -(s4*alpha3_x) - qd[3]*w4_x;
@@ -472,15 +499,12 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real lam4_31 = ww4_zx - alpha4_y;
     const rx90_real lam4_32 = alpha4_x + ww4_yz;
     const rx90_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a4_z = a3_y + 0.45*lam3_22;
-    const rx90_real t3 = a3_x + 0.45*ww3_xy;
-    const rx90_real t4 = a3_z + 0.45*lam3_32;
-    const rx90_real a4_x = c4*t3 - s4*t4;
-    const rx90_real a4_y = -(s4*t3) - c4*t4;
     /* link 5: angular velocity [rad/s] */
     const rx90_real w5_x = c5*w4_x + s5*w4_z;
     const rx90_real w5_y = c5*w4_z - s5*w4_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a5_x = c5*a4_x + s5*a4_z;
+    const rx90_real a5_y = c5*a4_z - s5*a4_x;
     /* link 5: angular acceleration [rad/s^2] */
     const rx90_real alpha5_x = c5*alpha4_x + s5*alpha3_y + qd[4]*w5_y;
     const rx90_real neg_alpha5_y = s5*alpha4_x - c5*alpha3_y + qd[4]*w5_x;
@@ -503,12 +527,12 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real lam5_31 = neg_alpha5_y + ww5_zx;
     const rx90_real lam5_32 = alpha5_x + ww5_yz;
     const rx90_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a5_x = c5*a4_x + s5*a4_z;
-    const rx90_real neg_a5_y = s5*a4_x - c5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const rx90_real w6_x = c6*w5_x - s6*w5_z;
     const rx90_real w6_y = -(s6*w5_x) - c6*w5_z;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a6_x = c6*a5_x + s6*a4_y;
+    const rx90_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const rx90_real alpha6_x = c6*alpha5_x + s6*alpha4_y + qd[5]*w6_y;
     const rx90_real neg_alpha6_y = s6*alpha5_x - c6*alpha4_y + qd[5]*w6_x;
@@ -531,29 +555,26 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real lam6_31 = neg_alpha6_y + ww6_zx;
     const rx90_real lam6_32 = alpha6_x + ww6_yz;
     const rx90_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a6_x = c6*a5_x + s6*a4_y;
-    const rx90_real neg_a6_y = s6*a5_x - c6*a4_y;
     /* link 2: moment that turns the link [N m] */
     const rx90_real nc2_x = 1.0984490401953642*alpha2_x + 0.09496171507178643*(neg_lam2_22 -
-        neg_lam2_33) + (-0.6711330317943448*alpha2_y - 0.017315109477737248*ww2_xy);
+        neg_lam2_33) + (0.6711330317943448*neg_alpha2_y - 0.017315109477737248*ww2_xy);
     const rx90_real nc2_y = 0.09496171507178643*ww2_xy - 0.6711330317943448*alpha2_x -
-        (0.017315109477737248*(neg_lam2_11 - neg_lam2_33) - 9.291920227284304*alpha2_y);
+        (9.291920227284304*neg_alpha2_y + 0.017315109477737248*(neg_lam2_11 - neg_lam2_33));
     const rx90_real nc2_z = 4.09673559354447*ww2_xy + 0.3355665158971724*(neg_lam2_11 - neg_lam2_22)
         + (81.05525857884084*c2 + 17.30463777489202*s2);
     /* link 3: force that moves the link [N] */
     const rx90_real fc3_x = 0.4001573159217507*neg_lam3_11 + 9.392800548482231*ww3_xy;
     const rx90_real fc3_y = 9.392800548482231*lam3_22 - 0.4001573159217507*ww3_xy;
-    const rx90_real fc3_z = 9.392800548482231*lam3_32 - 0.4001573159217507*lam3_31;
+    const rx90_real fc3_z = 0.8003146318435014*alpha3_y + 18.785601096964463*alpha3_x;
     /* link 3: moment that turns the link [N m] */
-    const rx90_real nc3_x = 5.396088354585412*lam3_32 + 0.0672049454639226*(lam3_33 - lam3_22) +
-        (0.06558551272001446*lam3_31 - 0.1093030288471206*ww3_xy) - 8.453520493634008*alpha2_y;
-    const rx90_real nc3_y = -0.3601415843295756*alpha2_y - (0.19252101484679798*lam3_31 +
-        0.1093030288471206*(neg_lam3_11 + lam3_33) + (0.06558551272001446*lam3_32 -
-        0.0672049454639226*ww3_xy));
-    const rx90_real nc3_z = 0.06558551272001446*(neg_lam3_11 + lam3_22) - 5.203567339738615*ww3_xy -
-        (0.0672049454639226*lam3_13 - 0.1093030288471206*lam3_23) + (-0.4001573159217507*a3_y -
-        9.392800548482231*a3_x);
+    const rx90_real nc3_x = 10.792176709170825*alpha3_x + 0.0672049454639226*(lam3_33 - lam3_22) +
+        (-0.13117102544002893*alpha3_y - 0.1093030288471206*ww3_xy) +
+        8.453520493634008*neg_alpha2_y;
+    const rx90_real nc3_y = 0.3601415843295756*neg_alpha2_y - (0.1093030288471206*(neg_lam3_11 +
+        lam3_33) - 0.38504202969359597*alpha3_y - (0.0672049454639226*ww3_xy -
+        0.13117102544002893*alpha3_x));
+    const rx90_real nc3_z = 9.392800548482231*neg_a3_x - 0.4001573159217507*a3_y -
+        (5.203567339738615*ww3_xy - 0.06558551272001446*(neg_lam3_11 + lam3_22));
     /* link 4: force that moves the link [N] */
     const rx90_real fc4_x = 1.0765039731522932*lam4_12 - 0.21759393385311085*neg_lam4_11;
     const rx90_real fc4_y = 0.21759393385311085*lam4_21 - 1.0765039731522932*neg_lam4_22;
@@ -565,10 +586,10 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real nc4_y = -0.21759393385311085*a4_z - (0.1886810537096668*lam4_31 +
         0.1094831940191231*(neg_lam4_11 - neg_lam4_33) - (0.02981305527252843*lam4_12 -
         0.09181695932507075*lam4_32));
-    const rx90_real t5 = 0.7570061710726514*lam4_12 - 0.1886810537096668*lam4_21 -
+    const rx90_real t7 = 0.7570061710726514*lam4_12 - 0.1886810537096668*lam4_21 -
         0.09181695932507075*(neg_lam4_11 - neg_lam4_22) + (0.02981305527252843*lam4_13 -
         0.1094831940191231*lam4_23);
-    const rx90_real neg_nc4_z = t5 + (1.0765039731522932*a4_x - 0.21759393385311085*a4_y);
+    const rx90_real nc4_z = 0.21759393385311085*a4_y - 1.0765039731522932*a4_x - t7;
     /* link 5: force that moves the link [N] */
     const rx90_real fc5_x = 0.8974188745594792*neg_lam5_11 + 0.8067444135457743*lam5_12;
     const rx90_real fc5_y = -0.8067444135457743*neg_lam5_22 - 0.8974188745594792*lam5_21;
@@ -577,62 +598,81 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real nc5_x = 0.09969734753381411*lam5_32 + 0.06545842652927093*(neg_lam5_22 -
         neg_lam5_33) - (0.04994749004669093*lam5_31 + 0.022422989561630666*lam5_21) -
         0.8067444135457743*a4_y;
-    const rx90_real nc5_y = -0.8974188745594792*a4_y - (0.4973859781056681*lam5_31 +
-        0.022422989561630666*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093*lam5_12 -
-        0.04994749004669093*lam5_32));
-    const rx90_real t6 = 0.4973859781056681*lam5_21 - 0.09969734753381411*lam5_12 -
+    const rx90_real neg_nc5_y = 0.4973859781056681*lam5_31 + 0.022422989561630666*(neg_lam5_11 -
+        neg_lam5_33) + (-0.06545842652927093*lam5_12 - 0.04994749004669093*lam5_32) +
+        0.8974188745594792*a4_y;
+    const rx90_real t8 = 0.4973859781056681*lam5_21 - 0.09969734753381411*lam5_12 -
         0.04994749004669093*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093*lam5_13 -
         0.022422989561630666*lam5_23);
-    const rx90_real nc5_z = t6 + (0.8974188745594792*neg_a5_y - 0.8067444135457743*a5_x);
+    const rx90_real nc5_z = t8 - (0.8974188745594792*a5_y + 0.8067444135457743*a5_x);
     /* link 6: force that moves the link [N] */
     const rx90_real fc6_x = 1.5707678306756712*neg_lam6_11 + 0.6271000643521031*lam6_12;
     const rx90_real fc6_y = -0.6271000643521031*neg_lam6_22 - 1.5707678306756712*lam6_21;
     const rx90_real fc6_z = 0.6271000643521031*lam6_32 - 1.5707678306756712*lam6_31;
     /* link 6: moment that turns the link [N m] */
     const rx90_real nc6_x = 0.13354610634435332*lam6_32 + 0.07096581179296485*(neg_lam6_22 -
-        neg_lam6_33) - (0.13821978029399798*lam6_31 - 0.1601275610650136*lam6_21) -
-        0.6271000643521031*neg_a5_y;
-    const rx90_real nc6_y = -1.5707678306756712*neg_a5_y - (0.4436030328765257*lam6_31 -
+        neg_lam6_33) - (0.13821978029399798*lam6_31 - 0.1601275610650136*lam6_21) +
+        0.6271000643521031*a5_y;
+    const rx90_real nc6_y = 1.5707678306756712*a5_y - (0.4436030328765257*lam6_31 -
         0.1601275610650136*(neg_lam6_11 - neg_lam6_33) - (0.07096581179296485*lam6_12 +
         0.13821978029399798*lam6_32));
-    const rx90_real t7 = 0.13354610634435332*lam6_12 - 0.4436030328765257*lam6_21 +
+    const rx90_real t9 = 0.13354610634435332*lam6_12 - 0.4436030328765257*lam6_21 +
         0.13821978029399798*(neg_lam6_11 - neg_lam6_22) - (-0.1601275610650136*lam6_23 -
         0.07096581179296485*lam6_13);
-    const rx90_real nc6_z = 1.5707678306756712*neg_a6_y - 0.6271000643521031*a6_x - t7;
+    const rx90_real nc6_z = -0.6271000643521031*a6_x - 1.5707678306756712*a6_y - t9;
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f06_x = c6*fc6_x - s6*fc6_y;
+    const rx90_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n06_x = c6*nc6_x - s6*nc6_y;
+    const rx90_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
-    const rx90_real n5_y = nc5_y + nc6_z;
-    const rx90_real n5_z = nc5_z - (s6*nc6_x + c6*nc6_y);
+    const rx90_real n5_x = nc5_x + n06_x;
+    const rx90_real n5_y = nc6_z - neg_nc5_y;
+    const rx90_real n5_z = nc5_z - n06_y;
     /* link 5: force through the joint [N] */
-    const rx90_real f5_x = fc5_x + (c6*fc6_x - s6*fc6_y);
+    const rx90_real f5_x = fc5_x + f06_x;
     const rx90_real f5_y = fc5_y + fc6_z;
-    const rx90_real f5_z = fc5_z - (s6*fc6_x + c6*fc6_y);
+    const rx90_real f5_z = fc5_z - f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f05_x = c5*f5_x - s5*f5_y;
+    const rx90_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n05_x = c5*n5_x - s5*n5_y;
+    const rx90_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n4_x = nc4_x + (c5*n5_x - s5*n5_y);
+    const rx90_real n4_x = nc4_x + n05_x;
     const rx90_real n4_y = nc4_y - n5_z;
-    const rx90_real n4_z = s5*n5_x + c5*n5_y - neg_nc4_z;
+    const rx90_real n4_z = nc4_z + n05_y;
     /* link 4: force through the joint [N] */
-    const rx90_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const rx90_real f4_x = fc4_x + f05_x;
     const rx90_real f4_y = fc4_y - f5_z;
-    const rx90_real f4_z = fc4_z + (s5*f5_x + c5*f5_y);
-    const rx90_real t8 = -s4*f4_x - c4*f4_y;
+    const rx90_real f4_z = fc4_z + f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f04_x = c4*f4_x - s4*f4_y;
+    const rx90_real neg_f04_y = -s4*f4_x - c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n04_x = c4*n4_x - s4*n4_y;
+    const rx90_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45*t8);
+    const rx90_real n3_x = n04_x + (nc3_x + 0.45*neg_f04_y);
     const rx90_real n3_y = nc3_y + n4_z;
-    const rx90_real t9 = s4*f4_y - c4*f4_x;
-    const rx90_real n3_z = nc3_z + 0.45*t9 - (s4*n4_x + c4*n4_y);
+    const rx90_real n3_z = nc3_z - 0.45*f04_x - n04_y;
     /* link 3: force through the joint [N] */
-    const rx90_real f3_x = fc3_x - t9;
+    const rx90_real f3_x = fc3_x + f04_x;
     const rx90_real f3_y = fc3_y + f4_z;
-    const rx90_real f3_z = fc3_z + t8;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n2_x = nc2_x + (c3*n3_x - s3*n3_y);
-    const rx90_real n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45*f3_z);
-    const rx90_real n2_z = n3_z + (nc2_z + 0.45*(s3*f3_x + c3*f3_y));
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n1_z = s2*n2_x + c2*n2_y;
-    tau[0] = n1_z;
-    tau[1] = n2_z;
+    const rx90_real f3_z = fc3_z + neg_f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f03_x = c23*f3_x - s23*f3_y;
+    const rx90_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n03_y = s23*n3_x + c23*n3_y;
+    const rx90_real t10 = 0.45*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n02_y = n03_y + (s2*nc2_x + c2*nc2_y - f3_z*t10);
+    const rx90_real n02_z = n3_z + (nc2_z + (f03_y*t10 - f03_x*(0.45*s2)));
+    tau[0] = n02_y;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
@@ -841,7 +881,7 @@ void rx90_mass_matrix(const rx90_real q[6], rx90_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 447 multiplications, 394 additions, 6 divisions = 847; 18 unary minus; 10 sine/cosine */
+ * 441 multiplications, 384 additions, 6 divisions = 831; 18 unary minus; 12 sine/cosine */
 void rx90_forward_dynamics(
     const rx90_real q[6],
     const rx90_real qd[6],
@@ -1008,12 +1048,18 @@ void rx90_forward_dynamics(
         k2_xy*(2.0*(c2*s2))));
     /* link 1: mass matrix, its row of this joint */
     const rx90_real m1_1 = t28 + 0.6379688079078735;
+    /* sines and cosines of the joint angles */
+    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real c23 = cos(angle23);
+    const rx90_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const rx90_real w3_z = qd[1] + qd[2];
     /* link 2: angular velocity [rad/s] */
     const rx90_real w2_x = qd[0]*s2;
     const rx90_real w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const rx90_real alpha2_x = qd[1]*w2_y;
-    const rx90_real alpha2_y = -qd[1]*w2_x;
+    const rx90_real neg_alpha2_y = qd[1]*w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
     const rx90_real ww2_xy = w2_x*w2_y;
     const rx90_real ww2_xx = w2_x*w2_x;
@@ -1023,41 +1069,38 @@ void rx90_forward_dynamics(
     const rx90_real neg_lam2_11 = ww2_yy + ww2_zz;
     const rx90_real neg_lam2_22 = ww2_xx + ww2_zz;
     const rx90_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a2_x = 9.8*s2;
-    const rx90_real a2_y = 9.8*c2;
     /* link 3: angular velocity [rad/s] */
-    const rx90_real w3_x = c3*w2_x + s3*w2_y;
-    const rx90_real w3_y = c3*w2_y - s3*w2_x;
+    const rx90_real w3_x = qd[0]*s23;
+    const rx90_real w3_y = qd[0]*c23;
+    const rx90_real t29 = 0.45*neg_lam2_11;
+    const rx90_real t30 = 0.45*ww2_xy;
+    const rx90_real t31 = c2*t29 + s2*t30;
+    const rx90_real t32 = s2*t29 - c2*t30 - 9.8;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real neg_a3_x = c23*t31 + s23*t32;
+    const rx90_real a3_y = s23*t31 - c23*t32;
     /* link 3: angular acceleration [rad/s^2] */
-    const rx90_real alpha3_x = c3*alpha2_x + s3*alpha2_y + qd[2]*w3_y;
-    const rx90_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const rx90_real w3_z = qd[1] + qd[2];
+    const rx90_real alpha3_x = w3_z*w3_y;
+    const rx90_real alpha3_y = -w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const rx90_real ww3_yz = w3_y*w3_z;
-    const rx90_real ww3_zx = w3_x*w3_z;
     const rx90_real ww3_xy = w3_x*w3_y;
     const rx90_real neg_ww3_xx = -w3_x*w3_x;
     const rx90_real ww3_yy = w3_y*w3_y;
     const rx90_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const rx90_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const rx90_real lam3_13 = alpha3_y + ww3_zx;
     const rx90_real lam3_22 = neg_ww3_xx - ww3_zz;
-    const rx90_real lam3_23 = ww3_yz - alpha3_x;
-    const rx90_real lam3_31 = ww3_zx - alpha3_y;
-    const rx90_real lam3_32 = alpha3_x + ww3_yz;
     const rx90_real lam3_33 = neg_ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a3_z = -0.9*alpha2_y;
-    const rx90_real t29 = a2_x - 0.45*neg_lam2_11;
-    const rx90_real t30 = a2_y + 0.45*ww2_xy;
-    const rx90_real a3_x = c3*t29 + s3*t30;
-    const rx90_real a3_y = c3*t30 - s3*t29;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a4_z = a3_y + 0.45*lam3_22;
     /* link 4: angular velocity [rad/s] */
     const rx90_real w4_x = c4*w3_x - s4*w3_z;
     const rx90_real w4_y = -(s4*w3_x) - c4*w3_z;
+    const rx90_real t33 = neg_a3_x - 0.45*ww3_xy;
+    const rx90_real t34 = 0.9*(neg_alpha2_y + alpha3_x);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a4_x = -(c4*t33) - s4*t34;
+    const rx90_real a4_y = s4*t33 - c4*t34;
     /* link 4: angular acceleration [rad/s^2] */
     const rx90_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
     const rx90_real alpha4_y = -(s4*alpha3_x) - qd[3]*w4_x;
@@ -1080,15 +1123,12 @@ void rx90_forward_dynamics(
     const rx90_real lam4_31 = ww4_zx - alpha4_y;
     const rx90_real lam4_32 = alpha4_x + ww4_yz;
     const rx90_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a4_z = a3_y + 0.45*lam3_22;
-    const rx90_real t31 = a3_x + 0.45*ww3_xy;
-    const rx90_real t32 = a3_z + 0.45*lam3_32;
-    const rx90_real a4_x = c4*t31 - s4*t32;
-    const rx90_real a4_y = -(s4*t31) - c4*t32;
     /* link 5: angular velocity [rad/s] */
     const rx90_real w5_x = c5*w4_x + s5*w4_z;
     const rx90_real w5_y = c5*w4_z - s5*w4_x;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a5_x = c5*a4_x + s5*a4_z;
+    const rx90_real a5_y = c5*a4_z - s5*a4_x;
     /* link 5: angular acceleration [rad/s^2] */
     const rx90_real alpha5_x = c5*alpha4_x + s5*alpha3_y + qd[4]*w5_y;
     const rx90_real neg_alpha5_y = s5*alpha4_x - c5*alpha3_y + qd[4]*w5_x;
@@ -1111,12 +1151,12 @@ void rx90_forward_dynamics(
     const rx90_real lam5_31 = neg_alpha5_y + ww5_zx;
     const rx90_real lam5_32 = alpha5_x + ww5_yz;
     const rx90_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a5_x = c5*a4_x + s5*a4_z;
-    const rx90_real neg_a5_y = s5*a4_x - c5*a4_z;
     /* link 6: angular velocity [rad/s] */
     const rx90_real w6_x = c6*w5_x - s6*w5_z;
     const rx90_real w6_y = -(s6*w5_x) - c6*w5_z;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const rx90_real a6_x = c6*a5_x + s6*a4_y;
+    const rx90_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const rx90_real alpha6_x = c6*alpha5_x + s6*alpha4_y + qd[5]*w6_y;
     const rx90_real neg_alpha6_y = s6*alpha5_x - c6*alpha4_y + qd[5]*w6_x;
@@ -1139,29 +1179,26 @@ void rx90_forward_dynamics(
     const rx90_real lam6_31 = neg_alpha6_y + ww6_zx;
     const rx90_real lam6_32 = alpha6_x + ww6_yz;
     const rx90_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const rx90_real a6_x = c6*a5_x + s6*a4_y;
-    const rx90_real neg_a6_y = s6*a5_x - c6*a4_y;
     /* link 2: moment that turns the link [N m] */
     const rx90_real nc2_x = 1.0984490401953642*alpha2_x + 0.09496171507178643*(neg_lam2_22 -
-        neg_lam2_33) + (-0.6711330317943448*alpha2_y - 0.017315109477737248*ww2_xy);
+        neg_lam2_33) + (0.6711330317943448*neg_alpha2_y - 0.017315109477737248*ww2_xy);
     const rx90_real nc2_y = 0.09496171507178643*ww2_xy - 0.6711330317943448*alpha2_x -
-        (0.017315109477737248*(neg_lam2_11 - neg_lam2_33) - 9.291920227284304*alpha2_y);
+        (9.291920227284304*neg_alpha2_y + 0.017315109477737248*(neg_lam2_11 - neg_lam2_33));
     const rx90_real nc2_z = 4.09673559354447*ww2_xy + 0.3355665158971724*(neg_lam2_11 - neg_lam2_22)
         + (81.05525857884084*c2 + 17.30463777489202*s2);
     /* link 3: force that moves the link [N] */
     const rx90_real fc3_x = 0.4001573159217507*neg_lam3_11 + 9.392800548482231*ww3_xy;
     const rx90_real fc3_y = 9.392800548482231*lam3_22 - 0.4001573159217507*ww3_xy;
-    const rx90_real fc3_z = 9.392800548482231*lam3_32 - 0.4001573159217507*lam3_31;
+    const rx90_real fc3_z = 0.8003146318435014*alpha3_y + 18.785601096964463*alpha3_x;
     /* link 3: moment that turns the link [N m] */
-    const rx90_real nc3_x = 5.396088354585412*lam3_32 + 0.0672049454639226*(lam3_33 - lam3_22) +
-        (0.06558551272001446*lam3_31 - 0.1093030288471206*ww3_xy) - 8.453520493634008*alpha2_y;
-    const rx90_real nc3_y = -0.3601415843295756*alpha2_y - (0.19252101484679798*lam3_31 +
-        0.1093030288471206*(neg_lam3_11 + lam3_33) + (0.06558551272001446*lam3_32 -
-        0.0672049454639226*ww3_xy));
-    const rx90_real nc3_z = 0.06558551272001446*(neg_lam3_11 + lam3_22) - 5.203567339738615*ww3_xy -
-        (0.0672049454639226*lam3_13 - 0.1093030288471206*lam3_23) + (-0.4001573159217507*a3_y -
-        9.392800548482231*a3_x);
+    const rx90_real nc3_x = 10.792176709170825*alpha3_x + 0.0672049454639226*(lam3_33 - lam3_22) +
+        (-0.13117102544002893*alpha3_y - 0.1093030288471206*ww3_xy) +
+        8.453520493634008*neg_alpha2_y;
+    const rx90_real nc3_y = 0.3601415843295756*neg_alpha2_y - (0.1093030288471206*(neg_lam3_11 +
+        lam3_33) - 0.38504202969359597*alpha3_y - (0.0672049454639226*ww3_xy -
+        0.13117102544002893*alpha3_x));
+    const rx90_real nc3_z = 9.392800548482231*neg_a3_x - 0.4001573159217507*a3_y -
+        (5.203567339738615*ww3_xy - 0.06558551272001446*(neg_lam3_11 + lam3_22));
     /* link 4: force that moves the link [N] */
     const rx90_real fc4_x = 1.0765039731522932*lam4_12 - 0.21759393385311085*neg_lam4_11;
     const rx90_real fc4_y = 0.21759393385311085*lam4_21 - 1.0765039731522932*neg_lam4_22;
@@ -1173,10 +1210,10 @@ void rx90_forward_dynamics(
     const rx90_real nc4_y = -0.21759393385311085*a4_z - (0.1886810537096668*lam4_31 +
         0.1094831940191231*(neg_lam4_11 - neg_lam4_33) - (0.02981305527252843*lam4_12 -
         0.09181695932507075*lam4_32));
-    const rx90_real t33 = 0.7570061710726514*lam4_12 - 0.1886810537096668*lam4_21 -
+    const rx90_real t35 = 0.7570061710726514*lam4_12 - 0.1886810537096668*lam4_21 -
         0.09181695932507075*(neg_lam4_11 - neg_lam4_22) + (0.02981305527252843*lam4_13 -
         0.1094831940191231*lam4_23);
-    const rx90_real neg_nc4_z = t33 + (1.0765039731522932*a4_x - 0.21759393385311085*a4_y);
+    const rx90_real nc4_z = 0.21759393385311085*a4_y - 1.0765039731522932*a4_x - t35;
     /* link 5: force that moves the link [N] */
     const rx90_real fc5_x = 0.8974188745594792*neg_lam5_11 + 0.8067444135457743*lam5_12;
     const rx90_real fc5_y = -0.8067444135457743*neg_lam5_22 - 0.8974188745594792*lam5_21;
@@ -1188,59 +1225,78 @@ void rx90_forward_dynamics(
     const rx90_real nc5_y = -0.8974188745594792*a4_y - (0.4973859781056681*lam5_31 +
         0.022422989561630666*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093*lam5_12 -
         0.04994749004669093*lam5_32));
-    const rx90_real t34 = 0.4973859781056681*lam5_21 - 0.09969734753381411*lam5_12 -
+    const rx90_real t36 = 0.4973859781056681*lam5_21 - 0.09969734753381411*lam5_12 -
         0.04994749004669093*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093*lam5_13 -
         0.022422989561630666*lam5_23);
-    const rx90_real nc5_z = t34 + (0.8974188745594792*neg_a5_y - 0.8067444135457743*a5_x);
+    const rx90_real nc5_z = t36 - (0.8974188745594792*a5_y + 0.8067444135457743*a5_x);
     /* link 6: force that moves the link [N] */
     const rx90_real fc6_x = 1.5707678306756712*neg_lam6_11 + 0.6271000643521031*lam6_12;
     const rx90_real fc6_y = -0.6271000643521031*neg_lam6_22 - 1.5707678306756712*lam6_21;
     const rx90_real fc6_z = 0.6271000643521031*lam6_32 - 1.5707678306756712*lam6_31;
     /* link 6: moment that turns the link [N m] */
     const rx90_real nc6_x = 0.13354610634435332*lam6_32 + 0.07096581179296485*(neg_lam6_22 -
-        neg_lam6_33) - (0.13821978029399798*lam6_31 - 0.1601275610650136*lam6_21) -
-        0.6271000643521031*neg_a5_y;
-    const rx90_real nc6_y = -1.5707678306756712*neg_a5_y - (0.4436030328765257*lam6_31 -
+        neg_lam6_33) - (0.13821978029399798*lam6_31 - 0.1601275610650136*lam6_21) +
+        0.6271000643521031*a5_y;
+    const rx90_real nc6_y = 1.5707678306756712*a5_y - (0.4436030328765257*lam6_31 -
         0.1601275610650136*(neg_lam6_11 - neg_lam6_33) - (0.07096581179296485*lam6_12 +
         0.13821978029399798*lam6_32));
-    const rx90_real t35 = 0.13354610634435332*lam6_12 - 0.4436030328765257*lam6_21 +
+    const rx90_real t37 = 0.13354610634435332*lam6_12 - 0.4436030328765257*lam6_21 +
         0.13821978029399798*(neg_lam6_11 - neg_lam6_22) - (-0.1601275610650136*lam6_23 -
         0.07096581179296485*lam6_13);
-    const rx90_real nc6_z = 1.5707678306756712*neg_a6_y - 0.6271000643521031*a6_x - t35;
+    const rx90_real neg_nc6_z = t37 + (1.5707678306756712*a6_y + 0.6271000643521031*a6_x);
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f06_x = c6*fc6_x - s6*fc6_y;
+    const rx90_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n06_x = c6*nc6_x - s6*nc6_y;
+    const rx90_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
-    const rx90_real n5_y = nc5_y + nc6_z;
-    const rx90_real n5_z = nc5_z - (s6*nc6_x + c6*nc6_y);
+    const rx90_real n5_x = nc5_x + n06_x;
+    const rx90_real n5_y = nc5_y - neg_nc6_z;
+    const rx90_real n5_z = nc5_z - n06_y;
     /* link 5: force through the joint [N] */
-    const rx90_real f5_x = fc5_x + (c6*fc6_x - s6*fc6_y);
+    const rx90_real f5_x = fc5_x + f06_x;
     const rx90_real f5_y = fc5_y + fc6_z;
-    const rx90_real f5_z = fc5_z - (s6*fc6_x + c6*fc6_y);
+    const rx90_real f5_z = fc5_z - f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f05_x = c5*f5_x - s5*f5_y;
+    const rx90_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n05_x = c5*n5_x - s5*n5_y;
+    const rx90_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n4_x = nc4_x + (c5*n5_x - s5*n5_y);
+    const rx90_real n4_x = nc4_x + n05_x;
     const rx90_real n4_y = nc4_y - n5_z;
-    const rx90_real n4_z = s5*n5_x + c5*n5_y - neg_nc4_z;
+    const rx90_real n4_z = nc4_z + n05_y;
     /* link 4: force through the joint [N] */
-    const rx90_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const rx90_real f4_x = fc4_x + f05_x;
     const rx90_real f4_y = fc4_y - f5_z;
-    const rx90_real f4_z = fc4_z + (s5*f5_x + c5*f5_y);
-    const rx90_real t36 = t11*f4_x - c4*f4_y;
+    const rx90_real f4_z = fc4_z + f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f04_x = c4*f4_x - s4*f4_y;
+    const rx90_real neg_f04_y = t11*f4_x - c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n04_x = c4*n4_x - s4*n4_y;
+    const rx90_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45*t36);
+    const rx90_real n3_x = n04_x + (nc3_x + 0.45*neg_f04_y);
     const rx90_real n3_y = nc3_y + n4_z;
-    const rx90_real t37 = s4*f4_y - c4*f4_x;
-    const rx90_real n3_z = nc3_z + 0.45*t37 - (s4*n4_x + c4*n4_y);
+    const rx90_real n3_z = nc3_z - 0.45*f04_x - n04_y;
     /* link 3: force through the joint [N] */
-    const rx90_real f3_x = fc3_x - t37;
+    const rx90_real f3_x = fc3_x + f04_x;
     const rx90_real f3_y = fc3_y + f4_z;
-    const rx90_real f3_z = fc3_z + t36;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n2_x = nc2_x + (c3*n3_x - s3*n3_y);
-    const rx90_real n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45*f3_z);
-    const rx90_real n2_z = n3_z + (nc2_z + 0.45*(s3*f3_x + c3*f3_y));
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n1_z = s2*n2_x + c2*n2_y;
+    const rx90_real f3_z = fc3_z + neg_f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const rx90_real f03_x = c23*f3_x - s23*f3_y;
+    const rx90_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n03_y = s23*n3_x + c23*n3_y;
+    const rx90_real t38 = 0.45*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const rx90_real n02_y = n03_y + (s2*nc2_x + c2*nc2_y - f3_z*t38);
+    const rx90_real n02_z = n3_z + (nc2_z + (f03_y*t38 - f03_x*(0.45*s2)));
     /* link 1: forward substitution */
-    const rx90_real y1 = tau[0] - n1_z;
+    const rx90_real y1 = tau[0] - n02_y;
     /* factorisation M = L D L^T */
     const rx90_real ipivot1 = 1.0 / m1_1;
     const rx90_real l2_1 = nu1_z_5*ipivot1;
@@ -1280,7 +1336,7 @@ void rx90_forward_dynamics(
         - ld6_5*l6_5;
     const rx90_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
-    const rx90_real y2 = tau[1] - n2_z - y1*l2_1;
+    const rx90_real y2 = tau[1] - n02_z - y1*l2_1;
     /* link 3: forward substitution */
     const rx90_real y3 = tau[2] - n3_z - y1*l3_1 - l3_2*y2;
     /* link 4: forward substitution */
@@ -1288,7 +1344,7 @@ void rx90_forward_dynamics(
     /* link 5: forward substitution */
     const rx90_real y5 = tau[4] - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4;
     /* link 6: forward substitution */
-    const rx90_real y6 = tau[5] - nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
+    const rx90_real y6 = tau[5] + neg_nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const rx90_real qdd6 = ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */

@@ -15,11 +15,11 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 241 multiplications, 229 additions = 470; 5 unary minus; 10 sine/cosine
-!   gravity: 50 multiplications, 28 additions = 78; 2 unary minus; 10 sine/cosine
-!   bias: 233 multiplications, 208 additions = 441; 7 unary minus; 10 sine/cosine
+!   inverse_dynamics: 240 multiplications, 227 additions = 467; 4 unary minus; 10 sine/cosine
+!   gravity: 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine
+!   bias: 227 multiplications, 198 additions = 425; 7 unary minus; 10 sine/cosine
 !   mass_matrix: 128 multiplications, 115 additions = 243; 7 unary minus; 10 sine/cosine
-!   forward_dynamics: 447 multiplications, 394 additions, 6 divisions = 847; 18 unary minus; 10
+!   forward_dynamics: 441 multiplications, 384 additions, 6 divisions = 831; 18 unary minus; 12
 !       sine/cosine
 module rx90_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,49 +35,55 @@ module rx90_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 241 multiplications, 229 additions = 470; 5 unary minus; 10 sine/cosine
+  ! 240 multiplications, 227 additions = 467; 4 unary minus; 10 sine/cosine
   pure subroutine rx90_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="rx90_inverse_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: qdd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, w2_x, w2_y, ww2_yz, ww2_zx, alpha2_x, alpha2_y
-    real(rk) :: ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21
-    real(rk) :: neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33, a2_x, a2_y, w3_x
-    real(rk) :: w3_y, alpha3_x, neg_alpha3_y, alpha3_z, w3_z, ww3_yz, ww3_zx, ww3_xy
-    real(rk) :: neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, lam3_22
-    real(rk) :: lam3_23, lam3_31, lam3_32, lam3_33, t1, t2, a3_x, a3_y
-    real(rk) :: w4_x, w4_y, alpha4_x, neg_alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx
-    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21
-    real(rk) :: neg_lam4_22, lam4_23, lam4_31, lam4_32, neg_lam4_33, a4_z, t3, t4
-    real(rk) :: a4_x, a4_y, w5_x, w5_y, alpha5_x, neg_alpha5_y, alpha5_z, w5_z
-    real(rk) :: ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12
-    real(rk) :: lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_x
-    real(rk) :: neg_a5_y, w6_x, w6_y, alpha6_x, neg_alpha6_y, alpha6_z, w6_z, ww6_yz
-    real(rk) :: ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13
-    real(rk) :: lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33, a6_x, neg_a6_y
-    real(rk) :: nc1_z, nc2_x, nc2_y, t5, nc2_z, fc3_x, fc3_y, fc3_z
-    real(rk) :: nc3_x, nc3_y, t6, nc3_z, fc4_x, fc4_y, fc4_z, nc4_x
-    real(rk) :: nc4_y, t7, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y
-    real(rk) :: t8, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t9
-    real(rk) :: nc6_z, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, n4_x
-    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, t10, n3_x, n3_y
-    real(rk) :: t11, n3_z, f3_x, f3_y, f3_z, n2_x, n2_y, n2_z
-    real(rk) :: n1_z
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
+    real(rk) :: angle23, c23, s23, w3_z, alpha3_z, w2_x, w2_y, ww2_yz
+    real(rk) :: ww2_zx, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33
+    real(rk) :: w3_x, w3_y, t1, t2, t3, t4, neg_a3_x, a3_y
+    real(rk) :: ww3_yz, ww3_zx, alpha3_x, alpha3_y, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz
+    real(rk) :: neg_lam3_11, lam3_12, lam3_13, lam3_21, lam3_22, lam3_23, lam3_31, lam3_32
+    real(rk) :: lam3_33, a4_z, w4_x, w4_y, t5, t6, a4_x, a4_y
+    real(rk) :: alpha4_x, neg_alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
+    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23
+    real(rk) :: lam4_31, lam4_32, neg_lam4_33, w5_x, w5_y, a5_x, a5_y, alpha5_x
+    real(rk) :: neg_alpha5_y, alpha5_z, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy
+    real(rk) :: ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31
+    real(rk) :: lam5_32, neg_lam5_33, w6_x, w6_y, a6_x, a6_y, alpha6_x, neg_alpha6_y
+    real(rk) :: alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
+    real(rk) :: neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32
+    real(rk) :: neg_lam6_33, nc1_z, nc2_x, nc2_y, t7, nc2_z, fc3_x, fc3_y
+    real(rk) :: fc3_z, nc3_x, nc3_y, t8, nc3_z, fc4_x, fc4_y, fc4_z
+    real(rk) :: nc4_x, nc4_y, t9, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x
+    real(rk) :: neg_nc5_y, t10, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y
+    real(rk) :: t11, nc6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y
+    real(rk) :: n5_z, f5_x, f5_y, f5_z, f05_x, f05_y, n05_x, n05_y
+    real(rk) :: n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, neg_f04_x, f04_y
+    real(rk) :: n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y, f3_z
+    real(rk) :: f03_x, f03_y, n03_y, t12, n02_y, n02_z, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
     c6 = cos(q(6))
     s6 = sin(q(6))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_z = qdd(2) + qdd(3)
     ! link 2: angular velocity [rad/s]
     w2_x = qd(1)*s2
     w2_y = qd(1)*c2
@@ -102,21 +108,23 @@ contains
     lam2_31 = ww2_zx - alpha2_y
     lam2_32 = ww2_yz + alpha2_x
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = 9.8_rk*s2
-    a2_y = 9.8_rk*c2
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = c3*alpha2_x + s3*alpha2_y + qd(3)*w3_y
-    neg_alpha3_y = s3*alpha2_x - c3*alpha2_y + qd(3)*w3_x
-    alpha3_z = qdd(2) + qdd(3)
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    w3_x = qd(1)*s23
+    w3_y = qd(1)*c23
+    t1 = 0.45_rk*neg_lam2_11
+    t2 = 0.45_rk*lam2_21
+    t3 = c2*t1 + s2*t2
+    t4 = s2*t1 - c2*t2 - 9.8_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*t3 + s23*t4
+    a3_y = s23*t3 - c23*t4
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
+    ww3_yz = w3_z*w3_y
+    ww3_zx = w3_z*w3_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qdd(1)*s23 + ww3_yz
+    alpha3_y = qdd(1)*c23 - ww3_zx
+    ! link 3: products of the angular velocity [1/s^2]
     ww3_xy = w3_x*w3_y
     neg_ww3_xx = -w3_x*w3_x
     ww3_yy = w3_y*w3_y
@@ -124,25 +132,27 @@ contains
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
     lam3_12 = ww3_xy - alpha3_z
-    lam3_13 = ww3_zx - neg_alpha3_y
+    lam3_13 = ww3_zx + alpha3_y
     lam3_21 = alpha3_z + ww3_xy
     lam3_22 = neg_ww3_xx - ww3_zz
     lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = neg_alpha3_y + ww3_zx
-    lam3_32 = alpha3_x + ww3_yz
+    lam3_31 = ww3_zx - alpha3_y
+    lam3_32 = ww3_yz + alpha3_x
     lam3_33 = neg_ww3_xx - ww3_yy
-    t1 = a2_x - 0.45_rk*neg_lam2_11
-    t2 = a2_y + 0.45_rk*lam2_21
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = c3*t1 + s3*t2
-    a3_y = c3*t2 - s3*t1
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_y + 0.45_rk*lam3_22
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x - s4*w3_z
     w4_y = -(s4*w3_x) - c4*w3_z
+    t5 = neg_a3_x - 0.45_rk*lam3_12
+    t6 = 0.45_rk*(lam2_31 + lam3_32)
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = -(c4*t5) - s4*t6
+    a4_y = s4*t5 - c4*t6
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha3_x - s4*alpha3_z + qd(4)*w4_y
     neg_alpha4_y = s4*alpha3_x + c4*alpha3_z + qd(4)*w4_x
-    alpha4_z = qdd(4) - neg_alpha3_y
+    alpha4_z = qdd(4) + alpha3_y
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) + w3_y
     ! link 4: products of the angular velocity [1/s^2]
@@ -162,15 +172,12 @@ contains
     lam4_31 = neg_alpha4_y + ww4_zx
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = a3_y + 0.45_rk*lam3_22
-    t3 = a3_x + 0.45_rk*lam3_12
-    t4 = 0.45_rk*(lam2_31 + lam3_32)
-    a4_x = c4*t3 - s4*t4
-    a4_y = -(s4*t3) - c4*t4
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x + s5*w4_z
     w5_y = c5*w4_z - s5*w4_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a4_z
+    a5_y = c5*a4_z - s5*a4_x
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = c5*alpha4_x + s5*alpha4_z + qd(5)*w5_y
     neg_alpha5_y = s5*alpha4_x - c5*alpha4_z + qd(5)*w5_x
@@ -194,12 +201,12 @@ contains
     lam5_31 = neg_alpha5_y + ww5_zx
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x + s5*a4_z
-    neg_a5_y = s5*a4_x - c5*a4_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
     w6_y = -(s6*w5_x) - c6*w5_z
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    a6_y = c6*a4_y - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = c6*alpha5_x - s6*alpha5_z + qd(6)*w6_y
     neg_alpha6_y = s6*alpha5_x + c6*alpha5_z + qd(6)*w6_x
@@ -223,9 +230,6 @@ contains
     lam6_31 = neg_alpha6_y + ww6_zx
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a4_y
-    neg_a6_y = s6*a5_x - c6*a4_y
     ! link 1: moment that turns the link [N m]
     nc1_z = 0.6379688079078735_rk*qdd(1)
     ! link 2: moment that turns the link [N m]
@@ -233,10 +237,10 @@ contains
         (0.3355665158971724_rk*lam2_31 - 0.017315109477737248_rk*lam2_21)
     nc2_y = 0.09496171507178643_rk*lam2_12 - 0.3355665158971724_rk*lam2_32 - &
         (4.645960113642152_rk*lam2_31 + 0.017315109477737248_rk*(neg_lam2_11 - neg_lam2_33))
-    t5 = 4.645960113642152_rk*lam2_21 - 0.5492245200976821_rk*lam2_12 + &
+    t7 = 4.645960113642152_rk*lam2_21 - 0.5492245200976821_rk*lam2_12 + &
         0.3355665158971724_rk*(neg_lam2_11 - neg_lam2_22) + (0.017315109477737248_rk*lam2_23 - &
         0.09496171507178643_rk*lam2_13)
-    nc2_z = t5 + (81.05525857884084_rk*c2 + 17.30463777489202_rk*s2)
+    nc2_z = t7 + (81.05525857884084_rk*c2 + 17.30463777489202_rk*s2)
     ! link 3: force that moves the link [N]
     fc3_x = 0.4001573159217507_rk*neg_lam3_11 + 9.392800548482231_rk*lam3_12
     fc3_y = 9.392800548482231_rk*lam3_22 - 0.4001573159217507_rk*lam3_21
@@ -248,10 +252,10 @@ contains
     nc3_y = 0.1800707921647878_rk*lam2_31 - (0.19252101484679798_rk*lam3_31 + &
         0.1093030288471206_rk*(neg_lam3_11 + lam3_33) + (0.06558551272001446_rk*lam3_32 - &
         0.0672049454639226_rk*lam3_12))
-    t6 = 0.19252101484679798_rk*lam3_21 - 5.396088354585412_rk*lam3_12 + &
-        0.06558551272001446_rk*(neg_lam3_11 + lam3_22) - (0.0672049454639226_rk*lam3_13 - &
-        0.1093030288471206_rk*lam3_23)
-    nc3_z = t6 + (-0.4001573159217507_rk*a3_y - 9.392800548482231_rk*a3_x)
+    t8 = 0.19252101484679798_rk*lam3_21 - 5.396088354585412_rk*lam3_12 + &
+        0.06558551272001446_rk*(neg_lam3_11 + lam3_22) + (0.1093030288471206_rk*lam3_23 - &
+        0.0672049454639226_rk*lam3_13)
+    nc3_z = t8 - (0.4001573159217507_rk*a3_y - 9.392800548482231_rk*neg_a3_x)
     ! link 4: force that moves the link [N]
     fc4_x = 1.0765039731522932_rk*lam4_12 - 0.21759393385311085_rk*neg_lam4_11
     fc4_y = 0.21759393385311085_rk*lam4_21 - 1.0765039731522932_rk*neg_lam4_22
@@ -263,10 +267,10 @@ contains
     nc4_y = -0.21759393385311085_rk*a4_z - (0.1886810537096668_rk*lam4_31 + &
         0.1094831940191231_rk*(neg_lam4_11 - neg_lam4_33) + (0.09181695932507075_rk*lam4_32 - &
         0.02981305527252843_rk*lam4_12))
-    t7 = 0.1886810537096668_rk*lam4_21 - 0.7570061710726514_rk*lam4_12 + &
+    t9 = 0.1886810537096668_rk*lam4_21 - 0.7570061710726514_rk*lam4_12 + &
         0.09181695932507075_rk*(neg_lam4_11 - neg_lam4_22) - (0.02981305527252843_rk*lam4_13 - &
         0.1094831940191231_rk*lam4_23)
-    nc4_z = t7 - (1.0765039731522932_rk*a4_x - 0.21759393385311085_rk*a4_y)
+    nc4_z = t9 + (0.21759393385311085_rk*a4_y - 1.0765039731522932_rk*a4_x)
     ! link 5: force that moves the link [N]
     fc5_x = 0.8974188745594792_rk*neg_lam5_11 + 0.8067444135457743_rk*lam5_12
     fc5_y = -0.8067444135457743_rk*neg_lam5_22 - 0.8974188745594792_rk*lam5_21
@@ -275,62 +279,83 @@ contains
     nc5_x = 0.09969734753381411_rk*lam5_32 + 0.06545842652927093_rk*(neg_lam5_22 - neg_lam5_33) - &
         (0.04994749004669093_rk*lam5_31 + 0.022422989561630666_rk*lam5_21) - &
         0.8067444135457743_rk*a4_y
-    nc5_y = -0.8974188745594792_rk*a4_y - (0.4973859781056681_rk*lam5_31 + &
-        0.022422989561630666_rk*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093_rk*lam5_12 - &
-        0.04994749004669093_rk*lam5_32))
-    t8 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
+    neg_nc5_y = 0.4973859781056681_rk*lam5_31 + 0.022422989561630666_rk*(neg_lam5_11 - &
+        neg_lam5_33) + (-0.06545842652927093_rk*lam5_12 - 0.04994749004669093_rk*lam5_32) + &
+        0.8974188745594792_rk*a4_y
+    t10 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
         0.04994749004669093_rk*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093_rk*lam5_13 - &
         0.022422989561630666_rk*lam5_23)
-    nc5_z = t8 + (0.8974188745594792_rk*neg_a5_y - 0.8067444135457743_rk*a5_x)
+    nc5_z = t10 - (0.8974188745594792_rk*a5_y + 0.8067444135457743_rk*a5_x)
     ! link 6: force that moves the link [N]
     fc6_x = 1.5707678306756712_rk*neg_lam6_11 + 0.6271000643521031_rk*lam6_12
     fc6_y = -0.6271000643521031_rk*neg_lam6_22 - 1.5707678306756712_rk*lam6_21
     fc6_z = 0.6271000643521031_rk*lam6_32 - 1.5707678306756712_rk*lam6_31
     ! link 6: moment that turns the link [N m]
     nc6_x = 0.13354610634435332_rk*lam6_32 + 0.07096581179296485_rk*(neg_lam6_22 - neg_lam6_33) - &
-        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) - &
-        0.6271000643521031_rk*neg_a5_y
-    nc6_y = -1.5707678306756712_rk*neg_a5_y - (0.4436030328765257_rk*lam6_31 - &
+        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) + &
+        0.6271000643521031_rk*a5_y
+    nc6_y = 1.5707678306756712_rk*a5_y - (0.4436030328765257_rk*lam6_31 - &
         0.1601275610650136_rk*(neg_lam6_11 - neg_lam6_33) + (-0.07096581179296485_rk*lam6_12 - &
         0.13821978029399798_rk*lam6_32))
-    t9 = 0.4436030328765257_rk*lam6_21 - 0.13354610634435332_rk*lam6_12 - &
+    t11 = 0.4436030328765257_rk*lam6_21 - 0.13354610634435332_rk*lam6_12 - &
         0.13821978029399798_rk*(neg_lam6_11 - neg_lam6_22) + (-0.1601275610650136_rk*lam6_23 - &
         0.07096581179296485_rk*lam6_13)
-    nc6_z = t9 + (1.5707678306756712_rk*neg_a6_y - 0.6271000643521031_rk*a6_x)
+    nc6_z = t11 - (1.5707678306756712_rk*a6_y + 0.6271000643521031_rk*a6_x)
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*fc6_x - s6*fc6_y
+    f06_y = s6*fc6_x + c6*fc6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
-    n5_y = nc5_y + nc6_z
-    n5_z = nc5_z - (s6*nc6_x + c6*nc6_y)
+    n5_x = nc5_x + n06_x
+    n5_y = nc6_z - neg_nc5_y
+    n5_z = nc5_z - n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x + (c6*fc6_x - s6*fc6_y)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y + fc6_z
-    f5_z = fc5_z - (s6*fc6_x + c6*fc6_y)
+    f5_z = fc5_z - f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y - n5_z
-    n4_z = nc4_z + (s5*n5_x + c5*n5_y)
+    n4_z = nc4_z + n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y - f5_z
-    f4_z = fc4_z + (s5*f5_x + c5*f5_y)
-    t10 = -s4*f4_x - c4*f4_y
+    f4_z = fc4_z + f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    neg_f04_x = s4*f4_y - c4*f4_x
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45_rk*t10)
+    n3_x = n04_x + (nc3_x - 0.45_rk*f04_y)
     n3_y = nc3_y + n4_z
-    t11 = s4*f4_y - c4*f4_x
-    n3_z = nc3_z + 0.45_rk*t11 - (s4*n4_x + c4*n4_y)
+    n3_z = nc3_z + 0.45_rk*neg_f04_x - n04_y
     ! link 3: force through the joint [N]
-    f3_x = fc3_x - t11
+    f3_x = fc3_x - neg_f04_x
     f3_y = fc3_y + f4_z
-    f3_z = fc3_z + t10
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = nc2_x + (c3*n3_x - s3*n3_y)
-    n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45_rk*f3_z)
-    n2_z = n3_z + (nc2_z + 0.45_rk*(s3*f3_x + c3*f3_y))
+    f3_z = fc3_z - f04_y
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*f3_x - s23*f3_y
+    f03_y = s23*f3_x + c23*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*n3_x + c23*n3_y
+    t12 = 0.45_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y + (s2*nc2_x + c2*nc2_y - f3_z*t12)
+    n02_z = n3_z + (nc2_z + (f03_y*t12 - f03_x*(0.45_rk*s2)))
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = nc1_z + (s2*n2_x + c2*n2_y)
+    n1_z = nc1_z + n02_y
     tau(1) = n1_z
-    tau(2) = n2_z
+    tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = n5_z
@@ -338,39 +363,36 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 50 multiplications, 28 additions = 78; 2 unary minus; 10 sine/cosine
+  ! 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine
   pure subroutine rx90_gravity(q, tau) &
       bind(c, name="rx90_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, a2_x, a2_y, a3_x, a3_y, a4_x, t1
-    real(rk) :: a4_y, a5_x, a5_y, a6_x, neg_a6_y, nc2_z, nc3_z, nc4_x
-    real(rk) :: nc4_y, nc4_z, nc5_x, nc5_y, nc5_z, nc6_x, nc6_y, nc6_z
-    real(rk) :: n5_x, n5_y, n5_z, n4_x, n4_y, n4_z, n3_x, n3_z
-    real(rk) :: n2_x, n2_y, n2_z, n1_z
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
+    real(rk) :: angle23, c23, s23, a3_x, a3_y, a4_x, a4_y, a5_x
+    real(rk) :: a5_y, a6_x, neg_a6_y, nc2_z, nc3_z, nc4_x, nc4_y, nc4_z
+    real(rk) :: nc5_x, nc5_y, nc5_z, nc6_x, nc6_y, nc6_z, n06_x, n06_y
+    real(rk) :: n5_x, n5_y, n5_z, n05_x, n05_y, n4_x, n4_y, n4_z
+    real(rk) :: n04_x, n04_y, n3_z, n03_y, n02_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
     c6 = cos(q(6))
     s6 = sin(q(6))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = 9.8_rk*s2
-    a2_y = 9.8_rk*c2
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = c3*a2_x + s3*a2_y
-    a3_y = c3*a2_y - s3*a2_x
+    a3_x = 9.8_rk*s23
+    a3_y = 9.8_rk*c23
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
     a4_x = c4*a3_x
-    t1 = -s4
-    a4_y = t1*a3_x
+    a4_y = -s4*a3_x
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
     a5_x = c5*a4_x + s5*a3_y
     a5_y = c5*a3_y - s5*a4_x
@@ -380,10 +402,10 @@ contains
     ! link 2: moment that turns the link [N m]
     nc2_z = 81.05525857884084_rk*c2 + 17.30463777489202_rk*s2
     ! link 3: moment that turns the link [N m]
-    nc3_z = -0.4001573159217507_rk*a3_y - 9.392800548482231_rk*a3_x
+    nc3_z = -92.04944537512587_rk*s23 - 3.921541696033157_rk*c23
     ! link 4: moment that turns the link [N m]
-    nc4_x = 1.0765039731522932_rk*a3_y
-    nc4_y = -0.21759393385311085_rk*a3_y
+    nc4_x = 10.549738936892474_rk*c23
+    nc4_y = -2.1324205517604864_rk*c23
     nc4_z = 0.21759393385311085_rk*a4_y - 1.0765039731522932_rk*a4_x
     ! link 5: moment that turns the link [N m]
     nc5_x = -0.8067444135457743_rk*a4_y
@@ -393,25 +415,31 @@ contains
     nc6_x = 0.6271000643521031_rk*a5_y
     nc6_y = 1.5707678306756712_rk*a5_y
     nc6_z = 1.5707678306756712_rk*neg_a6_y - 0.6271000643521031_rk*a6_x
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x - (s6*nc6_y - c6*nc6_x)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y + nc6_z
-    n5_z = nc5_z + (-s6*nc6_x - c6*nc6_y)
+    n5_z = nc5_z - n06_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y - n5_z
-    n4_z = nc4_z + (s5*n5_x + c5*n5_y)
+    n4_z = nc4_z + n05_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*n4_y
-    n3_z = nc3_z + (t1*n4_x - c4*n4_y)
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = c3*n3_x - s3*n4_z
-    n2_y = s3*n3_x + c3*n4_z
-    n2_z = nc2_z + n3_z
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*n2_x + c2*n2_y
-    tau(1) = n1_z
-    tau(2) = n2_z
+    n3_z = nc3_z - n04_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*n04_x + c23*n4_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = nc2_z + n3_z
+    tau(1) = n03_y
+    tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = n5_z
@@ -419,52 +447,55 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 233 multiplications, 208 additions = 441; 7 unary minus; 10 sine/cosine
+  ! 227 multiplications, 198 additions = 425; 7 unary minus; 10 sine/cosine
   pure subroutine rx90_bias(q, qd, tau) &
       bind(c, name="rx90_bias_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx
-    real(rk) :: ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_x, a2_y, w3_x
-    real(rk) :: w3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, neg_ww3_xx
-    real(rk) :: ww3_yy, ww3_zz, neg_lam3_11, lam3_13, lam3_22, lam3_23, lam3_31, lam3_32
-    real(rk) :: lam3_33, a3_z, t1, t2, a3_x, a3_y, w4_x, w4_y
-    real(rk) :: alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy
-    real(rk) :: ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31
-    real(rk) :: lam4_32, neg_lam4_33, a4_z, t3, t4, a4_x, a4_y, w5_x
-    real(rk) :: w5_y, alpha5_x, neg_alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx
-    real(rk) :: ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23
-    real(rk) :: lam5_31, lam5_32, neg_lam5_33, a5_x, neg_a5_y, w6_x, w6_y, alpha6_x
-    real(rk) :: neg_alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
-    real(rk) :: neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32
-    real(rk) :: neg_lam6_33, a6_x, neg_a6_y, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y
-    real(rk) :: fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y, fc4_z, nc4_x
-    real(rk) :: nc4_y, t5, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y
-    real(rk) :: t6, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t7
-    real(rk) :: nc6_z, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, n4_x
-    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, t8, n3_x, n3_y
-    real(rk) :: t9, n3_z, f3_x, f3_y, f3_z, n2_x, n2_y, n2_z
-    real(rk) :: n1_z
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
+    real(rk) :: angle23, c23, s23, w3_z, w2_x, w2_y, alpha2_x, neg_alpha2_y
+    real(rk) :: ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, w3_x
+    real(rk) :: w3_y, t1, t2, t3, t4, neg_a3_x, a3_y, alpha3_x
+    real(rk) :: alpha3_y, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_22, lam3_33
+    real(rk) :: a4_z, w4_x, w4_y, t5, t6, a4_x, a4_y, alpha4_x
+    real(rk) :: alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy, ww4_zz
+    real(rk) :: neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31, lam4_32
+    real(rk) :: neg_lam4_33, w5_x, w5_y, a5_x, a5_y, alpha5_x, neg_alpha5_y, w5_z
+    real(rk) :: ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12
+    real(rk) :: lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x
+    real(rk) :: w6_y, a6_x, a6_y, alpha6_x, neg_alpha6_y, w6_z, ww6_yz, ww6_zx
+    real(rk) :: ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21
+    real(rk) :: neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33, nc2_x, nc2_y, nc2_z
+    real(rk) :: fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y
+    real(rk) :: fc4_z, nc4_x, nc4_y, t7, nc4_z, fc5_x, fc5_y, fc5_z
+    real(rk) :: nc5_x, neg_nc5_y, t8, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x
+    real(rk) :: nc6_y, t9, nc6_z, f06_x, f06_y, n06_x, n06_y, n5_x
+    real(rk) :: n5_y, n5_z, f5_x, f5_y, f5_z, f05_x, f05_y, n05_x
+    real(rk) :: n05_y, n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, f04_x
+    real(rk) :: neg_f04_y, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y
+    real(rk) :: f3_z, f03_x, f03_y, n03_y, t10, n02_y, n02_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
     c6 = cos(q(6))
     s6 = sin(q(6))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
     ! link 2: angular velocity [rad/s]
     w2_x = qd(1)*s2
     w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_y = qd(2)*w2_x
     ! link 2: products of the angular velocity [1/s^2]
     ww2_xy = w2_x*w2_y
     ww2_xx = w2_x*w2_x
@@ -474,41 +505,38 @@ contains
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = 9.8_rk*s2
-    a2_y = 9.8_rk*c2
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
+    w3_x = qd(1)*s23
+    w3_y = qd(1)*c23
+    t1 = 0.45_rk*neg_lam2_11
+    t2 = 0.45_rk*ww2_xy
+    t3 = c2*t1 + s2*t2
+    t4 = s2*t1 - c2*t2 - 9.8_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*t3 + s23*t4
+    a3_y = s23*t3 - c23*t4
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = c3*alpha2_x + s3*alpha2_y + qd(3)*w3_y
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    alpha3_x = w3_z*w3_y
+    alpha3_y = -w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
     ww3_xy = w3_x*w3_y
     neg_ww3_xx = -w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_13 = alpha3_y + ww3_zx
     lam3_22 = neg_ww3_xx - ww3_zz
-    lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
     lam3_33 = neg_ww3_xx - ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = -0.9_rk*alpha2_y
-    t1 = a2_x - 0.45_rk*neg_lam2_11
-    t2 = a2_y + 0.45_rk*ww2_xy
-    a3_x = c3*t1 + s3*t2
-    a3_y = c3*t2 - s3*t1
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_y + 0.45_rk*lam3_22
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x - s4*w3_z
     w4_y = -(s4*w3_x) - c4*w3_z
+    t5 = neg_a3_x - 0.45_rk*ww3_xy
+    t6 = 0.9_rk*(neg_alpha2_y + alpha3_x)
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = -(c4*t5) - s4*t6
+    a4_y = s4*t5 - c4*t6
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha3_x + qd(4)*w4_y
     alpha4_y = -(s4*alpha3_x) - qd(4)*w4_x
@@ -531,15 +559,12 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = a3_y + 0.45_rk*lam3_22
-    t3 = a3_x + 0.45_rk*ww3_xy
-    t4 = a3_z + 0.45_rk*lam3_32
-    a4_x = c4*t3 - s4*t4
-    a4_y = -(s4*t3) - c4*t4
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x + s5*w4_z
     w5_y = c5*w4_z - s5*w4_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a4_z
+    a5_y = c5*a4_z - s5*a4_x
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = c5*alpha4_x + s5*alpha3_y + qd(5)*w5_y
     neg_alpha5_y = s5*alpha4_x - c5*alpha3_y + qd(5)*w5_x
@@ -562,12 +587,12 @@ contains
     lam5_31 = neg_alpha5_y + ww5_zx
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x + s5*a4_z
-    neg_a5_y = s5*a4_x - c5*a4_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
     w6_y = -(s6*w5_x) - c6*w5_z
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    a6_y = c6*a4_y - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = c6*alpha5_x + s6*alpha4_y + qd(6)*w6_y
     neg_alpha6_y = s6*alpha5_x - c6*alpha4_y + qd(6)*w6_x
@@ -590,30 +615,26 @@ contains
     lam6_31 = neg_alpha6_y + ww6_zx
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a4_y
-    neg_a6_y = s6*a5_x - c6*a4_y
     ! link 2: moment that turns the link [N m]
     nc2_x = 1.0984490401953642_rk*alpha2_x + 0.09496171507178643_rk*(neg_lam2_22 - neg_lam2_33) + &
-        (-0.6711330317943448_rk*alpha2_y - 0.017315109477737248_rk*ww2_xy)
+        (0.6711330317943448_rk*neg_alpha2_y - 0.017315109477737248_rk*ww2_xy)
     nc2_y = 0.09496171507178643_rk*ww2_xy - 0.6711330317943448_rk*alpha2_x - &
-        (0.017315109477737248_rk*(neg_lam2_11 - neg_lam2_33) - 9.291920227284304_rk*alpha2_y)
+        (9.291920227284304_rk*neg_alpha2_y + 0.017315109477737248_rk*(neg_lam2_11 - neg_lam2_33))
     nc2_z = 4.09673559354447_rk*ww2_xy + 0.3355665158971724_rk*(neg_lam2_11 - neg_lam2_22) + &
         (81.05525857884084_rk*c2 + 17.30463777489202_rk*s2)
     ! link 3: force that moves the link [N]
     fc3_x = 0.4001573159217507_rk*neg_lam3_11 + 9.392800548482231_rk*ww3_xy
     fc3_y = 9.392800548482231_rk*lam3_22 - 0.4001573159217507_rk*ww3_xy
-    fc3_z = 9.392800548482231_rk*lam3_32 - 0.4001573159217507_rk*lam3_31
+    fc3_z = 0.8003146318435014_rk*alpha3_y + 18.785601096964463_rk*alpha3_x
     ! link 3: moment that turns the link [N m]
-    nc3_x = 5.396088354585412_rk*lam3_32 + 0.0672049454639226_rk*(lam3_33 - lam3_22) + &
-        (0.06558551272001446_rk*lam3_31 - 0.1093030288471206_rk*ww3_xy) - &
-        8.453520493634008_rk*alpha2_y
-    nc3_y = -0.3601415843295756_rk*alpha2_y - (0.19252101484679798_rk*lam3_31 + &
-        0.1093030288471206_rk*(neg_lam3_11 + lam3_33) + (0.06558551272001446_rk*lam3_32 - &
-        0.0672049454639226_rk*ww3_xy))
-    nc3_z = 0.06558551272001446_rk*(neg_lam3_11 + lam3_22) - 5.203567339738615_rk*ww3_xy - &
-        (0.0672049454639226_rk*lam3_13 - 0.1093030288471206_rk*lam3_23) + &
-        (-0.4001573159217507_rk*a3_y - 9.392800548482231_rk*a3_x)
+    nc3_x = 10.792176709170825_rk*alpha3_x + 0.0672049454639226_rk*(lam3_33 - lam3_22) + &
+        (-0.13117102544002893_rk*alpha3_y - 0.1093030288471206_rk*ww3_xy) + &
+        8.453520493634008_rk*neg_alpha2_y
+    nc3_y = 0.3601415843295756_rk*neg_alpha2_y - (0.1093030288471206_rk*(neg_lam3_11 + lam3_33) - &
+        0.38504202969359597_rk*alpha3_y - (0.0672049454639226_rk*ww3_xy - &
+        0.13117102544002893_rk*alpha3_x))
+    nc3_z = 9.392800548482231_rk*neg_a3_x - 0.4001573159217507_rk*a3_y - &
+        (5.203567339738615_rk*ww3_xy - 0.06558551272001446_rk*(neg_lam3_11 + lam3_22))
     ! link 4: force that moves the link [N]
     fc4_x = 1.0765039731522932_rk*lam4_12 - 0.21759393385311085_rk*neg_lam4_11
     fc4_y = 0.21759393385311085_rk*lam4_21 - 1.0765039731522932_rk*neg_lam4_22
@@ -625,10 +646,10 @@ contains
     nc4_y = -0.21759393385311085_rk*a4_z - (0.1886810537096668_rk*lam4_31 + &
         0.1094831940191231_rk*(neg_lam4_11 - neg_lam4_33) - (0.02981305527252843_rk*lam4_12 - &
         0.09181695932507075_rk*lam4_32))
-    t5 = 0.7570061710726514_rk*lam4_12 - 0.1886810537096668_rk*lam4_21 - &
+    t7 = 0.7570061710726514_rk*lam4_12 - 0.1886810537096668_rk*lam4_21 - &
         0.09181695932507075_rk*(neg_lam4_11 - neg_lam4_22) + (0.02981305527252843_rk*lam4_13 - &
         0.1094831940191231_rk*lam4_23)
-    neg_nc4_z = t5 + (1.0765039731522932_rk*a4_x - 0.21759393385311085_rk*a4_y)
+    nc4_z = 0.21759393385311085_rk*a4_y - 1.0765039731522932_rk*a4_x - t7
     ! link 5: force that moves the link [N]
     fc5_x = 0.8974188745594792_rk*neg_lam5_11 + 0.8067444135457743_rk*lam5_12
     fc5_y = -0.8067444135457743_rk*neg_lam5_22 - 0.8974188745594792_rk*lam5_21
@@ -637,62 +658,81 @@ contains
     nc5_x = 0.09969734753381411_rk*lam5_32 + 0.06545842652927093_rk*(neg_lam5_22 - neg_lam5_33) - &
         (0.04994749004669093_rk*lam5_31 + 0.022422989561630666_rk*lam5_21) - &
         0.8067444135457743_rk*a4_y
-    nc5_y = -0.8974188745594792_rk*a4_y - (0.4973859781056681_rk*lam5_31 + &
-        0.022422989561630666_rk*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093_rk*lam5_12 - &
-        0.04994749004669093_rk*lam5_32))
-    t6 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
+    neg_nc5_y = 0.4973859781056681_rk*lam5_31 + 0.022422989561630666_rk*(neg_lam5_11 - &
+        neg_lam5_33) + (-0.06545842652927093_rk*lam5_12 - 0.04994749004669093_rk*lam5_32) + &
+        0.8974188745594792_rk*a4_y
+    t8 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
         0.04994749004669093_rk*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093_rk*lam5_13 - &
         0.022422989561630666_rk*lam5_23)
-    nc5_z = t6 + (0.8974188745594792_rk*neg_a5_y - 0.8067444135457743_rk*a5_x)
+    nc5_z = t8 - (0.8974188745594792_rk*a5_y + 0.8067444135457743_rk*a5_x)
     ! link 6: force that moves the link [N]
     fc6_x = 1.5707678306756712_rk*neg_lam6_11 + 0.6271000643521031_rk*lam6_12
     fc6_y = -0.6271000643521031_rk*neg_lam6_22 - 1.5707678306756712_rk*lam6_21
     fc6_z = 0.6271000643521031_rk*lam6_32 - 1.5707678306756712_rk*lam6_31
     ! link 6: moment that turns the link [N m]
     nc6_x = 0.13354610634435332_rk*lam6_32 + 0.07096581179296485_rk*(neg_lam6_22 - neg_lam6_33) - &
-        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) - &
-        0.6271000643521031_rk*neg_a5_y
-    nc6_y = -1.5707678306756712_rk*neg_a5_y - (0.4436030328765257_rk*lam6_31 - &
+        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) + &
+        0.6271000643521031_rk*a5_y
+    nc6_y = 1.5707678306756712_rk*a5_y - (0.4436030328765257_rk*lam6_31 - &
         0.1601275610650136_rk*(neg_lam6_11 - neg_lam6_33) - (0.07096581179296485_rk*lam6_12 + &
         0.13821978029399798_rk*lam6_32))
-    t7 = 0.13354610634435332_rk*lam6_12 - 0.4436030328765257_rk*lam6_21 + &
+    t9 = 0.13354610634435332_rk*lam6_12 - 0.4436030328765257_rk*lam6_21 + &
         0.13821978029399798_rk*(neg_lam6_11 - neg_lam6_22) - (-0.1601275610650136_rk*lam6_23 - &
         0.07096581179296485_rk*lam6_13)
-    nc6_z = 1.5707678306756712_rk*neg_a6_y - 0.6271000643521031_rk*a6_x - t7
+    nc6_z = -0.6271000643521031_rk*a6_x - 1.5707678306756712_rk*a6_y - t9
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*fc6_x - s6*fc6_y
+    f06_y = s6*fc6_x + c6*fc6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
-    n5_y = nc5_y + nc6_z
-    n5_z = nc5_z - (s6*nc6_x + c6*nc6_y)
+    n5_x = nc5_x + n06_x
+    n5_y = nc6_z - neg_nc5_y
+    n5_z = nc5_z - n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x + (c6*fc6_x - s6*fc6_y)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y + fc6_z
-    f5_z = fc5_z - (s6*fc6_x + c6*fc6_y)
+    f5_z = fc5_z - f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y - n5_z
-    n4_z = s5*n5_x + c5*n5_y - neg_nc4_z
+    n4_z = nc4_z + n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y - f5_z
-    f4_z = fc4_z + (s5*f5_x + c5*f5_y)
-    t8 = -s4*f4_x - c4*f4_y
+    f4_z = fc4_z + f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    neg_f04_y = -s4*f4_x - c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45_rk*t8)
+    n3_x = n04_x + (nc3_x + 0.45_rk*neg_f04_y)
     n3_y = nc3_y + n4_z
-    t9 = s4*f4_y - c4*f4_x
-    n3_z = nc3_z + 0.45_rk*t9 - (s4*n4_x + c4*n4_y)
+    n3_z = nc3_z - 0.45_rk*f04_x - n04_y
     ! link 3: force through the joint [N]
-    f3_x = fc3_x - t9
+    f3_x = fc3_x + f04_x
     f3_y = fc3_y + f4_z
-    f3_z = fc3_z + t8
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = nc2_x + (c3*n3_x - s3*n3_y)
-    n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45_rk*f3_z)
-    n2_z = n3_z + (nc2_z + 0.45_rk*(s3*f3_x + c3*f3_y))
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*n2_x + c2*n2_y
-    tau(1) = n1_z
-    tau(2) = n2_z
+    f3_z = fc3_z + neg_f04_y
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*f3_x - s23*f3_y
+    f03_y = s23*f3_x + c23*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*n3_x + c23*n3_y
+    t10 = 0.45_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y + (s2*nc2_x + c2*nc2_y - f3_z*t10)
+    n02_z = n3_z + (nc2_z + (f03_y*t10 - f03_x*(0.45_rk*s2)))
+    tau(1) = n02_y
+    tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = n5_z
@@ -915,7 +955,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 447 multiplications, 394 additions, 6 divisions = 847; 18 unary minus; 10 sine/cosine
+  ! 441 multiplications, 384 additions, 6 divisions = 831; 18 unary minus; 12 sine/cosine
   pure subroutine rx90_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="rx90_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -936,27 +976,28 @@ contains
     real(rk) :: k3_xy, k3_xz, k3_yz, m3_3, fu2_x, fu2_y_2, nu2_x_4, nu2_y_4
     real(rk) :: nu2_z_4, nu1_z_4, t20, t21, t22, t23, t24, t25
     real(rk) :: k2_zz, t26, k2_yy, k2_xy, neg_k2_xz, k2_yz, t27, m2_2
-    real(rk) :: nu1_z_5, t28, m1_1, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy
-    real(rk) :: ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_x, a2_y
-    real(rk) :: w3_x, w3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy
-    real(rk) :: neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_13, lam3_22, lam3_23, lam3_31
-    real(rk) :: lam3_32, lam3_33, a3_z, t29, t30, a3_x, a3_y, w4_x
-    real(rk) :: w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
-    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23
-    real(rk) :: lam4_31, lam4_32, neg_lam4_33, a4_z, t31, t32, a4_x, a4_y
-    real(rk) :: w5_x, w5_y, alpha5_x, neg_alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy
-    real(rk) :: ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22
-    real(rk) :: lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_x, neg_a5_y, w6_x, w6_y
-    real(rk) :: alpha6_x, neg_alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy
-    real(rk) :: ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31
-    real(rk) :: lam6_32, neg_lam6_33, a6_x, neg_a6_y, nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y, fc4_z
-    real(rk) :: nc4_x, nc4_y, t33, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x
-    real(rk) :: nc5_y, t34, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y
-    real(rk) :: t35, nc6_z, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z
-    real(rk) :: n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, t36, n3_x
-    real(rk) :: n3_y, t37, n3_z, f3_x, f3_y, f3_z, n2_x, n2_y
-    real(rk) :: n2_z, n1_z, y1, ipivot1, l2_1, l3_1, l4_1, l5_1
+    real(rk) :: nu1_z_5, t28, m1_1, angle23, c23, s23, w3_z, w2_x
+    real(rk) :: w2_y, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: neg_lam2_22, neg_lam2_33, w3_x, w3_y, t29, t30, t31, t32
+    real(rk) :: neg_a3_x, a3_y, alpha3_x, alpha3_y, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz
+    real(rk) :: neg_lam3_11, lam3_22, lam3_33, a4_z, w4_x, w4_y, t33, t34
+    real(rk) :: a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy
+    real(rk) :: ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22
+    real(rk) :: lam4_23, lam4_31, lam4_32, neg_lam4_33, w5_x, w5_y, a5_x, a5_y
+    real(rk) :: alpha5_x, neg_alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy
+    real(rk) :: ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31
+    real(rk) :: lam5_32, neg_lam5_33, w6_x, w6_y, a6_x, a6_y, alpha6_x, neg_alpha6_y
+    real(rk) :: w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11
+    real(rk) :: lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33
+    real(rk) :: nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y
+    real(rk) :: nc3_z, fc4_x, fc4_y, fc4_z, nc4_x, nc4_y, t35, nc4_z
+    real(rk) :: fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t36, nc5_z, fc6_x
+    real(rk) :: fc6_y, fc6_z, nc6_x, nc6_y, t37, neg_nc6_z, f06_x, f06_y
+    real(rk) :: n06_x, n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z
+    real(rk) :: f05_x, f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f4_x
+    real(rk) :: f4_y, f4_z, f04_x, neg_f04_y, n04_x, n04_y, n3_x, n3_y
+    real(rk) :: n3_z, f3_x, f3_y, f3_z, f03_x, f03_y, n03_y, t38
+    real(rk) :: n02_y, n02_z, y1, ipivot1, l2_1, l3_1, l4_1, l5_1
     real(rk) :: l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2
     real(rk) :: l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3
     real(rk) :: l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4
@@ -1120,12 +1161,18 @@ contains
     t28 = k2_zz + (k2_yy - (c2*c2*(t26 - t27 - 4.09673559354447_rk) + k2_xy*(2.0_rk*(c2*s2))))
     ! link 1: mass matrix, its row of this joint
     m1_1 = t28 + 0.6379688079078735_rk
+    ! sines and cosines of the joint angles
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
     ! link 2: angular velocity [rad/s]
     w2_x = qd(1)*s2
     w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_y = qd(2)*w2_x
     ! link 2: products of the angular velocity [1/s^2]
     ww2_xy = w2_x*w2_y
     ww2_xx = w2_x*w2_x
@@ -1135,41 +1182,38 @@ contains
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = 9.8_rk*s2
-    a2_y = 9.8_rk*c2
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
+    w3_x = qd(1)*s23
+    w3_y = qd(1)*c23
+    t29 = 0.45_rk*neg_lam2_11
+    t30 = 0.45_rk*ww2_xy
+    t31 = c2*t29 + s2*t30
+    t32 = s2*t29 - c2*t30 - 9.8_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*t31 + s23*t32
+    a3_y = s23*t31 - c23*t32
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = c3*alpha2_x + s3*alpha2_y + qd(3)*w3_y
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    alpha3_x = w3_z*w3_y
+    alpha3_y = -w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
     ww3_xy = w3_x*w3_y
     neg_ww3_xx = -w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_13 = alpha3_y + ww3_zx
     lam3_22 = neg_ww3_xx - ww3_zz
-    lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
     lam3_33 = neg_ww3_xx - ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = -0.9_rk*alpha2_y
-    t29 = a2_x - 0.45_rk*neg_lam2_11
-    t30 = a2_y + 0.45_rk*ww2_xy
-    a3_x = c3*t29 + s3*t30
-    a3_y = c3*t30 - s3*t29
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_y + 0.45_rk*lam3_22
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x - s4*w3_z
     w4_y = -(s4*w3_x) - c4*w3_z
+    t33 = neg_a3_x - 0.45_rk*ww3_xy
+    t34 = 0.9_rk*(neg_alpha2_y + alpha3_x)
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = -(c4*t33) - s4*t34
+    a4_y = s4*t33 - c4*t34
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha3_x + qd(4)*w4_y
     alpha4_y = -(s4*alpha3_x) - qd(4)*w4_x
@@ -1192,15 +1236,12 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = a3_y + 0.45_rk*lam3_22
-    t31 = a3_x + 0.45_rk*ww3_xy
-    t32 = a3_z + 0.45_rk*lam3_32
-    a4_x = c4*t31 - s4*t32
-    a4_y = -(s4*t31) - c4*t32
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x + s5*w4_z
     w5_y = c5*w4_z - s5*w4_x
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = c5*a4_x + s5*a4_z
+    a5_y = c5*a4_z - s5*a4_x
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = c5*alpha4_x + s5*alpha3_y + qd(5)*w5_y
     neg_alpha5_y = s5*alpha4_x - c5*alpha3_y + qd(5)*w5_x
@@ -1223,12 +1264,12 @@ contains
     lam5_31 = neg_alpha5_y + ww5_zx
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x + s5*a4_z
-    neg_a5_y = s5*a4_x - c5*a4_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
     w6_y = -(s6*w5_x) - c6*w5_z
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    a6_y = c6*a4_y - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = c6*alpha5_x + s6*alpha4_y + qd(6)*w6_y
     neg_alpha6_y = s6*alpha5_x - c6*alpha4_y + qd(6)*w6_x
@@ -1251,30 +1292,26 @@ contains
     lam6_31 = neg_alpha6_y + ww6_zx
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a4_y
-    neg_a6_y = s6*a5_x - c6*a4_y
     ! link 2: moment that turns the link [N m]
     nc2_x = 1.0984490401953642_rk*alpha2_x + 0.09496171507178643_rk*(neg_lam2_22 - neg_lam2_33) + &
-        (-0.6711330317943448_rk*alpha2_y - 0.017315109477737248_rk*ww2_xy)
+        (0.6711330317943448_rk*neg_alpha2_y - 0.017315109477737248_rk*ww2_xy)
     nc2_y = 0.09496171507178643_rk*ww2_xy - 0.6711330317943448_rk*alpha2_x - &
-        (0.017315109477737248_rk*(neg_lam2_11 - neg_lam2_33) - 9.291920227284304_rk*alpha2_y)
+        (9.291920227284304_rk*neg_alpha2_y + 0.017315109477737248_rk*(neg_lam2_11 - neg_lam2_33))
     nc2_z = 4.09673559354447_rk*ww2_xy + 0.3355665158971724_rk*(neg_lam2_11 - neg_lam2_22) + &
         (81.05525857884084_rk*c2 + 17.30463777489202_rk*s2)
     ! link 3: force that moves the link [N]
     fc3_x = 0.4001573159217507_rk*neg_lam3_11 + 9.392800548482231_rk*ww3_xy
     fc3_y = 9.392800548482231_rk*lam3_22 - 0.4001573159217507_rk*ww3_xy
-    fc3_z = 9.392800548482231_rk*lam3_32 - 0.4001573159217507_rk*lam3_31
+    fc3_z = 0.8003146318435014_rk*alpha3_y + 18.785601096964463_rk*alpha3_x
     ! link 3: moment that turns the link [N m]
-    nc3_x = 5.396088354585412_rk*lam3_32 + 0.0672049454639226_rk*(lam3_33 - lam3_22) + &
-        (0.06558551272001446_rk*lam3_31 - 0.1093030288471206_rk*ww3_xy) - &
-        8.453520493634008_rk*alpha2_y
-    nc3_y = -0.3601415843295756_rk*alpha2_y - (0.19252101484679798_rk*lam3_31 + &
-        0.1093030288471206_rk*(neg_lam3_11 + lam3_33) + (0.06558551272001446_rk*lam3_32 - &
-        0.0672049454639226_rk*ww3_xy))
-    nc3_z = 0.06558551272001446_rk*(neg_lam3_11 + lam3_22) - 5.203567339738615_rk*ww3_xy - &
-        (0.0672049454639226_rk*lam3_13 - 0.1093030288471206_rk*lam3_23) + &
-        (-0.4001573159217507_rk*a3_y - 9.392800548482231_rk*a3_x)
+    nc3_x = 10.792176709170825_rk*alpha3_x + 0.0672049454639226_rk*(lam3_33 - lam3_22) + &
+        (-0.13117102544002893_rk*alpha3_y - 0.1093030288471206_rk*ww3_xy) + &
+        8.453520493634008_rk*neg_alpha2_y
+    nc3_y = 0.3601415843295756_rk*neg_alpha2_y - (0.1093030288471206_rk*(neg_lam3_11 + lam3_33) - &
+        0.38504202969359597_rk*alpha3_y - (0.0672049454639226_rk*ww3_xy - &
+        0.13117102544002893_rk*alpha3_x))
+    nc3_z = 9.392800548482231_rk*neg_a3_x - 0.4001573159217507_rk*a3_y - &
+        (5.203567339738615_rk*ww3_xy - 0.06558551272001446_rk*(neg_lam3_11 + lam3_22))
     ! link 4: force that moves the link [N]
     fc4_x = 1.0765039731522932_rk*lam4_12 - 0.21759393385311085_rk*neg_lam4_11
     fc4_y = 0.21759393385311085_rk*lam4_21 - 1.0765039731522932_rk*neg_lam4_22
@@ -1286,10 +1323,10 @@ contains
     nc4_y = -0.21759393385311085_rk*a4_z - (0.1886810537096668_rk*lam4_31 + &
         0.1094831940191231_rk*(neg_lam4_11 - neg_lam4_33) - (0.02981305527252843_rk*lam4_12 - &
         0.09181695932507075_rk*lam4_32))
-    t33 = 0.7570061710726514_rk*lam4_12 - 0.1886810537096668_rk*lam4_21 - &
+    t35 = 0.7570061710726514_rk*lam4_12 - 0.1886810537096668_rk*lam4_21 - &
         0.09181695932507075_rk*(neg_lam4_11 - neg_lam4_22) + (0.02981305527252843_rk*lam4_13 - &
         0.1094831940191231_rk*lam4_23)
-    neg_nc4_z = t33 + (1.0765039731522932_rk*a4_x - 0.21759393385311085_rk*a4_y)
+    nc4_z = 0.21759393385311085_rk*a4_y - 1.0765039731522932_rk*a4_x - t35
     ! link 5: force that moves the link [N]
     fc5_x = 0.8974188745594792_rk*neg_lam5_11 + 0.8067444135457743_rk*lam5_12
     fc5_y = -0.8067444135457743_rk*neg_lam5_22 - 0.8974188745594792_rk*lam5_21
@@ -1301,59 +1338,78 @@ contains
     nc5_y = -0.8974188745594792_rk*a4_y - (0.4973859781056681_rk*lam5_31 + &
         0.022422989561630666_rk*(neg_lam5_11 - neg_lam5_33) + (-0.06545842652927093_rk*lam5_12 - &
         0.04994749004669093_rk*lam5_32))
-    t34 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
+    t36 = 0.4973859781056681_rk*lam5_21 - 0.09969734753381411_rk*lam5_12 - &
         0.04994749004669093_rk*(neg_lam5_11 - neg_lam5_22) - (0.06545842652927093_rk*lam5_13 - &
         0.022422989561630666_rk*lam5_23)
-    nc5_z = t34 + (0.8974188745594792_rk*neg_a5_y - 0.8067444135457743_rk*a5_x)
+    nc5_z = t36 - (0.8974188745594792_rk*a5_y + 0.8067444135457743_rk*a5_x)
     ! link 6: force that moves the link [N]
     fc6_x = 1.5707678306756712_rk*neg_lam6_11 + 0.6271000643521031_rk*lam6_12
     fc6_y = -0.6271000643521031_rk*neg_lam6_22 - 1.5707678306756712_rk*lam6_21
     fc6_z = 0.6271000643521031_rk*lam6_32 - 1.5707678306756712_rk*lam6_31
     ! link 6: moment that turns the link [N m]
     nc6_x = 0.13354610634435332_rk*lam6_32 + 0.07096581179296485_rk*(neg_lam6_22 - neg_lam6_33) - &
-        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) - &
-        0.6271000643521031_rk*neg_a5_y
-    nc6_y = -1.5707678306756712_rk*neg_a5_y - (0.4436030328765257_rk*lam6_31 - &
+        (0.13821978029399798_rk*lam6_31 - 0.1601275610650136_rk*lam6_21) + &
+        0.6271000643521031_rk*a5_y
+    nc6_y = 1.5707678306756712_rk*a5_y - (0.4436030328765257_rk*lam6_31 - &
         0.1601275610650136_rk*(neg_lam6_11 - neg_lam6_33) - (0.07096581179296485_rk*lam6_12 + &
         0.13821978029399798_rk*lam6_32))
-    t35 = 0.13354610634435332_rk*lam6_12 - 0.4436030328765257_rk*lam6_21 + &
+    t37 = 0.13354610634435332_rk*lam6_12 - 0.4436030328765257_rk*lam6_21 + &
         0.13821978029399798_rk*(neg_lam6_11 - neg_lam6_22) - (-0.1601275610650136_rk*lam6_23 - &
         0.07096581179296485_rk*lam6_13)
-    nc6_z = 1.5707678306756712_rk*neg_a6_y - 0.6271000643521031_rk*a6_x - t35
+    neg_nc6_z = t37 + (1.5707678306756712_rk*a6_y + 0.6271000643521031_rk*a6_x)
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*fc6_x - s6*fc6_y
+    f06_y = s6*fc6_x + c6*fc6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
-    n5_y = nc5_y + nc6_z
-    n5_z = nc5_z - (s6*nc6_x + c6*nc6_y)
+    n5_x = nc5_x + n06_x
+    n5_y = nc5_y - neg_nc6_z
+    n5_z = nc5_z - n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x + (c6*fc6_x - s6*fc6_y)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y + fc6_z
-    f5_z = fc5_z - (s6*fc6_x + c6*fc6_y)
+    f5_z = fc5_z - f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + (c5*n5_x - s5*n5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y - n5_z
-    n4_z = s5*n5_x + c5*n5_y - neg_nc4_z
+    n4_z = nc4_z + n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y - f5_z
-    f4_z = fc4_z + (s5*f5_x + c5*f5_y)
-    t36 = t11*f4_x - c4*f4_y
+    f4_z = fc4_z + f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    neg_f04_y = t11*f4_x - c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*n4_y + (nc3_x + 0.45_rk*t36)
+    n3_x = n04_x + (nc3_x + 0.45_rk*neg_f04_y)
     n3_y = nc3_y + n4_z
-    t37 = s4*f4_y - c4*f4_x
-    n3_z = nc3_z + 0.45_rk*t37 - (s4*n4_x + c4*n4_y)
+    n3_z = nc3_z - 0.45_rk*f04_x - n04_y
     ! link 3: force through the joint [N]
-    f3_x = fc3_x - t37
+    f3_x = fc3_x + f04_x
     f3_y = fc3_y + f4_z
-    f3_z = fc3_z + t36
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = nc2_x + (c3*n3_x - s3*n3_y)
-    n2_y = s3*n3_x + c3*n3_y + (nc2_y - 0.45_rk*f3_z)
-    n2_z = n3_z + (nc2_z + 0.45_rk*(s3*f3_x + c3*f3_y))
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*n2_x + c2*n2_y
+    f3_z = fc3_z + neg_f04_y
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*f3_x - s23*f3_y
+    f03_y = s23*f3_x + c23*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*n3_x + c23*n3_y
+    t38 = 0.45_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y + (s2*nc2_x + c2*nc2_y - f3_z*t38)
+    n02_z = n3_z + (nc2_z + (f03_y*t38 - f03_x*(0.45_rk*s2)))
     ! link 1: forward substitution
-    y1 = tau(1) - n1_z
+    y1 = tau(1) - n02_y
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
     l2_1 = nu1_z_5*ipivot1
@@ -1393,7 +1449,7 @@ contains
         ld6_5*l6_5
     ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
-    y2 = tau(2) - n2_z - y1*l2_1
+    y2 = tau(2) - n02_z - y1*l2_1
     ! link 3: forward substitution
     y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
     ! link 4: forward substitution
@@ -1401,7 +1457,7 @@ contains
     ! link 5: forward substitution
     y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
     ! link 6: forward substitution
-    y6 = tau(6) - nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
+    y6 = tau(6) + neg_nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd6 = ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 241 multiplications, 229 additions = 470; 5 unary minus; 10 sine/cosine
- *   gravity: 50 multiplications, 28 additions = 78; 2 unary minus; 10 sine/cosine
- *   bias: 233 multiplications, 208 additions = 441; 7 unary minus; 10 sine/cosine
+ *   inverse_dynamics: 240 multiplications, 227 additions = 467; 4 unary minus; 10 sine/cosine
+ *   gravity: 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine
+ *   bias: 227 multiplications, 198 additions = 425; 7 unary minus; 10 sine/cosine
  *   mass_matrix: 128 multiplications, 115 additions = 243; 7 unary minus; 10 sine/cosine
- *   forward_dynamics: 447 multiplications, 394 additions, 6 divisions = 847; 18 unary minus; 10
+ *   forward_dynamics: 441 multiplications, 384 additions, 6 divisions = 831; 18 unary minus; 12
  *       sine/cosine
  */
 #ifndef RX90_H

@@ -16,8 +16,8 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine
- *   gravity: 25 multiplications, 10 additions = 35; 1 unary minus; 6 sine/cosine
+ *   inverse_dynamics: 131 multiplications, 98 additions = 229; 4 unary minus; 8 sine/cosine
+ *   gravity: 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine
  *   bias: 118 multiplications, 77 additions = 195; 7 unary minus; 8 sine/cosine
  *   mass_matrix: 56 multiplications, 45 additions = 101; 1 unary minus; 6 sine/cosine
  *   forward_dynamics: 260 multiplications, 189 additions, 6 divisions = 455; 14 unary minus; 8
@@ -28,7 +28,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine */
+ * 131 multiplications, 98 additions = 229; 4 unary minus; 8 sine/cosine */
 void stanford_inverse_dynamics(
     const stanford_real q[6],
     const stanford_real qd[6],
@@ -49,10 +49,16 @@ void stanford_inverse_dynamics(
     const stanford_real s6 = sin(again[5]);
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a2_z = -0.1524*ww1_zz;
     const stanford_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_real w2_x = t1*s2;
     const stanford_real w2_y = t1*c2;
+    const stanford_real t2 = 0.1524*qdd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a2_x = -9.8*s2 - c2*t2;
+    const stanford_real a2_y = s2*t2 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const stanford_real ww2_yz = qd[1]*w2_y;
     const stanford_real ww2_zx = qd[1]*w2_x;
@@ -69,11 +75,6 @@ void stanford_inverse_dynamics(
     const stanford_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_real lam2_31 = ww2_zx + neg_alpha2_y;
     const stanford_real lam2_32 = ww2_yz + alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_z = -0.1524*ww1_zz;
-    const stanford_real t2 = 0.1524*qdd[0];
-    const stanford_real a2_x = -9.8*s2 - c2*t2;
-    const stanford_real a2_y = s2*t2 - 9.8*c2;
     const stanford_real t3 = 2.0*qd[2];
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_real a3_x = a2_x - q[2]*lam2_12 + qd[1]*t3;
@@ -82,6 +83,9 @@ void stanford_inverse_dynamics(
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_x = c4*w2_x + qd[1]*s4;
     const stanford_real w4_y = qd[1]*c4 - s4*w2_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a4_x = c4*a3_x + s4*a3_y;
+    const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const stanford_real alpha4_x = qd[3]*w4_y - (-c4*alpha2_x - qdd[1]*s4);
     const stanford_real alpha4_y = qdd[1]*c4 - s4*alpha2_x - qd[3]*w4_x;
@@ -101,13 +105,12 @@ void stanford_inverse_dynamics(
     const stanford_real neg_lam4_22 = ww4_xx + ww4_zz;
     const stanford_real lam4_32 = alpha4_x + ww4_yz;
     const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a4_x = c4*a3_x + s4*a3_y;
-    const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_x = c5*w4_x - s5*w4_z;
     const stanford_real t4 = -s5;
     const stanford_real w5_y = t4*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
     /* link 5: angular acceleration [rad/s^2] */
     const stanford_real alpha5_y = t4*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
     const stanford_real alpha5_z = qdd[4] + alpha4_y;
@@ -124,8 +127,6 @@ void stanford_inverse_dynamics(
     const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
     const stanford_real lam5_31 = ww5_zx - alpha5_y;
     const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*alpha4_z - c5*alpha4_x);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
     /* link 6: angular velocity [rad/s] */
     const stanford_real w6_x = c6*w5_x + s6*w5_z;
     const stanford_real w6_y = c6*w5_z - s6*w5_x;
@@ -153,8 +154,8 @@ void stanford_inverse_dynamics(
     const stanford_real fc4_z = -0.005832*lam4_32;
     /* link 4: moment that turns the link [N m] */
     const stanford_real nc4_y = 5.36544e-05*lam4_12;
-    const stanford_real nc4_x = -0.005832*a3_z - (-0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 -
-        neg_lam4_33));
+    const stanford_real neg_nc4_x = -0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 - neg_lam4_33)
+        + 0.005832*a3_z;
     const stanford_real nc4_z = -0.0012314928*lam4_12 - 5.36544e-05*lam4_13 + 0.005832*a4_x;
     /* link 5: force that moves the link [N] */
     const stanford_real fc5_x = -0.114912*lam5_12;
@@ -168,30 +169,45 @@ void stanford_inverse_dynamics(
     const stanford_real nc6_x = 0.0003*ww6_yz;
     const stanford_real nc6_y = -0.0003*ww6_zx;
     const stanford_real nc6_z = 0.0003*alpha6_z;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n06_x = c6*nc6_x - s6*nc6_y;
+    const stanford_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 6: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau6 = nc6_z + 0.02*qdd[5];
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const stanford_real n5_x = nc5_x + n06_x;
     const stanford_real n5_y = nc5_y - nc6_z;
-    const stanford_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    const stanford_real n5_z = nc5_z + n06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f05_x = c5*fc5_x - s5*fc5_y;
+    const stanford_real f05_y = s5*fc5_x + c5*fc5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n05_x = c5*n5_x - s5*n5_y;
+    const stanford_real n05_y = s5*n5_x + c5*n5_y;
     /* link 5: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau5 = n5_z + 0.097*qdd[4];
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const stanford_real n4_x = n05_x - neg_nc4_x;
     const stanford_real n4_y = nc4_y + n5_z;
-    const stanford_real n4_z = nc4_z + (t4*n5_x - c5*n5_y);
+    const stanford_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_real f4_x = fc4_x + (c5*fc5_x - s5*fc5_y);
+    const stanford_real f4_x = fc4_x + f05_x;
     const stanford_real f4_y = fc4_y + fc5_z;
-    const stanford_real f4_z = fc4_z - (s5*fc5_x + c5*fc5_y);
+    const stanford_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f04_x = c4*f4_x - s4*f4_y;
+    const stanford_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n04_x = c4*n4_x - s4*n4_y;
+    const stanford_real n04_y = s4*n4_x + c4*n4_y;
     /* link 4: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau4 = n4_z + 0.106*qdd[3];
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = nc3_x - (s4*n4_y - c4*n4_x);
-    const stanford_real n3_y = nc3_y - (-s4*n4_x - c4*n4_y);
+    const stanford_real n3_x = nc3_x + n04_x;
+    const stanford_real n3_y = nc3_y + n04_y;
     /* link 3: force through the joint [N] */
-    const stanford_real f3_x = fc3_x + (c4*f4_x - s4*f4_y);
-    const stanford_real f3_y = fc3_y + (s4*f4_x + c4*f4_y);
+    const stanford_real f3_x = fc3_x + f04_x;
+    const stanford_real f3_y = fc3_y + f04_y;
     const stanford_real f3_z = fc3_z + f4_z;
     /* link 3: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau3 = f3_z + 0.782*qdd[2];
@@ -199,11 +215,12 @@ void stanford_inverse_dynamics(
     const stanford_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
     const stanford_real n2_y = nc2_y - n4_z;
     const stanford_real n2_z = n3_y + (nc2_z + q[2]*f3_x);
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f02_x = c2*f3_x + s2*f3_z;
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau2 = n2_z + 2.193*qdd[1];
     /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_real tau1 = 0.1524*(-c2*f3_x - s2*f3_z) - (s2*n2_x + c2*n2_y) +
-        1.4431532925*qdd[0];
+    const stanford_real tau1 = -0.1524*f02_x - (s2*n2_x + c2*n2_y) + 1.4431532925*qdd[0];
     tau[0] = tau1;
     tau[1] = tau2;
     tau[2] = tau3;
@@ -213,7 +230,7 @@ void stanford_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 25 multiplications, 10 additions = 35; 1 unary minus; 6 sine/cosine */
+ * 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine */
 void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -245,18 +262,25 @@ void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
     /* link 5: moment that turns the link [N m] */
     const stanford_real nc5_x = 0.114912*neg_a4_y;
     const stanford_real nc5_z = 0.114912*a5_x;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n05_x = c5*nc5_x;
+    const stanford_real n05_y = s5*nc5_x;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = nc4_x + c5*nc5_x;
-    const stanford_real n4_z = nc4_z - s5*nc5_x;
+    const stanford_real n4_x = nc4_x + n05_x;
+    const stanford_real n4_z = nc4_z - n05_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n04_x = c4*n4_x - s4*nc5_z;
+    const stanford_real n04_y = s4*n4_x + c4*nc5_z;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = c4*n4_x - s4*nc5_z;
-    const stanford_real n3_y = nc3_y - (-s4*n4_x - c4*nc5_z);
+    const stanford_real n3_y = nc3_y + n04_y;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_real n2_z = n3_y + q[2]*fc3_x;
-    /* link 1: force through the joint [N] */
-    const stanford_real f1_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f02_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n02_y = s2*n04_x - c2*n4_z;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = c2*n4_z - s2*n3_x - 0.1524*f1_x;
+    const stanford_real n1_z = -0.1524*f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -283,10 +307,15 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real s6 = sin(again[5]);
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a2_z = -0.1524*ww1_zz;
     const stanford_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_real w2_x = t1*s2;
     const stanford_real w2_y = t1*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a2_x = -9.8*s2;
+    const stanford_real a2_y = -9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_real alpha2_x = qd[1]*w2_y;
     const stanford_real alpha2_y = -qd[1]*w2_x;
@@ -297,10 +326,6 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_real lam2_32 = 2.0*alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_z = -0.1524*ww1_zz;
-    const stanford_real a2_x = -9.8*s2;
-    const stanford_real a2_y = -9.8*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_real a3_z = q[2]*lam2_22 - a2_y;
     const stanford_real t2 = 2.0*qd[2];
@@ -309,10 +334,12 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_x = c4*w2_x + qd[1]*s4;
     const stanford_real w4_y = qd[1]*c4 - s4*w2_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a4_x = c4*a3_x + s4*a3_y;
+    const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const stanford_real alpha4_x = c4*alpha2_x + qd[3]*w4_y;
-    const stanford_real t3 = -s4;
-    const stanford_real alpha4_y = t3*alpha2_x - qd[3]*w4_x;
+    const stanford_real alpha4_y = -s4*alpha2_x - qd[3]*w4_x;
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_z = qd[3] - w2_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -328,13 +355,11 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real neg_lam4_22 = ww4_xx + ww4_zz;
     const stanford_real lam4_32 = alpha4_x + ww4_yz;
     const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a4_x = c4*a3_x + s4*a3_y;
-    const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_real t4 = -s5;
-    const stanford_real w5_y = t4*w4_x - c5*w4_z;
+    const stanford_real w5_y = -s5*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
     /* link 5: angular acceleration [rad/s^2] */
     const stanford_real alpha5_y = c5*alpha2_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
@@ -350,8 +375,6 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
     const stanford_real lam5_31 = ww5_zx - alpha5_y;
     const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (-c5*alpha4_x - s5*alpha2_y);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
     /* link 6: angular velocity [rad/s] */
     const stanford_real w6_x = c6*w5_x + s6*w5_z;
     const stanford_real w6_y = c6*w5_z - s6*w5_x;
@@ -376,8 +399,8 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real fc4_z = -0.005832*lam4_32;
     /* link 4: moment that turns the link [N m] */
     const stanford_real nc4_y = 5.36544e-05*lam4_12;
-    const stanford_real nc4_x = -0.005832*a3_z - (-0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 -
-        neg_lam4_33));
+    const stanford_real neg_nc4_x = -0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 - neg_lam4_33)
+        + 0.005832*a3_z;
     const stanford_real nc4_z = 0.005832*a4_x - (0.0012314928*lam4_12 + 5.36544e-05*lam4_13);
     /* link 5: force that moves the link [N] */
     const stanford_real fc5_x = -0.114912*lam5_12;
@@ -391,33 +414,50 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real nc6_x = 0.0003*ww6_yz;
     const stanford_real nc6_y = -0.0003*ww6_zx;
     const stanford_real nc6_z = -0.0003*alpha5_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n06_x = c6*nc6_x - s6*nc6_y;
+    const stanford_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const stanford_real n5_x = nc5_x + n06_x;
     const stanford_real n5_y = nc5_y - nc6_z;
-    const stanford_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    const stanford_real n5_z = nc5_z + n06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f05_x = c5*fc5_x - s5*fc5_y;
+    const stanford_real f05_y = s5*fc5_x + c5*fc5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n05_x = c5*n5_x - s5*n5_y;
+    const stanford_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const stanford_real n4_x = n05_x - neg_nc4_x;
     const stanford_real n4_y = nc4_y + n5_z;
-    const stanford_real n4_z = nc4_z + (t4*n5_x - c5*n5_y);
+    const stanford_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_real f4_x = fc4_x + (c5*fc5_x - s5*fc5_y);
+    const stanford_real f4_x = fc4_x + f05_x;
     const stanford_real f4_y = fc4_y + fc5_z;
-    const stanford_real f4_z = fc4_z - (s5*fc5_x + c5*fc5_y);
+    const stanford_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f04_x = c4*f4_x - s4*f4_y;
+    const stanford_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n04_x = c4*n4_x - s4*n4_y;
+    const stanford_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = nc3_x - (s4*n4_y - c4*n4_x);
-    const stanford_real n3_y = nc3_y - (t3*n4_x - c4*n4_y);
+    const stanford_real n3_x = nc3_x + n04_x;
+    const stanford_real n3_y = nc3_y + n04_y;
     /* link 3: force through the joint [N] */
-    const stanford_real f3_x = fc3_x - (s4*f4_y - c4*f4_x);
-    const stanford_real f3_y = fc3_y - (t3*f4_x - c4*f4_y);
+    const stanford_real f3_x = fc3_x + f04_x;
+    const stanford_real f3_y = fc3_y + f04_y;
     const stanford_real f3_z = fc3_z + f4_z;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
     const stanford_real n2_y = nc2_y - n4_z;
     const stanford_real n2_z = n3_y - (-q[2]*f3_x - nc2_z);
-    /* link 1: force through the joint [N] */
-    const stanford_real f1_x = c2*f3_x + s2*f3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f02_x = c2*f3_x + s2*f3_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = -0.1524*f1_x - (s2*n2_x + c2*n2_y);
+    const stanford_real n1_z = -0.1524*f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = f3_z;
@@ -659,10 +699,15 @@ void stanford_forward_dynamics(
     const stanford_real m1_1 = 1.4431532925 - t10;
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a2_z = -0.1524*ww1_zz;
     const stanford_real t11 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_real w2_x = t11*s2;
     const stanford_real w2_y = t11*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a2_x = -9.8*s2;
+    const stanford_real a2_y = -9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_real alpha2_x = qd[1]*w2_y;
     const stanford_real alpha2_y = -qd[1]*w2_x;
@@ -673,10 +718,6 @@ void stanford_forward_dynamics(
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_real lam2_32 = 2.0*alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_z = -0.1524*ww1_zz;
-    const stanford_real a2_x = -9.8*s2;
-    const stanford_real a2_y = -9.8*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_real a3_z = q[2]*lam2_22 - a2_y;
     const stanford_real t12 = 2.0*qd[2];
@@ -685,10 +726,12 @@ void stanford_forward_dynamics(
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_x = c4*w2_x + qd[1]*s4;
     const stanford_real w4_y = qd[1]*c4 - s4*w2_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a4_x = c4*a3_x + s4*a3_y;
+    const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const stanford_real alpha4_x = c4*alpha2_x + qd[3]*w4_y;
-    const stanford_real t13 = -s4;
-    const stanford_real alpha4_y = t13*alpha2_x - qd[3]*w4_x;
+    const stanford_real alpha4_y = -s4*alpha2_x - qd[3]*w4_x;
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_z = qd[3] - w2_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -704,13 +747,11 @@ void stanford_forward_dynamics(
     const stanford_real neg_lam4_22 = ww4_xx + ww4_zz;
     const stanford_real lam4_32 = alpha4_x + ww4_yz;
     const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a4_x = c4*a3_x + s4*a3_y;
-    const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_real t14 = -s5;
-    const stanford_real w5_y = t14*w4_x - c5*w4_z;
+    const stanford_real w5_y = -s5*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
     /* link 5: angular acceleration [rad/s^2] */
     const stanford_real alpha5_y = c5*alpha2_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
@@ -726,8 +767,6 @@ void stanford_forward_dynamics(
     const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
     const stanford_real lam5_31 = ww5_zx - alpha5_y;
     const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (-c5*alpha4_x - s5*alpha2_y);
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
     /* link 6: angular velocity [rad/s] */
     const stanford_real w6_x = c6*w5_x + s6*w5_z;
     const stanford_real w6_y = c6*w5_z - s6*w5_x;
@@ -752,8 +791,8 @@ void stanford_forward_dynamics(
     const stanford_real fc4_z = -0.005832*lam4_32;
     /* link 4: moment that turns the link [N m] */
     const stanford_real nc4_y = 5.36544e-05*lam4_12;
-    const stanford_real nc4_x = -0.005832*a3_z - (-0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 -
-        neg_lam4_33));
+    const stanford_real neg_nc4_x = -0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 - neg_lam4_33)
+        + 0.005832*a3_z;
     const stanford_real nc4_z = 0.005832*a4_x - (0.0012314928*lam4_12 + 5.36544e-05*lam4_13);
     /* link 5: force that moves the link [N] */
     const stanford_real fc5_x = -0.114912*lam5_12;
@@ -767,33 +806,50 @@ void stanford_forward_dynamics(
     const stanford_real nc6_x = 0.0003*ww6_yz;
     const stanford_real nc6_y = -0.0003*ww6_zx;
     const stanford_real nc6_z = -0.0003*alpha5_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n06_x = c6*nc6_x - s6*nc6_y;
+    const stanford_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const stanford_real n5_x = nc5_x + n06_x;
     const stanford_real n5_y = nc5_y - nc6_z;
-    const stanford_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    const stanford_real n5_z = nc5_z + n06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f05_x = c5*fc5_x - s5*fc5_y;
+    const stanford_real f05_y = s5*fc5_x + c5*fc5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n05_x = c5*n5_x - s5*n5_y;
+    const stanford_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const stanford_real n4_x = n05_x - neg_nc4_x;
     const stanford_real n4_y = nc4_y + n5_z;
-    const stanford_real n4_z = nc4_z + (t14*n5_x - c5*n5_y);
+    const stanford_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_real f4_x = fc4_x + (c5*fc5_x - s5*fc5_y);
+    const stanford_real f4_x = fc4_x + f05_x;
     const stanford_real f4_y = fc4_y + fc5_z;
-    const stanford_real f4_z = fc4_z - (s5*fc5_x + c5*fc5_y);
+    const stanford_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f04_x = c4*f4_x - s4*f4_y;
+    const stanford_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n04_x = c4*n4_x - s4*n4_y;
+    const stanford_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = nc3_x - (s4*n4_y - c4*n4_x);
-    const stanford_real n3_y = nc3_y - (t13*n4_x - c4*n4_y);
+    const stanford_real n3_x = nc3_x + n04_x;
+    const stanford_real n3_y = nc3_y + n04_y;
     /* link 3: force through the joint [N] */
-    const stanford_real f3_x = fc3_x - (s4*f4_y - c4*f4_x);
-    const stanford_real f3_y = fc3_y - (t13*f4_x - c4*f4_y);
+    const stanford_real f3_x = fc3_x + f04_x;
+    const stanford_real f3_y = fc3_y + f04_y;
     const stanford_real f3_z = fc3_z + f4_z;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
     const stanford_real n2_y = nc2_y - n4_z;
     const stanford_real n2_z = n3_y - (-q[2]*f3_x - nc2_z);
-    /* link 1: force through the joint [N] */
-    const stanford_real f1_x = c2*f3_x + s2*f3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_real f02_x = c2*f3_x + s2*f3_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = -0.1524*f1_x - (s2*n2_x + c2*n2_y);
+    const stanford_real n1_z = -0.1524*f02_x - n02_y;
     /* link 1: forward substitution */
     const stanford_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
@@ -854,9 +910,9 @@ void stanford_forward_dynamics(
     const stanford_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6;
-    const stanford_real t15 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4);
+    const stanford_real t13 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd1 = t15 - l6_1*qdd6;
+    const stanford_real qdd1 = t13 - l6_1*qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

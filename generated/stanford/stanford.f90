@@ -15,8 +15,8 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine
-!   gravity: 25 multiplications, 10 additions = 35; 1 unary minus; 6 sine/cosine
+!   inverse_dynamics: 131 multiplications, 98 additions = 229; 4 unary minus; 8 sine/cosine
+!   gravity: 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine
 !   bias: 118 multiplications, 77 additions = 195; 7 unary minus; 8 sine/cosine
 !   mass_matrix: 56 multiplications, 45 additions = 101; 1 unary minus; 6 sine/cosine
 !   forward_dynamics: 260 multiplications, 189 additions, 6 divisions = 455; 14 unary minus; 8
@@ -35,7 +35,7 @@ module stanford_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine
+  ! 131 multiplications, 98 additions = 229; 4 unary minus; 8 sine/cosine
   pure subroutine stanford_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="stanford_inverse_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -43,20 +43,22 @@ contains
     real(rk), intent(in) :: qdd(6)
     real(rk), intent(out) :: tau(6)
     real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
-    real(rk) :: ww1_zz, t1, w2_x, w2_y, ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y
-    real(rk) :: ww2_xy, ww2_xx, ww2_zz, lam2_12, lam2_21, lam2_22, lam2_31, lam2_32
-    real(rk) :: a2_z, t2, a2_x, a2_y, t3, a3_x, a3_y, a3_z
-    real(rk) :: w4_x, w4_y, alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx
-    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, lam4_12, lam4_13, neg_lam4_22, lam4_32
-    real(rk) :: neg_lam4_33, a4_x, a4_y, w5_x, t4, w5_y, alpha5_y, alpha5_z
-    real(rk) :: w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22
-    real(rk) :: lam5_31, lam5_32, neg_a5_x, w6_x, w6_y, alpha6_z, w6_z, ww6_yz
+    real(rk) :: ww1_zz, a2_z, t1, w2_x, w2_y, t2, a2_x, a2_y
+    real(rk) :: ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_zz, lam2_12
+    real(rk) :: lam2_21, lam2_22, lam2_31, lam2_32, t3, a3_x, a3_y, a3_z
+    real(rk) :: w4_x, w4_y, a4_x, a4_y, alpha4_x, alpha4_y, alpha4_z, w4_z
+    real(rk) :: ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy, ww4_zz, lam4_12, lam4_13
+    real(rk) :: neg_lam4_22, lam4_32, neg_lam4_33, w5_x, t4, w5_y, neg_a5_x, alpha5_y
+    real(rk) :: alpha5_z, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21
+    real(rk) :: neg_lam5_22, lam5_31, lam5_32, w6_x, w6_y, alpha6_z, w6_z, ww6_yz
     real(rk) :: ww6_zx, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x
-    real(rk) :: nc3_y, fc4_x, fc4_y, fc4_z, nc4_y, nc4_x, nc4_z, fc5_x
+    real(rk) :: nc3_y, fc4_x, fc4_y, fc4_z, nc4_y, neg_nc4_x, nc4_z, fc5_x
     real(rk) :: fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z
-    real(rk) :: tau6, n5_x, n5_y, n5_z, tau5, n4_x, n4_y, n4_z
-    real(rk) :: f4_x, f4_y, f4_z, tau4, n3_x, n3_y, f3_x, f3_y
-    real(rk) :: f3_z, tau3, n2_x, n2_y, n2_z, tau2, tau1
+    real(rk) :: n06_x, n06_y, tau6, n5_x, n5_y, n5_z, f05_x, f05_y
+    real(rk) :: n05_x, n05_y, tau5, n4_x, n4_y, n4_z, f4_x, f4_y
+    real(rk) :: f4_z, f04_x, f04_y, n04_x, n04_y, tau4, n3_x, n3_y
+    real(rk) :: f3_x, f3_y, f3_z, tau3, n2_x, n2_y, n2_z, f02_x
+    real(rk) :: tau2, tau1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -69,10 +71,16 @@ contains
     s6 = sin(q(6))
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    t2 = 0.1524_rk*qdd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2 - c2*t2
+    a2_y = s2*t2 - 9.8_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
     ww2_yz = qd(2)*w2_y
     ww2_zx = qd(2)*w2_x
@@ -89,11 +97,6 @@ contains
     lam2_22 = -ww2_xx - ww2_zz
     lam2_31 = ww2_zx + neg_alpha2_y
     lam2_32 = ww2_yz + alpha2_x
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    t2 = 0.1524_rk*qdd(1)
-    a2_x = -9.8_rk*s2 - c2*t2
-    a2_y = s2*t2 - 9.8_rk*c2
     t3 = 2.0_rk*qd(3)
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_x = a2_x - q(3)*lam2_12 + qd(2)*t3
@@ -102,6 +105,9 @@ contains
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w2_x + qd(2)*s4
     w4_y = qd(2)*c4 - s4*w2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_y
+    a4_y = c4*a3_y - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = qd(4)*w4_y - (-c4*alpha2_x - qdd(2)*s4)
     alpha4_y = qdd(2)*c4 - s4*alpha2_x - qd(4)*w4_x
@@ -121,13 +127,12 @@ contains
     neg_lam4_22 = ww4_xx + ww4_zz
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_y
-    a4_y = c4*a3_y - s4*a3_x
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
     t4 = -s5
     w5_y = t4*w4_x - c5*w4_z
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a5_x = s5*a3_z - c5*a4_x
     ! link 5: angular acceleration [rad/s^2]
     alpha5_y = t4*alpha4_x - c5*alpha4_z - qd(5)*w5_x
     alpha5_z = qdd(5) + alpha4_y
@@ -144,8 +149,6 @@ contains
     neg_lam5_22 = ww5_xx + ww5_zz
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = w5_y*(qd(5) + w5_z) - (s5*alpha4_z - c5*alpha4_x)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a5_x = s5*a3_z - c5*a4_x
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
@@ -173,8 +176,8 @@ contains
     fc4_z = -0.005832_rk*lam4_32
     ! link 4: moment that turns the link [N m]
     nc4_y = 5.36544e-05_rk*lam4_12
-    nc4_x = -0.005832_rk*a3_z - (-0.0012314928_rk*lam4_32 - 5.36544e-05_rk*(neg_lam4_22 - &
-        neg_lam4_33))
+    neg_nc4_x = -0.0012314928_rk*lam4_32 - 5.36544e-05_rk*(neg_lam4_22 - neg_lam4_33) + &
+        0.005832_rk*a3_z
     nc4_z = -0.0012314928_rk*lam4_12 - 5.36544e-05_rk*lam4_13 + 0.005832_rk*a4_x
     ! link 5: force that moves the link [N]
     fc5_x = -0.114912_rk*lam5_12
@@ -188,30 +191,45 @@ contains
     nc6_x = 0.0003_rk*ww6_yz
     nc6_y = -0.0003_rk*ww6_zx
     nc6_z = 0.0003_rk*alpha6_z
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 6: joint torque [N m], at a prismatic joint force [N]
     tau6 = nc6_z + 0.02_rk*qdd(6)
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    n5_z = nc5_z + n06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*fc5_x - s5*fc5_y
+    f05_y = s5*fc5_x + c5*fc5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 5: joint torque [N m], at a prismatic joint force [N]
     tau5 = n5_z + 0.097_rk*qdd(5)
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = n05_x - neg_nc4_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t4*n5_x - c5*n5_y)
+    n4_z = nc4_z - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*fc5_x - s5*fc5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + fc5_z
-    f4_z = fc4_z - (s5*fc5_x + c5*fc5_y)
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 4: joint torque [N m], at a prismatic joint force [N]
     tau4 = n4_z + 0.106_rk*qdd(4)
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (s4*n4_y - c4*n4_x)
-    n3_y = nc3_y - (-s4*n4_x - c4*n4_y)
+    n3_x = nc3_x + n04_x
+    n3_y = nc3_y + n04_y
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + (c4*f4_x - s4*f4_y)
-    f3_y = fc3_y + (s4*f4_x + c4*f4_y)
+    f3_x = fc3_x + f04_x
+    f3_y = fc3_y + f04_y
     f3_z = fc3_z + f4_z
     ! link 3: joint torque [N m], at a prismatic joint force [N]
     tau3 = f3_z + 0.782_rk*qdd(3)
@@ -219,10 +237,12 @@ contains
     n2_x = n3_x + (nc2_x - q(3)*f3_y)
     n2_y = nc2_y - n4_z
     n2_z = n3_y + (nc2_z + q(3)*f3_x)
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*f3_x + s2*f3_z
     ! link 2: joint torque [N m], at a prismatic joint force [N]
     tau2 = n2_z + 2.193_rk*qdd(2)
     ! link 1: joint torque [N m], at a prismatic joint force [N]
-    tau1 = 0.1524_rk*(-c2*f3_x - s2*f3_z) - (s2*n2_x + c2*n2_y) + 1.4431532925_rk*qdd(1)
+    tau1 = -0.1524_rk*f02_x - (s2*n2_x + c2*n2_y) + 1.4431532925_rk*qdd(1)
     tau(1) = tau1
     tau(2) = tau2
     tau(3) = tau3
@@ -232,15 +252,15 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 25 multiplications, 10 additions = 35; 1 unary minus; 6 sine/cosine
+  ! 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine
   pure subroutine stanford_gravity(q, tau) &
       bind(c, name="stanford_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
     real(rk) :: c2, s2, c4, s4, c5, s5, a2_x, a2_y
     real(rk) :: a4_x, neg_a4_y, a5_x, fc3_x, fc3_z, nc3_y, nc4_x, nc4_z
-    real(rk) :: nc5_x, nc5_z, n4_x, n4_z, n3_x, n3_y, n2_z, f1_x
-    real(rk) :: n1_z
+    real(rk) :: nc5_x, nc5_z, n05_x, n05_y, n4_x, n4_z, n04_x, n04_y
+    real(rk) :: n3_y, n2_z, f02_x, n02_y, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -268,18 +288,25 @@ contains
     ! link 5: moment that turns the link [N m]
     nc5_x = 0.114912_rk*neg_a4_y
     nc5_z = 0.114912_rk*a5_x
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*nc5_x
+    n05_y = s5*nc5_x
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + c5*nc5_x
-    n4_z = nc4_z - s5*nc5_x
+    n4_x = nc4_x + n05_x
+    n4_z = nc4_z - n05_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*nc5_z
+    n04_y = s4*n4_x + c4*nc5_z
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*nc5_z
-    n3_y = nc3_y - (-s4*n4_x - c4*nc5_z)
+    n3_y = nc3_y + n04_y
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_z = n3_y + q(3)*fc3_x
-    ! link 1: force through the joint [N]
-    f1_x = c2*fc3_x + s2*fc3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*fc3_x + s2*fc3_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n04_x - c2*n4_z
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = c2*n4_z - s2*n3_x - 0.1524_rk*f1_x
+    n1_z = -0.1524_rk*f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = fc3_z
@@ -296,19 +323,20 @@ contains
     real(rk), intent(in) :: qd(6)
     real(rk), intent(out) :: tau(6)
     real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
-    real(rk) :: ww1_zz, t1, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx
-    real(rk) :: ww2_zz, lam2_22, lam2_32, a2_z, a2_x, a2_y, a3_z, t2
-    real(rk) :: a3_x, a3_y, w4_x, w4_y, alpha4_x, t3, alpha4_y, w4_z
-    real(rk) :: ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy, ww4_zz, lam4_12, lam4_13
-    real(rk) :: neg_lam4_22, lam4_32, neg_lam4_33, a4_x, a4_y, w5_x, t4, w5_y
-    real(rk) :: alpha5_y, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21
-    real(rk) :: neg_lam5_22, lam5_31, lam5_32, neg_a5_x, w6_x, w6_y, w6_z, ww6_yz
-    real(rk) :: ww6_zx, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x
-    real(rk) :: nc3_y, fc4_x, fc4_y, fc4_z, nc4_y, nc4_x, nc4_z, fc5_x
-    real(rk) :: fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z
-    real(rk) :: n5_x, n5_y, n5_z, n4_x, n4_y, n4_z, f4_x, f4_y
-    real(rk) :: f4_z, n3_x, n3_y, f3_x, f3_y, f3_z, n2_x, n2_y
-    real(rk) :: n2_z, f1_x, n1_z
+    real(rk) :: ww1_zz, a2_z, t1, w2_x, w2_y, a2_x, a2_y, alpha2_x
+    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_zz, lam2_22, lam2_32, a3_z, t2
+    real(rk) :: a3_x, a3_y, w4_x, w4_y, a4_x, a4_y, alpha4_x, alpha4_y
+    real(rk) :: w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy, ww4_zz, lam4_12
+    real(rk) :: lam4_13, neg_lam4_22, lam4_32, neg_lam4_33, w5_x, w5_y, neg_a5_x, alpha5_y
+    real(rk) :: w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22
+    real(rk) :: lam5_31, lam5_32, w6_x, w6_y, w6_z, ww6_yz, ww6_zx, nc2_x
+    real(rk) :: nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, fc4_x
+    real(rk) :: fc4_y, fc4_z, nc4_y, neg_nc4_x, nc4_z, fc5_x, fc5_y, fc5_z
+    real(rk) :: nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z, n06_x, n06_y
+    real(rk) :: n5_x, n5_y, n5_z, f05_x, f05_y, n05_x, n05_y, n4_x
+    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, f04_y, n04_x
+    real(rk) :: n04_y, n3_x, n3_y, f3_x, f3_y, f3_z, n2_x, n2_y
+    real(rk) :: n2_z, f02_x, n02_y, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -321,10 +349,15 @@ contains
     s6 = sin(q(6))
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
     alpha2_y = -qd(2)*w2_x
@@ -335,10 +368,6 @@ contains
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     lam2_22 = -ww2_xx - ww2_zz
     lam2_32 = 2.0_rk*alpha2_x
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_z = q(3)*lam2_22 - a2_y
     t2 = 2.0_rk*qd(3)
@@ -347,10 +376,12 @@ contains
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w2_x + qd(2)*s4
     w4_y = qd(2)*c4 - s4*w2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_y
+    a4_y = c4*a3_y - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha2_x + qd(4)*w4_y
-    t3 = -s4
-    alpha4_y = t3*alpha2_x - qd(4)*w4_x
+    alpha4_y = -s4*alpha2_x - qd(4)*w4_x
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w2_y
     ! link 4: products of the angular velocity [1/s^2]
@@ -366,13 +397,11 @@ contains
     neg_lam4_22 = ww4_xx + ww4_zz
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_y
-    a4_y = c4*a3_y - s4*a3_x
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t4 = -s5
-    w5_y = t4*w4_x - c5*w4_z
+    w5_y = -s5*w4_x - c5*w4_z
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a5_x = s5*a3_z - c5*a4_x
     ! link 5: angular acceleration [rad/s^2]
     alpha5_y = c5*alpha2_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
@@ -388,8 +417,6 @@ contains
     neg_lam5_22 = ww5_xx + ww5_zz
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = w5_y*(qd(5) + w5_z) - (-c5*alpha4_x - s5*alpha2_y)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a5_x = s5*a3_z - c5*a4_x
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
@@ -414,8 +441,8 @@ contains
     fc4_z = -0.005832_rk*lam4_32
     ! link 4: moment that turns the link [N m]
     nc4_y = 5.36544e-05_rk*lam4_12
-    nc4_x = -0.005832_rk*a3_z - (-0.0012314928_rk*lam4_32 - 5.36544e-05_rk*(neg_lam4_22 - &
-        neg_lam4_33))
+    neg_nc4_x = -0.0012314928_rk*lam4_32 - 5.36544e-05_rk*(neg_lam4_22 - neg_lam4_33) + &
+        0.005832_rk*a3_z
     nc4_z = 0.005832_rk*a4_x - (0.0012314928_rk*lam4_12 + 5.36544e-05_rk*lam4_13)
     ! link 5: force that moves the link [N]
     fc5_x = -0.114912_rk*lam5_12
@@ -429,33 +456,50 @@ contains
     nc6_x = 0.0003_rk*ww6_yz
     nc6_y = -0.0003_rk*ww6_zx
     nc6_z = -0.0003_rk*alpha5_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    n5_z = nc5_z + n06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*fc5_x - s5*fc5_y
+    f05_y = s5*fc5_x + c5*fc5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = n05_x - neg_nc4_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t4*n5_x - c5*n5_y)
+    n4_z = nc4_z - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*fc5_x - s5*fc5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + fc5_z
-    f4_z = fc4_z - (s5*fc5_x + c5*fc5_y)
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (s4*n4_y - c4*n4_x)
-    n3_y = nc3_y - (t3*n4_x - c4*n4_y)
+    n3_x = nc3_x + n04_x
+    n3_y = nc3_y + n04_y
     ! link 3: force through the joint [N]
-    f3_x = fc3_x - (s4*f4_y - c4*f4_x)
-    f3_y = fc3_y - (t3*f4_x - c4*f4_y)
+    f3_x = fc3_x + f04_x
+    f3_y = fc3_y + f04_y
     f3_z = fc3_z + f4_z
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_x = n3_x + (nc2_x - q(3)*f3_y)
     n2_y = nc2_y - n4_z
     n2_z = n3_y - (-q(3)*f3_x - nc2_z)
-    ! link 1: force through the joint [N]
-    f1_x = c2*f3_x + s2*f3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*f3_x + s2*f3_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*n2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = -0.1524_rk*f1_x - (s2*n2_x + c2*n2_y)
+    n1_z = -0.1524_rk*f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = f3_z
@@ -619,25 +663,26 @@ contains
     real(rk) :: neg_nu3_y, nu2_x, nu2_z_2, fu1_x_2, nu1_z_3, t2, t3, k3_xx
     real(rk) :: neg_k3_xy, t4, t5, k3_yy, k3_zz, h3_z, nu1_z_4, t6
     real(rk) :: k2_zz, t7, neg_h2_y, t8, k2_yy, t9, m2_2, fu1_x_3
-    real(rk) :: nu1_z_5, t10, m1_1, ww1_zz, t11, w2_x, w2_y, alpha2_x
-    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_zz, lam2_22, lam2_32, a2_z, a2_x
-    real(rk) :: a2_y, a3_z, t12, a3_x, a3_y, w4_x, w4_y, alpha4_x
-    real(rk) :: t13, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy
-    real(rk) :: ww4_zz, lam4_12, lam4_13, neg_lam4_22, lam4_32, neg_lam4_33, a4_x, a4_y
-    real(rk) :: w5_x, t14, w5_y, alpha5_y, w5_z, ww5_zx, ww5_xy, ww5_xx
-    real(rk) :: ww5_zz, lam5_12, lam5_21, neg_lam5_22, lam5_31, lam5_32, neg_a5_x, w6_x
-    real(rk) :: w6_y, w6_z, ww6_yz, ww6_zx, nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, fc4_x, fc4_y, fc4_z, nc4_y
-    real(rk) :: nc4_x, nc4_z, fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z
-    real(rk) :: nc6_x, nc6_y, nc6_z, n5_x, n5_y, n5_z, n4_x, n4_y
-    real(rk) :: n4_z, f4_x, f4_y, f4_z, n3_x, n3_y, f3_x, f3_y
-    real(rk) :: f3_z, n2_x, n2_y, n2_z, f1_x, n1_z, y1, ipivot1
-    real(rk) :: l2_1, l3_1, l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2
-    real(rk) :: l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3
-    real(rk) :: ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4
-    real(rk) :: ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5
-    real(rk) :: l6_5, pivot6, ipivot6, y2, y3, y4, y5, y6
-    real(rk) :: qdd6, qdd5, qdd4, qdd3, qdd2, t15, qdd1
+    real(rk) :: nu1_z_5, t10, m1_1, ww1_zz, a2_z, t11, w2_x, w2_y
+    real(rk) :: a2_x, a2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_zz, lam2_22
+    real(rk) :: lam2_32, a3_z, t12, a3_x, a3_y, w4_x, w4_y, a4_x
+    real(rk) :: a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
+    real(rk) :: ww4_yy, ww4_zz, lam4_12, lam4_13, neg_lam4_22, lam4_32, neg_lam4_33, w5_x
+    real(rk) :: w5_y, neg_a5_x, alpha5_y, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz
+    real(rk) :: lam5_12, lam5_21, neg_lam5_22, lam5_31, lam5_32, w6_x, w6_y, w6_z
+    real(rk) :: ww6_yz, ww6_zx, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z
+    real(rk) :: nc3_x, nc3_y, fc4_x, fc4_y, fc4_z, nc4_y, neg_nc4_x, nc4_z
+    real(rk) :: fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y
+    real(rk) :: nc6_z, n06_x, n06_y, n5_x, n5_y, n5_z, f05_x, f05_y
+    real(rk) :: n05_x, n05_y, n4_x, n4_y, n4_z, f4_x, f4_y, f4_z
+    real(rk) :: f04_x, f04_y, n04_x, n04_y, n3_x, n3_y, f3_x, f3_y
+    real(rk) :: f3_z, n2_x, n2_y, n2_z, f02_x, n02_y, n1_z, y1
+    real(rk) :: ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1, pivot2, ipivot2
+    real(rk) :: ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2
+    real(rk) :: pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3
+    real(rk) :: pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5
+    real(rk) :: ld6_5, l6_5, pivot6, ipivot6, y2, y3, y4, y5
+    real(rk) :: y6, qdd6, qdd5, qdd4, qdd3, qdd2, t13, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -729,10 +774,15 @@ contains
     m1_1 = 1.4431532925_rk - t10
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t11 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t11*s2
     w2_y = t11*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
     alpha2_y = -qd(2)*w2_x
@@ -743,10 +793,6 @@ contains
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     lam2_22 = -ww2_xx - ww2_zz
     lam2_32 = 2.0_rk*alpha2_x
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_z = q(3)*lam2_22 - a2_y
     t12 = 2.0_rk*qd(3)
@@ -755,10 +801,12 @@ contains
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w2_x + qd(2)*s4
     w4_y = qd(2)*c4 - s4*w2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c4*a3_x + s4*a3_y
+    a4_y = c4*a3_y - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha2_x + qd(4)*w4_y
-    t13 = -s4
-    alpha4_y = t13*alpha2_x - qd(4)*w4_x
+    alpha4_y = -s4*alpha2_x - qd(4)*w4_x
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w2_y
     ! link 4: products of the angular velocity [1/s^2]
@@ -774,13 +822,11 @@ contains
     neg_lam4_22 = ww4_xx + ww4_zz
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_y
-    a4_y = c4*a3_y - s4*a3_x
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t14 = -s5
-    w5_y = t14*w4_x - c5*w4_z
+    w5_y = -s5*w4_x - c5*w4_z
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a5_x = s5*a3_z - c5*a4_x
     ! link 5: angular acceleration [rad/s^2]
     alpha5_y = c5*alpha2_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
@@ -796,8 +842,6 @@ contains
     neg_lam5_22 = ww5_xx + ww5_zz
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = w5_y*(qd(5) + w5_z) - (-c5*alpha4_x - s5*alpha2_y)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a5_x = s5*a3_z - c5*a4_x
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
@@ -822,8 +866,8 @@ contains
     fc4_z = -0.005832_rk*lam4_32
     ! link 4: moment that turns the link [N m]
     nc4_y = 5.36544e-05_rk*lam4_12
-    nc4_x = -0.005832_rk*a3_z - (-0.0012314928_rk*lam4_32 - 5.36544e-05_rk*(neg_lam4_22 - &
-        neg_lam4_33))
+    neg_nc4_x = -0.0012314928_rk*lam4_32 - 5.36544e-05_rk*(neg_lam4_22 - neg_lam4_33) + &
+        0.005832_rk*a3_z
     nc4_z = 0.005832_rk*a4_x - (0.0012314928_rk*lam4_12 + 5.36544e-05_rk*lam4_13)
     ! link 5: force that moves the link [N]
     fc5_x = -0.114912_rk*lam5_12
@@ -837,33 +881,50 @@ contains
     nc6_x = 0.0003_rk*ww6_yz
     nc6_y = -0.0003_rk*ww6_zx
     nc6_z = -0.0003_rk*alpha5_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    n5_z = nc5_z + n06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*fc5_x - s5*fc5_y
+    f05_y = s5*fc5_x + c5*fc5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = n05_x - neg_nc4_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t14*n5_x - c5*n5_y)
+    n4_z = nc4_z - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*fc5_x - s5*fc5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + fc5_z
-    f4_z = fc4_z - (s5*fc5_x + c5*fc5_y)
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (s4*n4_y - c4*n4_x)
-    n3_y = nc3_y - (t13*n4_x - c4*n4_y)
+    n3_x = nc3_x + n04_x
+    n3_y = nc3_y + n04_y
     ! link 3: force through the joint [N]
-    f3_x = fc3_x - (s4*f4_y - c4*f4_x)
-    f3_y = fc3_y - (t13*f4_x - c4*f4_y)
+    f3_x = fc3_x + f04_x
+    f3_y = fc3_y + f04_y
     f3_z = fc3_z + f4_z
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_x = n3_x + (nc2_x - q(3)*f3_y)
     n2_y = nc2_y - n4_z
     n2_z = n3_y - (-q(3)*f3_x - nc2_z)
-    ! link 1: force through the joint [N]
-    f1_x = c2*f3_x + s2*f3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*f3_x + s2*f3_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*n2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = -0.1524_rk*f1_x - (s2*n2_x + c2*n2_y)
+    n1_z = -0.1524_rk*f02_x - n02_y
     ! link 1: forward substitution
     y1 = tau(1) - n1_z
     ! factorisation M = L D L^T
@@ -923,9 +984,9 @@ contains
     qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6
-    t15 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4)
+    t13 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = t15 - l6_1*qdd6
+    qdd1 = t13 - l6_1*qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

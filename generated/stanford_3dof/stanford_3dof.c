@@ -17,7 +17,7 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 44 multiplications, 29 additions = 73; 3 unary minus; 2 sine/cosine
+ *   inverse_dynamics: 44 multiplications, 29 additions = 73; 2 unary minus; 2 sine/cosine
  *   gravity: 7 multiplications, 2 additions = 9; 0 unary minus; 2 sine/cosine
  *   bias: 36 multiplications, 16 additions = 52; 2 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
@@ -29,7 +29,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 44 multiplications, 29 additions = 73; 3 unary minus; 2 sine/cosine */
+ * 44 multiplications, 29 additions = 73; 2 unary minus; 2 sine/cosine */
 void stanford_3dof_inverse_dynamics(
     const stanford_3dof_real q[3],
     const stanford_3dof_real qd[3],
@@ -44,10 +44,16 @@ void stanford_3dof_inverse_dynamics(
     const stanford_3dof_real s2 = sin(again[1]);
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_real a2_z = -0.1524*ww1_zz;
     const stanford_3dof_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_real w2_x = t1*s2;
     const stanford_3dof_real w2_y = t1*c2;
+    const stanford_3dof_real t2 = 0.1524*qdd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_real a2_x = -9.8*s2 - c2*t2;
+    const stanford_3dof_real a2_y = s2*t2 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const stanford_3dof_real ww2_yz = qd[1]*w2_y;
     const stanford_3dof_real ww2_zx = qd[1]*w2_x;
@@ -64,11 +70,6 @@ void stanford_3dof_inverse_dynamics(
     const stanford_3dof_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_3dof_real lam2_31 = ww2_zx + neg_alpha2_y;
     const stanford_3dof_real lam2_32 = ww2_yz + alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_real t2 = 0.1524*qdd[0];
-    const stanford_3dof_real a2_x = -9.8*s2 - c2*t2;
-    const stanford_3dof_real a2_y = s2*t2 - 9.8*c2;
     const stanford_3dof_real t3 = 2.0*qd[2];
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_3dof_real a3_x = a2_x - q[2]*lam2_12 + qd[1]*t3;
@@ -90,11 +91,12 @@ void stanford_3dof_inverse_dynamics(
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
     const stanford_3dof_real n2_z = nc3_y + (nc2_z + q[2]*fc3_x);
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_3dof_real f02_x = c2*fc3_x + s2*fc3_z;
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
     const stanford_3dof_real tau2 = n2_z + 2.193*qdd[1];
     /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_3dof_real tau1 = 0.1524*(-c2*fc3_x - s2*fc3_z) - (s2*n2_x + c2*nc2_y) +
-        1.4431532925*qdd[0];
+    const stanford_3dof_real tau1 = -0.1524*f02_x - (s2*n2_x + c2*nc2_y) + 1.4431532925*qdd[0];
     tau[0] = tau1;
     tau[1] = tau2;
     tau[2] = tau3;
@@ -117,10 +119,10 @@ void stanford_3dof_gravity(const stanford_3dof_real q[3], stanford_3dof_real tau
     const stanford_3dof_real nc3_y = -26.851755*s2;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_real n2_z = nc3_y + q[2]*fc3_x;
-    /* link 1: force through the joint [N] */
-    const stanford_3dof_real f1_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_3dof_real f02_x = c2*fc3_x + s2*fc3_z;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_real n1_z = -0.1524*f1_x;
+    const stanford_3dof_real n1_z = -0.1524*f02_x;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -141,10 +143,15 @@ void stanford_3dof_bias(
     const stanford_3dof_real s2 = sin(again[1]);
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_real a2_z = -0.1524*ww1_zz;
     const stanford_3dof_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_real w2_x = t1*s2;
     const stanford_3dof_real w2_y = t1*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_real a2_x = -9.8*s2;
+    const stanford_3dof_real a2_y = -9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_3dof_real alpha2_x = qd[1]*w2_y;
     const stanford_3dof_real neg_alpha2_y = qd[1]*w2_x;
@@ -155,10 +162,6 @@ void stanford_3dof_bias(
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_3dof_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_3dof_real lam2_32 = 2.0*alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_real a2_x = -9.8*s2;
-    const stanford_3dof_real a2_y = -9.8*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_3dof_real neg_a3_z = a2_y - q[2]*lam2_22;
     const stanford_3dof_real t2 = 2.0*qd[2];
@@ -178,10 +181,12 @@ void stanford_3dof_bias(
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
     const stanford_3dof_real n2_z = nc3_y - (q[2]*neg_fc3_x - nc2_z);
-    /* link 1: force through the joint [N] */
-    const stanford_3dof_real f1_x = s2*fc3_z - c2*neg_fc3_x;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_3dof_real f02_x = s2*fc3_z - c2*neg_fc3_x;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_3dof_real n02_y = s2*n2_x + c2*nc2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_real n1_z = -0.1524*f1_x - (s2*n2_x + c2*nc2_y);
+    const stanford_3dof_real n1_z = -0.1524*f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -256,10 +261,15 @@ void stanford_3dof_forward_dynamics(
     const stanford_3dof_real m1_1 = k2_yy - c2*c2*(t2 + 4.2784618825) + 1.5418627725;
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_real a2_z = -0.1524*ww1_zz;
     const stanford_3dof_real t3 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_real w2_x = t3*s2;
     const stanford_3dof_real w2_y = t3*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_real a2_x = -9.8*s2;
+    const stanford_3dof_real a2_y = -9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_3dof_real alpha2_x = qd[1]*w2_y;
     const stanford_3dof_real neg_alpha2_y = qd[1]*w2_x;
@@ -270,10 +280,6 @@ void stanford_3dof_forward_dynamics(
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_3dof_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_3dof_real lam2_32 = 2.0*alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_real a2_x = -9.8*s2;
-    const stanford_3dof_real a2_y = -9.8*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_3dof_real neg_a3_z = a2_y - q[2]*lam2_22;
     const stanford_3dof_real t4 = 2.0*qd[2];
@@ -293,10 +299,12 @@ void stanford_3dof_forward_dynamics(
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
     const stanford_3dof_real n2_z = nc3_y - (q[2]*neg_fc3_x - nc2_z);
-    /* link 1: force through the joint [N] */
-    const stanford_3dof_real f1_x = s2*fc3_z - c2*neg_fc3_x;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_3dof_real f02_x = s2*fc3_z - c2*neg_fc3_x;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_3dof_real n02_y = s2*n2_x + c2*nc2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_real n1_z = -0.1524*f1_x - (s2*n2_x + c2*nc2_y);
+    const stanford_3dof_real n1_z = -0.1524*f02_x - n02_y;
     /* link 1: forward substitution */
     const stanford_3dof_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */

@@ -44,10 +44,16 @@ void stanford_3dof_d3_inverse_dynamics(
     const stanford_3dof_d3_real s2 = sin(again[1]);
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
     const stanford_3dof_d3_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_d3_real w2_x = t1*s2;
     const stanford_3dof_d3_real w2_y = t1*c2;
+    const stanford_3dof_d3_real t2 = 0.1524*qdd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_d3_real a2_x = -9.8*s2 - c2*t2;
+    const stanford_3dof_d3_real a2_y = s2*t2 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const stanford_3dof_d3_real ww2_yz = qd[1]*w2_y;
     const stanford_3dof_d3_real ww2_zx = qd[1]*w2_x;
@@ -64,14 +70,9 @@ void stanford_3dof_d3_inverse_dynamics(
     const stanford_3dof_d3_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_3dof_d3_real lam2_31 = ww2_zx + neg_alpha2_y;
     const stanford_3dof_d3_real lam2_32 = ww2_yz + alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_d3_real t2 = 0.1524*qdd[0];
-    const stanford_3dof_d3_real neg_a2_x = c2*t2 + 9.8*s2;
-    const stanford_3dof_d3_real a2_y = s2*t2 - 9.8*c2;
     const stanford_3dof_d3_real t3 = 2.0*qd[2];
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real neg_a3_x = neg_a2_x + q[2]*lam2_12 - qd[1]*t3;
+    const stanford_3dof_d3_real a3_x = a2_x - q[2]*lam2_12 + qd[1]*t3;
     const stanford_3dof_d3_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t3;
     const stanford_3dof_d3_real a3_z = qdd[2] - (a2_y - q[2]*lam2_22);
     /* link 1: moment that turns the link [N m] */
@@ -81,18 +82,21 @@ void stanford_3dof_d3_inverse_dynamics(
     const stanford_3dof_d3_real nc2_y = -1.1015*lam2_31;
     const stanford_3dof_d3_real nc2_z = 1.1015*lam2_21 - 6.3086784423*lam2_12;
     /* link 3: force that moves the link [N] */
-    const stanford_3dof_d3_real neg_fc3_x = 6.47*neg_a3_x - 4.171209*lam2_12;
+    const stanford_3dof_d3_real fc3_x = 6.47*a3_x + 4.171209*lam2_12;
     const stanford_3dof_d3_real fc3_y = 6.47*a3_y + 4.171209*lam2_32;
     const stanford_3dof_d3_real fc3_z = 6.47*a3_z - 4.171209*lam2_22;
     /* link 3: moment that turns the link [N m] */
     const stanford_3dof_d3_real nc3_x = 4.171209*a3_y;
-    const stanford_3dof_d3_real nc3_y = 4.171209*neg_a3_x;
+    const stanford_3dof_d3_real nc3_y = -4.171209*a3_x;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real neg_n2_x = q[2]*fc3_y - nc2_x - nc3_x;
-    const stanford_3dof_d3_real n2_z = nc3_y + (nc2_z - q[2]*neg_fc3_x);
+    const stanford_3dof_d3_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
+    const stanford_3dof_d3_real n2_z = nc3_y + (nc2_z + q[2]*fc3_x);
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_3dof_d3_real f02_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_3dof_d3_real n02_y = s2*n2_x + c2*nc2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = s2*neg_n2_x - c2*nc2_y + (nc1_z + 0.1524*(c2*neg_fc3_x -
-        s2*fc3_z));
+    const stanford_3dof_d3_real n1_z = nc1_z - 0.1524*f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -115,10 +119,10 @@ void stanford_3dof_d3_gravity(const stanford_3dof_d3_real q[3], stanford_3dof_d3
     const stanford_3dof_d3_real nc3_y = 40.8778482*s2;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_d3_real n2_z = nc3_y + q[2]*fc3_x;
-    /* link 1: force through the joint [N] */
-    const stanford_3dof_d3_real f1_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_3dof_d3_real f02_x = c2*fc3_x + s2*fc3_z;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = -0.1524*f1_x;
+    const stanford_3dof_d3_real n1_z = -0.1524*f02_x;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -139,10 +143,15 @@ void stanford_3dof_d3_bias(
     const stanford_3dof_d3_real s2 = sin(again[1]);
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
     const stanford_3dof_d3_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_d3_real w2_x = t1*s2;
     const stanford_3dof_d3_real w2_y = t1*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_d3_real a2_x = -9.8*s2;
+    const stanford_3dof_d3_real a2_y = -9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_3dof_d3_real alpha2_x = qd[1]*w2_y;
     const stanford_3dof_d3_real neg_alpha2_y = qd[1]*w2_x;
@@ -153,10 +162,6 @@ void stanford_3dof_d3_bias(
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_3dof_d3_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_3dof_d3_real lam2_32 = 2.0*alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_d3_real a2_x = -9.8*s2;
-    const stanford_3dof_d3_real a2_y = -9.8*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_3dof_d3_real a3_z = q[2]*lam2_22 - a2_y;
     const stanford_3dof_d3_real t2 = 2.0*qd[2];
@@ -174,12 +179,14 @@ void stanford_3dof_d3_bias(
     const stanford_3dof_d3_real nc3_x = 4.171209*a3_y;
     const stanford_3dof_d3_real nc3_y = -4.171209*a3_x;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real neg_n2_x = q[2]*fc3_y - nc2_x - nc3_x;
+    const stanford_3dof_d3_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
     const stanford_3dof_d3_real n2_z = nc3_y - (-q[2]*fc3_x - nc2_z);
-    /* link 1: force through the joint [N] */
-    const stanford_3dof_d3_real f1_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_3dof_d3_real f02_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_3dof_d3_real n02_y = s2*n2_x + c2*nc2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = s2*neg_n2_x - c2*nc2_y - 0.1524*f1_x;
+    const stanford_3dof_d3_real n1_z = -0.1524*f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -254,10 +261,15 @@ void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real m1_1 = k2_yy - c2*c2*(t2 + 5.2071784423) + 0.4939239597;
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
     const stanford_3dof_d3_real t3 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_d3_real w2_x = t3*s2;
     const stanford_3dof_d3_real w2_y = t3*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_3dof_d3_real a2_x = -9.8*s2;
+    const stanford_3dof_d3_real a2_y = -9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_3dof_d3_real alpha2_x = qd[1]*w2_y;
     const stanford_3dof_d3_real neg_alpha2_y = qd[1]*w2_x;
@@ -268,10 +280,6 @@ void stanford_3dof_d3_forward_dynamics(
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_3dof_d3_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_3dof_d3_real lam2_32 = 2.0*alpha2_x;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_d3_real a2_x = -9.8*s2;
-    const stanford_3dof_d3_real a2_y = -9.8*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_3dof_d3_real a3_z = q[2]*lam2_22 - a2_y;
     const stanford_3dof_d3_real t4 = 2.0*qd[2];
@@ -289,12 +297,14 @@ void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real nc3_x = 4.171209*a3_y;
     const stanford_3dof_d3_real nc3_y = -4.171209*a3_x;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real neg_n2_x = q[2]*fc3_y - nc2_x - nc3_x;
+    const stanford_3dof_d3_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
     const stanford_3dof_d3_real n2_z = nc3_y - (-q[2]*fc3_x - nc2_z);
-    /* link 1: force through the joint [N] */
-    const stanford_3dof_d3_real f1_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_3dof_d3_real f02_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_3dof_d3_real n02_y = s2*n2_x + c2*nc2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = s2*neg_n2_x - c2*nc2_y - 0.1524*f1_x;
+    const stanford_3dof_d3_real n1_z = -0.1524*f02_x - n02_y;
     /* link 1: forward substitution */
     const stanford_3dof_d3_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */

@@ -43,21 +43,27 @@ contains
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: qdd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, ww1_zz, t1, w2_x, w2_y, ww2_yz, ww2_zx
-    real(rk) :: alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_zz, lam2_12, lam2_21, lam2_22
-    real(rk) :: lam2_31, lam2_32, a2_z, t2, neg_a2_x, a2_y, t3, neg_a3_x
-    real(rk) :: a3_y, a3_z, nc1_z, nc2_x, nc2_y, nc2_z, neg_fc3_x, fc3_y
-    real(rk) :: fc3_z, nc3_x, nc3_y, neg_n2_x, n2_z, n1_z
+    real(rk) :: c2, s2, ww1_zz, a2_z, t1, w2_x, w2_y, t2
+    real(rk) :: a2_x, a2_y, ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx
+    real(rk) :: ww2_zz, lam2_12, lam2_21, lam2_22, lam2_31, lam2_32, t3, a3_x
+    real(rk) :: a3_y, a3_z, nc1_z, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y
+    real(rk) :: fc3_z, nc3_x, nc3_y, n2_x, n2_z, f02_x, n02_y, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    t2 = 0.1524_rk*qdd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2 - c2*t2
+    a2_y = s2*t2 - 9.8_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
     ww2_yz = qd(2)*w2_y
     ww2_zx = qd(2)*w2_x
@@ -74,14 +80,9 @@ contains
     lam2_22 = -ww2_xx - ww2_zz
     lam2_31 = ww2_zx + neg_alpha2_y
     lam2_32 = ww2_yz + alpha2_x
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    t2 = 0.1524_rk*qdd(1)
-    neg_a2_x = c2*t2 + 9.8_rk*s2
-    a2_y = s2*t2 - 9.8_rk*c2
     t3 = 2.0_rk*qd(3)
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = neg_a2_x + q(3)*lam2_12 - qd(2)*t3
+    a3_x = a2_x - q(3)*lam2_12 + qd(2)*t3
     a3_y = a2_z - q(3)*lam2_32 - w2_x*t3
     a3_z = qdd(3) - (a2_y - q(3)*lam2_22)
     ! link 1: moment that turns the link [N m]
@@ -91,17 +92,21 @@ contains
     nc2_y = -1.1015_rk*lam2_31
     nc2_z = 1.1015_rk*lam2_21 - 6.3086784423_rk*lam2_12
     ! link 3: force that moves the link [N]
-    neg_fc3_x = 6.47_rk*neg_a3_x - 4.171209_rk*lam2_12
+    fc3_x = 6.47_rk*a3_x + 4.171209_rk*lam2_12
     fc3_y = 6.47_rk*a3_y + 4.171209_rk*lam2_32
     fc3_z = 6.47_rk*a3_z - 4.171209_rk*lam2_22
     ! link 3: moment that turns the link [N m]
     nc3_x = 4.171209_rk*a3_y
-    nc3_y = 4.171209_rk*neg_a3_x
+    nc3_y = -4.171209_rk*a3_x
     ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = q(3)*fc3_y - nc2_x - nc3_x
-    n2_z = nc3_y + (nc2_z - q(3)*neg_fc3_x)
+    n2_x = nc3_x + (nc2_x - q(3)*fc3_y)
+    n2_z = nc3_y + (nc2_z + q(3)*fc3_x)
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*fc3_x + s2*fc3_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*nc2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*nc2_y + (nc1_z + 0.1524_rk*(c2*neg_fc3_x - s2*fc3_z))
+    n1_z = nc1_z - 0.1524_rk*f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = fc3_z
@@ -113,7 +118,7 @@ contains
       bind(c, name="stanford_3dof_d3_gravity_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, fc3_x, fc3_z, nc3_y, n2_z, f1_x, n1_z
+    real(rk) :: c2, s2, fc3_x, fc3_z, nc3_y, n2_z, f02_x, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -125,10 +130,10 @@ contains
     nc3_y = 40.8778482_rk*s2
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_z = nc3_y + q(3)*fc3_x
-    ! link 1: force through the joint [N]
-    f1_x = c2*fc3_x + s2*fc3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*fc3_x + s2*fc3_z
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = -0.1524_rk*f1_x
+    n1_z = -0.1524_rk*f02_x
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = fc3_z
@@ -141,20 +146,26 @@ contains
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, ww1_zz, t1, w2_x, w2_y, alpha2_x, neg_alpha2_y
-    real(rk) :: ww2_xy, ww2_xx, ww2_zz, lam2_22, lam2_32, a2_z, a2_x, a2_y
+    real(rk) :: c2, s2, ww1_zz, a2_z, t1, w2_x, w2_y, a2_x
+    real(rk) :: a2_y, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_zz, lam2_22, lam2_32
     real(rk) :: a3_z, t2, a3_x, a3_y, nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, neg_n2_x, n2_z, f1_x, n1_z
+    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, n2_x, n2_z, f02_x, n02_y
+    real(rk) :: n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
     neg_alpha2_y = qd(2)*w2_x
@@ -165,10 +176,6 @@ contains
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     lam2_22 = -ww2_xx - ww2_zz
     lam2_32 = 2.0_rk*alpha2_x
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_z = q(3)*lam2_22 - a2_y
     t2 = 2.0_rk*qd(3)
@@ -186,12 +193,14 @@ contains
     nc3_x = 4.171209_rk*a3_y
     nc3_y = -4.171209_rk*a3_x
     ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = q(3)*fc3_y - nc2_x - nc3_x
+    n2_x = nc3_x + (nc2_x - q(3)*fc3_y)
     n2_z = nc3_y - (-q(3)*fc3_x - nc2_z)
-    ! link 1: force through the joint [N]
-    f1_x = c2*fc3_x + s2*fc3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*fc3_x + s2*fc3_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*nc2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*nc2_y - 0.1524_rk*f1_x
+    n1_z = -0.1524_rk*f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = fc3_z
@@ -245,12 +254,13 @@ contains
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
     real(rk) :: c2, s2, nu1_z, t1, h2_y, t2, k2_yy, m2_2
-    real(rk) :: neg_fu1_x, nu1_z_2, m1_1, ww1_zz, t3, w2_x, w2_y, alpha2_x
-    real(rk) :: neg_alpha2_y, ww2_xy, ww2_xx, ww2_zz, lam2_22, lam2_32, a2_z, a2_x
-    real(rk) :: a2_y, a3_z, t4, a3_x, a3_y, nc2_x, nc2_y, nc2_z
-    real(rk) :: fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, neg_n2_x, n2_z, f1_x
-    real(rk) :: n1_z, y1, ipivot1, l2_1, l3_1, pivot2, ipivot2, ld3_2
-    real(rk) :: l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2, qdd1
+    real(rk) :: neg_fu1_x, nu1_z_2, m1_1, ww1_zz, a2_z, t3, w2_x, w2_y
+    real(rk) :: a2_x, a2_y, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_zz, lam2_22
+    real(rk) :: lam2_32, a3_z, t4, a3_x, a3_y, nc2_x, nc2_y, nc2_z
+    real(rk) :: fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, n2_x, n2_z, f02_x
+    real(rk) :: n02_y, n1_z, y1, ipivot1, l2_1, l3_1, pivot2, ipivot2
+    real(rk) :: ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2
+    real(rk) :: qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -273,10 +283,15 @@ contains
     m1_1 = k2_yy - c2*c2*(t2 + 5.2071784423_rk) + 0.4939239597_rk
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t3 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t3*s2
     w2_y = t3*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
     neg_alpha2_y = qd(2)*w2_x
@@ -287,10 +302,6 @@ contains
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     lam2_22 = -ww2_xx - ww2_zz
     lam2_32 = 2.0_rk*alpha2_x
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_z = q(3)*lam2_22 - a2_y
     t4 = 2.0_rk*qd(3)
@@ -308,12 +319,14 @@ contains
     nc3_x = 4.171209_rk*a3_y
     nc3_y = -4.171209_rk*a3_x
     ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = q(3)*fc3_y - nc2_x - nc3_x
+    n2_x = nc3_x + (nc2_x - q(3)*fc3_y)
     n2_z = nc3_y - (-q(3)*fc3_x - nc2_z)
-    ! link 1: force through the joint [N]
-    f1_x = c2*fc3_x + s2*fc3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*fc3_x + s2*fc3_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*nc2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*nc2_y - 0.1524_rk*f1_x
+    n1_z = -0.1524_rk*f02_x - n02_y
     ! link 1: forward substitution
     y1 = tau(1) - n1_z
     ! factorisation M = L D L^T

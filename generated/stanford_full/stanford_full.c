@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 223 multiplications, 208 additions = 431; 8 unary minus; 8 sine/cosine
- *   gravity: 48 multiplications, 27 additions = 75; 3 unary minus; 8 sine/cosine
- *   bias: 211 multiplications, 186 additions = 397; 9 unary minus; 8 sine/cosine
+ *   inverse_dynamics: 223 multiplications, 208 additions = 431; 6 unary minus; 8 sine/cosine
+ *   gravity: 48 multiplications, 27 additions = 75; 2 unary minus; 8 sine/cosine
+ *   bias: 211 multiplications, 186 additions = 397; 8 unary minus; 8 sine/cosine
  *   mass_matrix: 105 multiplications, 98 additions = 203; 8 unary minus; 8 sine/cosine
- *   forward_dynamics: 402 multiplications, 354 additions, 6 divisions = 762; 20 unary minus; 8
+ *   forward_dynamics: 402 multiplications, 354 additions, 6 divisions = 762; 19 unary minus; 8
  *       sine/cosine
  */
 #include "stanford_full.h"
@@ -28,7 +28,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 223 multiplications, 208 additions = 431; 8 unary minus; 8 sine/cosine */
+ * 223 multiplications, 208 additions = 431; 6 unary minus; 8 sine/cosine */
 void stanford_full_inverse_dynamics(
     const stanford_full_real q[6],
     const stanford_full_real qd[6],
@@ -49,10 +49,16 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real s6 = sin(again[5]);
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_full_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a2_z = -0.1524*ww1_zz;
     const stanford_full_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_full_real w2_x = t1*s2;
     const stanford_full_real w2_y = t1*c2;
+    const stanford_full_real t2 = 0.1524*qdd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a2_x = -9.8*s2 - c2*t2;
+    const stanford_full_real a2_y = s2*t2 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const stanford_full_real ww2_yz = qd[1]*w2_y;
     const stanford_full_real ww2_zx = qd[1]*w2_x;
@@ -74,11 +80,6 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real lam2_31 = ww2_zx + neg_alpha2_y;
     const stanford_full_real lam2_32 = ww2_yz + alpha2_x;
     const stanford_full_real lam2_33 = neg_ww2_xx - ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a2_z = -0.1524*ww1_zz;
-    const stanford_full_real t2 = 0.1524*qdd[0];
-    const stanford_full_real a2_x = -9.8*s2 - c2*t2;
-    const stanford_full_real a2_y = s2*t2 - 9.8*c2;
     const stanford_full_real t3 = 2.0*qd[2];
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_full_real a3_x = a2_x - q[2]*lam2_12 + qd[1]*t3;
@@ -88,6 +89,9 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real w4_x = c4*w2_x + qd[1]*s4;
     const stanford_full_real w4_y = qd[1]*c4 - s4*w2_x;
     const stanford_full_real t4 = -c4;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real neg_a4_x = t4*a3_x - s4*a3_y;
+    const stanford_full_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const stanford_full_real alpha4_x = qd[3]*w4_y - (t4*alpha2_x - qdd[1]*s4);
     const stanford_full_real alpha4_y = qdd[1]*c4 - s4*alpha2_x - qd[3]*w4_x;
@@ -111,13 +115,13 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real lam4_31 = ww4_zx - alpha4_y;
     const stanford_full_real lam4_32 = alpha4_x + ww4_yz;
     const stanford_full_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real neg_a4_x = t4*a3_x - s4*a3_y;
-    const stanford_full_real a4_y = c4*a3_y - s4*a3_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_full_real w5_x = c5*w4_x - s5*w4_z;
     const stanford_full_real t5 = -s5;
     const stanford_full_real w5_y = t5*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a5_x = -c5*neg_a4_x - s5*a3_z;
+    const stanford_full_real a5_y = s5*neg_a4_x - c5*a3_z;
     /* link 5: angular acceleration [rad/s^2] */
     const stanford_full_real alpha5_x = qd[4]*w5_y - (s5*alpha4_z - c5*alpha4_x);
     const stanford_full_real alpha5_y = t5*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
@@ -141,12 +145,12 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real lam5_31 = ww5_zx - alpha5_y;
     const stanford_full_real lam5_32 = alpha5_x + ww5_yz;
     const stanford_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a5_x = -c5*neg_a4_x - s5*a3_z;
-    const stanford_full_real a5_y = s5*neg_a4_x - c5*a3_z;
     /* link 6: angular velocity [rad/s] */
     const stanford_full_real w6_x = c6*w5_x + s6*w5_z;
     const stanford_full_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a6_x = c6*a5_x + s6*a4_y;
+    const stanford_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const stanford_full_real alpha6_x = qd[5]*w6_y - (-c6*alpha5_x - s6*alpha5_z);
     const stanford_full_real alpha6_y = c6*alpha5_z - s6*alpha5_x - qd[5]*w6_x;
@@ -170,9 +174,6 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real lam6_31 = ww6_zx - alpha6_y;
     const stanford_full_real lam6_32 = alpha6_x + ww6_yz;
     const stanford_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a6_x = c6*a5_x + s6*a4_y;
-    const stanford_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 1: moment that turns the link [N m] */
     const stanford_full_real nc1_z = 1.1129758995253813*qdd[0];
     /* link 2: force that moves the link [N] */
@@ -190,10 +191,10 @@ void stanford_full_inverse_dynamics(
         0.06807816021551473*lam2_13);
     const stanford_full_real nc2_z = t6 + (0.14889539863184567*a2_y + 0.5558718199714463*a2_x);
     /* link 3: force that moves the link [N] */
-    const stanford_full_real fc3_x = 19.732838668844984*a3_x + (-0.012168751997232599*lam2_12 -
-        (0.22200183325724177*neg_lam2_11 - 0.4516316755890639*lam2_13));
-    const stanford_full_real fc3_y = 19.732838668844984*a3_y + (-0.012168751997232599*lam2_32 -
-        (-0.22200183325724177*lam2_31 - 0.4516316755890639*lam2_33));
+    const stanford_full_real fc3_x = 19.732838668844984*a3_x - (0.22200183325724177*neg_lam2_11 -
+        0.4516316755890639*lam2_13 + 0.012168751997232599*lam2_12);
+    const stanford_full_real fc3_y = 19.732838668844984*a3_y - (-0.22200183325724177*lam2_31 -
+        0.4516316755890639*lam2_33 + 0.012168751997232599*lam2_32);
     const stanford_full_real fc3_z = 19.732838668844984*a3_z - (0.22200183325724177*lam2_21 +
         0.4516316755890639*lam2_23 - 0.012168751997232599*lam2_22);
     /* link 3: moment that turns the link [N m] */
@@ -220,9 +221,9 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real fc5_y = 0.6468331423588011*neg_lam5_22 - 0.5911078910549018*lam5_21;
     const stanford_full_real fc5_z = -0.5911078910549018*lam5_31 - 0.6468331423588011*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const stanford_full_real nc5_x = -0.6468331423588011*a4_y - (0.23560176217086468*(neg_lam5_22 -
-        neg_lam5_33) - 0.17535491873574263*lam5_32 + (-0.060693211657558095*lam5_31 -
-        0.13660343902034475*lam5_21));
+    const stanford_full_real neg_nc5_x = 0.23560176217086468*(neg_lam5_22 - neg_lam5_33) -
+        0.17535491873574263*lam5_32 + (-0.060693211657558095*lam5_31 - 0.13660343902034475*lam5_21)
+        + 0.6468331423588011*a4_y;
     const stanford_full_real nc5_y = 0.13660343902034475*(neg_lam5_11 - neg_lam5_33) -
         0.20245111268601115*lam5_31 + (-0.23560176217086468*lam5_12 - 0.060693211657558095*lam5_32)
         + 0.5911078910549018*a4_y;
@@ -245,31 +246,47 @@ void stanford_full_inverse_dynamics(
         0.31745868108016423*(neg_lam6_11 - neg_lam6_22) - (0.06483323523282834*lam6_23 +
         0.0625396920897071*lam6_13);
     const stanford_full_real nc6_z = t9 + (1.193403445777575*a6_y + 1.2174687787169953*a6_x);
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f06_x = c6*fc6_x - s6*fc6_y;
+    const stanford_full_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n06_x = c6*nc6_x - s6*nc6_y;
+    const stanford_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n5_x = nc5_x - (s6*nc6_y - c6*nc6_x);
+    const stanford_full_real n5_x = n06_x - neg_nc5_x;
     const stanford_full_real n5_y = nc5_y - nc6_z;
-    const stanford_full_real t10 = -s6;
-    const stanford_full_real n5_z = nc5_z - (t10*nc6_x - c6*nc6_y);
+    const stanford_full_real n5_z = nc5_z + n06_y;
     /* link 5: force through the joint [N] */
-    const stanford_full_real f5_x = fc5_x - (s6*fc6_y - c6*fc6_x);
+    const stanford_full_real f5_x = fc5_x + f06_x;
     const stanford_full_real f5_y = fc5_y - fc6_z;
-    const stanford_full_real f5_z = fc5_z - (t10*fc6_x - c6*fc6_y);
+    const stanford_full_real f5_z = fc5_z + f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f05_x = c5*f5_x - s5*f5_y;
+    const stanford_full_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n05_x = c5*n5_x - s5*n5_y;
+    const stanford_full_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const stanford_full_real n4_x = nc4_x + n05_x;
     const stanford_full_real n4_y = nc4_y + n5_z;
-    const stanford_full_real n4_z = nc4_z + (t5*n5_x - c5*n5_y);
+    const stanford_full_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_full_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const stanford_full_real f4_x = fc4_x + f05_x;
     const stanford_full_real f4_y = fc4_y + f5_z;
-    const stanford_full_real f4_z = fc4_z - (s5*f5_x + c5*f5_y);
+    const stanford_full_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f04_x = c4*f4_x - s4*f4_y;
+    const stanford_full_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n04_x = c4*n4_x - s4*n4_y;
+    const stanford_full_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n3_x = nc3_x - (s4*n4_y - c4*n4_x);
-    const stanford_full_real t11 = -s4;
-    const stanford_full_real n3_y = nc3_y - (t11*n4_x - c4*n4_y);
+    const stanford_full_real n3_x = nc3_x + n04_x;
+    const stanford_full_real n3_y = nc3_y + n04_y;
     const stanford_full_real n3_z = nc3_z + n4_z;
     /* link 3: force through the joint [N] */
-    const stanford_full_real f3_x = fc3_x - (s4*f4_y - c4*f4_x);
-    const stanford_full_real f3_y = fc3_y - (t11*f4_x - c4*f4_y);
+    const stanford_full_real f3_x = fc3_x + f04_x;
+    const stanford_full_real f3_y = fc3_y + f04_y;
     const stanford_full_real f3_z = fc3_z + f4_z;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_full_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
@@ -278,8 +295,12 @@ void stanford_full_inverse_dynamics(
     /* link 2: force through the joint [N] */
     const stanford_full_real f2_x = fc2_x + f3_x;
     const stanford_full_real f2_y = fc2_y - f3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real neg_f02_x = s2*f2_y - c2*f2_x;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n1_z = nc1_z + 0.1524*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y);
+    const stanford_full_real n1_z = nc1_z + 0.1524*neg_f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = f3_z;
@@ -289,7 +310,7 @@ void stanford_full_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 48 multiplications, 27 additions = 75; 3 unary minus; 8 sine/cosine */
+ * 48 multiplications, 27 additions = 75; 2 unary minus; 8 sine/cosine */
 void stanford_full_gravity(const stanford_full_real q[6], stanford_full_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -334,24 +355,34 @@ void stanford_full_gravity(const stanford_full_real q[6], stanford_full_real tau
     const stanford_full_real nc6_x = 1.2174687787169953*a5_y;
     const stanford_full_real nc6_y = 1.193403445777575*a5_y;
     const stanford_full_real nc6_z = 1.193403445777575*a6_y + 1.2174687787169953*a6_x;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n06_x = c6*nc6_x - s6*nc6_y;
+    const stanford_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const stanford_full_real n5_x = nc5_x + n06_x;
     const stanford_full_real n5_y = nc5_y - nc6_z;
-    const stanford_full_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    const stanford_full_real n5_z = nc5_z + n06_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n05_x = c5*n5_x - s5*n5_y;
+    const stanford_full_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const stanford_full_real n4_x = nc4_x + n05_x;
     const stanford_full_real n4_y = nc4_y + n5_z;
-    const stanford_full_real n4_z = nc4_z + (-s5*n5_x - c5*n5_y);
+    const stanford_full_real n4_z = nc4_z - n05_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n04_x = c4*n4_x - s4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n3_x = nc3_x + (c4*n4_x - s4*n4_y);
+    const stanford_full_real n3_x = nc3_x + n04_x;
     const stanford_full_real n3_z = nc3_z + n4_z;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_full_real n2_z = -3.634792872513057*c2 - (5.566797605293052*s2 - (s4*n4_x -
         (-c4*n4_y - q[2]*fc3_x)));
-    /* link 1: force through the joint [N] */
-    const stanford_full_real f1_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f02_x = c2*fc3_x + s2*fc3_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n02_y = s2*n3_x - c2*n3_z;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n1_z = -0.1524*f1_x - (s2*n3_x - c2*n3_z);
+    const stanford_full_real n1_z = -0.1524*f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -361,7 +392,7 @@ void stanford_full_gravity(const stanford_full_real q[6], stanford_full_real tau
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 211 multiplications, 186 additions = 397; 9 unary minus; 8 sine/cosine */
+ * 211 multiplications, 186 additions = 397; 8 unary minus; 8 sine/cosine */
 void stanford_full_bias(
     const stanford_full_real q[6],
     const stanford_full_real qd[6],
@@ -381,10 +412,15 @@ void stanford_full_bias(
     const stanford_full_real s6 = sin(again[5]);
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_full_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a2_z = -0.1524*ww1_zz;
     const stanford_full_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_full_real w2_x = t1*s2;
     const stanford_full_real w2_y = t1*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a2_x = -9.8*s2;
+    const stanford_full_real a2_y = -9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_full_real alpha2_x = qd[1]*w2_y;
     const stanford_full_real t2 = -qd[1];
@@ -399,10 +435,6 @@ void stanford_full_bias(
     const stanford_full_real lam2_22 = neg_ww2_zz - ww2_xx;
     const stanford_full_real lam2_32 = 2.0*alpha2_x;
     const stanford_full_real lam2_33 = -ww2_xx - ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a2_z = -0.1524*ww1_zz;
-    const stanford_full_real a2_x = -9.8*s2;
-    const stanford_full_real a2_y = -9.8*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_full_real a3_z = q[2]*lam2_22 - a2_y;
     const stanford_full_real t3 = 2.0*qd[2];
@@ -411,10 +443,12 @@ void stanford_full_bias(
     /* link 4: angular velocity [rad/s] */
     const stanford_full_real w4_x = c4*w2_x + qd[1]*s4;
     const stanford_full_real w4_y = qd[1]*c4 - s4*w2_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real neg_a4_x = -c4*a3_x - s4*a3_y;
+    const stanford_full_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const stanford_full_real alpha4_x = c4*alpha2_x + qd[3]*w4_y;
-    const stanford_full_real t4 = -s4;
-    const stanford_full_real alpha4_y = t4*alpha2_x - qd[3]*w4_x;
+    const stanford_full_real alpha4_y = -s4*alpha2_x - qd[3]*w4_x;
     /* link 4: angular velocity [rad/s] */
     const stanford_full_real w4_z = qd[3] - w2_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -434,16 +468,15 @@ void stanford_full_bias(
     const stanford_full_real lam4_31 = ww4_zx - alpha4_y;
     const stanford_full_real lam4_32 = alpha4_x + ww4_yz;
     const stanford_full_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real neg_a4_x = -c4*a3_x - s4*a3_y;
-    const stanford_full_real a4_y = c4*a3_y - s4*a3_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_full_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_full_real t5 = -s5;
-    const stanford_full_real w5_y = t5*w4_x - c5*w4_z;
-    const stanford_full_real t6 = -c5;
+    const stanford_full_real w5_y = -s5*w4_x - c5*w4_z;
+    const stanford_full_real t4 = -c5;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a5_x = t4*neg_a4_x - s5*a3_z;
+    const stanford_full_real a5_y = s5*neg_a4_x - c5*a3_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const stanford_full_real alpha5_x = qd[4]*w5_y - (t6*alpha4_x - s5*alpha2_y);
+    const stanford_full_real alpha5_x = qd[4]*w5_y - (t4*alpha4_x - s5*alpha2_y);
     const stanford_full_real alpha5_y = c5*alpha2_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_full_real w5_z = qd[4] + w4_y;
@@ -464,12 +497,12 @@ void stanford_full_bias(
     const stanford_full_real lam5_31 = ww5_zx - alpha5_y;
     const stanford_full_real lam5_32 = alpha5_x + ww5_yz;
     const stanford_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a5_x = t6*neg_a4_x - s5*a3_z;
-    const stanford_full_real a5_y = s5*neg_a4_x - c5*a3_z;
     /* link 6: angular velocity [rad/s] */
     const stanford_full_real w6_x = c6*w5_x + s6*w5_z;
     const stanford_full_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a6_x = c6*a5_x + s6*a4_y;
+    const stanford_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const stanford_full_real alpha6_x = qd[5]*w6_y - (-c6*alpha5_x - s6*alpha4_y);
     const stanford_full_real alpha6_y = c6*alpha4_y - s6*alpha5_x - qd[5]*w6_x;
@@ -492,9 +525,6 @@ void stanford_full_bias(
     const stanford_full_real lam6_31 = ww6_zx - alpha6_y;
     const stanford_full_real lam6_32 = alpha6_x + ww6_yz;
     const stanford_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a6_x = c6*a5_x + s6*a4_y;
-    const stanford_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 2: force that moves the link [N] */
     const stanford_full_real fc2_x = 0.14889539863184567*lam2_11 - 0.5558718199714463*ww2_xy;
     const stanford_full_real fc2_y = 0.14889539863184567*ww2_xy - 0.5558718199714463*lam2_22;
@@ -508,10 +538,10 @@ void stanford_full_bias(
     const stanford_full_real neg_nc2_z = 0.49862309142001715*ww2_xy - 0.04911220265093226*(lam2_22 -
         lam2_11) + (1.4591749065920876*c2 + 5.4475438357201735*s2);
     /* link 3: force that moves the link [N] */
-    const stanford_full_real fc3_x = 19.732838668844984*a3_x - (0.012168751997232599*ww2_xy -
-        0.22200183325724177*lam2_11);
-    const stanford_full_real fc3_y = 19.732838668844984*a3_y + (-0.024337503994465198*alpha2_x -
-        (0.44400366651448353*alpha2_y - 0.4516316755890639*lam2_33));
+    const stanford_full_real neg_fc3_x = 0.012168751997232599*ww2_xy - 0.22200183325724177*lam2_11 -
+        19.732838668844984*a3_x;
+    const stanford_full_real fc3_y = 19.732838668844984*a3_y - (0.44400366651448353*alpha2_y -
+        0.4516316755890639*lam2_33 + 0.024337503994465198*alpha2_x);
     const stanford_full_real fc3_z = 19.732838668844984*a3_z - (0.22200183325724177*ww2_xy -
         0.012168751997232599*lam2_22);
     /* link 3: moment that turns the link [N m] */
@@ -529,27 +559,27 @@ void stanford_full_bias(
     const stanford_full_real nc4_y = 0.002655628796226608*(neg_lam4_11 - neg_lam4_33) -
         0.3448462092987837*lam4_31 - (0.23523950726161555*lam4_12 - 0.06784076259315977*lam4_32) -
         0.9022885982543313*a3_z;
-    const stanford_full_real t7 = 1.1561689763413345*lam4_12 - 0.3448462092987837*lam4_21 +
+    const stanford_full_real t5 = 1.1561689763413345*lam4_12 - 0.3448462092987837*lam4_21 +
         0.06784076259315977*(neg_lam4_11 - neg_lam4_22) + (0.002655628796226608*lam4_23 -
         0.23523950726161555*lam4_13);
-    const stanford_full_real nc4_z = 0.9022885982543313*a4_y + 0.28054187970758354*neg_a4_x - t7;
+    const stanford_full_real nc4_z = 0.9022885982543313*a4_y + 0.28054187970758354*neg_a4_x - t5;
     /* link 5: force that moves the link [N] */
     const stanford_full_real fc5_x = 0.5911078910549018*neg_lam5_11 - 0.6468331423588011*lam5_12;
     const stanford_full_real fc5_y = 0.6468331423588011*neg_lam5_22 - 0.5911078910549018*lam5_21;
     const stanford_full_real fc5_z = -0.5911078910549018*lam5_31 - 0.6468331423588011*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const stanford_full_real nc5_x = -0.6468331423588011*a4_y - (0.23560176217086468*(neg_lam5_22 -
-        neg_lam5_33) - 0.17535491873574263*lam5_32 + (-0.060693211657558095*lam5_31 -
-        0.13660343902034475*lam5_21));
+    const stanford_full_real neg_nc5_x = 0.23560176217086468*(neg_lam5_22 - neg_lam5_33) -
+        0.17535491873574263*lam5_32 + (-0.060693211657558095*lam5_31 - 0.13660343902034475*lam5_21)
+        + 0.6468331423588011*a4_y;
     const stanford_full_real nc5_y = 0.13660343902034475*(neg_lam5_11 - neg_lam5_33) -
         0.20245111268601115*lam5_31 + (-0.23560176217086468*lam5_12 - 0.060693211657558095*lam5_32)
         + 0.5911078910549018*a4_y;
-    const stanford_full_real t8 = 0.20245111268601115*lam5_21 - 0.17535491873574263*lam5_12 +
+    const stanford_full_real t6 = 0.20245111268601115*lam5_21 - 0.17535491873574263*lam5_12 +
         0.060693211657558095*(neg_lam5_11 - neg_lam5_22) - (0.13660343902034475*lam5_23 -
         0.23560176217086468*lam5_13);
-    const stanford_full_real nc5_z = t8 - (0.5911078910549018*a5_y - 0.6468331423588011*a5_x);
+    const stanford_full_real nc5_z = t6 - (0.5911078910549018*a5_y - 0.6468331423588011*a5_x);
     /* link 6: force that moves the link [N] */
-    const stanford_full_real neg_fc6_x = 1.193403445777575*neg_lam6_11 + 1.2174687787169953*lam6_12;
+    const stanford_full_real fc6_x = -1.193403445777575*neg_lam6_11 - 1.2174687787169953*lam6_12;
     const stanford_full_real fc6_y = 1.193403445777575*lam6_21 + 1.2174687787169953*neg_lam6_22;
     const stanford_full_real fc6_z = 1.193403445777575*lam6_31 - 1.2174687787169953*lam6_32;
     /* link 6: moment that turns the link [N m] */
@@ -559,33 +589,51 @@ void stanford_full_bias(
     const stanford_full_real nc6_y = 0.06483323523282834*(neg_lam6_11 - neg_lam6_33) -
         0.3409906449060338*lam6_31 + (0.0625396920897071*lam6_12 + 0.31745868108016423*lam6_32) +
         1.193403445777575*a5_y;
-    const stanford_full_real t9 = 0.35115649005241384*lam6_12 - 0.3409906449060338*lam6_21 +
+    const stanford_full_real t7 = 0.35115649005241384*lam6_12 - 0.3409906449060338*lam6_21 +
         0.31745868108016423*(neg_lam6_11 - neg_lam6_22) + (0.06483323523282834*lam6_23 +
         0.0625396920897071*lam6_13);
-    const stanford_full_real nc6_z = 1.193403445777575*a6_y + 1.2174687787169953*a6_x - t9;
+    const stanford_full_real nc6_z = 1.193403445777575*a6_y + 1.2174687787169953*a6_x - t7;
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f06_x = c6*fc6_x - s6*fc6_y;
+    const stanford_full_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n06_x = c6*nc6_x - s6*nc6_y;
+    const stanford_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n5_x = nc5_x - (s6*nc6_y - c6*nc6_x);
+    const stanford_full_real n5_x = n06_x - neg_nc5_x;
     const stanford_full_real n5_y = nc5_y - nc6_z;
-    const stanford_full_real n5_z = nc5_z - (-s6*nc6_x - c6*nc6_y);
+    const stanford_full_real n5_z = nc5_z + n06_y;
     /* link 5: force through the joint [N] */
-    const stanford_full_real f5_x = fc5_x - (c6*neg_fc6_x + s6*fc6_y);
+    const stanford_full_real f5_x = fc5_x + f06_x;
     const stanford_full_real f5_y = fc5_y - fc6_z;
-    const stanford_full_real f5_z = fc5_z - (s6*neg_fc6_x - c6*fc6_y);
+    const stanford_full_real f5_z = fc5_z + f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f05_x = c5*f5_x - s5*f5_y;
+    const stanford_full_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n05_x = c5*n5_x - s5*n5_y;
+    const stanford_full_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const stanford_full_real n4_x = nc4_x + n05_x;
     const stanford_full_real n4_y = nc4_y + n5_z;
-    const stanford_full_real n4_z = nc4_z + (t5*n5_x - c5*n5_y);
+    const stanford_full_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_full_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const stanford_full_real f4_x = fc4_x + f05_x;
     const stanford_full_real f4_y = fc4_y + f5_z;
-    const stanford_full_real f4_z = fc4_z - (s5*f5_x + c5*f5_y);
+    const stanford_full_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f04_x = c4*f4_x - s4*f4_y;
+    const stanford_full_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n04_x = c4*n4_x - s4*n4_y;
+    const stanford_full_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n3_x = nc3_x - (s4*n4_y - c4*n4_x);
-    const stanford_full_real n3_y = nc3_y - (t4*n4_x - c4*n4_y);
+    const stanford_full_real n3_x = nc3_x + n04_x;
+    const stanford_full_real n3_y = nc3_y + n04_y;
     const stanford_full_real n3_z = nc3_z + n4_z;
     /* link 3: force through the joint [N] */
-    const stanford_full_real neg_f3_x = s4*f4_y - c4*f4_x - fc3_x;
-    const stanford_full_real f3_y = fc3_y - (t4*f4_x - c4*f4_y);
+    const stanford_full_real neg_f3_x = neg_fc3_x - f04_x;
+    const stanford_full_real f3_y = fc3_y + f04_y;
     const stanford_full_real f3_z = fc3_z + f4_z;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_full_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
@@ -594,8 +642,12 @@ void stanford_full_bias(
     /* link 2: force through the joint [N] */
     const stanford_full_real f2_x = fc2_x - neg_f3_x;
     const stanford_full_real f2_y = fc2_y - f3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real neg_f02_x = s2*f2_y - c2*f2_x;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n1_z = 0.1524*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y);
+    const stanford_full_real n1_z = 0.1524*neg_f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = f3_z;
@@ -788,7 +840,7 @@ void stanford_full_mass_matrix(const stanford_full_real q[6], stanford_full_real
 }
 
 /* accelerations that the torques tau give
- * 402 multiplications, 354 additions, 6 divisions = 762; 20 unary minus; 8 sine/cosine */
+ * 402 multiplications, 354 additions, 6 divisions = 762; 19 unary minus; 8 sine/cosine */
 void stanford_full_forward_dynamics(
     const stanford_full_real q[6],
     const stanford_full_real qd[6],
@@ -939,10 +991,15 @@ void stanford_full_forward_dynamics(
     const stanford_full_real m1_1 = 1.1129758995253813 - t20;
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_full_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a2_z = -0.1524*ww1_zz;
     const stanford_full_real t21 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const stanford_full_real w2_x = t21*s2;
     const stanford_full_real w2_y = t21*c2;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a2_x = -9.8*s2;
+    const stanford_full_real a2_y = -9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_full_real alpha2_x = qd[1]*w2_y;
     const stanford_full_real t22 = -qd[1];
@@ -957,10 +1014,6 @@ void stanford_full_forward_dynamics(
     const stanford_full_real lam2_22 = neg_ww2_zz - ww2_xx;
     const stanford_full_real lam2_32 = 2.0*alpha2_x;
     const stanford_full_real lam2_33 = -ww2_xx - ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a2_z = -0.1524*ww1_zz;
-    const stanford_full_real a2_x = -9.8*s2;
-    const stanford_full_real a2_y = -9.8*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_full_real a3_z = q[2]*lam2_22 - a2_y;
     const stanford_full_real t23 = 2.0*qd[2];
@@ -969,10 +1022,12 @@ void stanford_full_forward_dynamics(
     /* link 4: angular velocity [rad/s] */
     const stanford_full_real w4_x = c4*w2_x + qd[1]*s4;
     const stanford_full_real w4_y = qd[1]*c4 - s4*w2_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real neg_a4_x = t9*a3_x - s4*a3_y;
+    const stanford_full_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const stanford_full_real alpha4_x = c4*alpha2_x + qd[3]*w4_y;
-    const stanford_full_real t24 = -s4;
-    const stanford_full_real alpha4_y = t24*alpha2_x - qd[3]*w4_x;
+    const stanford_full_real alpha4_y = -s4*alpha2_x - qd[3]*w4_x;
     /* link 4: angular velocity [rad/s] */
     const stanford_full_real w4_z = qd[3] - w2_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -992,15 +1047,15 @@ void stanford_full_forward_dynamics(
     const stanford_full_real lam4_31 = ww4_zx - alpha4_y;
     const stanford_full_real lam4_32 = alpha4_x + ww4_yz;
     const stanford_full_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real neg_a4_x = t9*a3_x - s4*a3_y;
-    const stanford_full_real a4_y = c4*a3_y - s4*a3_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_full_real w5_x = c5*w4_x - s5*w4_z;
     const stanford_full_real w5_y = t1*w4_x - c5*w4_z;
-    const stanford_full_real t25 = -c5;
+    const stanford_full_real t24 = -c5;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a5_x = t24*neg_a4_x - s5*a3_z;
+    const stanford_full_real a5_y = s5*neg_a4_x - c5*a3_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const stanford_full_real alpha5_x = qd[4]*w5_y - (t25*alpha4_x - s5*alpha2_y);
+    const stanford_full_real alpha5_x = qd[4]*w5_y - (t24*alpha4_x - s5*alpha2_y);
     const stanford_full_real alpha5_y = c5*alpha2_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_full_real w5_z = qd[4] + w4_y;
@@ -1021,12 +1076,12 @@ void stanford_full_forward_dynamics(
     const stanford_full_real lam5_31 = ww5_zx - alpha5_y;
     const stanford_full_real lam5_32 = alpha5_x + ww5_yz;
     const stanford_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a5_x = t25*neg_a4_x - s5*a3_z;
-    const stanford_full_real a5_y = s5*neg_a4_x - c5*a3_z;
     /* link 6: angular velocity [rad/s] */
     const stanford_full_real w6_x = c6*w5_x + s6*w5_z;
     const stanford_full_real w6_y = c6*w5_z - s6*w5_x;
+    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_full_real a6_x = c6*a5_x + s6*a4_y;
+    const stanford_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const stanford_full_real alpha6_x = qd[5]*w6_y - (-c6*alpha5_x - s6*alpha4_y);
     const stanford_full_real alpha6_y = c6*alpha4_y - s6*alpha5_x - qd[5]*w6_x;
@@ -1049,9 +1104,6 @@ void stanford_full_forward_dynamics(
     const stanford_full_real lam6_31 = ww6_zx - alpha6_y;
     const stanford_full_real lam6_32 = alpha6_x + ww6_yz;
     const stanford_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_full_real a6_x = c6*a5_x + s6*a4_y;
-    const stanford_full_real a6_y = c6*a4_y - s6*a5_x;
     /* link 2: force that moves the link [N] */
     const stanford_full_real fc2_x = 0.14889539863184567*lam2_11 - 0.5558718199714463*ww2_xy;
     const stanford_full_real fc2_y = 0.14889539863184567*ww2_xy - 0.5558718199714463*lam2_22;
@@ -1065,10 +1117,10 @@ void stanford_full_forward_dynamics(
     const stanford_full_real neg_nc2_z = 0.49862309142001715*ww2_xy - 0.04911220265093226*(lam2_22 -
         lam2_11) + (1.4591749065920876*c2 + 5.4475438357201735*s2);
     /* link 3: force that moves the link [N] */
-    const stanford_full_real fc3_x = 19.732838668844984*a3_x - (0.012168751997232599*ww2_xy -
-        0.22200183325724177*lam2_11);
-    const stanford_full_real fc3_y = 19.732838668844984*a3_y + (-0.024337503994465198*alpha2_x -
-        (0.44400366651448353*alpha2_y - 0.4516316755890639*lam2_33));
+    const stanford_full_real neg_fc3_x = 0.012168751997232599*ww2_xy - 0.22200183325724177*lam2_11 -
+        19.732838668844984*a3_x;
+    const stanford_full_real fc3_y = 19.732838668844984*a3_y - (0.44400366651448353*alpha2_y -
+        0.4516316755890639*lam2_33 + 0.024337503994465198*alpha2_x);
     const stanford_full_real fc3_z = 19.732838668844984*a3_z - (0.22200183325724177*ww2_xy -
         0.012168751997232599*lam2_22);
     /* link 3: moment that turns the link [N m] */
@@ -1086,27 +1138,27 @@ void stanford_full_forward_dynamics(
     const stanford_full_real nc4_y = 0.002655628796226608*(neg_lam4_11 - neg_lam4_33) -
         0.3448462092987837*lam4_31 - (0.23523950726161555*lam4_12 - 0.06784076259315977*lam4_32) -
         0.9022885982543313*a3_z;
-    const stanford_full_real t26 = 1.1561689763413345*lam4_12 - 0.3448462092987837*lam4_21 +
+    const stanford_full_real t25 = 1.1561689763413345*lam4_12 - 0.3448462092987837*lam4_21 +
         0.06784076259315977*(neg_lam4_11 - neg_lam4_22) + (0.002655628796226608*lam4_23 -
         0.23523950726161555*lam4_13);
-    const stanford_full_real nc4_z = 0.9022885982543313*a4_y + 0.28054187970758354*neg_a4_x - t26;
+    const stanford_full_real nc4_z = 0.9022885982543313*a4_y + 0.28054187970758354*neg_a4_x - t25;
     /* link 5: force that moves the link [N] */
     const stanford_full_real fc5_x = 0.5911078910549018*neg_lam5_11 - 0.6468331423588011*lam5_12;
     const stanford_full_real fc5_y = 0.6468331423588011*neg_lam5_22 - 0.5911078910549018*lam5_21;
     const stanford_full_real fc5_z = -0.5911078910549018*lam5_31 - 0.6468331423588011*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const stanford_full_real nc5_x = -0.6468331423588011*a4_y - (0.23560176217086468*(neg_lam5_22 -
-        neg_lam5_33) - 0.17535491873574263*lam5_32 + (-0.060693211657558095*lam5_31 -
-        0.13660343902034475*lam5_21));
+    const stanford_full_real neg_nc5_x = 0.23560176217086468*(neg_lam5_22 - neg_lam5_33) -
+        0.17535491873574263*lam5_32 + (-0.060693211657558095*lam5_31 - 0.13660343902034475*lam5_21)
+        + 0.6468331423588011*a4_y;
     const stanford_full_real nc5_y = 0.13660343902034475*(neg_lam5_11 - neg_lam5_33) -
         0.20245111268601115*lam5_31 + (-0.23560176217086468*lam5_12 - 0.060693211657558095*lam5_32)
         + 0.5911078910549018*a4_y;
-    const stanford_full_real t27 = 0.20245111268601115*lam5_21 - 0.17535491873574263*lam5_12 +
+    const stanford_full_real t26 = 0.20245111268601115*lam5_21 - 0.17535491873574263*lam5_12 +
         0.060693211657558095*(neg_lam5_11 - neg_lam5_22) - (0.13660343902034475*lam5_23 -
         0.23560176217086468*lam5_13);
-    const stanford_full_real nc5_z = t27 - (0.5911078910549018*a5_y - 0.6468331423588011*a5_x);
+    const stanford_full_real nc5_z = t26 - (0.5911078910549018*a5_y - 0.6468331423588011*a5_x);
     /* link 6: force that moves the link [N] */
-    const stanford_full_real neg_fc6_x = 1.193403445777575*neg_lam6_11 + 1.2174687787169953*lam6_12;
+    const stanford_full_real fc6_x = -1.193403445777575*neg_lam6_11 - 1.2174687787169953*lam6_12;
     const stanford_full_real fc6_y = 1.193403445777575*lam6_21 + 1.2174687787169953*neg_lam6_22;
     const stanford_full_real fc6_z = 1.193403445777575*lam6_31 - 1.2174687787169953*lam6_32;
     /* link 6: moment that turns the link [N m] */
@@ -1116,33 +1168,51 @@ void stanford_full_forward_dynamics(
     const stanford_full_real nc6_y = 0.06483323523282834*(neg_lam6_11 - neg_lam6_33) -
         0.3409906449060338*lam6_31 + (0.0625396920897071*lam6_12 + 0.31745868108016423*lam6_32) +
         1.193403445777575*a5_y;
-    const stanford_full_real t28 = 0.35115649005241384*lam6_12 - 0.3409906449060338*lam6_21 +
+    const stanford_full_real t27 = 0.35115649005241384*lam6_12 - 0.3409906449060338*lam6_21 +
         0.31745868108016423*(neg_lam6_11 - neg_lam6_22) + (0.06483323523282834*lam6_23 +
         0.0625396920897071*lam6_13);
-    const stanford_full_real nc6_z = 1.193403445777575*a6_y + 1.2174687787169953*a6_x - t28;
+    const stanford_full_real nc6_z = 1.193403445777575*a6_y + 1.2174687787169953*a6_x - t27;
+    /* link 6: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f06_x = c6*fc6_x - s6*fc6_y;
+    const stanford_full_real f06_y = s6*fc6_x + c6*fc6_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n06_x = c6*nc6_x - s6*nc6_y;
+    const stanford_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n5_x = nc5_x - (s6*nc6_y - c6*nc6_x);
+    const stanford_full_real n5_x = n06_x - neg_nc5_x;
     const stanford_full_real n5_y = nc5_y - nc6_z;
-    const stanford_full_real n5_z = nc5_z - (-s6*nc6_x - c6*nc6_y);
+    const stanford_full_real n5_z = nc5_z + n06_y;
     /* link 5: force through the joint [N] */
-    const stanford_full_real f5_x = fc5_x - (c6*neg_fc6_x + s6*fc6_y);
+    const stanford_full_real f5_x = fc5_x + f06_x;
     const stanford_full_real f5_y = fc5_y - fc6_z;
-    const stanford_full_real f5_z = fc5_z - (s6*neg_fc6_x - c6*fc6_y);
+    const stanford_full_real f5_z = fc5_z + f06_y;
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f05_x = c5*f5_x - s5*f5_y;
+    const stanford_full_real f05_y = s5*f5_x + c5*f5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n05_x = c5*n5_x - s5*n5_y;
+    const stanford_full_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n4_x = nc4_x - (s5*n5_y - c5*n5_x);
+    const stanford_full_real n4_x = nc4_x + n05_x;
     const stanford_full_real n4_y = nc4_y + n5_z;
-    const stanford_full_real n4_z = nc4_z + (t1*n5_x - c5*n5_y);
+    const stanford_full_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_full_real f4_x = fc4_x + (c5*f5_x - s5*f5_y);
+    const stanford_full_real f4_x = fc4_x + f05_x;
     const stanford_full_real f4_y = fc4_y + f5_z;
-    const stanford_full_real f4_z = fc4_z - (s5*f5_x + c5*f5_y);
+    const stanford_full_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real f04_x = c4*f4_x - s4*f4_y;
+    const stanford_full_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n04_x = c4*n4_x - s4*n4_y;
+    const stanford_full_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n3_x = nc3_x - (s4*n4_y - c4*n4_x);
-    const stanford_full_real n3_y = nc3_y - (t24*n4_x - c4*n4_y);
+    const stanford_full_real n3_x = nc3_x + n04_x;
+    const stanford_full_real n3_y = nc3_y + n04_y;
     const stanford_full_real n3_z = nc3_z + n4_z;
     /* link 3: force through the joint [N] */
-    const stanford_full_real neg_f3_x = s4*f4_y - c4*f4_x - fc3_x;
-    const stanford_full_real f3_y = fc3_y - (t24*f4_x - c4*f4_y);
+    const stanford_full_real neg_f3_x = neg_fc3_x - f04_x;
+    const stanford_full_real f3_y = fc3_y + f04_y;
     const stanford_full_real f3_z = fc3_z + f4_z;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_full_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
@@ -1151,8 +1221,12 @@ void stanford_full_forward_dynamics(
     /* link 2: force through the joint [N] */
     const stanford_full_real f2_x = fc2_x - neg_f3_x;
     const stanford_full_real f2_y = fc2_y - f3_z;
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const stanford_full_real neg_f02_x = s2*f2_y - c2*f2_x;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_full_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n1_z = 0.1524*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y);
+    const stanford_full_real n1_z = 0.1524*neg_f02_x - n02_y;
     /* link 1: forward substitution */
     const stanford_full_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
@@ -1182,10 +1256,10 @@ void stanford_full_forward_dynamics(
     const stanford_full_real l6_3 = ipivot3*ld6_3;
     const stanford_full_real pivot4 = m4_4 - nu1_z_3*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
     const stanford_full_real ipivot4 = 1.0 / pivot4;
-    const stanford_full_real t29 = -ld4_3;
-    const stanford_full_real ld5_4 = t29*l5_3 - (nu1_z_3*l5_1 - nu4_z_2 + ld4_2*l5_2);
+    const stanford_full_real t28 = -ld4_3;
+    const stanford_full_real ld5_4 = t28*l5_3 - (nu1_z_3*l5_1 - nu4_z_2 + ld4_2*l5_2);
     const stanford_full_real l5_4 = ipivot4*ld5_4;
-    const stanford_full_real ld6_4 = t29*l6_3 - (nu1_z_3*l6_1 - nu4_z + ld4_2*l6_2);
+    const stanford_full_real ld6_4 = t28*l6_3 - (nu1_z_3*l6_1 - nu4_z + ld4_2*l6_2);
     const stanford_full_real l6_4 = ipivot4*ld6_4;
     const stanford_full_real pivot5 = -(ld5_2*l5_2 - (m5_5 - nu1_z_2*l5_1) + ld5_3*l5_3) -
         ld5_4*l5_4;
@@ -1215,9 +1289,9 @@ void stanford_full_forward_dynamics(
     const stanford_full_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_full_real qdd2 = -l6_2*qdd6 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5);
-    const stanford_full_real t30 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4);
+    const stanford_full_real t29 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real qdd1 = t30 - l6_1*qdd6;
+    const stanford_full_real qdd1 = t29 - l6_1*qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

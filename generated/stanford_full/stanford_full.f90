@@ -15,11 +15,11 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 223 multiplications, 208 additions = 431; 8 unary minus; 8 sine/cosine
-!   gravity: 48 multiplications, 27 additions = 75; 3 unary minus; 8 sine/cosine
-!   bias: 211 multiplications, 186 additions = 397; 9 unary minus; 8 sine/cosine
+!   inverse_dynamics: 223 multiplications, 208 additions = 431; 6 unary minus; 8 sine/cosine
+!   gravity: 48 multiplications, 27 additions = 75; 2 unary minus; 8 sine/cosine
+!   bias: 211 multiplications, 186 additions = 397; 8 unary minus; 8 sine/cosine
 !   mass_matrix: 105 multiplications, 98 additions = 203; 8 unary minus; 8 sine/cosine
-!   forward_dynamics: 402 multiplications, 354 additions, 6 divisions = 762; 20 unary minus; 8
+!   forward_dynamics: 402 multiplications, 354 additions, 6 divisions = 762; 19 unary minus; 8
 !       sine/cosine
 module stanford_full_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,7 +35,7 @@ module stanford_full_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 223 multiplications, 208 additions = 431; 8 unary minus; 8 sine/cosine
+  ! 223 multiplications, 208 additions = 431; 6 unary minus; 8 sine/cosine
   pure subroutine stanford_full_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="stanford_full_inverse_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -43,26 +43,28 @@ contains
     real(rk), intent(in) :: qdd(6)
     real(rk), intent(out) :: tau(6)
     real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
-    real(rk) :: ww1_zz, t1, w2_x, w2_y, ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y
-    real(rk) :: ww2_xy, neg_ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21
-    real(rk) :: lam2_22, lam2_23, lam2_31, lam2_32, lam2_33, a2_z, t2, a2_x
-    real(rk) :: a2_y, t3, a3_x, a3_y, a3_z, w4_x, w4_y, t4
-    real(rk) :: alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
-    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23
-    real(rk) :: lam4_31, lam4_32, neg_lam4_33, neg_a4_x, a4_y, w5_x, t5, w5_y
-    real(rk) :: alpha5_x, alpha5_y, alpha5_z, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx
-    real(rk) :: ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23
-    real(rk) :: lam5_31, lam5_32, neg_lam5_33, a5_x, a5_y, w6_x, w6_y, alpha6_x
-    real(rk) :: alpha6_y, alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy
-    real(rk) :: ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31
-    real(rk) :: lam6_32, neg_lam6_33, a6_x, a6_y, nc1_z, fc2_x, fc2_y, nc2_x
+    real(rk) :: ww1_zz, a2_z, t1, w2_x, w2_y, t2, a2_x, a2_y
+    real(rk) :: ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, neg_ww2_xx, ww2_yy, ww2_zz
+    real(rk) :: neg_lam2_11, lam2_12, lam2_13, lam2_21, lam2_22, lam2_23, lam2_31, lam2_32
+    real(rk) :: lam2_33, t3, a3_x, a3_y, a3_z, w4_x, w4_y, t4
+    real(rk) :: neg_a4_x, a4_y, alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx
+    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21
+    real(rk) :: neg_lam4_22, lam4_23, lam4_31, lam4_32, neg_lam4_33, w5_x, t5, w5_y
+    real(rk) :: a5_x, a5_y, alpha5_x, alpha5_y, alpha5_z, w5_z, ww5_yz, ww5_zx
+    real(rk) :: ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21
+    real(rk) :: neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, w6_y, a6_x
+    real(rk) :: a6_y, alpha6_x, alpha6_y, alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy
+    real(rk) :: ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22
+    real(rk) :: lam6_23, lam6_31, lam6_32, neg_lam6_33, nc1_z, fc2_x, fc2_y, nc2_x
     real(rk) :: nc2_y, t6, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y
     real(rk) :: nc3_z, fc4_x, fc4_y, fc4_z, nc4_x, nc4_y, t7, nc4_z
-    real(rk) :: fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t8, nc5_z, fc6_x
-    real(rk) :: fc6_y, fc6_z, nc6_x, nc6_y, t9, nc6_z, n5_x, n5_y
-    real(rk) :: t10, n5_z, f5_x, f5_y, f5_z, n4_x, n4_y, n4_z
-    real(rk) :: f4_x, f4_y, f4_z, n3_x, t11, n3_y, n3_z, f3_x
-    real(rk) :: f3_y, f3_z, n2_x, n2_y, n2_z, f2_x, f2_y, n1_z
+    real(rk) :: fc5_x, fc5_y, fc5_z, neg_nc5_x, nc5_y, t8, nc5_z, fc6_x
+    real(rk) :: fc6_y, fc6_z, nc6_x, nc6_y, t9, nc6_z, f06_x, f06_y
+    real(rk) :: n06_x, n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z
+    real(rk) :: f05_x, f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f4_x
+    real(rk) :: f4_y, f4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y
+    real(rk) :: n3_z, f3_x, f3_y, f3_z, n2_x, n2_y, n2_z, f2_x
+    real(rk) :: f2_y, neg_f02_x, n02_y, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -75,10 +77,16 @@ contains
     s6 = sin(q(6))
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    t2 = 0.1524_rk*qdd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2 - c2*t2
+    a2_y = s2*t2 - 9.8_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
     ww2_yz = qd(2)*w2_y
     ww2_zx = qd(2)*w2_x
@@ -100,11 +108,6 @@ contains
     lam2_31 = ww2_zx + neg_alpha2_y
     lam2_32 = ww2_yz + alpha2_x
     lam2_33 = neg_ww2_xx - ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    t2 = 0.1524_rk*qdd(1)
-    a2_x = -9.8_rk*s2 - c2*t2
-    a2_y = s2*t2 - 9.8_rk*c2
     t3 = 2.0_rk*qd(3)
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_x = a2_x - q(3)*lam2_12 + qd(2)*t3
@@ -114,6 +117,9 @@ contains
     w4_x = c4*w2_x + qd(2)*s4
     w4_y = qd(2)*c4 - s4*w2_x
     t4 = -c4
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a4_x = t4*a3_x - s4*a3_y
+    a4_y = c4*a3_y - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = qd(4)*w4_y - (t4*alpha2_x - qdd(2)*s4)
     alpha4_y = qdd(2)*c4 - s4*alpha2_x - qd(4)*w4_x
@@ -137,13 +143,13 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_x = t4*a3_x - s4*a3_y
-    a4_y = c4*a3_y - s4*a3_x
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
     t5 = -s5
     w5_y = t5*w4_x - c5*w4_z
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = -c5*neg_a4_x - s5*a3_z
+    a5_y = s5*neg_a4_x - c5*a3_z
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = qd(5)*w5_y - (s5*alpha4_z - c5*alpha4_x)
     alpha5_y = t5*alpha4_x - c5*alpha4_z - qd(5)*w5_x
@@ -167,12 +173,12 @@ contains
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = -c5*neg_a4_x - s5*a3_z
-    a5_y = s5*neg_a4_x - c5*a3_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    a6_y = c6*a4_y - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (-c6*alpha5_x - s6*alpha5_z)
     alpha6_y = c6*alpha5_z - s6*alpha5_x - qd(6)*w6_x
@@ -196,9 +202,6 @@ contains
     lam6_31 = ww6_zx - alpha6_y
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a4_y
-    a6_y = c6*a4_y - s6*a5_x
     ! link 1: moment that turns the link [N m]
     nc1_z = 1.1129758995253813_rk*qdd(1)
     ! link 2: force that moves the link [N]
@@ -216,10 +219,10 @@ contains
         0.06807816021551473_rk*lam2_13)
     nc2_z = t6 + (0.14889539863184567_rk*a2_y + 0.5558718199714463_rk*a2_x)
     ! link 3: force that moves the link [N]
-    fc3_x = 19.732838668844984_rk*a3_x + (-0.012168751997232599_rk*lam2_12 - &
-        (0.22200183325724177_rk*neg_lam2_11 - 0.4516316755890639_rk*lam2_13))
-    fc3_y = 19.732838668844984_rk*a3_y + (-0.012168751997232599_rk*lam2_32 - &
-        (-0.22200183325724177_rk*lam2_31 - 0.4516316755890639_rk*lam2_33))
+    fc3_x = 19.732838668844984_rk*a3_x - (0.22200183325724177_rk*neg_lam2_11 - &
+        0.4516316755890639_rk*lam2_13 + 0.012168751997232599_rk*lam2_12)
+    fc3_y = 19.732838668844984_rk*a3_y - (-0.22200183325724177_rk*lam2_31 - &
+        0.4516316755890639_rk*lam2_33 + 0.012168751997232599_rk*lam2_32)
     fc3_z = 19.732838668844984_rk*a3_z - (0.22200183325724177_rk*lam2_21 + &
         0.4516316755890639_rk*lam2_23 - 0.012168751997232599_rk*lam2_22)
     ! link 3: moment that turns the link [N m]
@@ -246,9 +249,9 @@ contains
     fc5_y = 0.6468331423588011_rk*neg_lam5_22 - 0.5911078910549018_rk*lam5_21
     fc5_z = -0.5911078910549018_rk*lam5_31 - 0.6468331423588011_rk*lam5_32
     ! link 5: moment that turns the link [N m]
-    nc5_x = -0.6468331423588011_rk*a4_y - (0.23560176217086468_rk*(neg_lam5_22 - neg_lam5_33) - &
+    neg_nc5_x = 0.23560176217086468_rk*(neg_lam5_22 - neg_lam5_33) - &
         0.17535491873574263_rk*lam5_32 + (-0.060693211657558095_rk*lam5_31 - &
-        0.13660343902034475_rk*lam5_21))
+        0.13660343902034475_rk*lam5_21) + 0.6468331423588011_rk*a4_y
     nc5_y = 0.13660343902034475_rk*(neg_lam5_11 - neg_lam5_33) - 0.20245111268601115_rk*lam5_31 + &
         (-0.23560176217086468_rk*lam5_12 - 0.060693211657558095_rk*lam5_32) + &
         0.5911078910549018_rk*a4_y
@@ -271,31 +274,47 @@ contains
         0.31745868108016423_rk*(neg_lam6_11 - neg_lam6_22) - (0.06483323523282834_rk*lam6_23 + &
         0.0625396920897071_rk*lam6_13)
     nc6_z = t9 + (1.193403445777575_rk*a6_y + 1.2174687787169953_rk*a6_x)
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*fc6_x - s6*fc6_y
+    f06_y = s6*fc6_x + c6*fc6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x - (s6*nc6_y - c6*nc6_x)
+    n5_x = n06_x - neg_nc5_x
     n5_y = nc5_y - nc6_z
-    t10 = -s6
-    n5_z = nc5_z - (t10*nc6_x - c6*nc6_y)
+    n5_z = nc5_z + n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x - (s6*fc6_y - c6*fc6_x)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y - fc6_z
-    f5_z = fc5_z - (t10*fc6_x - c6*fc6_y)
+    f5_z = fc5_z + f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t5*n5_x - c5*n5_y)
+    n4_z = nc4_z - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + f5_z
-    f4_z = fc4_z - (s5*f5_x + c5*f5_y)
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (s4*n4_y - c4*n4_x)
-    t11 = -s4
-    n3_y = nc3_y - (t11*n4_x - c4*n4_y)
+    n3_x = nc3_x + n04_x
+    n3_y = nc3_y + n04_y
     n3_z = nc3_z + n4_z
     ! link 3: force through the joint [N]
-    f3_x = fc3_x - (s4*f4_y - c4*f4_x)
-    f3_y = fc3_y - (t11*f4_x - c4*f4_y)
+    f3_x = fc3_x + f04_x
+    f3_y = fc3_y + f04_y
     f3_z = fc3_z + f4_z
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_x = n3_x + (nc2_x - q(3)*f3_y)
@@ -304,8 +323,12 @@ contains
     ! link 2: force through the joint [N]
     f2_x = fc2_x + f3_x
     f2_y = fc2_y - f3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    neg_f02_x = s2*f2_y - c2*f2_x
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*n2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = nc1_z + 0.1524_rk*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y)
+    n1_z = nc1_z + 0.1524_rk*neg_f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = f3_z
@@ -315,7 +338,7 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 48 multiplications, 27 additions = 75; 3 unary minus; 8 sine/cosine
+  ! 48 multiplications, 27 additions = 75; 2 unary minus; 8 sine/cosine
   pure subroutine stanford_full_gravity(q, tau) &
       bind(c, name="stanford_full_gravity_f")
     real(rk), intent(in) :: q(6)
@@ -323,8 +346,9 @@ contains
     real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
     real(rk) :: a2_x, a2_y, a4_x, a4_y, a5_x, a5_y, a6_x, a6_y
     real(rk) :: fc3_x, fc3_z, nc3_x, nc3_z, nc4_x, nc4_y, nc4_z, nc5_x
-    real(rk) :: nc5_y, nc5_z, nc6_x, nc6_y, nc6_z, n5_x, n5_y, n5_z
-    real(rk) :: n4_x, n4_y, n4_z, n3_x, n3_z, n2_z, f1_x, n1_z
+    real(rk) :: nc5_y, nc5_z, nc6_x, nc6_y, nc6_z, n06_x, n06_y, n5_x
+    real(rk) :: n5_y, n5_z, n05_x, n05_y, n4_x, n4_y, n4_z, n04_x
+    real(rk) :: n3_x, n3_z, n2_z, f02_x, n02_y, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -365,24 +389,34 @@ contains
     nc6_x = 1.2174687787169953_rk*a5_y
     nc6_y = 1.193403445777575_rk*a5_y
     nc6_z = 1.193403445777575_rk*a6_y + 1.2174687787169953_rk*a6_x
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    n5_z = nc5_z + n06_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (-s5*n5_x - c5*n5_y)
+    n4_z = nc4_z - n05_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x + (c4*n4_x - s4*n4_y)
+    n3_x = nc3_x + n04_x
     n3_z = nc3_z + n4_z
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_z = -3.634792872513057_rk*c2 - (5.566797605293052_rk*s2 - (s4*n4_x - (-c4*n4_y - &
         q(3)*fc3_x)))
-    ! link 1: force through the joint [N]
-    f1_x = c2*fc3_x + s2*fc3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = c2*fc3_x + s2*fc3_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n3_x - c2*n3_z
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = -0.1524_rk*f1_x - (s2*n3_x - c2*n3_z)
+    n1_z = -0.1524_rk*f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = fc3_z
@@ -392,32 +426,33 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 211 multiplications, 186 additions = 397; 9 unary minus; 8 sine/cosine
+  ! 211 multiplications, 186 additions = 397; 8 unary minus; 8 sine/cosine
   pure subroutine stanford_full_bias(q, qd, tau) &
       bind(c, name="stanford_full_bias_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(out) :: tau(6)
     real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
-    real(rk) :: ww1_zz, t1, w2_x, w2_y, alpha2_x, t2, alpha2_y, ww2_xy
-    real(rk) :: ww2_xx, ww2_yy, neg_ww2_zz, lam2_11, lam2_22, lam2_32, lam2_33, a2_z
-    real(rk) :: a2_x, a2_y, a3_z, t3, a3_x, a3_y, w4_x, w4_y
-    real(rk) :: alpha4_x, t4, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
-    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23
-    real(rk) :: lam4_31, lam4_32, neg_lam4_33, neg_a4_x, a4_y, w5_x, t5, w5_y
-    real(rk) :: t6, alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx
+    real(rk) :: ww1_zz, a2_z, t1, w2_x, w2_y, a2_x, a2_y, alpha2_x
+    real(rk) :: t2, alpha2_y, ww2_xy, ww2_xx, ww2_yy, neg_ww2_zz, lam2_11, lam2_22
+    real(rk) :: lam2_32, lam2_33, a3_z, t3, a3_x, a3_y, w4_x, w4_y
+    real(rk) :: neg_a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy
+    real(rk) :: ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22
+    real(rk) :: lam4_23, lam4_31, lam4_32, neg_lam4_33, w5_x, w5_y, t4, a5_x
+    real(rk) :: a5_y, alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx
     real(rk) :: ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23
-    real(rk) :: lam5_31, lam5_32, neg_lam5_33, a5_x, a5_y, w6_x, w6_y, alpha6_x
+    real(rk) :: lam5_31, lam5_32, neg_lam5_33, w6_x, w6_y, a6_x, a6_y, alpha6_x
     real(rk) :: alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
     real(rk) :: neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32
-    real(rk) :: neg_lam6_33, a6_x, a6_y, fc2_x, fc2_y, nc2_x, nc2_y, neg_nc2_z
-    real(rk) :: fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y
-    real(rk) :: fc4_z, nc4_x, nc4_y, t7, nc4_z, fc5_x, fc5_y, fc5_z
-    real(rk) :: nc5_x, nc5_y, t8, nc5_z, neg_fc6_x, fc6_y, fc6_z, nc6_x
-    real(rk) :: nc6_y, t9, nc6_z, n5_x, n5_y, n5_z, f5_x, f5_y
-    real(rk) :: f5_z, n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, n3_x
-    real(rk) :: n3_y, n3_z, neg_f3_x, f3_y, f3_z, n2_x, n2_y, n2_z
-    real(rk) :: f2_x, f2_y, n1_z
+    real(rk) :: neg_lam6_33, fc2_x, fc2_y, nc2_x, nc2_y, neg_nc2_z, neg_fc3_x, fc3_y
+    real(rk) :: fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y, fc4_z, nc4_x
+    real(rk) :: nc4_y, t5, nc4_z, fc5_x, fc5_y, fc5_z, neg_nc5_x, nc5_y
+    real(rk) :: t6, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t7
+    real(rk) :: nc6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z
+    real(rk) :: f5_x, f5_y, f5_z, f05_x, f05_y, n05_x, n05_y, n4_x
+    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, f04_y, n04_x
+    real(rk) :: n04_y, n3_x, n3_y, n3_z, neg_f3_x, f3_y, f3_z, n2_x
+    real(rk) :: n2_y, n2_z, f2_x, f2_y, neg_f02_x, n02_y, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -430,10 +465,15 @@ contains
     s6 = sin(q(6))
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
     t2 = -qd(2)
@@ -448,10 +488,6 @@ contains
     lam2_22 = neg_ww2_zz - ww2_xx
     lam2_32 = 2.0_rk*alpha2_x
     lam2_33 = -ww2_xx - ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_z = q(3)*lam2_22 - a2_y
     t3 = 2.0_rk*qd(3)
@@ -460,10 +496,12 @@ contains
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w2_x + qd(2)*s4
     w4_y = qd(2)*c4 - s4*w2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a4_x = -c4*a3_x - s4*a3_y
+    a4_y = c4*a3_y - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha2_x + qd(4)*w4_y
-    t4 = -s4
-    alpha4_y = t4*alpha2_x - qd(4)*w4_x
+    alpha4_y = -s4*alpha2_x - qd(4)*w4_x
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w2_y
     ! link 4: products of the angular velocity [1/s^2]
@@ -483,16 +521,15 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_x = -c4*a3_x - s4*a3_y
-    a4_y = c4*a3_y - s4*a3_x
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t5 = -s5
-    w5_y = t5*w4_x - c5*w4_z
-    t6 = -c5
+    w5_y = -s5*w4_x - c5*w4_z
+    t4 = -c5
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = t4*neg_a4_x - s5*a3_z
+    a5_y = s5*neg_a4_x - c5*a3_z
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (t6*alpha4_x - s5*alpha2_y)
+    alpha5_x = qd(5)*w5_y - (t4*alpha4_x - s5*alpha2_y)
     alpha5_y = c5*alpha2_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -513,12 +550,12 @@ contains
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = t6*neg_a4_x - s5*a3_z
-    a5_y = s5*neg_a4_x - c5*a3_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    a6_y = c6*a4_y - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (-c6*alpha5_x - s6*alpha4_y)
     alpha6_y = c6*alpha4_y - s6*alpha5_x - qd(6)*w6_x
@@ -541,9 +578,6 @@ contains
     lam6_31 = ww6_zx - alpha6_y
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a4_y
-    a6_y = c6*a4_y - s6*a5_x
     ! link 2: force that moves the link [N]
     fc2_x = 0.14889539863184567_rk*lam2_11 - 0.5558718199714463_rk*ww2_xy
     fc2_y = 0.14889539863184567_rk*ww2_xy - 0.5558718199714463_rk*lam2_22
@@ -557,10 +591,10 @@ contains
     neg_nc2_z = 0.49862309142001715_rk*ww2_xy - 0.04911220265093226_rk*(lam2_22 - lam2_11) + &
         (1.4591749065920876_rk*c2 + 5.4475438357201735_rk*s2)
     ! link 3: force that moves the link [N]
-    fc3_x = 19.732838668844984_rk*a3_x - (0.012168751997232599_rk*ww2_xy - &
-        0.22200183325724177_rk*lam2_11)
-    fc3_y = 19.732838668844984_rk*a3_y + (-0.024337503994465198_rk*alpha2_x - &
-        (0.44400366651448353_rk*alpha2_y - 0.4516316755890639_rk*lam2_33))
+    neg_fc3_x = 0.012168751997232599_rk*ww2_xy - 0.22200183325724177_rk*lam2_11 - &
+        19.732838668844984_rk*a3_x
+    fc3_y = 19.732838668844984_rk*a3_y - (0.44400366651448353_rk*alpha2_y - &
+        0.4516316755890639_rk*lam2_33 + 0.024337503994465198_rk*alpha2_x)
     fc3_z = 19.732838668844984_rk*a3_z - (0.22200183325724177_rk*ww2_xy - &
         0.012168751997232599_rk*lam2_22)
     ! link 3: moment that turns the link [N m]
@@ -578,27 +612,27 @@ contains
     nc4_y = 0.002655628796226608_rk*(neg_lam4_11 - neg_lam4_33) - 0.3448462092987837_rk*lam4_31 - &
         (0.23523950726161555_rk*lam4_12 - 0.06784076259315977_rk*lam4_32) - &
         0.9022885982543313_rk*a3_z
-    t7 = 1.1561689763413345_rk*lam4_12 - 0.3448462092987837_rk*lam4_21 + &
+    t5 = 1.1561689763413345_rk*lam4_12 - 0.3448462092987837_rk*lam4_21 + &
         0.06784076259315977_rk*(neg_lam4_11 - neg_lam4_22) + (0.002655628796226608_rk*lam4_23 - &
         0.23523950726161555_rk*lam4_13)
-    nc4_z = 0.9022885982543313_rk*a4_y + 0.28054187970758354_rk*neg_a4_x - t7
+    nc4_z = 0.9022885982543313_rk*a4_y + 0.28054187970758354_rk*neg_a4_x - t5
     ! link 5: force that moves the link [N]
     fc5_x = 0.5911078910549018_rk*neg_lam5_11 - 0.6468331423588011_rk*lam5_12
     fc5_y = 0.6468331423588011_rk*neg_lam5_22 - 0.5911078910549018_rk*lam5_21
     fc5_z = -0.5911078910549018_rk*lam5_31 - 0.6468331423588011_rk*lam5_32
     ! link 5: moment that turns the link [N m]
-    nc5_x = -0.6468331423588011_rk*a4_y - (0.23560176217086468_rk*(neg_lam5_22 - neg_lam5_33) - &
+    neg_nc5_x = 0.23560176217086468_rk*(neg_lam5_22 - neg_lam5_33) - &
         0.17535491873574263_rk*lam5_32 + (-0.060693211657558095_rk*lam5_31 - &
-        0.13660343902034475_rk*lam5_21))
+        0.13660343902034475_rk*lam5_21) + 0.6468331423588011_rk*a4_y
     nc5_y = 0.13660343902034475_rk*(neg_lam5_11 - neg_lam5_33) - 0.20245111268601115_rk*lam5_31 + &
         (-0.23560176217086468_rk*lam5_12 - 0.060693211657558095_rk*lam5_32) + &
         0.5911078910549018_rk*a4_y
-    t8 = 0.20245111268601115_rk*lam5_21 - 0.17535491873574263_rk*lam5_12 + &
+    t6 = 0.20245111268601115_rk*lam5_21 - 0.17535491873574263_rk*lam5_12 + &
         0.060693211657558095_rk*(neg_lam5_11 - neg_lam5_22) - (0.13660343902034475_rk*lam5_23 - &
         0.23560176217086468_rk*lam5_13)
-    nc5_z = t8 - (0.5911078910549018_rk*a5_y - 0.6468331423588011_rk*a5_x)
+    nc5_z = t6 - (0.5911078910549018_rk*a5_y - 0.6468331423588011_rk*a5_x)
     ! link 6: force that moves the link [N]
-    neg_fc6_x = 1.193403445777575_rk*neg_lam6_11 + 1.2174687787169953_rk*lam6_12
+    fc6_x = -1.193403445777575_rk*neg_lam6_11 - 1.2174687787169953_rk*lam6_12
     fc6_y = 1.193403445777575_rk*lam6_21 + 1.2174687787169953_rk*neg_lam6_22
     fc6_z = 1.193403445777575_rk*lam6_31 - 1.2174687787169953_rk*lam6_32
     ! link 6: moment that turns the link [N m]
@@ -608,33 +642,51 @@ contains
     nc6_y = 0.06483323523282834_rk*(neg_lam6_11 - neg_lam6_33) - 0.3409906449060338_rk*lam6_31 + &
         (0.0625396920897071_rk*lam6_12 + 0.31745868108016423_rk*lam6_32) + &
         1.193403445777575_rk*a5_y
-    t9 = 0.35115649005241384_rk*lam6_12 - 0.3409906449060338_rk*lam6_21 + &
+    t7 = 0.35115649005241384_rk*lam6_12 - 0.3409906449060338_rk*lam6_21 + &
         0.31745868108016423_rk*(neg_lam6_11 - neg_lam6_22) + (0.06483323523282834_rk*lam6_23 + &
         0.0625396920897071_rk*lam6_13)
-    nc6_z = 1.193403445777575_rk*a6_y + 1.2174687787169953_rk*a6_x - t9
+    nc6_z = 1.193403445777575_rk*a6_y + 1.2174687787169953_rk*a6_x - t7
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*fc6_x - s6*fc6_y
+    f06_y = s6*fc6_x + c6*fc6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x - (s6*nc6_y - c6*nc6_x)
+    n5_x = n06_x - neg_nc5_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z - (-s6*nc6_x - c6*nc6_y)
+    n5_z = nc5_z + n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x - (c6*neg_fc6_x + s6*fc6_y)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y - fc6_z
-    f5_z = fc5_z - (s6*neg_fc6_x - c6*fc6_y)
+    f5_z = fc5_z + f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t5*n5_x - c5*n5_y)
+    n4_z = nc4_z - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + f5_z
-    f4_z = fc4_z - (s5*f5_x + c5*f5_y)
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (s4*n4_y - c4*n4_x)
-    n3_y = nc3_y - (t4*n4_x - c4*n4_y)
+    n3_x = nc3_x + n04_x
+    n3_y = nc3_y + n04_y
     n3_z = nc3_z + n4_z
     ! link 3: force through the joint [N]
-    neg_f3_x = s4*f4_y - c4*f4_x - fc3_x
-    f3_y = fc3_y - (t4*f4_x - c4*f4_y)
+    neg_f3_x = neg_fc3_x - f04_x
+    f3_y = fc3_y + f04_y
     f3_z = fc3_z + f4_z
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_x = n3_x + (nc2_x - q(3)*f3_y)
@@ -643,8 +695,12 @@ contains
     ! link 2: force through the joint [N]
     f2_x = fc2_x - neg_f3_x
     f2_y = fc2_y - f3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    neg_f02_x = s2*f2_y - c2*f2_x
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*n2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.1524_rk*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y)
+    n1_z = 0.1524_rk*neg_f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = f3_z
@@ -850,7 +906,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 402 multiplications, 354 additions, 6 divisions = 762; 20 unary minus; 8 sine/cosine
+  ! 402 multiplications, 354 additions, 6 divisions = 762; 19 unary minus; 8 sine/cosine
   pure subroutine stanford_full_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_full_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -869,31 +925,33 @@ contains
     real(rk) :: k3_xx, k3_xy, t14, t15, k3_yy, k3_zz, h3_x, h3_y
     real(rk) :: h3_z, nu1_z_4, t16, k2_zz, h2_x, t17, neg_h2_y, t18
     real(rk) :: k2_yy, k2_xy, k2_xz, k2_yz, t19, m2_2, fu1_x_4, nu1_z_5
-    real(rk) :: t20, m1_1, ww1_zz, t21, w2_x, w2_y, alpha2_x, t22
-    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_yy, neg_ww2_zz, lam2_11, lam2_22, lam2_32
-    real(rk) :: lam2_33, a2_z, a2_x, a2_y, a3_z, t23, a3_x, a3_y
-    real(rk) :: w4_x, w4_y, alpha4_x, t24, alpha4_y, w4_z, ww4_yz, ww4_zx
-    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21
-    real(rk) :: neg_lam4_22, lam4_23, lam4_31, lam4_32, neg_lam4_33, neg_a4_x, a4_y, w5_x
-    real(rk) :: w5_y, t25, alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy
-    real(rk) :: ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22
-    real(rk) :: lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_x, a5_y, w6_x, w6_y
-    real(rk) :: alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy
-    real(rk) :: ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31
-    real(rk) :: lam6_32, neg_lam6_33, a6_x, a6_y, fc2_x, fc2_y, nc2_x, nc2_y
-    real(rk) :: neg_nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x
-    real(rk) :: fc4_y, fc4_z, nc4_x, nc4_y, t26, nc4_z, fc5_x, fc5_y
-    real(rk) :: fc5_z, nc5_x, nc5_y, t27, nc5_z, neg_fc6_x, fc6_y, fc6_z
-    real(rk) :: nc6_x, nc6_y, t28, nc6_z, n5_x, n5_y, n5_z, f5_x
-    real(rk) :: f5_y, f5_z, n4_x, n4_y, n4_z, f4_x, f4_y, f4_z
-    real(rk) :: n3_x, n3_y, n3_z, neg_f3_x, f3_y, f3_z, n2_x, n2_y
-    real(rk) :: n2_z, f2_x, f2_y, n1_z, y1, ipivot1, l2_1, l3_1
-    real(rk) :: l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2
-    real(rk) :: l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3
-    real(rk) :: l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4, t29
-    real(rk) :: ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5
-    real(rk) :: pivot6, ipivot6, y2, y3, y4, y5, y6, qdd6
-    real(rk) :: qdd5, qdd4, qdd3, qdd2, t30, qdd1
+    real(rk) :: t20, m1_1, ww1_zz, a2_z, t21, w2_x, w2_y, a2_x
+    real(rk) :: a2_y, alpha2_x, t22, alpha2_y, ww2_xy, ww2_xx, ww2_yy, neg_ww2_zz
+    real(rk) :: lam2_11, lam2_22, lam2_32, lam2_33, a3_z, t23, a3_x, a3_y
+    real(rk) :: w4_x, w4_y, neg_a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz
+    real(rk) :: ww4_zx, ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13
+    real(rk) :: lam4_21, neg_lam4_22, lam4_23, lam4_31, lam4_32, neg_lam4_33, w5_x, w5_y
+    real(rk) :: t24, a5_x, a5_y, alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx
+    real(rk) :: ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21
+    real(rk) :: neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, w6_y, a6_x
+    real(rk) :: a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx
+    real(rk) :: ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23
+    real(rk) :: lam6_31, lam6_32, neg_lam6_33, fc2_x, fc2_y, nc2_x, nc2_y, neg_nc2_z
+    real(rk) :: neg_fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y
+    real(rk) :: fc4_z, nc4_x, nc4_y, t25, nc4_z, fc5_x, fc5_y, fc5_z
+    real(rk) :: neg_nc5_x, nc5_y, t26, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x
+    real(rk) :: nc6_y, t27, nc6_z, f06_x, f06_y, n06_x, n06_y, n5_x
+    real(rk) :: n5_y, n5_z, f5_x, f5_y, f5_z, f05_x, f05_y, n05_x
+    real(rk) :: n05_y, n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, f04_x
+    real(rk) :: f04_y, n04_x, n04_y, n3_x, n3_y, n3_z, neg_f3_x, f3_y
+    real(rk) :: f3_z, n2_x, n2_y, n2_z, f2_x, f2_y, neg_f02_x, n02_y
+    real(rk) :: n1_z, y1, ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1
+    real(rk) :: pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2
+    real(rk) :: ld6_2, l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3
+    real(rk) :: ld6_3, l6_3, pivot4, ipivot4, t28, ld5_4, l5_4, ld6_4
+    real(rk) :: l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2
+    real(rk) :: y3, y4, y5, y6, qdd6, qdd5, qdd4, qdd3
+    real(rk) :: qdd2, t29, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -1036,10 +1094,15 @@ contains
     m1_1 = 1.1129758995253813_rk - t20
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.1524_rk*ww1_zz
     t21 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t21*s2
     w2_y = t21*c2
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_x = -9.8_rk*s2
+    a2_y = -9.8_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
     t22 = -qd(2)
@@ -1054,10 +1117,6 @@ contains
     lam2_22 = neg_ww2_zz - ww2_xx
     lam2_32 = 2.0_rk*alpha2_x
     lam2_33 = -ww2_xx - ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1524_rk*ww1_zz
-    a2_x = -9.8_rk*s2
-    a2_y = -9.8_rk*c2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_z = q(3)*lam2_22 - a2_y
     t23 = 2.0_rk*qd(3)
@@ -1066,10 +1125,12 @@ contains
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w2_x + qd(2)*s4
     w4_y = qd(2)*c4 - s4*w2_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a4_x = t9*a3_x - s4*a3_y
+    a4_y = c4*a3_y - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha2_x + qd(4)*w4_y
-    t24 = -s4
-    alpha4_y = t24*alpha2_x - qd(4)*w4_x
+    alpha4_y = -s4*alpha2_x - qd(4)*w4_x
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w2_y
     ! link 4: products of the angular velocity [1/s^2]
@@ -1089,15 +1150,15 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_x = t9*a3_x - s4*a3_y
-    a4_y = c4*a3_y - s4*a3_x
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
     w5_y = t1*w4_x - c5*w4_z
-    t25 = -c5
+    t24 = -c5
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = t24*neg_a4_x - s5*a3_z
+    a5_y = s5*neg_a4_x - c5*a3_z
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (t25*alpha4_x - s5*alpha2_y)
+    alpha5_x = qd(5)*w5_y - (t24*alpha4_x - s5*alpha2_y)
     alpha5_y = c5*alpha2_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -1118,12 +1179,12 @@ contains
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = t25*neg_a4_x - s5*a3_z
-    a5_y = s5*neg_a4_x - c5*a3_z
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
+    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a6_x = c6*a5_x + s6*a4_y
+    a6_y = c6*a4_y - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (-c6*alpha5_x - s6*alpha4_y)
     alpha6_y = c6*alpha4_y - s6*alpha5_x - qd(6)*w6_x
@@ -1146,9 +1207,6 @@ contains
     lam6_31 = ww6_zx - alpha6_y
     lam6_32 = alpha6_x + ww6_yz
     neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a4_y
-    a6_y = c6*a4_y - s6*a5_x
     ! link 2: force that moves the link [N]
     fc2_x = 0.14889539863184567_rk*lam2_11 - 0.5558718199714463_rk*ww2_xy
     fc2_y = 0.14889539863184567_rk*ww2_xy - 0.5558718199714463_rk*lam2_22
@@ -1162,10 +1220,10 @@ contains
     neg_nc2_z = 0.49862309142001715_rk*ww2_xy - 0.04911220265093226_rk*(lam2_22 - lam2_11) + &
         (1.4591749065920876_rk*c2 + 5.4475438357201735_rk*s2)
     ! link 3: force that moves the link [N]
-    fc3_x = 19.732838668844984_rk*a3_x - (0.012168751997232599_rk*ww2_xy - &
-        0.22200183325724177_rk*lam2_11)
-    fc3_y = 19.732838668844984_rk*a3_y + (-0.024337503994465198_rk*alpha2_x - &
-        (0.44400366651448353_rk*alpha2_y - 0.4516316755890639_rk*lam2_33))
+    neg_fc3_x = 0.012168751997232599_rk*ww2_xy - 0.22200183325724177_rk*lam2_11 - &
+        19.732838668844984_rk*a3_x
+    fc3_y = 19.732838668844984_rk*a3_y - (0.44400366651448353_rk*alpha2_y - &
+        0.4516316755890639_rk*lam2_33 + 0.024337503994465198_rk*alpha2_x)
     fc3_z = 19.732838668844984_rk*a3_z - (0.22200183325724177_rk*ww2_xy - &
         0.012168751997232599_rk*lam2_22)
     ! link 3: moment that turns the link [N m]
@@ -1183,27 +1241,27 @@ contains
     nc4_y = 0.002655628796226608_rk*(neg_lam4_11 - neg_lam4_33) - 0.3448462092987837_rk*lam4_31 - &
         (0.23523950726161555_rk*lam4_12 - 0.06784076259315977_rk*lam4_32) - &
         0.9022885982543313_rk*a3_z
-    t26 = 1.1561689763413345_rk*lam4_12 - 0.3448462092987837_rk*lam4_21 + &
+    t25 = 1.1561689763413345_rk*lam4_12 - 0.3448462092987837_rk*lam4_21 + &
         0.06784076259315977_rk*(neg_lam4_11 - neg_lam4_22) + (0.002655628796226608_rk*lam4_23 - &
         0.23523950726161555_rk*lam4_13)
-    nc4_z = 0.9022885982543313_rk*a4_y + 0.28054187970758354_rk*neg_a4_x - t26
+    nc4_z = 0.9022885982543313_rk*a4_y + 0.28054187970758354_rk*neg_a4_x - t25
     ! link 5: force that moves the link [N]
     fc5_x = 0.5911078910549018_rk*neg_lam5_11 - 0.6468331423588011_rk*lam5_12
     fc5_y = 0.6468331423588011_rk*neg_lam5_22 - 0.5911078910549018_rk*lam5_21
     fc5_z = -0.5911078910549018_rk*lam5_31 - 0.6468331423588011_rk*lam5_32
     ! link 5: moment that turns the link [N m]
-    nc5_x = -0.6468331423588011_rk*a4_y - (0.23560176217086468_rk*(neg_lam5_22 - neg_lam5_33) - &
+    neg_nc5_x = 0.23560176217086468_rk*(neg_lam5_22 - neg_lam5_33) - &
         0.17535491873574263_rk*lam5_32 + (-0.060693211657558095_rk*lam5_31 - &
-        0.13660343902034475_rk*lam5_21))
+        0.13660343902034475_rk*lam5_21) + 0.6468331423588011_rk*a4_y
     nc5_y = 0.13660343902034475_rk*(neg_lam5_11 - neg_lam5_33) - 0.20245111268601115_rk*lam5_31 + &
         (-0.23560176217086468_rk*lam5_12 - 0.060693211657558095_rk*lam5_32) + &
         0.5911078910549018_rk*a4_y
-    t27 = 0.20245111268601115_rk*lam5_21 - 0.17535491873574263_rk*lam5_12 + &
+    t26 = 0.20245111268601115_rk*lam5_21 - 0.17535491873574263_rk*lam5_12 + &
         0.060693211657558095_rk*(neg_lam5_11 - neg_lam5_22) - (0.13660343902034475_rk*lam5_23 - &
         0.23560176217086468_rk*lam5_13)
-    nc5_z = t27 - (0.5911078910549018_rk*a5_y - 0.6468331423588011_rk*a5_x)
+    nc5_z = t26 - (0.5911078910549018_rk*a5_y - 0.6468331423588011_rk*a5_x)
     ! link 6: force that moves the link [N]
-    neg_fc6_x = 1.193403445777575_rk*neg_lam6_11 + 1.2174687787169953_rk*lam6_12
+    fc6_x = -1.193403445777575_rk*neg_lam6_11 - 1.2174687787169953_rk*lam6_12
     fc6_y = 1.193403445777575_rk*lam6_21 + 1.2174687787169953_rk*neg_lam6_22
     fc6_z = 1.193403445777575_rk*lam6_31 - 1.2174687787169953_rk*lam6_32
     ! link 6: moment that turns the link [N m]
@@ -1213,33 +1271,51 @@ contains
     nc6_y = 0.06483323523282834_rk*(neg_lam6_11 - neg_lam6_33) - 0.3409906449060338_rk*lam6_31 + &
         (0.0625396920897071_rk*lam6_12 + 0.31745868108016423_rk*lam6_32) + &
         1.193403445777575_rk*a5_y
-    t28 = 0.35115649005241384_rk*lam6_12 - 0.3409906449060338_rk*lam6_21 + &
+    t27 = 0.35115649005241384_rk*lam6_12 - 0.3409906449060338_rk*lam6_21 + &
         0.31745868108016423_rk*(neg_lam6_11 - neg_lam6_22) + (0.06483323523282834_rk*lam6_23 + &
         0.0625396920897071_rk*lam6_13)
-    nc6_z = 1.193403445777575_rk*a6_y + 1.2174687787169953_rk*a6_x - t28
+    nc6_z = 1.193403445777575_rk*a6_y + 1.2174687787169953_rk*a6_x - t27
+    ! link 6: force through the joint, along the axes that its turn starts from [N]
+    f06_x = c6*fc6_x - s6*fc6_y
+    f06_y = s6*fc6_x + c6*fc6_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x - (s6*nc6_y - c6*nc6_x)
+    n5_x = n06_x - neg_nc5_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z - (-s6*nc6_x - c6*nc6_y)
+    n5_z = nc5_z + n06_y
     ! link 5: force through the joint [N]
-    f5_x = fc5_x - (c6*neg_fc6_x + s6*fc6_y)
+    f5_x = fc5_x + f06_x
     f5_y = fc5_y - fc6_z
-    f5_z = fc5_z - (s6*neg_fc6_x - c6*fc6_y)
+    f5_z = fc5_z + f06_y
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*f5_x - s5*f5_y
+    f05_y = s5*f5_x + c5*f5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*n5_x - s5*n5_y
+    n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*n5_y - c5*n5_x)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + n5_z
-    n4_z = nc4_z + (t1*n5_x - c5*n5_y)
+    n4_z = nc4_z - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*f5_x - s5*f5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + f5_z
-    f4_z = fc4_z - (s5*f5_x + c5*f5_y)
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x - (s4*n4_y - c4*n4_x)
-    n3_y = nc3_y - (t24*n4_x - c4*n4_y)
+    n3_x = nc3_x + n04_x
+    n3_y = nc3_y + n04_y
     n3_z = nc3_z + n4_z
     ! link 3: force through the joint [N]
-    neg_f3_x = s4*f4_y - c4*f4_x - fc3_x
-    f3_y = fc3_y - (t24*f4_x - c4*f4_y)
+    neg_f3_x = neg_fc3_x - f04_x
+    f3_y = fc3_y + f04_y
     f3_z = fc3_z + f4_z
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_x = n3_x + (nc2_x - q(3)*f3_y)
@@ -1248,8 +1324,12 @@ contains
     ! link 2: force through the joint [N]
     f2_x = fc2_x - neg_f3_x
     f2_y = fc2_y - f3_z
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    neg_f02_x = s2*f2_y - c2*f2_x
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = s2*n2_x + c2*n2_y
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.1524_rk*(s2*f2_y - c2*f2_x) - (s2*n2_x + c2*n2_y)
+    n1_z = 0.1524_rk*neg_f02_x - n02_y
     ! link 1: forward substitution
     y1 = tau(1) - n1_z
     ! factorisation M = L D L^T
@@ -1279,10 +1359,10 @@ contains
     l6_3 = ipivot3*ld6_3
     pivot4 = m4_4 - nu1_z_3*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    t29 = -ld4_3
-    ld5_4 = t29*l5_3 - (nu1_z_3*l5_1 - nu4_z_2 + ld4_2*l5_2)
+    t28 = -ld4_3
+    ld5_4 = t28*l5_3 - (nu1_z_3*l5_1 - nu4_z_2 + ld4_2*l5_2)
     l5_4 = ipivot4*ld5_4
-    ld6_4 = t29*l6_3 - (nu1_z_3*l6_1 - nu4_z + ld4_2*l6_2)
+    ld6_4 = t28*l6_3 - (nu1_z_3*l6_1 - nu4_z + ld4_2*l6_2)
     l6_4 = ipivot4*ld6_4
     pivot5 = -(ld5_2*l5_2 - (m5_5 - nu1_z_2*l5_1) + ld5_3*l5_3) - ld5_4*l5_4
     ipivot5 = 1.0_rk / pivot5
@@ -1311,9 +1391,9 @@ contains
     qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = -l6_2*qdd6 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5)
-    t30 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4)
+    t29 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = t30 - l6_1*qdd6
+    qdd1 = t29 - l6_1*qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

@@ -17,9 +17,9 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 198 multiplications, 186 additions = 384; 9 unary minus; 8 sine/cosine
- *   gravity: 38 multiplications, 20 additions = 58; 3 unary minus; 8 sine/cosine
- *   bias: 187 multiplications, 164 additions = 351; 8 unary minus; 8 sine/cosine
+ *   inverse_dynamics: 194 multiplications, 182 additions = 376; 6 unary minus; 8 sine/cosine
+ *   gravity: 30 multiplications, 17 additions = 47; 0 unary minus; 8 sine/cosine
+ *   bias: 179 multiplications, 152 additions = 331; 6 unary minus; 8 sine/cosine
  *   mass_matrix: 97 multiplications, 91 additions = 188; 6 unary minus; 8 sine/cosine
  */
 #include "tx40.h"
@@ -27,7 +27,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 198 multiplications, 186 additions = 384; 9 unary minus; 8 sine/cosine */
+ * 194 multiplications, 182 additions = 376; 6 unary minus; 8 sine/cosine */
 void tx40_inverse_dynamics(
     const tx40_real q[6],
     const tx40_real qd[6],
@@ -40,12 +40,17 @@ void tx40_inverse_dynamics(
     /* sines and cosines of the joint angles */
     const tx40_real c2 = cos(q[1]);
     const tx40_real s2 = sin(again[1]);
-    const tx40_real c3 = cos(q[2]);
-    const tx40_real s3 = sin(again[2]);
     const tx40_real c4 = cos(q[3]);
     const tx40_real s4 = sin(again[3]);
     const tx40_real c5 = cos(q[4]);
     const tx40_real s5 = sin(again[4]);
+    const volatile tx40_real angle23 = q[1] + q[2];
+    const tx40_real c23 = cos(angle23);
+    const tx40_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const tx40_real w3_z = qd[1] + qd[2];
+    /* link 3: angular acceleration [rad/s^2] */
+    const tx40_real alpha3_z = qdd[1] + qdd[2];
     const tx40_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const tx40_real w2_x = t1*s2;
@@ -71,21 +76,25 @@ void tx40_inverse_dynamics(
     const tx40_real neg_lam2_31 = alpha2_y - ww2_zx;
     const tx40_real lam2_32 = ww2_yz + alpha2_x;
     const tx40_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a2_x = -9.81*s2;
-    const tx40_real a2_y = -9.81*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real neg_a3_z = 0.225*neg_lam2_31 + 0.035*neg_lam2_33;
     /* link 3: angular velocity [rad/s] */
-    const tx40_real w3_x = c3*w2_x + s3*w2_y;
-    const tx40_real w3_y = c3*w2_y - s3*w2_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const tx40_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const tx40_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    const tx40_real alpha3_z = qdd[1] + qdd[2];
-    /* link 3: angular velocity [rad/s] */
-    const tx40_real w3_z = qd[1] + qd[2];
+    const tx40_real w3_x = t1*s23;
+    const tx40_real w3_y = t1*c23;
+    const tx40_real t2 = 0.225*neg_lam2_11 - 0.035*lam2_13;
+    const tx40_real t3 = 0.225*lam2_21 + 0.035*lam2_23;
+    const tx40_real t4 = c2*t2 + s2*t3;
+    const tx40_real t5 = s2*t2 - c2*t3 + 9.81;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real neg_a3_x = c23*t4 + s23*t5;
+    const tx40_real a3_y = s23*t4 - c23*t5;
     /* link 3: products of the angular velocity [1/s^2] */
-    const tx40_real ww3_yz = w3_y*w3_z;
-    const tx40_real ww3_zx = w3_x*w3_z;
+    const tx40_real ww3_yz = w3_z*w3_y;
+    const tx40_real ww3_zx = w3_z*w3_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const tx40_real alpha3_x = ww3_yz - qdd[0]*s23;
+    const tx40_real neg_alpha3_y = qdd[0]*c23 + ww3_zx;
+    /* link 3: products of the angular velocity [1/s^2] */
     const tx40_real ww3_xy = w3_x*w3_y;
     const tx40_real neg_ww3_xx = -w3_x*w3_x;
     const tx40_real ww3_yy = w3_y*w3_y;
@@ -93,26 +102,27 @@ void tx40_inverse_dynamics(
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const tx40_real neg_lam3_11 = ww3_yy + ww3_zz;
     const tx40_real lam3_12 = ww3_xy - alpha3_z;
-    const tx40_real lam3_13 = alpha3_y + ww3_zx;
+    const tx40_real lam3_13 = ww3_zx - neg_alpha3_y;
     const tx40_real lam3_21 = alpha3_z + ww3_xy;
     const tx40_real lam3_22 = neg_ww3_xx - ww3_zz;
     const tx40_real lam3_23 = ww3_yz - alpha3_x;
-    const tx40_real lam3_31 = ww3_zx - alpha3_y;
-    const tx40_real lam3_32 = alpha3_x + ww3_yz;
+    const tx40_real lam3_31 = ww3_zx + neg_alpha3_y;
+    const tx40_real lam3_32 = ww3_yz + alpha3_x;
     const tx40_real lam3_33 = neg_ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real neg_a3_z = 0.225*neg_lam2_31 + 0.035*neg_lam2_33;
-    const tx40_real t2 = 0.225*neg_lam2_11 - 0.035*lam2_13 - a2_x;
-    const tx40_real t3 = -0.035*lam2_23 - 0.225*lam2_21 - a2_y;
-    const tx40_real neg_a3_x = c3*t2 + s3*t3;
-    const tx40_real a3_y = s3*t2 - c3*t3;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real a4_z = 0.225*lam3_22 - a3_y;
     /* link 4: angular velocity [rad/s] */
     const tx40_real w4_x = c4*w3_x + s4*w3_z;
     const tx40_real w4_y = c4*w3_z - s4*w3_x;
+    const tx40_real t6 = neg_a3_x + 0.225*lam3_12;
+    const tx40_real t7 = neg_a3_z + 0.225*lam3_32;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real neg_a4_x = c4*t6 + s4*t7;
+    const tx40_real a4_y = s4*t6 - c4*t7;
     /* link 4: angular acceleration [rad/s^2] */
     const tx40_real alpha4_x = qd[3]*w4_y - (-c4*alpha3_x - s4*alpha3_z);
     const tx40_real alpha4_y = c4*alpha3_z - s4*alpha3_x - qd[3]*w4_x;
-    const tx40_real alpha4_z = qdd[3] - alpha3_y;
+    const tx40_real alpha4_z = qdd[3] + neg_alpha3_y;
     /* link 4: angular velocity [rad/s] */
     const tx40_real w4_z = qd[3] - w3_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -132,19 +142,16 @@ void tx40_inverse_dynamics(
     const tx40_real lam4_31 = ww4_zx - alpha4_y;
     const tx40_real lam4_32 = alpha4_x + ww4_yz;
     const tx40_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a4_z = 0.225*lam3_22 - a3_y;
-    const tx40_real t4 = neg_a3_x + 0.225*lam3_12;
-    const tx40_real t5 = neg_a3_z + 0.225*lam3_32;
-    const tx40_real neg_a4_x = c4*t4 + s4*t5;
-    const tx40_real a4_y = s4*t4 - c4*t5;
     /* link 5: angular velocity [rad/s] */
     const tx40_real w5_x = c5*w4_x - s5*w4_z;
-    const tx40_real t6 = -s5;
-    const tx40_real w5_y = t6*w4_x - c5*w4_z;
+    const tx40_real t8 = -s5;
+    const tx40_real w5_y = t8*w4_x - c5*w4_z;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real a5_x = -c5*neg_a4_x - s5*a4_z;
+    const tx40_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 5: angular acceleration [rad/s^2] */
     const tx40_real alpha5_x = qd[4]*w5_y - (s5*alpha4_z - c5*alpha4_x);
-    const tx40_real alpha5_y = t6*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
+    const tx40_real alpha5_y = t8*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
     const tx40_real alpha5_z = qdd[4] + alpha4_y;
     /* link 5: angular velocity [rad/s] */
     const tx40_real w5_z = qd[4] + w4_y;
@@ -165,19 +172,16 @@ void tx40_inverse_dynamics(
     const tx40_real lam5_31 = ww5_zx - alpha5_y;
     const tx40_real lam5_32 = alpha5_x + ww5_yz;
     const tx40_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a5_x = -c5*neg_a4_x - s5*a4_z;
-    const tx40_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 1: moment that turns the link [N m] */
     const tx40_real nc1_z = 0.14677892*qdd[0];
     /* link 2: moment that turns the link [N m] */
-    const tx40_real nc2_x = 0.0007848*neg_lam2_31 - 0.1602936*lam2_21 - (-0.0345144*lam2_32 -
-        0.0010352*(neg_lam2_22 - neg_lam2_33));
+    const tx40_real neg_nc2_x = -0.0345144*lam2_32 - 0.0010352*(neg_lam2_22 - neg_lam2_33) -
+        (0.0007848*neg_lam2_31 - 0.1602936*lam2_21);
     const tx40_real nc2_y = 0.49934035*neg_lam2_31 - 0.1602936*(neg_lam2_11 - neg_lam2_33) -
         (-0.0010352*lam2_12 - 0.0007848*lam2_32);
-    const tx40_real t7 = 0.49934035*lam2_21 - 0.0345144*lam2_12 - 0.0007848*(neg_lam2_11 -
+    const tx40_real t9 = 0.49934035*lam2_21 - 0.0345144*lam2_12 - 0.0007848*(neg_lam2_11 -
         neg_lam2_22) - (0.0010352*lam2_13 - 0.1602936*lam2_23);
-    const tx40_real nc2_z = t7 - (23.5160415*c2 + 0.070632*s2);
+    const tx40_real nc2_z = t9 - (23.5160415*c2 + 0.070632*s2);
     /* link 3: force that moves the link [N] */
     const tx40_real fc3_x = -0.03256*neg_lam3_11 - 0.67724*lam3_12;
     const tx40_real fc3_y = 0.03256*lam3_21 - 0.67724*lam3_22;
@@ -187,9 +191,9 @@ void tx40_inverse_dynamics(
         + (0.00233496*lam3_21 - 0.00019536*lam3_31));
     const tx40_real nc3_y = -0.00226048*lam3_31 - 0.00233496*(neg_lam3_11 + lam3_33) -
         (0.00019536*lam3_32 - 0.00200122*lam3_12) + 0.03256*neg_a3_z;
-    const tx40_real t8 = 0.00226048*lam3_21 - 0.1258139*lam3_12 + 0.00019536*(neg_lam3_11 + lam3_22)
-        + (0.00233496*lam3_23 - 0.00200122*lam3_13);
-    const tx40_real nc3_z = t8 + (0.03256*a3_y - 0.67724*neg_a3_x);
+    const tx40_real t10 = 0.00226048*lam3_21 - 0.1258139*lam3_12 + 0.00019536*(neg_lam3_11 +
+        lam3_22) - (0.00200122*lam3_13 - 0.00233496*lam3_23);
+    const tx40_real nc3_z = t10 + (0.03256*a3_y - 0.67724*neg_a3_x);
     /* link 4: force that moves the link [N] */
     const tx40_real fc4_x = 0.01448*neg_lam4_11 + 0.00622*lam4_12;
     const tx40_real fc4_y = -0.00622*neg_lam4_22 - 0.01448*lam4_21;
@@ -199,49 +203,62 @@ void tx40_inverse_dynamics(
         0.0030155*lam4_32 - (-2.896e-05*lam4_31 - 0.00254936*lam4_21));
     const tx40_real nc4_y = -0.00155792*lam4_31 - 0.00254936*(neg_lam4_11 - neg_lam4_33) +
         (2.896e-05*lam4_32 - 0.00077468*lam4_12) + 0.01448*a4_z;
-    const tx40_real t9 = 0.00155792*lam4_21 - 0.0030155*lam4_12 - 2.896e-05*(neg_lam4_11 -
+    const tx40_real t11 = 0.00155792*lam4_21 - 0.0030155*lam4_12 - 2.896e-05*(neg_lam4_11 -
         neg_lam4_22) + (0.00254936*lam4_23 + 0.00077468*lam4_13);
-    const tx40_real nc4_z = t9 - (0.01448*a4_y - 0.00622*neg_a4_x);
+    const tx40_real nc4_z = t11 - (0.01448*a4_y - 0.00622*neg_a4_x);
     /* link 5: force that moves the link [N] */
     const tx40_real fc5_x = 0.00408*neg_lam5_11 - 0.01146*lam5_12;
     const tx40_real fc5_y = 0.01146*neg_lam5_22 - 0.00408*lam5_21;
     const tx40_real fc5_z = -0.00408*lam5_31 - 0.01146*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const tx40_real neg_nc5_x = -0.00086198*lam5_32 - 3.06e-06*(neg_lam5_22 - neg_lam5_33) +
-        (4.08e-06*lam5_21 - 1.224e-05*lam5_31) + 0.01146*a4_y;
+    const tx40_real nc5_x = -0.01146*a4_y - (-0.00086198*lam5_32 - 3.06e-06*(neg_lam5_22 -
+        neg_lam5_33) + (4.08e-06*lam5_21 - 1.224e-05*lam5_31));
     const tx40_real nc5_y = -0.00051632*lam5_31 - 4.08e-06*(neg_lam5_11 - neg_lam5_33) -
         (1.224e-05*lam5_32 - 3.06e-06*lam5_12) + 0.00408*a4_y;
-    const tx40_real t10 = 0.00051632*lam5_21 - 0.00086198*lam5_12 + 1.224e-05*(neg_lam5_11 -
+    const tx40_real t12 = 0.00051632*lam5_21 - 0.00086198*lam5_12 + 1.224e-05*(neg_lam5_11 -
         neg_lam5_22) + (4.08e-06*lam5_23 - 3.06e-06*lam5_13);
-    const tx40_real nc5_z = t10 - (0.00408*a5_y - 0.01146*a5_x);
+    const tx40_real nc5_z = t12 - (0.00408*a5_y - 0.01146*a5_x);
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const tx40_real f05_x = c5*fc5_x - s5*fc5_y;
+    const tx40_real f05_y = s5*fc5_x + c5*fc5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n05_x = c5*nc5_x - s5*nc5_y;
+    const tx40_real n05_y = s5*nc5_x + c5*nc5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n4_x = nc4_x - (c5*neg_nc5_x + s5*nc5_y);
+    const tx40_real n4_x = nc4_x + n05_x;
     const tx40_real n4_y = nc4_y + nc5_z;
-    const tx40_real n4_z = nc4_z + (s5*neg_nc5_x - c5*nc5_y);
+    const tx40_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const tx40_real f4_x = fc4_x + (c5*fc5_x - s5*fc5_y);
+    const tx40_real f4_x = fc4_x + f05_x;
     const tx40_real f4_y = fc4_y + fc5_z;
-    const tx40_real f4_z = fc4_z - (s5*fc5_x + c5*fc5_y);
-    const tx40_real t11 = s4*f4_x + c4*f4_y;
+    const tx40_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const tx40_real f04_x = c4*f4_x - s4*f4_y;
+    const tx40_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n04_x = c4*n4_x - s4*n4_y;
+    const tx40_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const tx40_real neg_n3_x = s4*n4_y - c4*n4_x + (0.225*t11 - nc3_x);
+    const tx40_real n3_x = n04_x - (0.225*f04_y - nc3_x);
     const tx40_real n3_y = nc3_y - n4_z;
-    const tx40_real t12 = c4*f4_x - s4*f4_y;
-    const tx40_real n3_z = nc3_z + 0.225*t12 - (-s4*n4_x - c4*n4_y);
+    const tx40_real n3_z = n04_y + (nc3_z + 0.225*f04_x);
     /* link 3: force through the joint [N] */
-    const tx40_real f3_x = fc3_x + t12;
+    const tx40_real f3_x = fc3_x + f04_x;
     const tx40_real f3_y = fc3_y - f4_z;
-    const tx40_real f3_z = fc3_z + t11;
-    const tx40_real t13 = -s3*f3_x - c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const tx40_real neg_n2_x = c3*neg_n3_x + s3*n3_y - (nc2_x + 0.035*t13);
-    const tx40_real n2_y = nc2_y - (0.035*(s3*f3_y - c3*f3_x) + 0.225*f3_z) - (s3*neg_n3_x -
-        c3*n3_y);
-    const tx40_real n2_z = n3_z + (nc2_z - 0.225*t13);
+    const tx40_real f3_z = fc3_z + f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const tx40_real f03_x = c23*f3_x - s23*f3_y;
+    const tx40_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n03_y = s23*n3_x + c23*n3_y;
+    const tx40_real t13 = 0.225*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + (f3_z*t13 - 0.035*f03_x));
+    const tx40_real n02_z = n3_z + (nc2_z - (f03_x*(0.225*s2) - f03_y*t13));
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n1_z = nc1_z + (s2*neg_n2_x - c2*n2_y);
+    const tx40_real n1_z = nc1_z - n02_y;
     tau[0] = n1_z;
-    tau[1] = n2_z;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = nc5_z;
@@ -249,7 +266,7 @@ void tx40_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 38 multiplications, 20 additions = 58; 3 unary minus; 8 sine/cosine */
+ * 30 multiplications, 17 additions = 47; 0 unary minus; 8 sine/cosine */
 void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -258,18 +275,16 @@ void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
     /* sines and cosines of the joint angles */
     const tx40_real c2 = cos(q[1]);
     const tx40_real s2 = sin(again[1]);
-    const tx40_real c3 = cos(q[2]);
-    const tx40_real s3 = sin(again[2]);
     const tx40_real c4 = cos(q[3]);
     const tx40_real s4 = sin(again[3]);
     const tx40_real c5 = cos(q[4]);
     const tx40_real s5 = sin(again[4]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a2_x = -9.81*s2;
-    const tx40_real a2_y = -9.81*c2;
+    const volatile tx40_real angle23 = q[1] + q[2];
+    const tx40_real c23 = cos(angle23);
+    const tx40_real s23 = sin(angle23);
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a3_x = c3*a2_x + s3*a2_y;
-    const tx40_real a3_y = c3*a2_y - s3*a2_x;
+    const tx40_real a3_x = -9.81*s23;
+    const tx40_real a3_y = -9.81*c23;
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const tx40_real a4_x = c4*a3_x;
     const tx40_real neg_a4_y = s4*a3_x;
@@ -279,30 +294,33 @@ void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
     /* link 2: moment that turns the link [N m] */
     const tx40_real neg_nc2_z = 23.5160415*c2 + 0.070632*s2;
     /* link 3: moment that turns the link [N m] */
-    const tx40_real nc3_z = 0.03256*a3_y + 0.67724*a3_x;
+    const tx40_real neg_nc3_z = 0.3194136*c23 + 6.6437244*s23;
     /* link 4: moment that turns the link [N m] */
-    const tx40_real nc4_x = -0.00622*a3_y;
-    const tx40_real nc4_y = -0.01448*a3_y;
+    const tx40_real nc4_x = 0.0610182*c23;
+    const tx40_real nc4_y = 0.1420488*c23;
     const tx40_real nc4_z = 0.01448*neg_a4_y - 0.00622*a4_x;
     /* link 5: moment that turns the link [N m] */
     const tx40_real nc5_x = 0.01146*neg_a4_y;
     const tx40_real nc5_y = -0.00408*neg_a4_y;
     const tx40_real nc5_z = 0.01146*a5_x - 0.00408*a5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n05_x = c5*nc5_x - s5*nc5_y;
+    const tx40_real n05_y = s5*nc5_x + c5*nc5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n4_x = nc4_x - (s5*nc5_y - c5*nc5_x);
+    const tx40_real n4_x = nc4_x + n05_x;
     const tx40_real n4_y = nc4_y + nc5_z;
-    const tx40_real n4_z = nc4_z + (-s5*nc5_x - c5*nc5_y);
+    const tx40_real n4_z = nc4_z - n05_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n04_x = c4*n4_x - s4*n4_y;
+    const tx40_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n3_x = c4*n4_x - s4*n4_y;
-    const tx40_real n3_z = nc3_z - (-s4*n4_x - c4*n4_y);
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const tx40_real neg_n2_x = -c3*n3_x - s3*n4_z;
-    const tx40_real n2_y = s3*n3_x - c3*n4_z;
-    const tx40_real n2_z = n3_z - neg_nc2_z;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n1_z = s2*neg_n2_x - c2*n2_y;
-    tau[0] = n1_z;
-    tau[1] = n2_z;
+    const tx40_real n3_z = n04_y - neg_nc3_z;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real neg_n03_y = c23*n4_z - s23*n04_x;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n02_z = n3_z - neg_nc2_z;
+    tau[0] = neg_n03_y;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = nc5_z;
@@ -310,7 +328,7 @@ void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 187 multiplications, 164 additions = 351; 8 unary minus; 8 sine/cosine */
+ * 179 multiplications, 152 additions = 331; 6 unary minus; 8 sine/cosine */
 void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -319,67 +337,68 @@ void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
     /* sines and cosines of the joint angles */
     const tx40_real c2 = cos(q[1]);
     const tx40_real s2 = sin(again[1]);
-    const tx40_real c3 = cos(q[2]);
-    const tx40_real s3 = sin(again[2]);
     const tx40_real c4 = cos(q[3]);
     const tx40_real s4 = sin(again[3]);
     const tx40_real c5 = cos(q[4]);
     const tx40_real s5 = sin(again[4]);
-    const tx40_real t1 = -qd[0];
+    const volatile tx40_real angle23 = q[1] + q[2];
+    const tx40_real c23 = cos(angle23);
+    const tx40_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const tx40_real w3_z = qd[1] + qd[2];
     /* link 2: angular velocity [rad/s] */
-    const tx40_real w2_x = t1*s2;
-    const tx40_real w2_y = t1*c2;
+    const tx40_real neg_w2_x = qd[0]*s2;
+    const tx40_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const tx40_real alpha2_x = qd[1]*w2_y;
-    const tx40_real alpha2_y = -qd[1]*w2_x;
+    const tx40_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const tx40_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const tx40_real ww2_xy = w2_x*w2_y;
-    const tx40_real ww2_xx = w2_x*w2_x;
-    const tx40_real ww2_yy = w2_y*w2_y;
+    const tx40_real ww2_xy = neg_w2_x*neg_w2_y;
+    const tx40_real ww2_xx = neg_w2_x*neg_w2_x;
+    const tx40_real ww2_yy = neg_w2_y*neg_w2_y;
     const tx40_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const tx40_real neg_lam2_11 = ww2_yy + ww2_zz;
     const tx40_real neg_lam2_22 = ww2_xx + ww2_zz;
     const tx40_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a2_x = -9.81*s2;
-    const tx40_real a2_y = -9.81*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real neg_a3_z = 0.45*alpha2_y + 0.035*neg_lam2_33;
+    const tx40_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const tx40_real w3_x = c3*w2_x + s3*w2_y;
-    const tx40_real w3_y = c3*w2_y - s3*w2_x;
+    const tx40_real w3_x = t1*s23;
+    const tx40_real w3_y = t1*c23;
+    const tx40_real t2 = 0.225*neg_lam2_11;
+    const tx40_real t3 = 0.225*ww2_xy;
+    const tx40_real t4 = c2*t2 + s2*t3;
+    const tx40_real t5 = s2*t2 - c2*t3 + 9.81;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real neg_a3_x = c23*t4 + s23*t5;
+    const tx40_real a3_y = s23*t4 - c23*t5;
     /* link 3: angular acceleration [rad/s^2] */
-    const tx40_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const tx40_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const tx40_real w3_z = qd[1] + qd[2];
+    const tx40_real alpha3_x = w3_z*w3_y;
+    const tx40_real alpha3_y = -w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const tx40_real ww3_yz = w3_y*w3_z;
-    const tx40_real ww3_zx = w3_x*w3_z;
     const tx40_real ww3_xy = w3_x*w3_y;
     const tx40_real neg_ww3_xx = -w3_x*w3_x;
     const tx40_real ww3_yy = w3_y*w3_y;
     const tx40_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const tx40_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const tx40_real lam3_13 = alpha3_y + ww3_zx;
     const tx40_real lam3_22 = neg_ww3_xx - ww3_zz;
-    const tx40_real lam3_23 = ww3_yz - alpha3_x;
-    const tx40_real lam3_31 = ww3_zx - alpha3_y;
-    const tx40_real lam3_32 = alpha3_x + ww3_yz;
     const tx40_real lam3_33 = neg_ww3_xx - ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real neg_a3_z = 0.45*alpha2_y + 0.035*neg_lam2_33;
-    const tx40_real t2 = 0.225*neg_lam2_11 - a2_x;
-    const tx40_real t3 = -0.225*ww2_xy - a2_y;
-    const tx40_real neg_a3_x = c3*t2 + s3*t3;
-    const tx40_real a3_y = s3*t2 - c3*t3;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real a4_z = 0.225*lam3_22 - a3_y;
     /* link 4: angular velocity [rad/s] */
     const tx40_real w4_x = c4*w3_x + s4*w3_z;
     const tx40_real w4_y = c4*w3_z - s4*w3_x;
+    const tx40_real t6 = neg_a3_x + 0.225*ww3_xy;
+    const tx40_real t7 = neg_a3_z + 0.45*alpha3_x;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real neg_a4_x = c4*t6 + s4*t7;
+    const tx40_real a4_y = s4*t6 - c4*t7;
     /* link 4: angular acceleration [rad/s^2] */
     const tx40_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
-    const tx40_real t4 = -s4;
-    const tx40_real alpha4_y = t4*alpha3_x - qd[3]*w4_x;
+    const tx40_real alpha4_y = -s4*alpha3_x - qd[3]*w4_x;
     /* link 4: angular velocity [rad/s] */
     const tx40_real w4_z = qd[3] - w3_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -399,18 +418,15 @@ void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
     const tx40_real lam4_31 = ww4_zx - alpha4_y;
     const tx40_real lam4_32 = alpha4_x + ww4_yz;
     const tx40_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a4_z = 0.225*lam3_22 - a3_y;
-    const tx40_real t5 = neg_a3_x + 0.225*ww3_xy;
-    const tx40_real t6 = neg_a3_z + 0.225*lam3_32;
-    const tx40_real neg_a4_x = c4*t5 + s4*t6;
-    const tx40_real a4_y = s4*t5 - c4*t6;
     /* link 5: angular velocity [rad/s] */
     const tx40_real w5_x = c5*w4_x - s5*w4_z;
     const tx40_real w5_y = -s5*w4_x - c5*w4_z;
-    const tx40_real t7 = -c5;
+    const tx40_real t8 = -c5;
+    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const tx40_real a5_x = t8*neg_a4_x - s5*a4_z;
+    const tx40_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const tx40_real alpha5_x = qd[4]*w5_y - (t7*alpha4_x - s5*alpha3_y);
+    const tx40_real alpha5_x = qd[4]*w5_y - (t8*alpha4_x - s5*alpha3_y);
     const tx40_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const tx40_real w5_z = qd[4] + w4_y;
@@ -431,27 +447,24 @@ void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
     const tx40_real lam5_31 = ww5_zx - alpha5_y;
     const tx40_real lam5_32 = alpha5_x + ww5_yz;
     const tx40_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const tx40_real a5_x = t7*neg_a4_x - s5*a4_z;
-    const tx40_real a5_y = s5*neg_a4_x - c5*a4_z;
     /* link 2: moment that turns the link [N m] */
-    const tx40_real nc2_x = 0.0015696*alpha2_y - 0.1602936*ww2_xy - (-0.0690288*alpha2_x -
-        0.0010352*(neg_lam2_22 - neg_lam2_33));
+    const tx40_real neg_nc2_x = 0.0690288*neg_alpha2_x - 0.0010352*(neg_lam2_22 - neg_lam2_33) -
+        (0.0015696*alpha2_y - 0.1602936*ww2_xy);
     const tx40_real nc2_y = 0.9986807*alpha2_y - 0.1602936*(neg_lam2_11 - neg_lam2_33) +
-        (0.0010352*ww2_xy + 0.0015696*alpha2_x);
+        (0.0010352*ww2_xy - 0.0015696*neg_alpha2_x);
     const tx40_real nc2_z = 0.46482595*ww2_xy - 0.0007848*(neg_lam2_11 - neg_lam2_22) -
         (23.5160415*c2 + 0.070632*s2);
     /* link 3: force that moves the link [N] */
     const tx40_real fc3_x = -0.03256*neg_lam3_11 - 0.67724*ww3_xy;
     const tx40_real fc3_y = 0.03256*ww3_xy - 0.67724*lam3_22;
-    const tx40_real fc3_z = 0.03256*lam3_31 - 0.67724*lam3_32;
+    const tx40_real fc3_z = -1.35448*alpha3_x - 0.06512*alpha3_y;
     /* link 3: moment that turns the link [N m] */
-    const tx40_real nc3_x = 0.67724*neg_a3_z - (-0.1258139*lam3_32 - 0.00200122*(lam3_33 - lam3_22)
-        + (0.00233496*ww3_xy - 0.00019536*lam3_31));
-    const tx40_real nc3_y = -0.00226048*lam3_31 - 0.00233496*(neg_lam3_11 + lam3_33) -
-        (0.00019536*lam3_32 - 0.00200122*ww3_xy) + 0.03256*neg_a3_z;
-    const tx40_real nc3_z = 0.00019536*(neg_lam3_11 + lam3_22) - 0.12355342*ww3_xy +
-        (0.00233496*lam3_23 - 0.00200122*lam3_13) + (0.03256*a3_y - 0.67724*neg_a3_x);
+    const tx40_real nc3_x = 0.67724*neg_a3_z - (-0.2516278*alpha3_x - 0.00200122*(lam3_33 - lam3_22)
+        + (0.00039072*alpha3_y + 0.00233496*ww3_xy));
+    const tx40_real nc3_y = 0.00452096*alpha3_y - 0.00233496*(neg_lam3_11 + lam3_33) +
+        (0.00200122*ww3_xy - 0.00039072*alpha3_x) + 0.03256*neg_a3_z;
+    const tx40_real nc3_z = 0.03256*a3_y - 0.67724*neg_a3_x - (0.12355342*ww3_xy -
+        0.00019536*(neg_lam3_11 + lam3_22));
     /* link 4: force that moves the link [N] */
     const tx40_real fc4_x = 0.01448*neg_lam4_11 + 0.00622*lam4_12;
     const tx40_real fc4_y = -0.00622*neg_lam4_22 - 0.01448*lam4_21;
@@ -461,49 +474,60 @@ void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
         0.0030155*lam4_32 - (-2.896e-05*lam4_31 - 0.00254936*lam4_21));
     const tx40_real nc4_y = -0.00155792*lam4_31 - 0.00254936*(neg_lam4_11 - neg_lam4_33) -
         (0.00077468*lam4_12 - 2.896e-05*lam4_32) + 0.01448*a4_z;
-    const tx40_real t8 = 0.0030155*lam4_12 - 0.00155792*lam4_21 + 2.896e-05*(neg_lam4_11 -
+    const tx40_real t9 = 0.0030155*lam4_12 - 0.00155792*lam4_21 + 2.896e-05*(neg_lam4_11 -
         neg_lam4_22) - (0.00254936*lam4_23 + 0.00077468*lam4_13);
-    const tx40_real neg_nc4_z = t8 + (0.01448*a4_y - 0.00622*neg_a4_x);
+    const tx40_real nc4_z = 0.00622*neg_a4_x - 0.01448*a4_y - t9;
     /* link 5: force that moves the link [N] */
     const tx40_real fc5_x = 0.00408*neg_lam5_11 - 0.01146*lam5_12;
     const tx40_real fc5_y = 0.01146*neg_lam5_22 - 0.00408*lam5_21;
     const tx40_real fc5_z = -0.00408*lam5_31 - 0.01146*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const tx40_real neg_nc5_x = -0.00086198*lam5_32 - 3.06e-06*(neg_lam5_22 - neg_lam5_33) +
-        (4.08e-06*lam5_21 - 1.224e-05*lam5_31) + 0.01146*a4_y;
+    const tx40_real nc5_x = -0.01146*a4_y - (-0.00086198*lam5_32 - 3.06e-06*(neg_lam5_22 -
+        neg_lam5_33) + (4.08e-06*lam5_21 - 1.224e-05*lam5_31));
     const tx40_real nc5_y = -0.00051632*lam5_31 - 4.08e-06*(neg_lam5_11 - neg_lam5_33) -
         (1.224e-05*lam5_32 - 3.06e-06*lam5_12) + 0.00408*a4_y;
-    const tx40_real t9 = 0.00051632*lam5_21 - 0.00086198*lam5_12 + 1.224e-05*(neg_lam5_11 -
+    const tx40_real t10 = 0.00051632*lam5_21 - 0.00086198*lam5_12 + 1.224e-05*(neg_lam5_11 -
         neg_lam5_22) + (4.08e-06*lam5_23 - 3.06e-06*lam5_13);
-    const tx40_real nc5_z = t9 - (0.00408*a5_y - 0.01146*a5_x);
+    const tx40_real nc5_z = t10 - (0.00408*a5_y - 0.01146*a5_x);
+    /* link 5: force through the joint, along the axes that its turn starts from [N] */
+    const tx40_real f05_x = c5*fc5_x - s5*fc5_y;
+    const tx40_real f05_y = s5*fc5_x + c5*fc5_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n05_x = c5*nc5_x - s5*nc5_y;
+    const tx40_real n05_y = s5*nc5_x + c5*nc5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n4_x = nc4_x - (c5*neg_nc5_x + s5*nc5_y);
+    const tx40_real n4_x = nc4_x + n05_x;
     const tx40_real n4_y = nc4_y + nc5_z;
-    const tx40_real n4_z = s5*neg_nc5_x - c5*nc5_y - neg_nc4_z;
+    const tx40_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const tx40_real f4_x = fc4_x + (c5*fc5_x - s5*fc5_y);
+    const tx40_real f4_x = fc4_x + f05_x;
     const tx40_real f4_y = fc4_y + fc5_z;
-    const tx40_real f4_z = fc4_z - (s5*fc5_x + c5*fc5_y);
-    const tx40_real t10 = s4*f4_x + c4*f4_y;
+    const tx40_real f4_z = fc4_z - f05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const tx40_real f04_x = c4*f4_x - s4*f4_y;
+    const tx40_real f04_y = s4*f4_x + c4*f4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n04_x = c4*n4_x - s4*n4_y;
+    const tx40_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const tx40_real neg_n3_x = s4*n4_y - c4*n4_x + (0.225*t10 - nc3_x);
+    const tx40_real n3_x = n04_x - (0.225*f04_y - nc3_x);
     const tx40_real n3_y = nc3_y - n4_z;
-    const tx40_real t11 = c4*f4_x - s4*f4_y;
-    const tx40_real n3_z = nc3_z + 0.225*t11 - (t4*n4_x - c4*n4_y);
+    const tx40_real n3_z = n04_y + (nc3_z + 0.225*f04_x);
     /* link 3: force through the joint [N] */
-    const tx40_real f3_x = fc3_x + t11;
+    const tx40_real f3_x = fc3_x + f04_x;
     const tx40_real f3_y = fc3_y - f4_z;
-    const tx40_real f3_z = fc3_z + t10;
-    const tx40_real t12 = -s3*f3_x - c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const tx40_real neg_n2_x = c3*neg_n3_x + s3*n3_y - (nc2_x + 0.035*t12);
-    const tx40_real n2_y = nc2_y - (0.035*(s3*f3_y - c3*f3_x) + 0.225*f3_z) - (s3*neg_n3_x -
-        c3*n3_y);
-    const tx40_real n2_z = n3_z + (nc2_z - 0.225*t12);
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const tx40_real n1_z = s2*neg_n2_x - c2*n2_y;
-    tau[0] = n1_z;
-    tau[1] = n2_z;
+    const tx40_real f3_z = fc3_z + f04_y;
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const tx40_real f03_x = c23*f3_x - s23*f3_y;
+    const tx40_real f03_y = s23*f3_x + c23*f3_y;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real n03_y = s23*n3_x + c23*n3_y;
+    const tx40_real t11 = 0.225*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const tx40_real neg_n02_y = s2*neg_nc2_x - c2*nc2_y + (f3_z*t11 - 0.035*f03_x) - n03_y;
+    const tx40_real n02_z = n3_z + (nc2_z - (f03_x*(0.225*s2) - f03_y*t11));
+    tau[0] = neg_n02_y;
+    tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = nc5_z;

@@ -16,9 +16,9 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 198 multiplications, 186 additions = 384; 9 unary minus; 8 sine/cosine
-!   gravity: 38 multiplications, 20 additions = 58; 3 unary minus; 8 sine/cosine
-!   bias: 187 multiplications, 164 additions = 351; 8 unary minus; 8 sine/cosine
+!   inverse_dynamics: 194 multiplications, 182 additions = 376; 6 unary minus; 8 sine/cosine
+!   gravity: 30 multiplications, 17 additions = 47; 0 unary minus; 8 sine/cosine
+!   bias: 179 multiplications, 152 additions = 331; 6 unary minus; 8 sine/cosine
 !   mass_matrix: 97 multiplications, 91 additions = 188; 6 unary minus; 8 sine/cosine
 module tx40_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -33,42 +33,48 @@ module tx40_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 198 multiplications, 186 additions = 384; 9 unary minus; 8 sine/cosine
+  ! 194 multiplications, 182 additions = 376; 6 unary minus; 8 sine/cosine
   pure subroutine tx40_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="tx40_inverse_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: qdd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: t1, w2_x, w2_y, ww2_yz, ww2_zx, alpha2_x, alpha2_y, ww2_xy
-    real(rk) :: ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21, neg_lam2_22
-    real(rk) :: lam2_23, neg_lam2_31, lam2_32, neg_lam2_33, a2_x, a2_y, w3_x, w3_y
-    real(rk) :: alpha3_x, alpha3_y, alpha3_z, w3_z, ww3_yz, ww3_zx, ww3_xy, neg_ww3_xx
-    real(rk) :: ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, lam3_22, lam3_23
-    real(rk) :: lam3_31, lam3_32, lam3_33, neg_a3_z, t2, t3, neg_a3_x, a3_y
-    real(rk) :: w4_x, w4_y, alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx
-    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21
-    real(rk) :: neg_lam4_22, lam4_23, lam4_31, lam4_32, neg_lam4_33, a4_z, t4, t5
-    real(rk) :: neg_a4_x, a4_y, w5_x, t6, w5_y, alpha5_x, alpha5_y, alpha5_z
-    real(rk) :: w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11
-    real(rk) :: lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33
-    real(rk) :: a5_x, a5_y, nc1_z, nc2_x, nc2_y, t7, nc2_z, fc3_x
-    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, t8, nc3_z, fc4_x, fc4_y
-    real(rk) :: fc4_z, nc4_x, nc4_y, t9, nc4_z, fc5_x, fc5_y, fc5_z
-    real(rk) :: neg_nc5_x, nc5_y, t10, nc5_z, n4_x, n4_y, n4_z, f4_x
-    real(rk) :: f4_y, f4_z, t11, neg_n3_x, n3_y, t12, n3_z, f3_x
-    real(rk) :: f3_y, f3_z, t13, neg_n2_x, n2_y, n2_z, n1_z
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23
+    real(rk) :: s23, w3_z, alpha3_z, t1, w2_x, w2_y, ww2_yz, ww2_zx
+    real(rk) :: alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12
+    real(rk) :: lam2_13, lam2_21, neg_lam2_22, lam2_23, neg_lam2_31, lam2_32, neg_lam2_33, neg_a3_z
+    real(rk) :: w3_x, w3_y, t2, t3, t4, t5, neg_a3_x, a3_y
+    real(rk) :: ww3_yz, ww3_zx, alpha3_x, neg_alpha3_y, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz
+    real(rk) :: neg_lam3_11, lam3_12, lam3_13, lam3_21, lam3_22, lam3_23, lam3_31, lam3_32
+    real(rk) :: lam3_33, a4_z, w4_x, w4_y, t6, t7, neg_a4_x, a4_y
+    real(rk) :: alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
+    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23
+    real(rk) :: lam4_31, lam4_32, neg_lam4_33, w5_x, t8, w5_y, a5_x, a5_y
+    real(rk) :: alpha5_x, alpha5_y, alpha5_z, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx
+    real(rk) :: ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23
+    real(rk) :: lam5_31, lam5_32, neg_lam5_33, nc1_z, neg_nc2_x, nc2_y, t9, nc2_z
+    real(rk) :: fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, t10, nc3_z, fc4_x
+    real(rk) :: fc4_y, fc4_z, nc4_x, nc4_y, t11, nc4_z, fc5_x, fc5_y
+    real(rk) :: fc5_z, nc5_x, nc5_y, t12, nc5_z, f05_x, f05_y, n05_x
+    real(rk) :: n05_y, n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, f04_x
+    real(rk) :: f04_y, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y
+    real(rk) :: f3_z, f03_x, f03_y, n03_y, t13, n02_y, n02_z, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_z = qdd(2) + qdd(3)
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
@@ -94,21 +100,25 @@ contains
     neg_lam2_31 = alpha2_y - ww2_zx
     lam2_32 = ww2_yz + alpha2_x
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_z = 0.225_rk*neg_lam2_31 + 0.035_rk*neg_lam2_33
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    alpha3_z = qdd(2) + qdd(3)
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    w3_x = t1*s23
+    w3_y = t1*c23
+    t2 = 0.225_rk*neg_lam2_11 - 0.035_rk*lam2_13
+    t3 = 0.225_rk*lam2_21 + 0.035_rk*lam2_23
+    t4 = c2*t2 + s2*t3
+    t5 = s2*t2 - c2*t3 + 9.81_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*t4 + s23*t5
+    a3_y = s23*t4 - c23*t5
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
+    ww3_yz = w3_z*w3_y
+    ww3_zx = w3_z*w3_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = ww3_yz - qdd(1)*s23
+    neg_alpha3_y = qdd(1)*c23 + ww3_zx
+    ! link 3: products of the angular velocity [1/s^2]
     ww3_xy = w3_x*w3_y
     neg_ww3_xx = -w3_x*w3_x
     ww3_yy = w3_y*w3_y
@@ -116,26 +126,27 @@ contains
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
     lam3_12 = ww3_xy - alpha3_z
-    lam3_13 = alpha3_y + ww3_zx
+    lam3_13 = ww3_zx - neg_alpha3_y
     lam3_21 = alpha3_z + ww3_xy
     lam3_22 = neg_ww3_xx - ww3_zz
     lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
+    lam3_31 = ww3_zx + neg_alpha3_y
+    lam3_32 = ww3_yz + alpha3_x
     lam3_33 = neg_ww3_xx - ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_z = 0.225_rk*neg_lam2_31 + 0.035_rk*neg_lam2_33
-    t2 = 0.225_rk*neg_lam2_11 - 0.035_rk*lam2_13 - a2_x
-    t3 = -0.035_rk*lam2_23 - 0.225_rk*lam2_21 - a2_y
-    neg_a3_x = c3*t2 + s3*t3
-    a3_y = s3*t2 - c3*t3
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.225_rk*lam3_22 - a3_y
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
+    t6 = neg_a3_x + 0.225_rk*lam3_12
+    t7 = neg_a3_z + 0.225_rk*lam3_32
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a4_x = c4*t6 + s4*t7
+    a4_y = s4*t6 - c4*t7
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*alpha3_z)
     alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
-    alpha4_z = qdd(4) - alpha3_y
+    alpha4_z = qdd(4) + neg_alpha3_y
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w3_y
     ! link 4: products of the angular velocity [1/s^2]
@@ -155,19 +166,16 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = 0.225_rk*lam3_22 - a3_y
-    t4 = neg_a3_x + 0.225_rk*lam3_12
-    t5 = neg_a3_z + 0.225_rk*lam3_32
-    neg_a4_x = c4*t4 + s4*t5
-    a4_y = s4*t4 - c4*t5
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t6 = -s5
-    w5_y = t6*w4_x - c5*w4_z
+    t8 = -s5
+    w5_y = t8*w4_x - c5*w4_z
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = -c5*neg_a4_x - s5*a4_z
+    a5_y = s5*neg_a4_x - c5*a4_z
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = qd(5)*w5_y - (s5*alpha4_z - c5*alpha4_x)
-    alpha5_y = t6*alpha4_x - c5*alpha4_z - qd(5)*w5_x
+    alpha5_y = t8*alpha4_x - c5*alpha4_z - qd(5)*w5_x
     alpha5_z = qdd(5) + alpha4_y
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -188,19 +196,16 @@ contains
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = -c5*neg_a4_x - s5*a4_z
-    a5_y = s5*neg_a4_x - c5*a4_z
     ! link 1: moment that turns the link [N m]
     nc1_z = 0.14677892_rk*qdd(1)
     ! link 2: moment that turns the link [N m]
-    nc2_x = 0.0007848_rk*neg_lam2_31 - 0.1602936_rk*lam2_21 - (-0.0345144_rk*lam2_32 - &
-        0.0010352_rk*(neg_lam2_22 - neg_lam2_33))
+    neg_nc2_x = -0.0345144_rk*lam2_32 - 0.0010352_rk*(neg_lam2_22 - neg_lam2_33) - &
+        (0.0007848_rk*neg_lam2_31 - 0.1602936_rk*lam2_21)
     nc2_y = 0.49934035_rk*neg_lam2_31 - 0.1602936_rk*(neg_lam2_11 - neg_lam2_33) - &
         (-0.0010352_rk*lam2_12 - 0.0007848_rk*lam2_32)
-    t7 = 0.49934035_rk*lam2_21 - 0.0345144_rk*lam2_12 - 0.0007848_rk*(neg_lam2_11 - neg_lam2_22) - &
+    t9 = 0.49934035_rk*lam2_21 - 0.0345144_rk*lam2_12 - 0.0007848_rk*(neg_lam2_11 - neg_lam2_22) - &
         (0.0010352_rk*lam2_13 - 0.1602936_rk*lam2_23)
-    nc2_z = t7 - (23.5160415_rk*c2 + 0.070632_rk*s2)
+    nc2_z = t9 - (23.5160415_rk*c2 + 0.070632_rk*s2)
     ! link 3: force that moves the link [N]
     fc3_x = -0.03256_rk*neg_lam3_11 - 0.67724_rk*lam3_12
     fc3_y = 0.03256_rk*lam3_21 - 0.67724_rk*lam3_22
@@ -210,9 +215,9 @@ contains
         (0.00233496_rk*lam3_21 - 0.00019536_rk*lam3_31))
     nc3_y = -0.00226048_rk*lam3_31 - 0.00233496_rk*(neg_lam3_11 + lam3_33) - &
         (0.00019536_rk*lam3_32 - 0.00200122_rk*lam3_12) + 0.03256_rk*neg_a3_z
-    t8 = 0.00226048_rk*lam3_21 - 0.1258139_rk*lam3_12 + 0.00019536_rk*(neg_lam3_11 + lam3_22) + &
-        (0.00233496_rk*lam3_23 - 0.00200122_rk*lam3_13)
-    nc3_z = t8 + (0.03256_rk*a3_y - 0.67724_rk*neg_a3_x)
+    t10 = 0.00226048_rk*lam3_21 - 0.1258139_rk*lam3_12 + 0.00019536_rk*(neg_lam3_11 + lam3_22) - &
+        (0.00200122_rk*lam3_13 - 0.00233496_rk*lam3_23)
+    nc3_z = t10 + (0.03256_rk*a3_y - 0.67724_rk*neg_a3_x)
     ! link 4: force that moves the link [N]
     fc4_x = 0.01448_rk*neg_lam4_11 + 0.00622_rk*lam4_12
     fc4_y = -0.00622_rk*neg_lam4_22 - 0.01448_rk*lam4_21
@@ -222,48 +227,62 @@ contains
         (-2.896e-05_rk*lam4_31 - 0.00254936_rk*lam4_21))
     nc4_y = -0.00155792_rk*lam4_31 - 0.00254936_rk*(neg_lam4_11 - neg_lam4_33) + &
         (2.896e-05_rk*lam4_32 - 0.00077468_rk*lam4_12) + 0.01448_rk*a4_z
-    t9 = 0.00155792_rk*lam4_21 - 0.0030155_rk*lam4_12 - 2.896e-05_rk*(neg_lam4_11 - neg_lam4_22) + &
-        (0.00254936_rk*lam4_23 + 0.00077468_rk*lam4_13)
-    nc4_z = t9 - (0.01448_rk*a4_y - 0.00622_rk*neg_a4_x)
+    t11 = 0.00155792_rk*lam4_21 - 0.0030155_rk*lam4_12 - 2.896e-05_rk*(neg_lam4_11 - neg_lam4_22) &
+        + (0.00254936_rk*lam4_23 + 0.00077468_rk*lam4_13)
+    nc4_z = t11 - (0.01448_rk*a4_y - 0.00622_rk*neg_a4_x)
     ! link 5: force that moves the link [N]
     fc5_x = 0.00408_rk*neg_lam5_11 - 0.01146_rk*lam5_12
     fc5_y = 0.01146_rk*neg_lam5_22 - 0.00408_rk*lam5_21
     fc5_z = -0.00408_rk*lam5_31 - 0.01146_rk*lam5_32
     ! link 5: moment that turns the link [N m]
-    neg_nc5_x = -0.00086198_rk*lam5_32 - 3.06e-06_rk*(neg_lam5_22 - neg_lam5_33) + &
-        (4.08e-06_rk*lam5_21 - 1.224e-05_rk*lam5_31) + 0.01146_rk*a4_y
+    nc5_x = -0.01146_rk*a4_y - (-0.00086198_rk*lam5_32 - 3.06e-06_rk*(neg_lam5_22 - neg_lam5_33) + &
+        (4.08e-06_rk*lam5_21 - 1.224e-05_rk*lam5_31))
     nc5_y = -0.00051632_rk*lam5_31 - 4.08e-06_rk*(neg_lam5_11 - neg_lam5_33) - &
         (1.224e-05_rk*lam5_32 - 3.06e-06_rk*lam5_12) + 0.00408_rk*a4_y
-    t10 = 0.00051632_rk*lam5_21 - 0.00086198_rk*lam5_12 + 1.224e-05_rk*(neg_lam5_11 - neg_lam5_22) &
+    t12 = 0.00051632_rk*lam5_21 - 0.00086198_rk*lam5_12 + 1.224e-05_rk*(neg_lam5_11 - neg_lam5_22) &
         + (4.08e-06_rk*lam5_23 - 3.06e-06_rk*lam5_13)
-    nc5_z = t10 - (0.00408_rk*a5_y - 0.01146_rk*a5_x)
+    nc5_z = t12 - (0.00408_rk*a5_y - 0.01146_rk*a5_x)
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*fc5_x - s5*fc5_y
+    f05_y = s5*fc5_x + c5*fc5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*nc5_x - s5*nc5_y
+    n05_y = s5*nc5_x + c5*nc5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (c5*neg_nc5_x + s5*nc5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + nc5_z
-    n4_z = nc4_z + (s5*neg_nc5_x - c5*nc5_y)
+    n4_z = nc4_z - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*fc5_x - s5*fc5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + fc5_z
-    f4_z = fc4_z - (s5*fc5_x + c5*fc5_y)
-    t11 = s4*f4_x + c4*f4_y
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_x = s4*n4_y - c4*n4_x + (0.225_rk*t11 - nc3_x)
+    n3_x = n04_x - (0.225_rk*f04_y - nc3_x)
     n3_y = nc3_y - n4_z
-    t12 = c4*f4_x - s4*f4_y
-    n3_z = nc3_z + 0.225_rk*t12 - (-s4*n4_x - c4*n4_y)
+    n3_z = n04_y + (nc3_z + 0.225_rk*f04_x)
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + t12
+    f3_x = fc3_x + f04_x
     f3_y = fc3_y - f4_z
-    f3_z = fc3_z + t11
-    t13 = -s3*f3_x - c3*f3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = c3*neg_n3_x + s3*n3_y - (nc2_x + 0.035_rk*t13)
-    n2_y = nc2_y - (0.035_rk*(s3*f3_y - c3*f3_x) + 0.225_rk*f3_z) - (s3*neg_n3_x - c3*n3_y)
-    n2_z = n3_z + (nc2_z - 0.225_rk*t13)
+    f3_z = fc3_z + f04_y
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*f3_x - s23*f3_y
+    f03_y = s23*f3_x + c23*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*n3_x + c23*n3_y
+    t13 = 0.225_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + (f3_z*t13 - 0.035_rk*f03_x))
+    n02_z = n3_z + (nc2_z - (f03_x*(0.225_rk*s2) - f03_y*t13))
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = nc1_z + (s2*neg_n2_x - c2*n2_y)
+    n1_z = nc1_z - n02_y
     tau(1) = n1_z
-    tau(2) = n2_z
+    tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = nc5_z
@@ -271,32 +290,30 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 38 multiplications, 20 additions = 58; 3 unary minus; 8 sine/cosine
+  ! 30 multiplications, 17 additions = 47; 0 unary minus; 8 sine/cosine
   pure subroutine tx40_gravity(q, tau) &
       bind(c, name="tx40_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: a2_x, a2_y, a3_x, a3_y, a4_x, neg_a4_y, a5_x, a5_y
-    real(rk) :: neg_nc2_z, nc3_z, nc4_x, nc4_y, nc4_z, nc5_x, nc5_y, nc5_z
-    real(rk) :: n4_x, n4_y, n4_z, n3_x, n3_z, neg_n2_x, n2_y, n2_z
-    real(rk) :: n1_z
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23
+    real(rk) :: s23, a3_x, a3_y, a4_x, neg_a4_y, a5_x, a5_y, neg_nc2_z
+    real(rk) :: neg_nc3_z, nc4_x, nc4_y, nc4_z, nc5_x, nc5_y, nc5_z, n05_x
+    real(rk) :: n05_y, n4_x, n4_y, n4_z, n04_x, n04_y, n3_z, neg_n03_y
+    real(rk) :: n02_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = c3*a2_x + s3*a2_y
-    a3_y = c3*a2_y - s3*a2_x
+    a3_x = -9.81_rk*s23
+    a3_y = -9.81_rk*c23
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
     a4_x = c4*a3_x
     neg_a4_y = s4*a3_x
@@ -306,30 +323,33 @@ contains
     ! link 2: moment that turns the link [N m]
     neg_nc2_z = 23.5160415_rk*c2 + 0.070632_rk*s2
     ! link 3: moment that turns the link [N m]
-    nc3_z = 0.03256_rk*a3_y + 0.67724_rk*a3_x
+    neg_nc3_z = 0.3194136_rk*c23 + 6.6437244_rk*s23
     ! link 4: moment that turns the link [N m]
-    nc4_x = -0.00622_rk*a3_y
-    nc4_y = -0.01448_rk*a3_y
+    nc4_x = 0.0610182_rk*c23
+    nc4_y = 0.1420488_rk*c23
     nc4_z = 0.01448_rk*neg_a4_y - 0.00622_rk*a4_x
     ! link 5: moment that turns the link [N m]
     nc5_x = 0.01146_rk*neg_a4_y
     nc5_y = -0.00408_rk*neg_a4_y
     nc5_z = 0.01146_rk*a5_x - 0.00408_rk*a5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*nc5_x - s5*nc5_y
+    n05_y = s5*nc5_x + c5*nc5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (s5*nc5_y - c5*nc5_x)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + nc5_z
-    n4_z = nc4_z + (-s5*nc5_x - c5*nc5_y)
+    n4_z = nc4_z - n05_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*n4_x - s4*n4_y
-    n3_z = nc3_z - (-s4*n4_x - c4*n4_y)
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = -c3*n3_x - s3*n4_z
-    n2_y = s3*n3_x - c3*n4_z
-    n2_z = n3_z - neg_nc2_z
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y
-    tau(1) = n1_z
-    tau(2) = n2_z
+    n3_z = n04_y - neg_nc3_z
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    neg_n03_y = c23*n4_z - s23*n04_x
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = n3_z - neg_nc2_z
+    tau(1) = neg_n03_y
+    tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = nc5_z
@@ -337,94 +357,96 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 187 multiplications, 164 additions = 351; 8 unary minus; 8 sine/cosine
+  ! 179 multiplications, 152 additions = 331; 6 unary minus; 8 sine/cosine
   pure subroutine tx40_bias(q, qd, tau) &
       bind(c, name="tx40_bias_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: t1, w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy
-    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a2_x, a2_y, w3_x, w3_y
-    real(rk) :: alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, neg_ww3_xx, ww3_yy
-    real(rk) :: ww3_zz, neg_lam3_11, lam3_13, lam3_22, lam3_23, lam3_31, lam3_32, lam3_33
-    real(rk) :: neg_a3_z, t2, t3, neg_a3_x, a3_y, w4_x, w4_y, alpha4_x
-    real(rk) :: t4, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy
-    real(rk) :: ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31
-    real(rk) :: lam4_32, neg_lam4_33, a4_z, t5, t6, neg_a4_x, a4_y, w5_x
-    real(rk) :: w5_y, t7, alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy
-    real(rk) :: ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22
-    real(rk) :: lam5_23, lam5_31, lam5_32, neg_lam5_33, a5_x, a5_y, nc2_x, nc2_y
-    real(rk) :: nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x
-    real(rk) :: fc4_y, fc4_z, nc4_x, nc4_y, t8, neg_nc4_z, fc5_x, fc5_y
-    real(rk) :: fc5_z, neg_nc5_x, nc5_y, t9, nc5_z, n4_x, n4_y, n4_z
-    real(rk) :: f4_x, f4_y, f4_z, t10, neg_n3_x, n3_y, t11, n3_z
-    real(rk) :: f3_x, f3_y, f3_z, t12, neg_n2_x, n2_y, n2_z, n1_z
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23
+    real(rk) :: s23, w3_z, neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx
+    real(rk) :: ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, neg_a3_z, t1, w3_x
+    real(rk) :: w3_y, t2, t3, t4, t5, neg_a3_x, a3_y, alpha3_x
+    real(rk) :: alpha3_y, ww3_xy, neg_ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_22, lam3_33
+    real(rk) :: a4_z, w4_x, w4_y, t6, t7, neg_a4_x, a4_y, alpha4_x
+    real(rk) :: alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy, ww4_zz
+    real(rk) :: neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31, lam4_32
+    real(rk) :: neg_lam4_33, w5_x, w5_y, t8, a5_x, a5_y, alpha5_x, alpha5_y
+    real(rk) :: w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11
+    real(rk) :: lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33
+    real(rk) :: neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y
+    real(rk) :: nc3_z, fc4_x, fc4_y, fc4_z, nc4_x, nc4_y, t9, nc4_z
+    real(rk) :: fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t10, nc5_z, f05_x
+    real(rk) :: f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f4_x, f4_y
+    real(rk) :: f4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y, n3_z
+    real(rk) :: f3_x, f3_y, f3_z, f03_x, f03_y, n03_y, t11, neg_n02_y
+    real(rk) :: n02_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
-    t1 = -qd(1)
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
     ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
+    neg_w2_x = qd(1)*s2
+    neg_w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_x = qd(2)*neg_w2_y
+    alpha2_y = qd(2)*neg_w2_x
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
+    ww2_xy = neg_w2_x*neg_w2_y
+    ww2_xx = neg_w2_x*neg_w2_x
+    ww2_yy = neg_w2_y*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_z = 0.45_rk*alpha2_y + 0.035_rk*neg_lam2_33
+    t1 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
+    w3_x = t1*s23
+    w3_y = t1*c23
+    t2 = 0.225_rk*neg_lam2_11
+    t3 = 0.225_rk*ww2_xy
+    t4 = c2*t2 + s2*t3
+    t5 = s2*t2 - c2*t3 + 9.81_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a3_x = c23*t4 + s23*t5
+    a3_y = s23*t4 - c23*t5
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    alpha3_x = w3_z*w3_y
+    alpha3_y = -w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
     ww3_xy = w3_x*w3_y
     neg_ww3_xx = -w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_13 = alpha3_y + ww3_zx
     lam3_22 = neg_ww3_xx - ww3_zz
-    lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
     lam3_33 = neg_ww3_xx - ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_z = 0.45_rk*alpha2_y + 0.035_rk*neg_lam2_33
-    t2 = 0.225_rk*neg_lam2_11 - a2_x
-    t3 = -0.225_rk*ww2_xy - a2_y
-    neg_a3_x = c3*t2 + s3*t3
-    a3_y = s3*t2 - c3*t3
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = 0.225_rk*lam3_22 - a3_y
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
+    t6 = neg_a3_x + 0.225_rk*ww3_xy
+    t7 = neg_a3_z + 0.45_rk*alpha3_x
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a4_x = c4*t6 + s4*t7
+    a4_y = s4*t6 - c4*t7
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha3_x + qd(4)*w4_y
-    t4 = -s4
-    alpha4_y = t4*alpha3_x - qd(4)*w4_x
+    alpha4_y = -s4*alpha3_x - qd(4)*w4_x
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w3_y
     ! link 4: products of the angular velocity [1/s^2]
@@ -444,18 +466,15 @@ contains
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
     neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = 0.225_rk*lam3_22 - a3_y
-    t5 = neg_a3_x + 0.225_rk*ww3_xy
-    t6 = neg_a3_z + 0.225_rk*lam3_32
-    neg_a4_x = c4*t5 + s4*t6
-    a4_y = s4*t5 - c4*t6
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
     w5_y = -s5*w4_x - c5*w4_z
-    t7 = -c5
+    t8 = -c5
+    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a5_x = t8*neg_a4_x - s5*a4_z
+    a5_y = s5*neg_a4_x - c5*a4_z
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (t7*alpha4_x - s5*alpha3_y)
+    alpha5_x = qd(5)*w5_y - (t8*alpha4_x - s5*alpha3_y)
     alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -476,27 +495,24 @@ contains
     lam5_31 = ww5_zx - alpha5_y
     lam5_32 = alpha5_x + ww5_yz
     neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = t7*neg_a4_x - s5*a4_z
-    a5_y = s5*neg_a4_x - c5*a4_z
     ! link 2: moment that turns the link [N m]
-    nc2_x = 0.0015696_rk*alpha2_y - 0.1602936_rk*ww2_xy - (-0.0690288_rk*alpha2_x - &
-        0.0010352_rk*(neg_lam2_22 - neg_lam2_33))
+    neg_nc2_x = 0.0690288_rk*neg_alpha2_x - 0.0010352_rk*(neg_lam2_22 - neg_lam2_33) - &
+        (0.0015696_rk*alpha2_y - 0.1602936_rk*ww2_xy)
     nc2_y = 0.9986807_rk*alpha2_y - 0.1602936_rk*(neg_lam2_11 - neg_lam2_33) + &
-        (0.0010352_rk*ww2_xy + 0.0015696_rk*alpha2_x)
+        (0.0010352_rk*ww2_xy - 0.0015696_rk*neg_alpha2_x)
     nc2_z = 0.46482595_rk*ww2_xy - 0.0007848_rk*(neg_lam2_11 - neg_lam2_22) - (23.5160415_rk*c2 + &
         0.070632_rk*s2)
     ! link 3: force that moves the link [N]
     fc3_x = -0.03256_rk*neg_lam3_11 - 0.67724_rk*ww3_xy
     fc3_y = 0.03256_rk*ww3_xy - 0.67724_rk*lam3_22
-    fc3_z = 0.03256_rk*lam3_31 - 0.67724_rk*lam3_32
+    fc3_z = -1.35448_rk*alpha3_x - 0.06512_rk*alpha3_y
     ! link 3: moment that turns the link [N m]
-    nc3_x = 0.67724_rk*neg_a3_z - (-0.1258139_rk*lam3_32 - 0.00200122_rk*(lam3_33 - lam3_22) + &
-        (0.00233496_rk*ww3_xy - 0.00019536_rk*lam3_31))
-    nc3_y = -0.00226048_rk*lam3_31 - 0.00233496_rk*(neg_lam3_11 + lam3_33) - &
-        (0.00019536_rk*lam3_32 - 0.00200122_rk*ww3_xy) + 0.03256_rk*neg_a3_z
-    nc3_z = 0.00019536_rk*(neg_lam3_11 + lam3_22) - 0.12355342_rk*ww3_xy + (0.00233496_rk*lam3_23 &
-        - 0.00200122_rk*lam3_13) + (0.03256_rk*a3_y - 0.67724_rk*neg_a3_x)
+    nc3_x = 0.67724_rk*neg_a3_z - (-0.2516278_rk*alpha3_x - 0.00200122_rk*(lam3_33 - lam3_22) + &
+        (0.00039072_rk*alpha3_y + 0.00233496_rk*ww3_xy))
+    nc3_y = 0.00452096_rk*alpha3_y - 0.00233496_rk*(neg_lam3_11 + lam3_33) + (0.00200122_rk*ww3_xy &
+        - 0.00039072_rk*alpha3_x) + 0.03256_rk*neg_a3_z
+    nc3_z = 0.03256_rk*a3_y - 0.67724_rk*neg_a3_x - (0.12355342_rk*ww3_xy - &
+        0.00019536_rk*(neg_lam3_11 + lam3_22))
     ! link 4: force that moves the link [N]
     fc4_x = 0.01448_rk*neg_lam4_11 + 0.00622_rk*lam4_12
     fc4_y = -0.00622_rk*neg_lam4_22 - 0.01448_rk*lam4_21
@@ -506,48 +522,60 @@ contains
         (-2.896e-05_rk*lam4_31 - 0.00254936_rk*lam4_21))
     nc4_y = -0.00155792_rk*lam4_31 - 0.00254936_rk*(neg_lam4_11 - neg_lam4_33) - &
         (0.00077468_rk*lam4_12 - 2.896e-05_rk*lam4_32) + 0.01448_rk*a4_z
-    t8 = 0.0030155_rk*lam4_12 - 0.00155792_rk*lam4_21 + 2.896e-05_rk*(neg_lam4_11 - neg_lam4_22) - &
+    t9 = 0.0030155_rk*lam4_12 - 0.00155792_rk*lam4_21 + 2.896e-05_rk*(neg_lam4_11 - neg_lam4_22) - &
         (0.00254936_rk*lam4_23 + 0.00077468_rk*lam4_13)
-    neg_nc4_z = t8 + (0.01448_rk*a4_y - 0.00622_rk*neg_a4_x)
+    nc4_z = 0.00622_rk*neg_a4_x - 0.01448_rk*a4_y - t9
     ! link 5: force that moves the link [N]
     fc5_x = 0.00408_rk*neg_lam5_11 - 0.01146_rk*lam5_12
     fc5_y = 0.01146_rk*neg_lam5_22 - 0.00408_rk*lam5_21
     fc5_z = -0.00408_rk*lam5_31 - 0.01146_rk*lam5_32
     ! link 5: moment that turns the link [N m]
-    neg_nc5_x = -0.00086198_rk*lam5_32 - 3.06e-06_rk*(neg_lam5_22 - neg_lam5_33) + &
-        (4.08e-06_rk*lam5_21 - 1.224e-05_rk*lam5_31) + 0.01146_rk*a4_y
+    nc5_x = -0.01146_rk*a4_y - (-0.00086198_rk*lam5_32 - 3.06e-06_rk*(neg_lam5_22 - neg_lam5_33) + &
+        (4.08e-06_rk*lam5_21 - 1.224e-05_rk*lam5_31))
     nc5_y = -0.00051632_rk*lam5_31 - 4.08e-06_rk*(neg_lam5_11 - neg_lam5_33) - &
         (1.224e-05_rk*lam5_32 - 3.06e-06_rk*lam5_12) + 0.00408_rk*a4_y
-    t9 = 0.00051632_rk*lam5_21 - 0.00086198_rk*lam5_12 + 1.224e-05_rk*(neg_lam5_11 - neg_lam5_22) &
+    t10 = 0.00051632_rk*lam5_21 - 0.00086198_rk*lam5_12 + 1.224e-05_rk*(neg_lam5_11 - neg_lam5_22) &
         + (4.08e-06_rk*lam5_23 - 3.06e-06_rk*lam5_13)
-    nc5_z = t9 - (0.00408_rk*a5_y - 0.01146_rk*a5_x)
+    nc5_z = t10 - (0.00408_rk*a5_y - 0.01146_rk*a5_x)
+    ! link 5: force through the joint, along the axes that its turn starts from [N]
+    f05_x = c5*fc5_x - s5*fc5_y
+    f05_y = s5*fc5_x + c5*fc5_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = c5*nc5_x - s5*nc5_y
+    n05_y = s5*nc5_x + c5*nc5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (c5*neg_nc5_x + s5*nc5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y + nc5_z
-    n4_z = s5*neg_nc5_x - c5*nc5_y - neg_nc4_z
+    n4_z = nc4_z - n05_y
     ! link 4: force through the joint [N]
-    f4_x = fc4_x + (c5*fc5_x - s5*fc5_y)
+    f4_x = fc4_x + f05_x
     f4_y = fc4_y + fc5_z
-    f4_z = fc4_z - (s5*fc5_x + c5*fc5_y)
-    t10 = s4*f4_x + c4*f4_y
+    f4_z = fc4_z - f05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c4*f4_x - s4*f4_y
+    f04_y = s4*f4_x + c4*f4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_x = c4*n4_x - s4*n4_y
+    n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_x = s4*n4_y - c4*n4_x + (0.225_rk*t10 - nc3_x)
+    n3_x = n04_x - (0.225_rk*f04_y - nc3_x)
     n3_y = nc3_y - n4_z
-    t11 = c4*f4_x - s4*f4_y
-    n3_z = nc3_z + 0.225_rk*t11 - (t4*n4_x - c4*n4_y)
+    n3_z = n04_y + (nc3_z + 0.225_rk*f04_x)
     ! link 3: force through the joint [N]
-    f3_x = fc3_x + t11
+    f3_x = fc3_x + f04_x
     f3_y = fc3_y - f4_z
-    f3_z = fc3_z + t10
-    t12 = -s3*f3_x - c3*f3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = c3*neg_n3_x + s3*n3_y - (nc2_x + 0.035_rk*t12)
-    n2_y = nc2_y - (0.035_rk*(s3*f3_y - c3*f3_x) + 0.225_rk*f3_z) - (s3*neg_n3_x - c3*n3_y)
-    n2_z = n3_z + (nc2_z - 0.225_rk*t12)
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y
-    tau(1) = n1_z
-    tau(2) = n2_z
+    f3_z = fc3_z + f04_y
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = c23*f3_x - s23*f3_y
+    f03_y = s23*f3_x + c23*f3_y
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = s23*n3_x + c23*n3_y
+    t11 = 0.225_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    neg_n02_y = s2*neg_nc2_x - c2*nc2_y + (f3_z*t11 - 0.035_rk*f03_x) - n03_y
+    n02_z = n3_z + (nc2_z - (f03_x*(0.225_rk*s2) - f03_y*t11))
+    tau(1) = neg_n02_y
+    tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = nc5_z

@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 169 multiplications, 132 additions = 301; 7 unary minus; 10 sine/cosine
- *   gravity: 11 multiplications, 5 additions = 16; 1 unary minus; 6 sine/cosine
- *   bias: 155 multiplications, 105 additions = 260; 6 unary minus; 10 sine/cosine
- *   mass_matrix: 93 multiplications, 84 additions = 177; 2 unary minus; 10 sine/cosine
- *   forward_dynamics: 334 multiplications, 259 additions, 6 divisions = 599; 12 unary minus; 10
+ *   inverse_dynamics: 153 multiplications, 113 additions = 266; 3 unary minus; 10 sine/cosine
+ *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
+ *   bias: 136 multiplications, 79 additions = 215; 4 unary minus; 10 sine/cosine
+ *   mass_matrix: 89 multiplications, 79 additions = 168; 3 unary minus; 10 sine/cosine
+ *   forward_dynamics: 311 multiplications, 228 additions, 6 divisions = 545; 11 unary minus; 14
  *       sine/cosine
  */
 #include "ur10.h"
@@ -29,7 +29,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 169 multiplications, 132 additions = 301; 7 unary minus; 10 sine/cosine */
+ * 153 multiplications, 113 additions = 266; 3 unary minus; 10 sine/cosine */
 void ur10_inverse_dynamics(
     const ur10_real q[6],
     const ur10_real qd[6],
@@ -42,57 +42,73 @@ void ur10_inverse_dynamics(
     /* sines and cosines of the joint angles */
     const ur10_real c2 = cos(q[1]);
     const ur10_real s2 = sin(again[1]);
-    const ur10_real c3 = cos(q[2]);
-    const ur10_real s3 = sin(again[2]);
-    const ur10_real c4 = cos(q[3]);
-    const ur10_real s4 = sin(again[3]);
     const ur10_real c5 = cos(q[4]);
     const ur10_real s5 = sin(again[4]);
     const ur10_real c6 = cos(q[5]);
     const ur10_real s6 = sin(again[5]);
+    const volatile ur10_real angle23 = q[1] + q[2];
+    const ur10_real c23 = cos(angle23);
+    const ur10_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_z = qd[1] + qd[2];
+    /* link 3: angular acceleration [rad/s^2] */
+    const ur10_real alpha3_z = qdd[1] + qdd[2];
+    /* sines and cosines of the joint angles */
+    const volatile ur10_real angle234 = q[3] + angle23;
+    const ur10_real c234 = cos(angle234);
+    const ur10_real s234 = sin(angle234);
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_z = qd[3] + w3_z;
+    /* link 4: angular acceleration [rad/s^2] */
+    const ur10_real alpha4_z = qdd[3] + alpha3_z;
     /* link 1: products of the angular velocity [1/s^2] */
     const ur10_real ww1_zz = qd[0]*qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a2_z = -0.163941*ww1_zz;
     const ur10_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const ur10_real w2_x = t1*s2;
     const ur10_real w2_y = t1*c2;
+    const ur10_real t2 = 0.163941*qdd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a2_y = s2*t2 - 9.81*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const ur10_real ww2_yz = qd[1]*w2_y;
     const ur10_real ww2_zx = qd[1]*w2_x;
     /* link 2: angular acceleration [rad/s^2] */
     const ur10_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const ur10_real alpha2_y = -(qdd[0]*c2) - ww2_zx;
+    const ur10_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
     /* link 2: products of the angular velocity [1/s^2] */
     const ur10_real ww2_xy = w2_x*w2_y;
     const ur10_real ww2_xx = w2_x*w2_x;
-    const ur10_real neg_ww2_yy = -w2_y*w2_y;
+    const ur10_real ww2_yy = w2_y*w2_y;
     const ur10_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real lam2_11 = neg_ww2_yy - ww2_zz;
+    const ur10_real neg_lam2_11 = ww2_yy + ww2_zz;
     const ur10_real lam2_12 = ww2_xy - qdd[1];
-    const ur10_real lam2_13 = ww2_zx + alpha2_y;
     const ur10_real lam2_21 = qdd[1] + ww2_xy;
     const ur10_real lam2_23 = ww2_yz - alpha2_x;
-    const ur10_real lam2_31 = ww2_zx - alpha2_y;
+    const ur10_real lam2_31 = ww2_zx + neg_alpha2_y;
     const ur10_real lam2_32 = ww2_yz + alpha2_x;
-    const ur10_real lam2_33 = neg_ww2_yy - ww2_xx;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a2_z = -0.220941*ww1_zz;
-    const ur10_real t2 = 0.220941*qdd[0];
-    const ur10_real neg_a2_x = c2*t2 + 9.81*s2;
-    const ur10_real a2_y = s2*t2 - 9.81*c2;
+    const ur10_real neg_lam2_33 = ww2_xx + ww2_yy;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_z = a2_z + 0.612*lam2_31;
     /* link 3: angular velocity [rad/s] */
-    const ur10_real w3_x = c3*w2_x + s3*w2_y;
-    const ur10_real w3_y = c3*w2_y - s3*w2_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const ur10_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const ur10_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    const ur10_real alpha3_z = qdd[1] + qdd[2];
-    /* link 3: angular velocity [rad/s] */
-    const ur10_real w3_z = qd[1] + qd[2];
+    const ur10_real w3_x = t1*s23;
+    const ur10_real w3_y = t1*c23;
+    const ur10_real t3 = 0.612*neg_lam2_11;
+    const ur10_real t4 = 0.612*lam2_21;
+    const ur10_real t5 = t2 + (c2*t3 + s2*t4);
+    const ur10_real t6 = s2*t3 - c2*t4 + 9.81;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_y = s23*t5 - c23*t6;
     /* link 3: products of the angular velocity [1/s^2] */
-    const ur10_real ww3_yz = w3_y*w3_z;
-    const ur10_real ww3_zx = w3_x*w3_z;
+    const ur10_real ww3_yz = w3_z*w3_y;
+    const ur10_real ww3_zx = w3_z*w3_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const ur10_real alpha3_x = ww3_yz - qdd[0]*s23;
+    const ur10_real neg_alpha3_y = qdd[0]*c23 + ww3_zx;
+    /* link 3: products of the angular velocity [1/s^2] */
     const ur10_real ww3_xy = w3_x*w3_y;
     const ur10_real ww3_xx = w3_x*w3_x;
     const ur10_real ww3_yy = w3_y*w3_y;
@@ -100,31 +116,27 @@ void ur10_inverse_dynamics(
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
     const ur10_real lam3_12 = ww3_xy - alpha3_z;
-    const ur10_real lam3_13 = alpha3_y + ww3_zx;
     const ur10_real lam3_21 = alpha3_z + ww3_xy;
     const ur10_real lam3_23 = ww3_yz - alpha3_x;
-    const ur10_real lam3_31 = ww3_zx - alpha3_y;
-    const ur10_real lam3_32 = alpha3_x + ww3_yz;
+    const ur10_real lam3_31 = ww3_zx + neg_alpha3_y;
+    const ur10_real lam3_32 = ww3_yz + alpha3_x;
     const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_z = a2_z - (0.1719*lam2_33 - 0.612*lam2_31);
-    const ur10_real t3 = a2_y + (0.612*lam2_21 - 0.1719*lam2_23);
-    const ur10_real t4 = neg_a2_x + (0.1719*lam2_13 - 0.612*lam2_11);
-    const ur10_real a3_x = s3*t3 - c3*t4;
-    const ur10_real a3_y = s3*t4 + c3*t3;
-    const ur10_real t5 = -c4;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_z = a3_z + 0.5723*lam3_31;
     /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_x = t5*w3_x - s4*w3_y;
-    const ur10_real w4_y = s4*w3_x - c4*w3_y;
-    /* link 4: angular acceleration [rad/s^2] */
-    const ur10_real alpha4_x = t5*alpha3_x - s4*alpha3_y + qd[3]*w4_y;
-    const ur10_real neg_alpha4_y = c4*alpha3_y - s4*alpha3_x + qd[3]*w4_x;
-    const ur10_real alpha4_z = qdd[3] + alpha3_z;
-    /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_z = qd[3] + w3_z;
+    const ur10_real w4_x = qd[0]*s234;
+    const ur10_real w4_y = qd[0]*c234;
+    const ur10_real t7 = 0.5723*neg_lam3_11;
+    const ur10_real t8 = 0.5723*lam3_21;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_x = c234*(t5 + (c23*t7 + s23*t8)) + s234*(t6 + (s23*t7 - c23*t8));
     /* link 4: products of the angular velocity [1/s^2] */
-    const ur10_real ww4_yz = w4_y*w4_z;
-    const ur10_real ww4_zx = w4_x*w4_z;
+    const ur10_real ww4_yz = w4_z*w4_y;
+    const ur10_real ww4_zx = w4_z*w4_x;
+    /* link 4: angular acceleration [rad/s^2] */
+    const ur10_real alpha4_x = qdd[0]*s234 + ww4_yz;
+    const ur10_real alpha4_y = qdd[0]*c234 - ww4_zx;
+    /* link 4: products of the angular velocity [1/s^2] */
     const ur10_real ww4_xy = w4_x*w4_y;
     const ur10_real ww4_xx = w4_x*w4_x;
     const ur10_real ww4_zz = w4_z*w4_z;
@@ -132,19 +144,15 @@ void ur10_inverse_dynamics(
     const ur10_real lam4_12 = ww4_xy - alpha4_z;
     const ur10_real lam4_21 = alpha4_z + ww4_xy;
     const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const ur10_real lam4_31 = neg_alpha4_y + ww4_zx;
-    const ur10_real lam4_32 = alpha4_x + ww4_yz;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_z = a3_z - (0.1149*neg_lam3_33 - 0.5723*lam3_31);
-    const ur10_real a4_x = c4*(0.5723*neg_lam3_11 - 0.1149*lam3_13 - a3_x) - s4*(a3_y +
-        (0.5723*lam3_21 + 0.1149*lam3_23));
+    const ur10_real lam4_31 = ww4_zx - alpha4_y;
+    const ur10_real lam4_32 = ww4_yz + alpha4_x;
     /* link 5: angular velocity [rad/s] */
     const ur10_real w5_x = -(c5*w4_x) - s5*w4_z;
     const ur10_real w5_y = s5*w4_x - c5*w4_z;
     /* link 5: angular acceleration [rad/s^2] */
     const ur10_real neg_alpha5_x = c5*alpha4_x + s5*alpha4_z - qd[4]*w5_y;
     const ur10_real alpha5_y = s5*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
-    const ur10_real alpha5_z = qdd[4] + neg_alpha4_y;
+    const ur10_real alpha5_z = qdd[4] - alpha4_y;
     /* link 5: angular velocity [rad/s] */
     const ur10_real w5_z = qd[4] - w4_y;
     /* link 5: products of the angular velocity [1/s^2] */
@@ -166,24 +174,24 @@ void ur10_inverse_dynamics(
     /* link 1: moment that turns the link [N m] */
     const ur10_real nc1_z = 0.751562446711482*qdd[0];
     /* link 2: force that moves the link [N] */
-    const ur10_real fc2_x = 8.847684*lam2_11;
+    const ur10_real fc2_x = -8.847684*neg_lam2_11;
     const ur10_real fc2_y = 8.847684*lam2_21;
     /* link 2: moment that turns the link [N m] */
-    const ur10_real nc2_x = 0.0181828125*lam2_32 + 0.688751532*lam2_21;
-    const ur10_real nc2_y = 0.688751532*(lam2_33 - lam2_11) - 4.607640119298*lam2_31 +
-        1.954816150644*ww1_zz;
-    const ur10_real nc2_z = 4.607640119298*lam2_21 - 0.0181828125*lam2_12 - 0.688751532*lam2_23 +
+    const ur10_real neg_nc2_x = -0.0181828125*lam2_32 - 0.184433544*lam2_21;
+    const ur10_real nc2_y = 0.184433544*(neg_lam2_11 - neg_lam2_33) - 4.607640119298*lam2_31 +
+        1.450498162644*ww1_zz;
+    const ur10_real nc2_z = 4.607640119298*lam2_21 - 0.0181828125*lam2_12 - 0.184433544*lam2_23 +
         8.847684*a2_y;
     /* link 3: force that moves the link [N] */
     const ur10_real fc3_x = -3.4664211*neg_lam3_11;
     const ur10_real fc3_y = 3.4664211*lam3_21;
     const ur10_real fc3_z = 3.4664211*lam3_31;
     /* link 3: moment that turns the link [N m] */
-    const ur10_real nc3_x = 0.0054421875*lam3_32 - 0.14216721774*lam3_21;
-    const ur10_real nc3_y = -1.7725776490519998*lam3_31 - 0.14216721774*(neg_lam3_11 - neg_lam3_33)
-        - 3.4664211*a3_z;
-    const ur10_real nc3_z = 1.7725776490519998*lam3_21 - 0.0054421875*lam3_12 +
-        0.14216721774*lam3_23 + 3.4664211*a3_y;
+    const ur10_real neg_nc3_x = -0.0054421875*lam3_32 - 0.25612456664999994*lam3_21;
+    const ur10_real nc3_y = 0.25612456664999994*(neg_lam3_11 - neg_lam3_33) -
+        1.7725776490519998*lam3_31 - 3.4664211*a3_z;
+    const ur10_real nc3_z = 1.7725776490519998*lam3_21 - 0.0054421875*lam3_12 -
+        0.25612456664999994*lam3_23 + 3.4664211*a3_y;
     /* link 4: force that moves the link [N] */
     const ur10_real fc4_x = -0.0233714*lam4_12;
     const ur10_real fc4_y = 0.0233714*neg_lam4_22;
@@ -200,85 +208,79 @@ void ur10_inverse_dynamics(
     const ur10_real nc6_y = -0.000568125*ww6_zx;
     const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
     const ur10_real nc6_z = 4.1662710585e-05*ww6_xy + 0.000526462289415*alpha6_z;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n06_x = c6*nc6_x - s6*nc6_y;
+    const ur10_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const ur10_real n5_x = nc5_x + n06_x;
     const ur10_real n5_y = nc5_y - nc6_z;
-    const ur10_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    const ur10_real n5_z = nc5_z + n06_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n05_x = s5*n5_y - c5*n5_x;
+    const ur10_real neg_n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n4_x = nc4_x - (c5*n5_x - s5*n5_y);
+    const ur10_real n4_x = nc4_x + n05_x;
     const ur10_real n4_y = nc4_y - n5_z;
-    const ur10_real n4_z = nc4_z - (s5*n5_x + c5*n5_y);
-    const ur10_real t6 = s4*fc4_x + c4*fc4_y;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const ur10_real neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.1149*t6);
-    const ur10_real t7 = c4*fc4_x - s4*fc4_y;
-    const ur10_real n3_y = nc3_y - (0.1149*t7 - 0.01337545222*lam4_32) - (s4*n4_x + c4*n4_y);
-    const ur10_real n3_z = n4_z + (nc3_z - 0.5723*t6);
-    /* link 3: force through the joint [N] */
-    const ur10_real f3_x = fc3_x - t7;
-    const ur10_real f3_y = fc3_y - t6;
-    const ur10_real f3_z = fc3_z + fc4_z;
-    const ur10_real t8 = -s3*f3_x - c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const ur10_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1719*t8 - nc2_x);
-    const ur10_real t9 = s3*f3_y - c3*f3_x;
-    const ur10_real n2_y = nc2_y + (0.1719*t9 - 0.612*f3_z) - (s3*neg_n3_x - c3*n3_y);
-    const ur10_real n2_z = n3_z + (nc2_z - 0.612*t8);
-    /* link 2: force through the joint [N] */
-    const ur10_real f2_x = fc2_x - t9;
-    const ur10_real f2_y = fc2_y - t8;
+    const ur10_real n4_z = nc4_z - neg_n05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f04_x = c234*fc4_x - s234*fc4_y;
+    const ur10_real f04_y = s234*fc4_x + c234*fc4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n04_y = s234*n4_x + c234*n4_y;
+    const ur10_real t9 = 0.5723*c23;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n03_y = n04_y + (s23*neg_nc3_x - c23*nc3_y + fc4_z*t9);
+    const ur10_real n03_z = n4_z + (nc3_z - (f04_y*t9 - f04_x*(0.5723*s23)));
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f03_x = f04_x + (s23*fc3_y - c23*fc3_x);
+    const ur10_real f03_y = f04_y + (-s23*fc3_x - c23*fc3_y);
+    const ur10_real f03_z = fc3_z + fc4_z;
+    const ur10_real t10 = 0.612*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n02_y = n03_y + (s2*neg_nc2_x - c2*nc2_y + f03_z*t10);
+    const ur10_real n02_z = n03_z + (nc2_z - (f03_y*t10 - f03_x*(0.612*s2)));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f02_x = f03_x + (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n1_z = s2*neg_n2_x - c2*n2_y + (nc1_z + 0.220941*(s2*f2_y - c2*f2_x));
+    const ur10_real n1_z = n02_y + (nc1_z + 0.163941*f02_x);
     tau[0] = n1_z;
-    tau[1] = n2_z;
-    tau[2] = n3_z;
+    tau[1] = n02_z;
+    tau[2] = n03_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
     tau[5] = nc6_z;
 }
 
 /* torques that hold the arm at rest
- * 11 multiplications, 5 additions = 16; 1 unary minus; 6 sine/cosine */
+ * 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine */
 void ur10_gravity(const ur10_real q[6], ur10_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur10_real *const again = q;
     /* sines and cosines of the joint angles */
     const ur10_real c2 = cos(q[1]);
-    const ur10_real s2 = sin(again[1]);
-    const ur10_real c3 = cos(q[2]);
-    const ur10_real s3 = sin(again[2]);
-    const ur10_real c4 = cos(q[3]);
-    const ur10_real s4 = sin(again[3]);
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a2_x = -9.81*s2;
-    const ur10_real a2_y = -9.81*c2;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real neg_a3_x = -c3*a2_x - s3*a2_y;
-    const ur10_real a3_y = c3*a2_y - s3*a2_x;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_x = c4*neg_a3_x - s4*a3_y;
+    const volatile ur10_real angle23 = q[1] + q[2];
+    const ur10_real c23 = cos(angle23);
+    const volatile ur10_real angle234 = q[3] + angle23;
+    const ur10_real s234 = sin(angle234);
     /* link 2: moment that turns the link [N m] */
     const ur10_real nc2_z = -86.79578004*c2;
     /* link 3: moment that turns the link [N m] */
-    const ur10_real nc3_z = 3.4664211*a3_y;
+    const ur10_real nc3_z = -34.005590991*c23;
     /* link 4: moment that turns the link [N m] */
-    const ur10_real nc4_z = 0.0233714*a4_x;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n3_z = nc3_z + nc4_z;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n2_z = nc2_z + n3_z;
+    const ur10_real nc4_z = 0.229273434*s234;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n03_z = nc3_z + nc4_z;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n02_z = nc2_z + n03_z;
     tau[0] = 0.0;
-    tau[1] = n2_z;
-    tau[2] = n3_z;
+    tau[1] = n02_z;
+    tau[2] = n03_z;
     tau[3] = nc4_z;
     tau[4] = 0.0;
     tau[5] = 0.0;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 155 multiplications, 105 additions = 260; 6 unary minus; 10 sine/cosine */
+ * 136 multiplications, 79 additions = 215; 4 unary minus; 10 sine/cosine */
 void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -287,86 +289,80 @@ void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
     /* sines and cosines of the joint angles */
     const ur10_real c2 = cos(q[1]);
     const ur10_real s2 = sin(again[1]);
-    const ur10_real c3 = cos(q[2]);
-    const ur10_real s3 = sin(again[2]);
-    const ur10_real c4 = cos(q[3]);
-    const ur10_real s4 = sin(again[3]);
     const ur10_real c5 = cos(q[4]);
     const ur10_real s5 = sin(again[4]);
     const ur10_real c6 = cos(q[5]);
     const ur10_real s6 = sin(again[5]);
+    const volatile ur10_real angle23 = q[1] + q[2];
+    const ur10_real c23 = cos(angle23);
+    const ur10_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_z = qd[1] + qd[2];
+    /* sines and cosines of the joint angles */
+    const volatile ur10_real angle234 = q[3] + angle23;
+    const ur10_real c234 = cos(angle234);
+    const ur10_real s234 = sin(angle234);
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_z = qd[3] + w3_z;
     /* link 1: products of the angular velocity [1/s^2] */
     const ur10_real ww1_zz = qd[0]*qd[0];
-    const ur10_real t1 = -qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a2_z = -0.163941*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const ur10_real w2_x = t1*s2;
-    const ur10_real w2_y = t1*c2;
+    const ur10_real neg_w2_x = qd[0]*s2;
+    const ur10_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const ur10_real alpha2_x = qd[1]*w2_y;
-    const ur10_real alpha2_y = -qd[1]*w2_x;
+    const ur10_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const ur10_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const ur10_real ww2_xy = w2_x*w2_y;
-    const ur10_real ww2_xx = w2_x*w2_x;
-    const ur10_real ww2_yy = w2_y*w2_y;
+    const ur10_real ww2_xy = neg_w2_x*neg_w2_y;
+    const ur10_real ww2_xx = neg_w2_x*neg_w2_x;
+    const ur10_real ww2_yy = neg_w2_y*neg_w2_y;
     const ur10_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur10_real neg_lam2_11 = ww2_yy + ww2_zz;
     const ur10_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a2_z = -0.220941*ww1_zz;
-    const ur10_real a2_x = -9.81*s2;
-    const ur10_real a2_y = -9.81*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_z = a2_z - 1.224*alpha2_y;
+    const ur10_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const ur10_real w3_x = c3*w2_x + s3*w2_y;
-    const ur10_real w3_y = c3*w2_y - s3*w2_x;
+    const ur10_real w3_x = t1*s23;
+    const ur10_real w3_y = t1*c23;
+    const ur10_real t2 = 0.612*neg_lam2_11;
+    const ur10_real t3 = 0.612*ww2_xy;
+    const ur10_real t4 = c2*t2 + s2*t3;
+    const ur10_real t5 = s2*t2 - c2*t3 + 9.81;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_y = s23*t4 - c23*t5;
     /* link 3: angular acceleration [rad/s^2] */
-    const ur10_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const ur10_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const ur10_real w3_z = qd[1] + qd[2];
+    const ur10_real alpha3_x = w3_z*w3_y;
+    const ur10_real neg_alpha3_y = w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const ur10_real ww3_yz = w3_y*w3_z;
-    const ur10_real ww3_zx = w3_x*w3_z;
     const ur10_real ww3_xy = w3_x*w3_y;
     const ur10_real ww3_xx = w3_x*w3_x;
     const ur10_real ww3_yy = w3_y*w3_y;
     const ur10_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const ur10_real lam3_13 = alpha3_y + ww3_zx;
-    const ur10_real lam3_23 = ww3_yz - alpha3_x;
-    const ur10_real lam3_31 = ww3_zx - alpha3_y;
-    const ur10_real lam3_32 = alpha3_x + ww3_yz;
     const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_z = a2_z - (1.224*alpha2_y - 0.1719*neg_lam2_33);
-    const ur10_real t2 = 0.612*neg_lam2_11 - a2_x;
-    const ur10_real t3 = -0.612*ww2_xy - a2_y;
-    const ur10_real neg_a3_x = c3*t2 + s3*t3;
-    const ur10_real a3_y = s3*t2 - c3*t3;
-    const ur10_real t4 = -c4;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_z = a3_z + 1.1446*neg_alpha3_y;
     /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_x = t4*w3_x - s4*w3_y;
-    const ur10_real w4_y = s4*w3_x - c4*w3_y;
+    const ur10_real w4_x = qd[0]*s234;
+    const ur10_real w4_y = qd[0]*c234;
+    const ur10_real t6 = 0.5723*neg_lam3_11;
+    const ur10_real t7 = 0.5723*ww3_xy;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_x = c234*(t4 + (c23*t6 + s23*t7)) + s234*(t5 + (s23*t6 - c23*t7));
     /* link 4: angular acceleration [rad/s^2] */
-    const ur10_real alpha4_x = t4*alpha3_x - s4*alpha3_y + qd[3]*w4_y;
-    const ur10_real alpha4_y = s4*alpha3_x - c4*alpha3_y - qd[3]*w4_x;
-    /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_z = qd[3] + w3_z;
+    const ur10_real alpha4_x = w4_z*w4_y;
+    const ur10_real alpha4_y = -w4_z*w4_x;
     /* link 4: products of the angular velocity [1/s^2] */
-    const ur10_real ww4_yz = w4_y*w4_z;
-    const ur10_real ww4_zx = w4_x*w4_z;
     const ur10_real ww4_xy = w4_x*w4_y;
     const ur10_real ww4_xx = w4_x*w4_x;
     const ur10_real ww4_zz = w4_z*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const ur10_real lam4_31 = ww4_zx - alpha4_y;
-    const ur10_real lam4_32 = alpha4_x + ww4_yz;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_z = a3_z - (0.1149*neg_lam3_33 - 0.5723*lam3_31);
-    const ur10_real a4_x = c4*(neg_a3_x + (0.5723*neg_lam3_11 - 0.1149*lam3_13)) - s4*(a3_y -
-        (-0.5723*ww3_xy - 0.1149*lam3_23));
     /* link 5: angular velocity [rad/s] */
     const ur10_real w5_x = -(c5*w4_x) - s5*w4_z;
     const ur10_real w5_y = s5*w4_x - c5*w4_z;
@@ -394,26 +390,26 @@ void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
     const ur10_real fc2_x = -8.847684*neg_lam2_11;
     const ur10_real fc2_y = 8.847684*ww2_xy;
     /* link 2: moment that turns the link [N m] */
-    const ur10_real nc2_x = 0.036365625*alpha2_x + 0.688751532*ww2_xy;
-    const ur10_real nc2_y = 9.215280238596*alpha2_y + 0.688751532*(neg_lam2_11 - neg_lam2_33) +
-        1.954816150644*ww1_zz;
+    const ur10_real neg_nc2_x = 0.036365625*neg_alpha2_x - 0.184433544*ww2_xy;
+    const ur10_real nc2_y = 9.215280238596*alpha2_y + 0.184433544*(neg_lam2_11 - neg_lam2_33) +
+        1.450498162644*ww1_zz;
     const ur10_real nc2_z = 4.589457306798*ww2_xy - 86.79578004*c2;
     /* link 3: force that moves the link [N] */
     const ur10_real fc3_x = -3.4664211*neg_lam3_11;
     const ur10_real fc3_y = 3.4664211*ww3_xy;
-    const ur10_real fc3_z = 3.4664211*lam3_31;
+    const ur10_real fc3_z = 6.9328422*neg_alpha3_y;
     /* link 3: moment that turns the link [N m] */
-    const ur10_real nc3_x = 0.0054421875*lam3_32 - 0.14216721774*ww3_xy;
-    const ur10_real nc3_y = -1.7725776490519998*lam3_31 - 0.14216721774*(neg_lam3_11 - neg_lam3_33)
-        - 3.4664211*a3_z;
-    const ur10_real nc3_z = 3.4664211*a3_y - (-1.7671354615519999*ww3_xy - 0.14216721774*lam3_23);
+    const ur10_real neg_nc3_x = -0.010884375*alpha3_x - 0.25612456664999994*ww3_xy;
+    const ur10_real nc3_y = 0.25612456664999994*(neg_lam3_11 - neg_lam3_33) -
+        3.5451552981039995*neg_alpha3_y - 3.4664211*a3_z;
+    const ur10_real nc3_z = 1.7671354615519999*ww3_xy + 3.4664211*a3_y;
     /* link 4: force that moves the link [N] */
     const ur10_real fc4_x = -0.0233714*ww4_xy;
     const ur10_real fc4_y = 0.0233714*neg_lam4_22;
-    const ur10_real fc4_z = -0.0233714*lam4_32;
+    const ur10_real fc4_z = -0.0467428*alpha4_x;
     /* link 4: moment that turns the link [N m] */
-    const ur10_real nc4_y = -0.00275625*lam4_31;
-    const ur10_real nc4_x = 0.0101643168934*lam4_32 - 0.0233714*a4_z;
+    const ur10_real nc4_y = 0.0055125*alpha4_y;
+    const ur10_real nc4_x = 0.0203286337868*alpha4_x - 0.0233714*a4_z;
     const ur10_real nc4_z = 0.0233714*a4_x - 0.0074080668934*ww4_xy;
     /* link 5: moment that turns the link [N m] */
     const ur10_real nc5_y = -0.0055125*ww5_zx;
@@ -423,47 +419,51 @@ void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
     const ur10_real nc6_y = -0.000568125*ww6_zx;
     const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
     const ur10_real nc6_z = 4.1662710585e-05*ww6_xy - 0.000526462289415*alpha5_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n06_x = c6*nc6_x - s6*nc6_y;
+    const ur10_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const ur10_real n5_x = nc5_x + n06_x;
     const ur10_real n5_y = nc5_y - nc6_z;
-    const ur10_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    const ur10_real n5_z = nc5_z + n06_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n05_x = s5*n5_y - c5*n5_x;
+    const ur10_real neg_n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n4_x = nc4_x - (c5*n5_x - s5*n5_y);
+    const ur10_real n4_x = nc4_x + n05_x;
     const ur10_real n4_y = nc4_y - n5_z;
-    const ur10_real n4_z = nc4_z - (s5*n5_x + c5*n5_y);
-    const ur10_real t5 = s4*fc4_x + c4*fc4_y;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const ur10_real neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.1149*t5);
-    const ur10_real t6 = c4*fc4_x - s4*fc4_y;
-    const ur10_real n3_y = nc3_y - (0.1149*t6 - 0.01337545222*lam4_32) - (s4*n4_x + c4*n4_y);
-    const ur10_real n3_z = n4_z - (0.5723*t5 - nc3_z);
-    /* link 3: force through the joint [N] */
-    const ur10_real f3_x = fc3_x - t6;
-    const ur10_real f3_y = fc3_y - t5;
-    const ur10_real f3_z = fc3_z + fc4_z;
-    const ur10_real t7 = -s3*f3_x - c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const ur10_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1719*t7 - nc2_x);
-    const ur10_real t8 = s3*f3_y - c3*f3_x;
-    const ur10_real n2_y = nc2_y + (0.1719*t8 - 0.612*f3_z) - (s3*neg_n3_x - c3*n3_y);
-    const ur10_real n2_z = n3_z + (nc2_z - 0.612*t7);
-    /* link 2: force through the joint [N] */
-    const ur10_real f2_x = fc2_x - t8;
-    const ur10_real f2_y = fc2_y - t7;
-    /* link 1: force through the joint [N] */
-    const ur10_real f1_x = s2*f2_y - c2*f2_x;
+    const ur10_real n4_z = nc4_z - neg_n05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f04_x = c234*fc4_x - s234*fc4_y;
+    const ur10_real f04_y = s234*fc4_x + c234*fc4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n04_y = s234*n4_x + c234*n4_y;
+    const ur10_real t8 = 0.5723*c23;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n03_y = n04_y + (s23*neg_nc3_x - c23*nc3_y + fc4_z*t8);
+    const ur10_real n03_z = n4_z + (nc3_z + (f04_x*(0.5723*s23) - f04_y*t8));
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f03_x = f04_x + (s23*fc3_y - c23*fc3_x);
+    const ur10_real f03_y = f04_y + (-s23*fc3_x - c23*fc3_y);
+    const ur10_real f03_z = fc3_z + fc4_z;
+    const ur10_real t9 = 0.612*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n02_y = n03_y + (s2*neg_nc2_x - c2*nc2_y + f03_z*t9);
+    const ur10_real n02_z = n03_z + (nc2_z + (f03_x*(0.612*s2) - f03_y*t9));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f02_x = f03_x + (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n1_z = s2*neg_n2_x - c2*n2_y + 0.220941*f1_x;
+    const ur10_real n1_z = n02_y + 0.163941*f02_x;
     tau[0] = n1_z;
-    tau[1] = n2_z;
-    tau[2] = n3_z;
+    tau[1] = n02_z;
+    tau[2] = n03_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
     tau[5] = nc6_z;
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 93 multiplications, 84 additions = 177; 2 unary minus; 10 sine/cosine */
+ * 89 multiplications, 79 additions = 168; 3 unary minus; 10 sine/cosine */
 void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -520,84 +520,83 @@ void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
     /* link 3: force for a unit acceleration of a joint further out */
     const ur10_real fu3_x = -0.0233714*c4;
     const ur10_real fu3_y = -0.0233714*s4;
-    const ur10_real t4 = nu4_z_2 - 0.00268537386;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const ur10_real nu3_x_3 = c4*k4_xz - s4*t4;
-    const ur10_real nu3_y_3 = s4*k4_xz + c4*t4;
+    const ur10_real nu3_x_3 = c4*k4_xz - s4*nu4_z_2;
+    const ur10_real nu3_y_3 = s4*k4_xz + c4*nu4_z_2;
     const ur10_real nu3_z = m4_4 - 0.01337545222*s4;
-    const ur10_real t5 = c3*fu3_x;
+    const ur10_real t4 = c3*fu3_x;
     /* link 2: force for a unit acceleration of a joint further out */
-    const ur10_real fu2_x = t5 - s3*fu3_y;
-    const ur10_real t6 = s3*fu3_x;
-    const ur10_real fu2_y = t6 + c3*fu3_y;
-    const ur10_real t7 = s3*nu3_y_3;
+    const ur10_real fu2_x = t4 - s3*fu3_y;
+    const ur10_real t5 = s3*fu3_x;
+    const ur10_real fu2_y = t5 + c3*fu3_y;
+    const ur10_real t6 = s3*nu3_y_3;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const ur10_real nu2_x_2 = c3*nu3_x_3 - t7 + 0.1719*fu2_y;
-    const ur10_real t8 = c3*nu3_y_3;
-    const ur10_real nu2_y_3 = s3*nu3_x_3 + t8 - 0.1719*fu2_x;
+    const ur10_real nu2_x_2 = c3*nu3_x_3 - t6;
+    const ur10_real t7 = c3*nu3_y_3;
+    const ur10_real nu2_y_3 = s3*nu3_x_3 + t7;
     const ur10_real nu2_z = nu3_z + 0.612*fu2_y;
     /* link 1: force for a unit acceleration of a joint further out */
     const ur10_real fu1_x = s2*fu2_y - c2*fu2_x;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const ur10_real nu1_z_3 = 0.220941*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3);
-    const ur10_real t9 = c4*c4;
-    const ur10_real t10 = t1 + t3 - 0.0018955668934;
-    const ur10_real t11 = c4*s4;
-    const ur10_real t12 = t9*t10 - nu4_x*(2.0*t11);
-    const ur10_real t13 = k4_xx - t12;
-    const ur10_real t14 = k4_zz - t13;
+    const ur10_real nu1_z_3 = 0.163941*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3);
+    const ur10_real t8 = c4*c4;
+    const ur10_real t9 = t1 + t3 - 0.0018955668934;
+    const ur10_real t10 = c4*s4;
+    const ur10_real t11 = t8*t9 - nu4_x*(2.0*t10);
+    const ur10_real t12 = k4_xx - t11;
+    const ur10_real t13 = k4_zz - t12;
     /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_zz = t13 + t14;
-    const ur10_real k3_xy = t10*t11 + nu4_x*(2.0*t9 - 1.0) + 0.01337545222*c4;
+    const ur10_real k3_zz = t12 + t13;
+    const ur10_real k3_xy = t9*t10 - nu4_x*(1.0 - 2.0*t8) + 0.01337545222*c4;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const ur10_real h3_x = fu3_y + 3.4664211;
-    const ur10_real t15 = 0.02675090444*s4 - (k4_yy + t12);
+    const ur10_real t14 = 0.02675090444*s4 - (k4_yy + t11);
     /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_xx = 1.7725776490519998 - t15;
-    const ur10_real t16 = k4_zz - t14;
-    const ur10_real k3_yy = t16 + 0.0054421875;
-    const ur10_real k3_xz = 0.14216721774 - nu3_x_3;
+    const ur10_real k3_xx = 1.7725776490519998 - t14;
+    const ur10_real t15 = k4_zz - t13;
+    const ur10_real k3_yy = t15 + 0.0054421875;
+    const ur10_real k3_xz = -nu3_x_3 - 0.25612456664999994;
     /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_3 = t16 - t15 + 1.7780198365519997;
+    const ur10_real m3_3 = t15 - t14 + 1.7780198365519997;
     /* link 2: force for a unit acceleration of a joint further out */
-    const ur10_real fu2_x_2 = t5 - s3*h3_x;
-    const ur10_real fu2_y_2 = t6 + c3*h3_x;
+    const ur10_real fu2_x_2 = t4 - s3*h3_x;
+    const ur10_real fu2_y_2 = t5 + c3*h3_x;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const ur10_real neg_nu2_x_2 = t7 + c3*k3_xz - 0.1719*fu2_y_2;
-    const ur10_real nu2_y_4 = t8 - s3*k3_xz - 0.1719*fu2_x_2;
+    const ur10_real neg_nu2_x_2 = t6 + c3*k3_xz;
+    const ur10_real nu2_y_4 = t7 - s3*k3_xz;
     const ur10_real nu2_z_2 = m3_3 + 0.612*fu2_y_2;
-    const ur10_real t17 = c2*fu2_x_2;
+    const ur10_real t16 = c2*fu2_x_2;
     /* link 1: force for a unit acceleration of a joint further out */
-    const ur10_real fu1_x_2 = s2*fu2_y_2 - t17;
-    const ur10_real t18 = c2*nu2_y_4;
+    const ur10_real fu1_x_2 = s2*fu2_y_2 - t16;
+    const ur10_real t17 = c2*nu2_y_4;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const ur10_real nu1_z_4 = s2*neg_nu2_x_2 - t18 + 0.220941*fu1_x_2;
-    const ur10_real t19 = c3*c3;
-    const ur10_real t20 = t16 + t15 - 1.7671354615519999;
-    const ur10_real t21 = c3*s3;
-    const ur10_real t22 = t19*t20 + k3_xy*(2.0*t21);
-    const ur10_real t23 = k3_xx + t22;
-    const ur10_real t24 = k3_zz - t23;
+    const ur10_real nu1_z_4 = s2*neg_nu2_x_2 - t17 + 0.163941*fu1_x_2;
+    const ur10_real t18 = c3*c3;
+    const ur10_real t19 = t15 + t14 - 1.7671354615519999;
+    const ur10_real t20 = c3*s3;
+    const ur10_real t21 = t18*t19 + k3_xy*(2.0*t20);
+    const ur10_real t22 = k3_xx + t21;
+    const ur10_real t23 = k3_zz - t22;
     /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_zz = t23 + t24;
-    const ur10_real k2_xy = -0.612*fu2_x_2 - (t20*t21 + k3_xy*(1.0 - 2.0*t19));
+    const ur10_real k2_zz = t22 + t23;
+    const ur10_real k2_xy = -0.612*fu2_x_2 - (t19*t20 + k3_xy*(1.0 - 2.0*t18));
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const ur10_real h2_x = fu2_y_2 + 8.847684;
-    const ur10_real t25 = k3_zz - t24;
+    const ur10_real t24 = k3_zz - t23;
     /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_yy = t25 + 0.0181828125;
-    const ur10_real k2_xz = neg_nu2_x_2 - 0.688751532;
-    const ur10_real t26 = k3_yy - t22 + 1.224*fu2_y_2;
+    const ur10_real k2_yy = t24 + 0.0181828125;
+    const ur10_real k2_xz = neg_nu2_x_2 - 0.184433544;
+    const ur10_real t25 = k3_yy - t21 + 1.224*fu2_y_2;
     /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_2 = t25 + t26 + 4.625822931798;
+    const ur10_real m2_2 = t24 + t25 + 4.625822931798;
     /* link 1: force for a unit acceleration of a joint further out */
-    const ur10_real fu1_x_3 = s2*h2_x - t17;
+    const ur10_real fu1_x_3 = s2*h2_x - t16;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const ur10_real nu1_z_5 = 0.220941*fu1_x_3 - (t18 - s2*k2_xz);
-    const ur10_real t27 = k2_zz + (k2_yy - (c2*c2*(t25 - t26 - 4.589457306798) +
+    const ur10_real nu1_z_5 = 0.163941*fu1_x_3 - (t17 - s2*k2_xz);
+    const ur10_real t26 = k2_zz + (k2_yy - (c2*c2*(t24 - t25 - 4.589457306798) +
         k2_xy*(2.0*(c2*s2))));
     /* link 1: mass matrix, its row of this joint */
-    const ur10_real m1_1 = t27 + 0.751562446711482;
+    const ur10_real m1_1 = t26 + 0.751562446711482;
     M[0] = m1_1;
     M[1] = nu1_z_5;
     M[2] = nu1_z_4;
@@ -637,7 +636,7 @@ void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 334 multiplications, 259 additions, 6 divisions = 599; 12 unary minus; 10 sine/cosine */
+ * 311 multiplications, 228 additions, 6 divisions = 545; 11 unary minus; 14 sine/cosine */
 void ur10_forward_dynamics(
     const ur10_real q[6],
     const ur10_real qd[6],
@@ -698,156 +697,154 @@ void ur10_forward_dynamics(
     /* link 3: force for a unit acceleration of a joint further out */
     const ur10_real fu3_x = -0.0233714*c4;
     const ur10_real fu3_y = -0.0233714*s4;
-    const ur10_real t4 = nu4_z_2 - 0.00268537386;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const ur10_real nu3_x_3 = c4*k4_xz - s4*t4;
-    const ur10_real nu3_y_3 = s4*k4_xz + c4*t4;
+    const ur10_real nu3_x_3 = c4*k4_xz - s4*nu4_z_2;
+    const ur10_real nu3_y_3 = s4*k4_xz + c4*nu4_z_2;
     const ur10_real nu3_z = m4_4 - 0.01337545222*s4;
-    const ur10_real t5 = c3*fu3_x;
+    const ur10_real t4 = c3*fu3_x;
     /* link 2: force for a unit acceleration of a joint further out */
-    const ur10_real fu2_x = t5 - s3*fu3_y;
-    const ur10_real t6 = s3*fu3_x;
-    const ur10_real fu2_y = t6 + c3*fu3_y;
-    const ur10_real t7 = s3*nu3_y_3;
+    const ur10_real fu2_x = t4 - s3*fu3_y;
+    const ur10_real t5 = s3*fu3_x;
+    const ur10_real fu2_y = t5 + c3*fu3_y;
+    const ur10_real t6 = s3*nu3_y_3;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const ur10_real nu2_x_2 = c3*nu3_x_3 - t7 + 0.1719*fu2_y;
-    const ur10_real t8 = c3*nu3_y_3;
-    const ur10_real nu2_y_3 = s3*nu3_x_3 + t8 - 0.1719*fu2_x;
+    const ur10_real nu2_x_2 = c3*nu3_x_3 - t6;
+    const ur10_real t7 = c3*nu3_y_3;
+    const ur10_real nu2_y_3 = s3*nu3_x_3 + t7;
     const ur10_real nu2_z = nu3_z + 0.612*fu2_y;
     /* link 1: force for a unit acceleration of a joint further out */
     const ur10_real fu1_x = s2*fu2_y - c2*fu2_x;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const ur10_real nu1_z_3 = 0.220941*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3);
-    const ur10_real t9 = c4*c4;
-    const ur10_real t10 = t1 + t3 - 0.0018955668934;
-    const ur10_real t11 = c4*s4;
-    const ur10_real t12 = t9*t10 - nu4_x*(2.0*t11);
-    const ur10_real t13 = k4_xx - t12;
-    const ur10_real t14 = k4_zz - t13;
+    const ur10_real nu1_z_3 = 0.163941*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3);
+    const ur10_real t8 = c4*c4;
+    const ur10_real t9 = t1 + t3 - 0.0018955668934;
+    const ur10_real t10 = c4*s4;
+    const ur10_real t11 = t8*t9 - nu4_x*(2.0*t10);
+    const ur10_real t12 = k4_xx - t11;
+    const ur10_real t13 = k4_zz - t12;
     /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_zz = t13 + t14;
-    const ur10_real k3_xy = t10*t11 + nu4_x*(2.0*t9 - 1.0) + 0.01337545222*c4;
+    const ur10_real k3_zz = t12 + t13;
+    const ur10_real k3_xy = t9*t10 - nu4_x*(1.0 - 2.0*t8) + 0.01337545222*c4;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const ur10_real h3_x = fu3_y + 3.4664211;
-    const ur10_real t15 = 0.02675090444*s4 - (k4_yy + t12);
+    const ur10_real t14 = 0.02675090444*s4 - (k4_yy + t11);
     /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_xx = 1.7725776490519998 - t15;
-    const ur10_real t16 = k4_zz - t14;
-    const ur10_real k3_yy = t16 + 0.0054421875;
-    const ur10_real k3_xz = 0.14216721774 - nu3_x_3;
+    const ur10_real k3_xx = 1.7725776490519998 - t14;
+    const ur10_real t15 = k4_zz - t13;
+    const ur10_real k3_yy = t15 + 0.0054421875;
+    const ur10_real k3_xz = -nu3_x_3 - 0.25612456664999994;
     /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_3 = t16 - t15 + 1.7780198365519997;
+    const ur10_real m3_3 = t15 - t14 + 1.7780198365519997;
     /* link 2: force for a unit acceleration of a joint further out */
-    const ur10_real fu2_x_2 = t5 - s3*h3_x;
-    const ur10_real fu2_y_2 = t6 + c3*h3_x;
+    const ur10_real fu2_x_2 = t4 - s3*h3_x;
+    const ur10_real fu2_y_2 = t5 + c3*h3_x;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const ur10_real neg_nu2_x_2 = t7 + c3*k3_xz - 0.1719*fu2_y_2;
-    const ur10_real nu2_y_4 = t8 - s3*k3_xz - 0.1719*fu2_x_2;
+    const ur10_real neg_nu2_x_2 = t6 + c3*k3_xz;
+    const ur10_real nu2_y_4 = t7 - s3*k3_xz;
     const ur10_real nu2_z_2 = m3_3 + 0.612*fu2_y_2;
-    const ur10_real t17 = c2*fu2_x_2;
+    const ur10_real t16 = c2*fu2_x_2;
     /* link 1: force for a unit acceleration of a joint further out */
-    const ur10_real fu1_x_2 = s2*fu2_y_2 - t17;
-    const ur10_real t18 = c2*nu2_y_4;
+    const ur10_real fu1_x_2 = s2*fu2_y_2 - t16;
+    const ur10_real t17 = c2*nu2_y_4;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const ur10_real nu1_z_4 = s2*neg_nu2_x_2 - t18 + 0.220941*fu1_x_2;
-    const ur10_real t19 = c3*c3;
-    const ur10_real t20 = t16 + t15 - 1.7671354615519999;
-    const ur10_real t21 = c3*s3;
-    const ur10_real t22 = t19*t20 + k3_xy*(2.0*t21);
-    const ur10_real t23 = k3_xx + t22;
-    const ur10_real t24 = k3_zz - t23;
+    const ur10_real nu1_z_4 = s2*neg_nu2_x_2 - t17 + 0.163941*fu1_x_2;
+    const ur10_real t18 = c3*c3;
+    const ur10_real t19 = t15 + t14 - 1.7671354615519999;
+    const ur10_real t20 = c3*s3;
+    const ur10_real t21 = t18*t19 + k3_xy*(2.0*t20);
+    const ur10_real t22 = k3_xx + t21;
+    const ur10_real t23 = k3_zz - t22;
     /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_zz = t23 + t24;
-    const ur10_real k2_xy = -0.612*fu2_x_2 - (t20*t21 + k3_xy*(1.0 - 2.0*t19));
+    const ur10_real k2_zz = t22 + t23;
+    const ur10_real k2_xy = -0.612*fu2_x_2 - (t19*t20 + k3_xy*(1.0 - 2.0*t18));
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const ur10_real h2_x = fu2_y_2 + 8.847684;
-    const ur10_real t25 = k3_zz - t24;
+    const ur10_real t24 = k3_zz - t23;
     /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_yy = t25 + 0.0181828125;
-    const ur10_real k2_xz = neg_nu2_x_2 - 0.688751532;
-    const ur10_real t26 = k3_yy - t22 + 1.224*fu2_y_2;
+    const ur10_real k2_yy = t24 + 0.0181828125;
+    const ur10_real k2_xz = neg_nu2_x_2 - 0.184433544;
+    const ur10_real t25 = k3_yy - t21 + 1.224*fu2_y_2;
     /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_2 = t25 + t26 + 4.625822931798;
+    const ur10_real m2_2 = t24 + t25 + 4.625822931798;
     /* link 1: force for a unit acceleration of a joint further out */
-    const ur10_real fu1_x_3 = s2*h2_x - t17;
+    const ur10_real fu1_x_3 = s2*h2_x - t16;
     /* link 1: moment for a unit acceleration of a joint further out */
-    const ur10_real nu1_z_5 = 0.220941*fu1_x_3 - (t18 - s2*k2_xz);
-    const ur10_real t27 = k2_zz + (k2_yy - (c2*c2*(t25 - t26 - 4.589457306798) +
+    const ur10_real nu1_z_5 = 0.163941*fu1_x_3 - (t17 - s2*k2_xz);
+    const ur10_real t26 = k2_zz + (k2_yy - (c2*c2*(t24 - t25 - 4.589457306798) +
         k2_xy*(2.0*(c2*s2))));
     /* link 1: mass matrix, its row of this joint */
-    const ur10_real m1_1 = t27 + 0.751562446711482;
+    const ur10_real m1_1 = t26 + 0.751562446711482;
+    /* sines and cosines of the joint angles */
+    const volatile ur10_real angle23 = q[1] + q[2];
+    const ur10_real c23 = cos(angle23);
+    const ur10_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_z = qd[1] + qd[2];
+    /* sines and cosines of the joint angles */
+    const volatile ur10_real angle234 = q[3] + angle23;
+    const ur10_real c234 = cos(angle234);
+    const ur10_real s234 = sin(angle234);
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_z = qd[3] + w3_z;
     /* link 1: products of the angular velocity [1/s^2] */
     const ur10_real ww1_zz = qd[0]*qd[0];
-    const ur10_real t28 = -qd[0];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a2_z = -0.163941*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const ur10_real w2_x = t28*s2;
-    const ur10_real w2_y = t28*c2;
+    const ur10_real neg_w2_x = qd[0]*s2;
+    const ur10_real neg_w2_y = qd[0]*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const ur10_real alpha2_x = qd[1]*w2_y;
-    const ur10_real alpha2_y = -qd[1]*w2_x;
+    const ur10_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const ur10_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const ur10_real ww2_xy = w2_x*w2_y;
-    const ur10_real ww2_xx = w2_x*w2_x;
-    const ur10_real ww2_yy = w2_y*w2_y;
+    const ur10_real ww2_xy = neg_w2_x*neg_w2_y;
+    const ur10_real ww2_xx = neg_w2_x*neg_w2_x;
+    const ur10_real ww2_yy = neg_w2_y*neg_w2_y;
     const ur10_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur10_real neg_lam2_11 = ww2_yy + ww2_zz;
     const ur10_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a2_z = -0.220941*ww1_zz;
-    const ur10_real a2_x = -9.81*s2;
-    const ur10_real a2_y = -9.81*c2;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_z = a2_z - 1.224*alpha2_y;
+    const ur10_real t27 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const ur10_real w3_x = c3*w2_x + s3*w2_y;
-    const ur10_real w3_y = c3*w2_y - s3*w2_x;
+    const ur10_real w3_x = t27*s23;
+    const ur10_real w3_y = t27*c23;
+    const ur10_real t28 = 0.612*neg_lam2_11;
+    const ur10_real t29 = 0.612*ww2_xy;
+    const ur10_real t30 = c2*t28 + s2*t29;
+    const ur10_real t31 = s2*t28 - c2*t29 + 9.81;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a3_y = s23*t30 - c23*t31;
     /* link 3: angular acceleration [rad/s^2] */
-    const ur10_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - s3*alpha2_y);
-    const ur10_real alpha3_y = c3*alpha2_y - s3*alpha2_x - qd[2]*w3_x;
-    /* link 3: angular velocity [rad/s] */
-    const ur10_real w3_z = qd[1] + qd[2];
+    const ur10_real alpha3_x = w3_z*w3_y;
+    const ur10_real neg_alpha3_y = w3_z*w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const ur10_real ww3_yz = w3_y*w3_z;
-    const ur10_real ww3_zx = w3_x*w3_z;
     const ur10_real ww3_xy = w3_x*w3_y;
     const ur10_real ww3_xx = w3_x*w3_x;
     const ur10_real ww3_yy = w3_y*w3_y;
     const ur10_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const ur10_real lam3_13 = alpha3_y + ww3_zx;
-    const ur10_real lam3_23 = ww3_yz - alpha3_x;
-    const ur10_real lam3_31 = ww3_zx - alpha3_y;
-    const ur10_real lam3_32 = alpha3_x + ww3_yz;
     const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_z = a2_z - (1.224*alpha2_y - 0.1719*neg_lam2_33);
-    const ur10_real t29 = 0.612*neg_lam2_11 - a2_x;
-    const ur10_real t30 = -0.612*ww2_xy - a2_y;
-    const ur10_real neg_a3_x = c3*t29 + s3*t30;
-    const ur10_real a3_y = s3*t29 - c3*t30;
-    const ur10_real t31 = -c4;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_z = a3_z + 1.1446*neg_alpha3_y;
     /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_x = t31*w3_x - s4*w3_y;
-    const ur10_real w4_y = s4*w3_x - c4*w3_y;
+    const ur10_real w4_x = qd[0]*s234;
+    const ur10_real w4_y = qd[0]*c234;
+    const ur10_real t32 = 0.5723*neg_lam3_11;
+    const ur10_real t33 = 0.5723*ww3_xy;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const ur10_real a4_x = c234*(t30 + (c23*t32 + s23*t33)) + s234*(t31 + (s23*t32 - c23*t33));
     /* link 4: angular acceleration [rad/s^2] */
-    const ur10_real alpha4_x = t31*alpha3_x - s4*alpha3_y + qd[3]*w4_y;
-    const ur10_real alpha4_y = s4*alpha3_x - c4*alpha3_y - qd[3]*w4_x;
-    /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_z = qd[3] + w3_z;
+    const ur10_real alpha4_x = w4_z*w4_y;
+    const ur10_real alpha4_y = -w4_z*w4_x;
     /* link 4: products of the angular velocity [1/s^2] */
-    const ur10_real ww4_yz = w4_y*w4_z;
-    const ur10_real ww4_zx = w4_x*w4_z;
     const ur10_real ww4_xy = w4_x*w4_y;
     const ur10_real ww4_xx = w4_x*w4_x;
     const ur10_real ww4_zz = w4_z*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const ur10_real lam4_31 = ww4_zx - alpha4_y;
-    const ur10_real lam4_32 = alpha4_x + ww4_yz;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_z = a3_z - (0.1149*neg_lam3_33 - 0.5723*lam3_31);
-    const ur10_real a4_x = c4*(neg_a3_x + (0.5723*neg_lam3_11 - 0.1149*lam3_13)) - s4*(a3_y -
-        (-0.5723*ww3_xy - 0.1149*lam3_23));
     /* link 5: angular velocity [rad/s] */
     const ur10_real w5_x = -(c5*w4_x) - s5*w4_z;
     const ur10_real w5_y = s5*w4_x - c5*w4_z;
@@ -875,26 +872,26 @@ void ur10_forward_dynamics(
     const ur10_real fc2_x = -8.847684*neg_lam2_11;
     const ur10_real fc2_y = 8.847684*ww2_xy;
     /* link 2: moment that turns the link [N m] */
-    const ur10_real nc2_x = 0.036365625*alpha2_x + 0.688751532*ww2_xy;
-    const ur10_real nc2_y = 9.215280238596*alpha2_y + 0.688751532*(neg_lam2_11 - neg_lam2_33) +
-        1.954816150644*ww1_zz;
+    const ur10_real neg_nc2_x = 0.036365625*neg_alpha2_x - 0.184433544*ww2_xy;
+    const ur10_real nc2_y = 9.215280238596*alpha2_y + 0.184433544*(neg_lam2_11 - neg_lam2_33) +
+        1.450498162644*ww1_zz;
     const ur10_real nc2_z = 4.589457306798*ww2_xy - 86.79578004*c2;
     /* link 3: force that moves the link [N] */
     const ur10_real fc3_x = -3.4664211*neg_lam3_11;
     const ur10_real fc3_y = 3.4664211*ww3_xy;
-    const ur10_real fc3_z = 3.4664211*lam3_31;
+    const ur10_real fc3_z = 6.9328422*neg_alpha3_y;
     /* link 3: moment that turns the link [N m] */
-    const ur10_real nc3_x = 0.0054421875*lam3_32 - 0.14216721774*ww3_xy;
-    const ur10_real nc3_y = -1.7725776490519998*lam3_31 - 0.14216721774*(neg_lam3_11 - neg_lam3_33)
-        - 3.4664211*a3_z;
-    const ur10_real nc3_z = 3.4664211*a3_y - (-1.7671354615519999*ww3_xy - 0.14216721774*lam3_23);
+    const ur10_real neg_nc3_x = -0.010884375*alpha3_x - 0.25612456664999994*ww3_xy;
+    const ur10_real nc3_y = 0.25612456664999994*(neg_lam3_11 - neg_lam3_33) -
+        3.5451552981039995*neg_alpha3_y - 3.4664211*a3_z;
+    const ur10_real nc3_z = 1.7671354615519999*ww3_xy + 3.4664211*a3_y;
     /* link 4: force that moves the link [N] */
     const ur10_real fc4_x = -0.0233714*ww4_xy;
     const ur10_real fc4_y = 0.0233714*neg_lam4_22;
-    const ur10_real fc4_z = -0.0233714*lam4_32;
+    const ur10_real fc4_z = -0.0467428*alpha4_x;
     /* link 4: moment that turns the link [N m] */
-    const ur10_real nc4_y = -0.00275625*lam4_31;
-    const ur10_real nc4_x = 0.0101643168934*lam4_32 - 0.0233714*a4_z;
+    const ur10_real nc4_y = 0.0055125*alpha4_y;
+    const ur10_real nc4_x = 0.0203286337868*alpha4_x - 0.0233714*a4_z;
     const ur10_real nc4_z = 0.0233714*a4_x - 0.0074080668934*ww4_xy;
     /* link 5: moment that turns the link [N m] */
     const ur10_real nc5_y = -0.0055125*ww5_zx;
@@ -904,37 +901,41 @@ void ur10_forward_dynamics(
     const ur10_real nc6_y = -0.000568125*ww6_zx;
     const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
     const ur10_real nc6_z = 4.1662710585e-05*ww6_xy - 0.000526462289415*alpha5_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n06_x = c6*nc6_x - s6*nc6_y;
+    const ur10_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n5_x = nc5_x + (c6*nc6_x - s6*nc6_y);
+    const ur10_real n5_x = nc5_x + n06_x;
     const ur10_real n5_y = nc5_y - nc6_z;
-    const ur10_real n5_z = nc5_z + (s6*nc6_x + c6*nc6_y);
+    const ur10_real n5_z = nc5_z + n06_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n05_x = s5*n5_y - c5*n5_x;
+    const ur10_real neg_n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n4_x = nc4_x - (c5*n5_x - s5*n5_y);
+    const ur10_real n4_x = nc4_x + n05_x;
     const ur10_real n4_y = nc4_y - n5_z;
-    const ur10_real n4_z = nc4_z - (s5*n5_x + c5*n5_y);
-    const ur10_real t32 = s4*fc4_x + c4*fc4_y;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const ur10_real neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.1149*t32);
-    const ur10_real t33 = c4*fc4_x - s4*fc4_y;
-    const ur10_real n3_y = nc3_y - (0.1149*t33 - 0.01337545222*lam4_32) - (s4*n4_x + c4*n4_y);
-    const ur10_real n3_z = n4_z - (0.5723*t32 - nc3_z);
-    /* link 3: force through the joint [N] */
-    const ur10_real f3_x = fc3_x - t33;
-    const ur10_real f3_y = fc3_y - t32;
-    const ur10_real f3_z = fc3_z + fc4_z;
-    const ur10_real t34 = -s3*f3_x - c3*f3_y;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const ur10_real neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1719*t34 - nc2_x);
-    const ur10_real t35 = s3*f3_y - c3*f3_x;
-    const ur10_real n2_y = nc2_y + (0.1719*t35 - 0.612*f3_z) - (s3*neg_n3_x - c3*n3_y);
-    const ur10_real n2_z = n3_z + (nc2_z - 0.612*t34);
-    /* link 2: force through the joint [N] */
-    const ur10_real f2_x = fc2_x - t35;
-    const ur10_real f2_y = fc2_y - t34;
-    /* link 1: force through the joint [N] */
-    const ur10_real f1_x = s2*f2_y - c2*f2_x;
+    const ur10_real n4_z = nc4_z - neg_n05_y;
+    /* link 4: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f04_x = c234*fc4_x - s234*fc4_y;
+    const ur10_real f04_y = s234*fc4_x + c234*fc4_y;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n04_y = s234*n4_x + c234*n4_y;
+    const ur10_real t34 = 0.5723*c23;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n03_y = n04_y + (s23*neg_nc3_x - c23*nc3_y + fc4_z*t34);
+    const ur10_real n03_z = n4_z + (nc3_z + (f04_x*(0.5723*s23) - f04_y*t34));
+    /* link 3: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f03_x = f04_x + (s23*fc3_y - c23*fc3_x);
+    const ur10_real f03_y = f04_y + (-s23*fc3_x - c23*fc3_y);
+    const ur10_real f03_z = fc3_z + fc4_z;
+    const ur10_real t35 = 0.612*c2;
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n02_y = n03_y + (s2*neg_nc2_x - c2*nc2_y + f03_z*t35);
+    const ur10_real n02_z = n03_z + (nc2_z + (f03_x*(0.612*s2) - f03_y*t35));
+    /* link 2: force through the joint, along the axes that its turn starts from [N] */
+    const ur10_real f02_x = f03_x + (s2*fc2_y - c2*fc2_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n1_z = s2*neg_n2_x - c2*n2_y + 0.220941*f1_x;
+    const ur10_real n1_z = n02_y + 0.163941*f02_x;
     /* link 1: forward substitution */
     const ur10_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
@@ -976,9 +977,9 @@ void ur10_forward_dynamics(
         ld6_5*l6_5;
     const ur10_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
-    const ur10_real y2 = tau[1] - n2_z - y1*l2_1;
+    const ur10_real y2 = tau[1] - n02_z - y1*l2_1;
     /* link 3: forward substitution */
-    const ur10_real y3 = tau[2] - n3_z - y1*l3_1 - l3_2*y2;
+    const ur10_real y3 = tau[2] - n03_z - y1*l3_1 - l3_2*y2;
     /* link 4: forward substitution */
     const ur10_real y4 = tau[3] - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3;
     /* link 5: forward substitution */

@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 169 multiplications, 132 additions = 301; 7 unary minus; 10 sine/cosine
- *   gravity: 11 multiplications, 5 additions = 16; 1 unary minus; 6 sine/cosine
- *   bias: 155 multiplications, 105 additions = 260; 6 unary minus; 10 sine/cosine
- *   mass_matrix: 93 multiplications, 84 additions = 177; 2 unary minus; 10 sine/cosine
- *   forward_dynamics: 334 multiplications, 259 additions, 6 divisions = 599; 12 unary minus; 10
+ *   inverse_dynamics: 153 multiplications, 113 additions = 266; 3 unary minus; 10 sine/cosine
+ *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
+ *   bias: 136 multiplications, 79 additions = 215; 4 unary minus; 10 sine/cosine
+ *   mass_matrix: 89 multiplications, 79 additions = 168; 3 unary minus; 10 sine/cosine
+ *   forward_dynamics: 311 multiplications, 228 additions, 6 divisions = 545; 11 unary minus; 14
  *       sine/cosine
  */
 #ifndef UR10_H

@@ -15,11 +15,11 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 169 multiplications, 132 additions = 301; 7 unary minus; 10 sine/cosine
-!   gravity: 11 multiplications, 5 additions = 16; 1 unary minus; 6 sine/cosine
-!   bias: 155 multiplications, 105 additions = 260; 6 unary minus; 10 sine/cosine
-!   mass_matrix: 93 multiplications, 84 additions = 177; 2 unary minus; 10 sine/cosine
-!   forward_dynamics: 334 multiplications, 259 additions, 6 divisions = 599; 12 unary minus; 10
+!   inverse_dynamics: 153 multiplications, 113 additions = 266; 3 unary minus; 10 sine/cosine
+!   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
+!   bias: 136 multiplications, 79 additions = 215; 4 unary minus; 10 sine/cosine
+!   mass_matrix: 89 multiplications, 79 additions = 168; 3 unary minus; 10 sine/cosine
+!   forward_dynamics: 311 multiplications, 228 additions, 6 divisions = 545; 11 unary minus; 14
 !       sine/cosine
 module ur5_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,86 +35,102 @@ module ur5_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 169 multiplications, 132 additions = 301; 7 unary minus; 10 sine/cosine
+  ! 153 multiplications, 113 additions = 266; 3 unary minus; 10 sine/cosine
   pure subroutine ur5_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="ur5_inverse_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: qdd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, ww1_zz, t1, w2_x, w2_y, ww2_yz, ww2_zx
-    real(rk) :: alpha2_x, alpha2_y, ww2_xy, ww2_xx, neg_ww2_yy, ww2_zz, lam2_11, lam2_12
-    real(rk) :: lam2_13, lam2_21, lam2_23, lam2_31, lam2_32, lam2_33, a2_z, t2
-    real(rk) :: neg_a2_x, a2_y, w3_x, w3_y, alpha3_x, alpha3_y, alpha3_z, w3_z
-    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12
-    real(rk) :: lam3_13, lam3_21, lam3_23, lam3_31, lam3_32, neg_lam3_33, a3_z, t3
-    real(rk) :: t4, a3_x, a3_y, t5, w4_x, w4_y, alpha4_x, neg_alpha4_y
-    real(rk) :: alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_zz, lam4_12
-    real(rk) :: lam4_21, neg_lam4_22, lam4_31, lam4_32, a4_z, a4_x, w5_x, w5_y
-    real(rk) :: neg_alpha5_x, alpha5_y, alpha5_z, w5_z, ww5_yz, ww5_zx, ww5_xy, w6_x
-    real(rk) :: w6_y, alpha6_x, alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy, nc1_z
-    real(rk) :: fc2_x, fc2_y, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z
-    real(rk) :: nc3_x, nc3_y, nc3_z, fc4_x, fc4_y, fc4_z, nc4_y, nc4_x
-    real(rk) :: nc4_z, nc5_y, nc5_x, nc5_z, nc6_y, nc6_x, nc6_z, n5_x
-    real(rk) :: n5_y, n5_z, n4_x, n4_y, n4_z, t6, neg_n3_x, t7
-    real(rk) :: n3_y, n3_z, f3_x, f3_y, f3_z, t8, neg_n2_x, t9
-    real(rk) :: n2_y, n2_z, f2_x, f2_y, n1_z
+    real(rk) :: c2, s2, c5, s5, c6, s6, angle23, c23
+    real(rk) :: s23, w3_z, alpha3_z, angle234, c234, s234, w4_z, alpha4_z
+    real(rk) :: ww1_zz, a2_z, t1, w2_x, w2_y, t2, a2_y, ww2_yz
+    real(rk) :: ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: lam2_12, lam2_21, lam2_23, lam2_31, lam2_32, neg_lam2_33, a3_z, w3_x
+    real(rk) :: w3_y, t3, t4, t5, t6, a3_y, ww3_yz, ww3_zx
+    real(rk) :: alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12
+    real(rk) :: lam3_21, lam3_23, lam3_31, lam3_32, neg_lam3_33, a4_z, w4_x, w4_y
+    real(rk) :: t7, t8, a4_x, ww4_yz, ww4_zx, alpha4_x, alpha4_y, ww4_xy
+    real(rk) :: ww4_xx, ww4_zz, lam4_12, lam4_21, neg_lam4_22, lam4_31, lam4_32, w5_x
+    real(rk) :: w5_y, neg_alpha5_x, alpha5_y, alpha5_z, w5_z, ww5_yz, ww5_zx, ww5_xy
+    real(rk) :: w6_x, w6_y, alpha6_x, alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy
+    real(rk) :: nc1_z, fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y
+    real(rk) :: fc3_z, neg_nc3_x, nc3_y, nc3_z, fc4_x, fc4_y, fc4_z, nc4_y
+    real(rk) :: nc4_x, nc4_z, nc5_y, nc5_x, nc5_z, nc6_y, nc6_x, nc6_z
+    real(rk) :: n06_x, n06_y, n5_x, n5_y, n5_z, n05_x, neg_n05_y, n4_x
+    real(rk) :: n4_y, n4_z, f04_x, f04_y, n04_y, t9, n03_y, n03_z
+    real(rk) :: f03_x, f03_y, f03_z, t10, n02_y, n02_z, f02_x, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
     c6 = cos(q(6))
     s6 = sin(q(6))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_z = qdd(2) + qdd(3)
+    ! sines and cosines of the joint angles
+    angle234 = q(4) + angle23
+    c234 = cos(angle234)
+    s234 = sin(angle234)
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) + w3_z
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_z = qdd(4) + alpha3_z
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.10915_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
     w2_y = t1*c2
+    t2 = 0.10915_rk*qdd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_y = s2*t2 - 9.81_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
     ww2_yz = qd(2)*w2_y
     ww2_zx = qd(2)*w2_x
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = ww2_yz - qdd(1)*s2
-    alpha2_y = -(qdd(1)*c2) - ww2_zx
+    neg_alpha2_y = qdd(1)*c2 + ww2_zx
     ! link 2: products of the angular velocity [1/s^2]
     ww2_xy = w2_x*w2_y
     ww2_xx = w2_x*w2_x
-    neg_ww2_yy = -w2_y*w2_y
+    ww2_yy = w2_y*w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam2_11 = neg_ww2_yy - ww2_zz
+    neg_lam2_11 = ww2_yy + ww2_zz
     lam2_12 = ww2_xy - qdd(2)
-    lam2_13 = ww2_zx + alpha2_y
     lam2_21 = qdd(2) + ww2_xy
     lam2_23 = ww2_yz - alpha2_x
-    lam2_31 = ww2_zx - alpha2_y
+    lam2_31 = ww2_zx + neg_alpha2_y
     lam2_32 = ww2_yz + alpha2_x
-    lam2_33 = neg_ww2_yy - ww2_xx
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.13585_rk*ww1_zz
-    t2 = 0.13585_rk*qdd(1)
-    neg_a2_x = c2*t2 + 9.81_rk*s2
-    a2_y = s2*t2 - 9.81_rk*c2
+    neg_lam2_33 = ww2_xx + ww2_yy
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z + 0.425_rk*lam2_31
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    alpha3_z = qdd(2) + qdd(3)
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    w3_x = t1*s23
+    w3_y = t1*c23
+    t3 = 0.425_rk*neg_lam2_11
+    t4 = 0.425_rk*lam2_21
+    t5 = t2 + (c2*t3 + s2*t4)
+    t6 = s2*t3 - c2*t4 + 9.81_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_y = s23*t5 - c23*t6
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
+    ww3_yz = w3_z*w3_y
+    ww3_zx = w3_z*w3_x
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = ww3_yz - qdd(1)*s23
+    neg_alpha3_y = qdd(1)*c23 + ww3_zx
+    ! link 3: products of the angular velocity [1/s^2]
     ww3_xy = w3_x*w3_y
     ww3_xx = w3_x*w3_x
     ww3_yy = w3_y*w3_y
@@ -122,31 +138,27 @@ contains
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
     lam3_12 = ww3_xy - alpha3_z
-    lam3_13 = alpha3_y + ww3_zx
     lam3_21 = alpha3_z + ww3_xy
     lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
+    lam3_31 = ww3_zx + neg_alpha3_y
+    lam3_32 = ww3_yz + alpha3_x
     neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.1197_rk*lam2_33 - 0.425_rk*lam2_31)
-    t3 = a2_y + (0.425_rk*lam2_21 - 0.1197_rk*lam2_23)
-    t4 = neg_a2_x + (0.1197_rk*lam2_13 - 0.425_rk*lam2_11)
-    a3_x = s3*t3 - c3*t4
-    a3_y = s3*t4 + c3*t3
-    t5 = -c4
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_z + 0.39225_rk*lam3_31
     ! link 4: angular velocity [rad/s]
-    w4_x = t5*w3_x - s4*w3_y
-    w4_y = s4*w3_x - c4*w3_y
-    ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = t5*alpha3_x - s4*alpha3_y + qd(4)*w4_y
-    neg_alpha4_y = c4*alpha3_y - s4*alpha3_x + qd(4)*w4_x
-    alpha4_z = qdd(4) + alpha3_z
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) + w3_z
+    w4_x = qd(1)*s234
+    w4_y = qd(1)*c234
+    t7 = 0.39225_rk*neg_lam3_11
+    t8 = 0.39225_rk*lam3_21
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c234*(t5 + (c23*t7 + s23*t8)) + s234*(t6 + (s23*t7 - c23*t8))
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
+    ww4_yz = w4_z*w4_y
+    ww4_zx = w4_z*w4_x
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = qdd(1)*s234 + ww4_yz
+    alpha4_y = qdd(1)*c234 - ww4_zx
+    ! link 4: products of the angular velocity [1/s^2]
     ww4_xy = w4_x*w4_y
     ww4_xx = w4_x*w4_x
     ww4_zz = w4_z*w4_z
@@ -154,19 +166,15 @@ contains
     lam4_12 = ww4_xy - alpha4_z
     lam4_21 = alpha4_z + ww4_xy
     neg_lam4_22 = ww4_xx + ww4_zz
-    lam4_31 = neg_alpha4_y + ww4_zx
-    lam4_32 = alpha4_x + ww4_yz
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = a3_z - (0.093_rk*neg_lam3_33 - 0.39225_rk*lam3_31)
-    a4_x = c4*(0.39225_rk*neg_lam3_11 - 0.093_rk*lam3_13 - a3_x) - s4*(a3_y + (0.39225_rk*lam3_21 &
-        + 0.093_rk*lam3_23))
+    lam4_31 = ww4_zx - alpha4_y
+    lam4_32 = ww4_yz + alpha4_x
     ! link 5: angular velocity [rad/s]
     w5_x = -(c5*w4_x) - s5*w4_z
     w5_y = s5*w4_x - c5*w4_z
     ! link 5: angular acceleration [rad/s^2]
     neg_alpha5_x = c5*alpha4_x + s5*alpha4_z - qd(5)*w5_y
     alpha5_y = s5*alpha4_x - c5*alpha4_z - qd(5)*w5_x
-    alpha5_z = qdd(5) + neg_alpha4_y
+    alpha5_z = qdd(5) - alpha4_y
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) - w4_y
     ! link 5: products of the angular velocity [1/s^2]
@@ -188,23 +196,23 @@ contains
     ! link 1: moment that turns the link [N m]
     nc1_z = 0.29853861244275_rk*qdd(1)
     ! link 2: force that moves the link [N]
-    fc2_x = 4.4329225_rk*lam2_11
+    fc2_x = -4.4329225_rk*neg_lam2_11
     fc2_y = 4.4329225_rk*lam2_21
     ! link 2: moment that turns the link [N m]
-    nc2_x = 0.0075537_rk*lam2_32 + 0.19371331275_rk*lam2_21
-    nc2_y = 0.19371331275_rk*(lam2_33 - lam2_11) - 1.76257323841_rk*lam2_31 + &
-        0.602212521625_rk*ww1_zz
-    nc2_z = 1.76257323841_rk*lam2_21 - 0.0075537_rk*lam2_12 - 0.19371331275_rk*lam2_23 + &
+    neg_nc2_x = -0.0075537_rk*lam2_32 - 0.075354282_rk*lam2_21
+    nc2_y = 0.075354282_rk*(neg_lam2_11 - neg_lam2_33) - 1.76257323841_rk*lam2_31 + &
+        0.483853490875_rk*ww1_zz
+    nc2_z = 1.76257323841_rk*lam2_21 - 0.0075537_rk*lam2_12 - 0.075354282_rk*lam2_23 + &
         4.4329225_rk*a2_y
     ! link 3: force that moves the link [N]
     fc3_x = -1.598759275_rk*neg_lam3_11
     fc3_y = 1.598759275_rk*lam3_21
     fc3_z = 1.598759275_rk*lam3_31
     ! link 3: moment that turns the link [N m]
-    nc3_x = 0.0020475_rk*lam3_32 - 0.051322656825_rk*lam3_21
-    nc3_y = -0.59360445167475_rk*lam3_31 - 0.051322656825_rk*(neg_lam3_11 - neg_lam3_33) - &
+    neg_nc3_x = -0.0020475_rk*lam3_32 - 0.09736195574999999_rk*lam3_21
+    nc3_y = 0.09736195574999999_rk*(neg_lam3_11 - neg_lam3_33) - 0.59360445167475_rk*lam3_31 - &
         1.598759275_rk*a3_z
-    nc3_z = 0.59360445167475_rk*lam3_21 - 0.0020475_rk*lam3_12 + 0.051322656825_rk*lam3_23 + &
+    nc3_z = 0.59360445167475_rk*lam3_21 - 0.0020475_rk*lam3_12 - 0.09736195574999999_rk*lam3_23 + &
         1.598759275_rk*a3_y
     ! link 4: force that moves the link [N]
     fc4_x = -0.017784735_rk*lam4_12
@@ -222,192 +230,182 @@ contains
     nc6_y = -0.033822_rk*ww6_zx
     nc6_x = 0.0171364731454_rk*ww6_yz - 0.0166855268546_rk*alpha6_x
     nc6_z = 0.0166855268546_rk*ww6_xy + 0.0171364731454_rk*alpha6_z
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    n5_z = nc5_z + n06_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = s5*n5_y - c5*n5_x
+    neg_n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (c5*n5_x - s5*n5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y - n5_z
-    n4_z = nc4_z - (s5*n5_x + c5*n5_y)
-    t6 = s4*fc4_x + c4*fc4_y
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.093_rk*t6)
-    t7 = c4*fc4_x - s4*fc4_y
-    n3_y = nc3_y - (0.093_rk*t7 - 0.00697606230375_rk*lam4_32) - (s4*n4_x + c4*n4_y)
-    n3_z = n4_z + (nc3_z - 0.39225_rk*t6)
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x - t7
-    f3_y = fc3_y - t6
-    f3_z = fc3_z + fc4_z
-    t8 = -s3*f3_x - c3*f3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1197_rk*t8 - nc2_x)
-    t9 = s3*f3_y - c3*f3_x
-    n2_y = nc2_y + (0.1197_rk*t9 - 0.425_rk*f3_z) - (s3*neg_n3_x - c3*n3_y)
-    n2_z = n3_z + (nc2_z - 0.425_rk*t8)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x - t9
-    f2_y = fc2_y - t8
+    n4_z = nc4_z - neg_n05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c234*fc4_x - s234*fc4_y
+    f04_y = s234*fc4_x + c234*fc4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_y = s234*n4_x + c234*n4_y
+    t9 = 0.39225_rk*c23
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = n04_y + (s23*neg_nc3_x - c23*nc3_y + fc4_z*t9)
+    n03_z = n4_z + (nc3_z - (f04_y*t9 - f04_x*(0.39225_rk*s23)))
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = f04_x + (s23*fc3_y - c23*fc3_x)
+    f03_y = f04_y + (-s23*fc3_x - c23*fc3_y)
+    f03_z = fc3_z + fc4_z
+    t10 = 0.425_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y + (s2*neg_nc2_x - c2*nc2_y + f03_z*t10)
+    n02_z = n03_z + (nc2_z - (f03_y*t10 - f03_x*(0.425_rk*s2)))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x + (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y + (nc1_z + 0.13585_rk*(s2*f2_y - c2*f2_x))
+    n1_z = n02_y + (nc1_z + 0.10915_rk*f02_x)
     tau(1) = n1_z
-    tau(2) = n2_z
-    tau(3) = n3_z
+    tau(2) = n02_z
+    tau(3) = n03_z
     tau(4) = n4_z
     tau(5) = n5_z
     tau(6) = nc6_z
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 11 multiplications, 5 additions = 16; 1 unary minus; 6 sine/cosine
+  ! 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
   pure subroutine ur5_gravity(q, tau) &
       bind(c, name="ur5_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, a2_x, a2_y
-    real(rk) :: neg_a3_x, a3_y, a4_x, nc2_z, nc3_z, nc4_z, n3_z, n2_z
+    real(rk) :: c2, angle23, c23, angle234, s234, nc2_z, nc3_z, nc4_z
+    real(rk) :: n03_z, n02_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
-    s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = -c3*a2_x - s3*a2_y
-    a3_y = c3*a2_y - s3*a2_x
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*neg_a3_x - s4*a3_y
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    angle234 = q(4) + angle23
+    s234 = sin(angle234)
     ! link 2: moment that turns the link [N m]
     nc2_z = -43.486969725_rk*c2
     ! link 3: moment that turns the link [N m]
-    nc3_z = 1.598759275_rk*a3_y
+    nc3_z = -15.683828487749999_rk*c23
     ! link 4: moment that turns the link [N m]
-    nc4_z = 0.017784735_rk*a4_x
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = nc3_z + nc4_z
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = nc2_z + n3_z
+    nc4_z = 0.17446825035_rk*s234
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_z = nc3_z + nc4_z
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = nc2_z + n03_z
     tau(1) = 0.0_rk
-    tau(2) = n2_z
-    tau(3) = n3_z
+    tau(2) = n02_z
+    tau(3) = n03_z
     tau(4) = nc4_z
     tau(5) = 0.0_rk
     tau(6) = 0.0_rk
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 155 multiplications, 105 additions = 260; 6 unary minus; 10 sine/cosine
+  ! 136 multiplications, 79 additions = 215; 4 unary minus; 10 sine/cosine
   pure subroutine ur5_bias(q, qd, tau) &
       bind(c, name="ur5_bias_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, ww1_zz, t1, w2_x, w2_y, alpha2_x, alpha2_y
-    real(rk) :: ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_33, a2_z, a2_x
-    real(rk) :: a2_y, w3_x, w3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx
-    real(rk) :: ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_13, lam3_23, lam3_31
-    real(rk) :: lam3_32, neg_lam3_33, a3_z, t2, t3, neg_a3_x, a3_y, t4
-    real(rk) :: w4_x, w4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy
-    real(rk) :: ww4_xx, ww4_zz, neg_lam4_22, lam4_31, lam4_32, a4_z, a4_x, w5_x
+    real(rk) :: c2, s2, c5, s5, c6, s6, angle23, c23
+    real(rk) :: s23, w3_z, angle234, c234, s234, w4_z, ww1_zz, a2_z
+    real(rk) :: neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz
+    real(rk) :: neg_lam2_11, neg_lam2_33, a3_z, t1, w3_x, w3_y, t2, t3
+    real(rk) :: t4, t5, a3_y, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy
+    real(rk) :: ww3_zz, neg_lam3_11, neg_lam3_33, a4_z, w4_x, w4_y, t6, t7
+    real(rk) :: a4_x, alpha4_x, alpha4_y, ww4_xy, ww4_xx, ww4_zz, neg_lam4_22, w5_x
     real(rk) :: w5_y, alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, w6_x
     real(rk) :: w6_y, alpha6_x, w6_z, ww6_yz, ww6_zx, ww6_xy, fc2_x, fc2_y
-    real(rk) :: nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y
+    real(rk) :: neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, neg_nc3_x, nc3_y
     real(rk) :: nc3_z, fc4_x, fc4_y, fc4_z, nc4_y, nc4_x, nc4_z, nc5_y
-    real(rk) :: nc5_x, nc5_z, nc6_y, nc6_x, nc6_z, n5_x, n5_y, n5_z
-    real(rk) :: n4_x, n4_y, n4_z, t5, neg_n3_x, t6, n3_y, n3_z
-    real(rk) :: f3_x, f3_y, f3_z, t7, neg_n2_x, t8, n2_y, n2_z
-    real(rk) :: f2_x, f2_y, f1_x, n1_z
+    real(rk) :: nc5_x, nc5_z, nc6_y, nc6_x, nc6_z, n06_x, n06_y, n5_x
+    real(rk) :: n5_y, n5_z, n05_x, neg_n05_y, n4_x, n4_y, n4_z, f04_x
+    real(rk) :: f04_y, n04_y, t8, n03_y, n03_z, f03_x, f03_y, f03_z
+    real(rk) :: t9, n02_y, n02_z, f02_x, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
     c6 = cos(q(6))
     s6 = sin(q(6))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! sines and cosines of the joint angles
+    angle234 = q(4) + angle23
+    c234 = cos(angle234)
+    s234 = sin(angle234)
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) + w3_z
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
-    t1 = -qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.10915_rk*ww1_zz
     ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
+    neg_w2_x = qd(1)*s2
+    neg_w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_x = qd(2)*neg_w2_y
+    alpha2_y = qd(2)*neg_w2_x
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
+    ww2_xy = neg_w2_x*neg_w2_y
+    ww2_xx = neg_w2_x*neg_w2_x
+    ww2_yy = neg_w2_y*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.13585_rk*ww1_zz
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - 0.85_rk*alpha2_y
+    t1 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
+    w3_x = t1*s23
+    w3_y = t1*c23
+    t2 = 0.425_rk*neg_lam2_11
+    t3 = 0.425_rk*ww2_xy
+    t4 = c2*t2 + s2*t3
+    t5 = s2*t2 - c2*t3 + 9.81_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_y = s23*t4 - c23*t5
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    alpha3_x = w3_z*w3_y
+    neg_alpha3_y = w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
     ww3_xy = w3_x*w3_y
     ww3_xx = w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_13 = alpha3_y + ww3_zx
-    lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
     neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.85_rk*alpha2_y - 0.1197_rk*neg_lam2_33)
-    t2 = 0.425_rk*neg_lam2_11 - a2_x
-    t3 = -0.425_rk*ww2_xy - a2_y
-    neg_a3_x = c3*t2 + s3*t3
-    a3_y = s3*t2 - c3*t3
-    t4 = -c4
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_z + 0.7845_rk*neg_alpha3_y
     ! link 4: angular velocity [rad/s]
-    w4_x = t4*w3_x - s4*w3_y
-    w4_y = s4*w3_x - c4*w3_y
+    w4_x = qd(1)*s234
+    w4_y = qd(1)*c234
+    t6 = 0.39225_rk*neg_lam3_11
+    t7 = 0.39225_rk*ww3_xy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c234*(t4 + (c23*t6 + s23*t7)) + s234*(t5 + (s23*t6 - c23*t7))
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = t4*alpha3_x - s4*alpha3_y + qd(4)*w4_y
-    alpha4_y = s4*alpha3_x - c4*alpha3_y - qd(4)*w4_x
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) + w3_z
+    alpha4_x = w4_z*w4_y
+    alpha4_y = -w4_z*w4_x
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
     ww4_xx = w4_x*w4_x
     ww4_zz = w4_z*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam4_22 = ww4_xx + ww4_zz
-    lam4_31 = ww4_zx - alpha4_y
-    lam4_32 = alpha4_x + ww4_yz
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = a3_z - (0.093_rk*neg_lam3_33 - 0.39225_rk*lam3_31)
-    a4_x = c4*(neg_a3_x + (0.39225_rk*neg_lam3_11 - 0.093_rk*lam3_13)) - s4*(a3_y - &
-        (-0.39225_rk*ww3_xy - 0.093_rk*lam3_23))
     ! link 5: angular velocity [rad/s]
     w5_x = -(c5*w4_x) - s5*w4_z
     w5_y = s5*w4_x - c5*w4_z
@@ -435,26 +433,26 @@ contains
     fc2_x = -4.4329225_rk*neg_lam2_11
     fc2_y = 4.4329225_rk*ww2_xy
     ! link 2: moment that turns the link [N m]
-    nc2_x = 0.0151074_rk*alpha2_x + 0.19371331275_rk*ww2_xy
-    nc2_y = 3.52514647682_rk*alpha2_y + 0.19371331275_rk*(neg_lam2_11 - neg_lam2_33) + &
-        0.602212521625_rk*ww1_zz
+    neg_nc2_x = 0.0151074_rk*neg_alpha2_x - 0.075354282_rk*ww2_xy
+    nc2_y = 3.52514647682_rk*alpha2_y + 0.075354282_rk*(neg_lam2_11 - neg_lam2_33) + &
+        0.483853490875_rk*ww1_zz
     nc2_z = 1.75501953841_rk*ww2_xy - 43.486969725_rk*c2
     ! link 3: force that moves the link [N]
     fc3_x = -1.598759275_rk*neg_lam3_11
     fc3_y = 1.598759275_rk*ww3_xy
-    fc3_z = 1.598759275_rk*lam3_31
+    fc3_z = 3.19751855_rk*neg_alpha3_y
     ! link 3: moment that turns the link [N m]
-    nc3_x = 0.0020475_rk*lam3_32 - 0.051322656825_rk*ww3_xy
-    nc3_y = -0.59360445167475_rk*lam3_31 - 0.051322656825_rk*(neg_lam3_11 - neg_lam3_33) - &
+    neg_nc3_x = -0.004095_rk*alpha3_x - 0.09736195574999999_rk*ww3_xy
+    nc3_y = 0.09736195574999999_rk*(neg_lam3_11 - neg_lam3_33) - 1.1872089033495_rk*neg_alpha3_y - &
         1.598759275_rk*a3_z
-    nc3_z = 1.598759275_rk*a3_y - (-0.59155695167475_rk*ww3_xy - 0.051322656825_rk*lam3_23)
+    nc3_z = 0.59155695167475_rk*ww3_xy + 1.598759275_rk*a3_y
     ! link 4: force that moves the link [N]
     fc4_x = -0.017784735_rk*ww4_xy
     fc4_y = 0.017784735_rk*neg_lam4_22
-    fc4_z = -0.017784735_rk*lam4_32
+    fc4_z = -0.03556947_rk*alpha4_x
     ! link 4: moment that turns the link [N m]
-    nc4_y = -0.10971_rk*lam4_31
-    nc4_x = 0.11431883622975_rk*lam4_32 - 0.017784735_rk*a4_z
+    nc4_y = 0.21942_rk*alpha4_y
+    nc4_x = 0.2286376724595_rk*alpha4_x - 0.017784735_rk*a4_z
     nc4_z = 0.017784735_rk*a4_x - 0.00460883622975_rk*ww4_xy
     ! link 5: moment that turns the link [N m]
     nc5_y = -0.21942_rk*ww5_zx
@@ -464,47 +462,51 @@ contains
     nc6_y = -0.033822_rk*ww6_zx
     nc6_x = 0.0171364731454_rk*ww6_yz - 0.0166855268546_rk*alpha6_x
     nc6_z = 0.0166855268546_rk*ww6_xy - 0.0171364731454_rk*alpha5_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    n5_z = nc5_z + n06_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = s5*n5_y - c5*n5_x
+    neg_n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (c5*n5_x - s5*n5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y - n5_z
-    n4_z = nc4_z - (s5*n5_x + c5*n5_y)
-    t5 = s4*fc4_x + c4*fc4_y
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.093_rk*t5)
-    t6 = c4*fc4_x - s4*fc4_y
-    n3_y = nc3_y - (0.093_rk*t6 - 0.00697606230375_rk*lam4_32) - (s4*n4_x + c4*n4_y)
-    n3_z = n4_z - (0.39225_rk*t5 - nc3_z)
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x - t6
-    f3_y = fc3_y - t5
-    f3_z = fc3_z + fc4_z
-    t7 = -s3*f3_x - c3*f3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1197_rk*t7 - nc2_x)
-    t8 = s3*f3_y - c3*f3_x
-    n2_y = nc2_y + (0.1197_rk*t8 - 0.425_rk*f3_z) - (s3*neg_n3_x - c3*n3_y)
-    n2_z = n3_z + (nc2_z - 0.425_rk*t7)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x - t8
-    f2_y = fc2_y - t7
-    ! link 1: force through the joint [N]
-    f1_x = s2*f2_y - c2*f2_x
+    n4_z = nc4_z - neg_n05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c234*fc4_x - s234*fc4_y
+    f04_y = s234*fc4_x + c234*fc4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_y = s234*n4_x + c234*n4_y
+    t8 = 0.39225_rk*c23
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = n04_y + (s23*neg_nc3_x - c23*nc3_y + fc4_z*t8)
+    n03_z = n4_z + (nc3_z + (f04_x*(0.39225_rk*s23) - f04_y*t8))
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = f04_x + (s23*fc3_y - c23*fc3_x)
+    f03_y = f04_y + (-s23*fc3_x - c23*fc3_y)
+    f03_z = fc3_z + fc4_z
+    t9 = 0.425_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y + (s2*neg_nc2_x - c2*nc2_y + f03_z*t9)
+    n02_z = n03_z + (nc2_z + (f03_x*(0.425_rk*s2) - f03_y*t9))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x + (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y + 0.13585_rk*f1_x
+    n1_z = n02_y + 0.10915_rk*f02_x
     tau(1) = n1_z
-    tau(2) = n2_z
-    tau(3) = n3_z
+    tau(2) = n02_z
+    tau(3) = n03_z
     tau(4) = n4_z
     tau(5) = n5_z
     tau(6) = nc6_z
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 93 multiplications, 84 additions = 177; 2 unary minus; 10 sine/cosine
+  ! 89 multiplications, 79 additions = 168; 3 unary minus; 10 sine/cosine
   pure subroutine ur5_mass_matrix(q, M) &
       bind(c, name="ur5_mass_matrix_f")
     real(rk), intent(in) :: q(6)
@@ -513,14 +515,14 @@ contains
     real(rk) :: c6, s6, neg_nu4_x, nu4_z, nu3_x, nu3_y, nu2_x, nu2_y
     real(rk) :: nu1_z, k5_xz, t1, k5_xx, m5_5, nu4_x, nu4_z_2, nu3_x_2
     real(rk) :: nu3_y_2, neg_nu2_x, nu2_y_2, nu1_z_2, t2, t3, k4_zz, k4_xz
-    real(rk) :: k4_xx, k4_yy, m4_4, fu3_x, fu3_y, t4, nu3_x_3, nu3_y_3
-    real(rk) :: nu3_z, t5, fu2_x, t6, fu2_y, t7, nu2_x_2, t8
-    real(rk) :: nu2_y_3, nu2_z, fu1_x, nu1_z_3, t9, t10, t11, t12
-    real(rk) :: t13, t14, k3_zz, k3_xy, h3_x, t15, k3_xx, t16
-    real(rk) :: k3_yy, k3_xz, m3_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_4, nu2_z_2
-    real(rk) :: t17, fu1_x_2, t18, nu1_z_4, t19, t20, t21, t22
-    real(rk) :: t23, t24, k2_zz, k2_xy, h2_x, t25, k2_yy, k2_xz
-    real(rk) :: t26, m2_2, fu1_x_3, nu1_z_5, t27, m1_1
+    real(rk) :: k4_xx, k4_yy, m4_4, fu3_x, fu3_y, nu3_x_3, nu3_y_3, nu3_z
+    real(rk) :: t4, fu2_x, t5, fu2_y, t6, nu2_x_2, t7, nu2_y_3
+    real(rk) :: nu2_z, fu1_x, nu1_z_3, t8, t9, t10, t11, t12
+    real(rk) :: t13, k3_zz, k3_xy, h3_x, t14, k3_xx, t15, k3_yy
+    real(rk) :: k3_xz, m3_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_4, nu2_z_2, t16
+    real(rk) :: fu1_x_2, t17, nu1_z_4, t18, t19, t20, t21, t22
+    real(rk) :: t23, k2_zz, k2_xy, h2_x, t24, k2_yy, k2_xz, t25
+    real(rk) :: m2_2, fu1_x_3, nu1_z_5, t26, m1_1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -573,83 +575,82 @@ contains
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = -0.017784735_rk*c4
     fu3_y = -0.017784735_rk*s4
-    t4 = nu4_z_2 - 0.001653980355_rk
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_3 = c4*k4_xz - s4*t4
-    nu3_y_3 = s4*k4_xz + c4*t4
+    nu3_x_3 = c4*k4_xz - s4*nu4_z_2
+    nu3_y_3 = s4*k4_xz + c4*nu4_z_2
     nu3_z = m4_4 - 0.00697606230375_rk*s4
-    t5 = c3*fu3_x
+    t4 = c3*fu3_x
     ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = t5 - s3*fu3_y
-    t6 = s3*fu3_x
-    fu2_y = t6 + c3*fu3_y
-    t7 = s3*nu3_y_3
+    fu2_x = t4 - s3*fu3_y
+    t5 = s3*fu3_x
+    fu2_y = t5 + c3*fu3_y
+    t6 = s3*nu3_y_3
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_2 = c3*nu3_x_3 - t7 + 0.1197_rk*fu2_y
-    t8 = c3*nu3_y_3
-    nu2_y_3 = s3*nu3_x_3 + t8 - 0.1197_rk*fu2_x
+    nu2_x_2 = c3*nu3_x_3 - t6
+    t7 = c3*nu3_y_3
+    nu2_y_3 = s3*nu3_x_3 + t7
     nu2_z = nu3_z + 0.425_rk*fu2_y
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x = s2*fu2_y - c2*fu2_x
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_3 = 0.13585_rk*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3)
-    t9 = c4*c4
-    t10 = t1 + t3 + 0.21481116377025_rk
-    t11 = c4*s4
-    t12 = t9*t10 - nu4_x*(2.0_rk*t11)
-    t13 = k4_xx - t12
-    t14 = k4_zz - t13
+    nu1_z_3 = 0.10915_rk*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3)
+    t8 = c4*c4
+    t9 = t1 + t3 + 0.21481116377025_rk
+    t10 = c4*s4
+    t11 = t8*t9 - nu4_x*(2.0_rk*t10)
+    t12 = k4_xx - t11
+    t13 = k4_zz - t12
     ! link 3: second moment of the composite body [kg m^2]
-    k3_zz = t13 + t14
-    k3_xy = t10*t11 + nu4_x*(2.0_rk*t9 - 1.0_rk) + 0.00697606230375_rk*c4
+    k3_zz = t12 + t13
+    k3_xy = t9*t10 - nu4_x*(1.0_rk - 2.0_rk*t8) + 0.00697606230375_rk*c4
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_x = fu3_y + 1.598759275_rk
-    t15 = 0.0139521246075_rk*s4 - (k4_yy + t12)
+    t14 = 0.0139521246075_rk*s4 - (k4_yy + t11)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.59360445167475_rk - t15
-    t16 = k4_zz - t14
-    k3_yy = t16 + 0.0020475_rk
-    k3_xz = 0.051322656825_rk - nu3_x_3
+    k3_xx = 0.59360445167475_rk - t14
+    t15 = k4_zz - t13
+    k3_yy = t15 + 0.0020475_rk
+    k3_xz = -nu3_x_3 - 0.09736195574999999_rk
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t16 - t15 + 0.5956519516747499_rk
+    m3_3 = t15 - t14 + 0.5956519516747499_rk
     ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = t5 - s3*h3_x
-    fu2_y_2 = t6 + c3*h3_x
+    fu2_x_2 = t4 - s3*h3_x
+    fu2_y_2 = t5 + c3*h3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x_2 = t7 + c3*k3_xz - 0.1197_rk*fu2_y_2
-    nu2_y_4 = t8 - s3*k3_xz - 0.1197_rk*fu2_x_2
+    neg_nu2_x_2 = t6 + c3*k3_xz
+    nu2_y_4 = t7 - s3*k3_xz
     nu2_z_2 = m3_3 + 0.425_rk*fu2_y_2
-    t17 = c2*fu2_x_2
+    t16 = c2*fu2_x_2
     ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_2 = s2*fu2_y_2 - t17
-    t18 = c2*nu2_y_4
+    fu1_x_2 = s2*fu2_y_2 - t16
+    t17 = c2*nu2_y_4
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_4 = s2*neg_nu2_x_2 - t18 + 0.13585_rk*fu1_x_2
-    t19 = c3*c3
-    t20 = t16 + t15 - 0.59155695167475_rk
-    t21 = c3*s3
-    t22 = t19*t20 + k3_xy*(2.0_rk*t21)
-    t23 = k3_xx + t22
-    t24 = k3_zz - t23
+    nu1_z_4 = s2*neg_nu2_x_2 - t17 + 0.10915_rk*fu1_x_2
+    t18 = c3*c3
+    t19 = t15 + t14 - 0.59155695167475_rk
+    t20 = c3*s3
+    t21 = t18*t19 + k3_xy*(2.0_rk*t20)
+    t22 = k3_xx + t21
+    t23 = k3_zz - t22
     ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = t23 + t24
-    k2_xy = -0.425_rk*fu2_x_2 - (t20*t21 + k3_xy*(1.0_rk - 2.0_rk*t19))
+    k2_zz = t22 + t23
+    k2_xy = -0.425_rk*fu2_x_2 - (t19*t20 + k3_xy*(1.0_rk - 2.0_rk*t18))
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_x = fu2_y_2 + 4.4329225_rk
-    t25 = k3_zz - t24
+    t24 = k3_zz - t23
     ! link 2: second moment of the composite body [kg m^2]
-    k2_yy = t25 + 0.0075537_rk
-    k2_xz = neg_nu2_x_2 - 0.19371331275_rk
-    t26 = k3_yy - t22 + 0.85_rk*fu2_y_2
+    k2_yy = t24 + 0.0075537_rk
+    k2_xz = neg_nu2_x_2 - 0.075354282_rk
+    t25 = k3_yy - t21 + 0.85_rk*fu2_y_2
     ! link 2: mass matrix, its row of this joint
-    m2_2 = t25 + t26 + 1.77012693841_rk
+    m2_2 = t24 + t25 + 1.77012693841_rk
     ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_3 = s2*h2_x - t17
+    fu1_x_3 = s2*h2_x - t16
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_5 = 0.13585_rk*fu1_x_3 - (t18 - s2*k2_xz)
-    t27 = k2_zz + (k2_yy - (c2*c2*(t25 - t26 - 1.75501953841_rk) + k2_xy*(2.0_rk*(c2*s2))))
+    nu1_z_5 = 0.10915_rk*fu1_x_3 - (t17 - s2*k2_xz)
+    t26 = k2_zz + (k2_yy - (c2*c2*(t24 - t25 - 1.75501953841_rk) + k2_xy*(2.0_rk*(c2*s2))))
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t27 + 0.29853861244275_rk
+    m1_1 = t26 + 0.29853861244275_rk
     M(1) = m1_1
     M(2) = nu1_z_5
     M(3) = nu1_z_4
@@ -689,7 +690,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 334 multiplications, 259 additions, 6 divisions = 599; 12 unary minus; 10 sine/cosine
+  ! 311 multiplications, 228 additions, 6 divisions = 545; 11 unary minus; 14 sine/cosine
   pure subroutine ur5_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="ur5_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -700,35 +701,34 @@ contains
     real(rk) :: c6, s6, neg_nu4_x, nu4_z, nu3_x, nu3_y, nu2_x, nu2_y
     real(rk) :: nu1_z, k5_xz, t1, k5_xx, m5_5, nu4_x, nu4_z_2, nu3_x_2
     real(rk) :: nu3_y_2, neg_nu2_x, nu2_y_2, nu1_z_2, t2, t3, k4_zz, k4_xz
-    real(rk) :: k4_xx, k4_yy, m4_4, fu3_x, fu3_y, t4, nu3_x_3, nu3_y_3
-    real(rk) :: nu3_z, t5, fu2_x, t6, fu2_y, t7, nu2_x_2, t8
-    real(rk) :: nu2_y_3, nu2_z, fu1_x, nu1_z_3, t9, t10, t11, t12
-    real(rk) :: t13, t14, k3_zz, k3_xy, h3_x, t15, k3_xx, t16
-    real(rk) :: k3_yy, k3_xz, m3_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_4, nu2_z_2
-    real(rk) :: t17, fu1_x_2, t18, nu1_z_4, t19, t20, t21, t22
-    real(rk) :: t23, t24, k2_zz, k2_xy, h2_x, t25, k2_yy, k2_xz
-    real(rk) :: t26, m2_2, fu1_x_3, nu1_z_5, t27, m1_1, ww1_zz, t28
-    real(rk) :: w2_x, w2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz
-    real(rk) :: neg_lam2_11, neg_lam2_33, a2_z, a2_x, a2_y, w3_x, w3_y, alpha3_x
-    real(rk) :: alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz
-    real(rk) :: neg_lam3_11, lam3_13, lam3_23, lam3_31, lam3_32, neg_lam3_33, a3_z, t29
-    real(rk) :: t30, neg_a3_x, a3_y, t31, w4_x, w4_y, alpha4_x, alpha4_y
-    real(rk) :: w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_zz, neg_lam4_22, lam4_31
-    real(rk) :: lam4_32, a4_z, a4_x, w5_x, w5_y, alpha5_x, alpha5_y, w5_z
-    real(rk) :: ww5_yz, ww5_zx, ww5_xy, w6_x, w6_y, alpha6_x, w6_z, ww6_yz
-    real(rk) :: ww6_zx, ww6_xy, fc2_x, fc2_y, nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, fc4_x, fc4_y, fc4_z
-    real(rk) :: nc4_y, nc4_x, nc4_z, nc5_y, nc5_x, nc5_z, nc6_y, nc6_x
-    real(rk) :: nc6_z, n5_x, n5_y, n5_z, n4_x, n4_y, n4_z, t32
-    real(rk) :: neg_n3_x, t33, n3_y, n3_z, f3_x, f3_y, f3_z, t34
-    real(rk) :: neg_n2_x, t35, n2_y, n2_z, f2_x, f2_y, f1_x, n1_z
-    real(rk) :: y1, ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1, pivot2
-    real(rk) :: ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2
-    real(rk) :: l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3
-    real(rk) :: l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5
-    real(rk) :: ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2, y3, y4
-    real(rk) :: y5, y6, qdd6, qdd5, qdd4, qdd3, qdd2, t36
-    real(rk) :: qdd1
+    real(rk) :: k4_xx, k4_yy, m4_4, fu3_x, fu3_y, nu3_x_3, nu3_y_3, nu3_z
+    real(rk) :: t4, fu2_x, t5, fu2_y, t6, nu2_x_2, t7, nu2_y_3
+    real(rk) :: nu2_z, fu1_x, nu1_z_3, t8, t9, t10, t11, t12
+    real(rk) :: t13, k3_zz, k3_xy, h3_x, t14, k3_xx, t15, k3_yy
+    real(rk) :: k3_xz, m3_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_4, nu2_z_2, t16
+    real(rk) :: fu1_x_2, t17, nu1_z_4, t18, t19, t20, t21, t22
+    real(rk) :: t23, k2_zz, k2_xy, h2_x, t24, k2_yy, k2_xz, t25
+    real(rk) :: m2_2, fu1_x_3, nu1_z_5, t26, m1_1, angle23, c23, s23
+    real(rk) :: w3_z, angle234, c234, s234, w4_z, ww1_zz, a2_z, neg_w2_x
+    real(rk) :: neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: neg_lam2_33, a3_z, t27, w3_x, w3_y, t28, t29, t30
+    real(rk) :: t31, a3_y, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz
+    real(rk) :: neg_lam3_11, neg_lam3_33, a4_z, w4_x, w4_y, t32, t33, a4_x
+    real(rk) :: alpha4_x, alpha4_y, ww4_xy, ww4_xx, ww4_zz, neg_lam4_22, w5_x, w5_y
+    real(rk) :: alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, w6_x, w6_y
+    real(rk) :: alpha6_x, w6_z, ww6_yz, ww6_zx, ww6_xy, fc2_x, fc2_y, neg_nc2_x
+    real(rk) :: nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, neg_nc3_x, nc3_y, nc3_z
+    real(rk) :: fc4_x, fc4_y, fc4_z, nc4_y, nc4_x, nc4_z, nc5_y, nc5_x
+    real(rk) :: nc5_z, nc6_y, nc6_x, nc6_z, n06_x, n06_y, n5_x, n5_y
+    real(rk) :: n5_z, n05_x, neg_n05_y, n4_x, n4_y, n4_z, f04_x, f04_y
+    real(rk) :: n04_y, t34, n03_y, n03_z, f03_x, f03_y, f03_z, t35
+    real(rk) :: n02_y, n02_z, f02_x, n1_z, y1, ipivot1, l2_1, l3_1
+    real(rk) :: l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2
+    real(rk) :: l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3
+    real(rk) :: l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4
+    real(rk) :: l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6
+    real(rk) :: ipivot6, y2, y3, y4, y5, y6, qdd6, qdd5
+    real(rk) :: qdd4, qdd3, qdd2, t36, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -781,155 +781,153 @@ contains
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = -0.017784735_rk*c4
     fu3_y = -0.017784735_rk*s4
-    t4 = nu4_z_2 - 0.001653980355_rk
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_3 = c4*k4_xz - s4*t4
-    nu3_y_3 = s4*k4_xz + c4*t4
+    nu3_x_3 = c4*k4_xz - s4*nu4_z_2
+    nu3_y_3 = s4*k4_xz + c4*nu4_z_2
     nu3_z = m4_4 - 0.00697606230375_rk*s4
-    t5 = c3*fu3_x
+    t4 = c3*fu3_x
     ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = t5 - s3*fu3_y
-    t6 = s3*fu3_x
-    fu2_y = t6 + c3*fu3_y
-    t7 = s3*nu3_y_3
+    fu2_x = t4 - s3*fu3_y
+    t5 = s3*fu3_x
+    fu2_y = t5 + c3*fu3_y
+    t6 = s3*nu3_y_3
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_2 = c3*nu3_x_3 - t7 + 0.1197_rk*fu2_y
-    t8 = c3*nu3_y_3
-    nu2_y_3 = s3*nu3_x_3 + t8 - 0.1197_rk*fu2_x
+    nu2_x_2 = c3*nu3_x_3 - t6
+    t7 = c3*nu3_y_3
+    nu2_y_3 = s3*nu3_x_3 + t7
     nu2_z = nu3_z + 0.425_rk*fu2_y
     ! link 1: force for a unit acceleration of a joint further out
     fu1_x = s2*fu2_y - c2*fu2_x
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_3 = 0.13585_rk*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3)
-    t9 = c4*c4
-    t10 = t1 + t3 + 0.21481116377025_rk
-    t11 = c4*s4
-    t12 = t9*t10 - nu4_x*(2.0_rk*t11)
-    t13 = k4_xx - t12
-    t14 = k4_zz - t13
+    nu1_z_3 = 0.10915_rk*fu1_x - (s2*nu2_x_2 + c2*nu2_y_3)
+    t8 = c4*c4
+    t9 = t1 + t3 + 0.21481116377025_rk
+    t10 = c4*s4
+    t11 = t8*t9 - nu4_x*(2.0_rk*t10)
+    t12 = k4_xx - t11
+    t13 = k4_zz - t12
     ! link 3: second moment of the composite body [kg m^2]
-    k3_zz = t13 + t14
-    k3_xy = t10*t11 + nu4_x*(2.0_rk*t9 - 1.0_rk) + 0.00697606230375_rk*c4
+    k3_zz = t12 + t13
+    k3_xy = t9*t10 - nu4_x*(1.0_rk - 2.0_rk*t8) + 0.00697606230375_rk*c4
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_x = fu3_y + 1.598759275_rk
-    t15 = 0.0139521246075_rk*s4 - (k4_yy + t12)
+    t14 = 0.0139521246075_rk*s4 - (k4_yy + t11)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.59360445167475_rk - t15
-    t16 = k4_zz - t14
-    k3_yy = t16 + 0.0020475_rk
-    k3_xz = 0.051322656825_rk - nu3_x_3
+    k3_xx = 0.59360445167475_rk - t14
+    t15 = k4_zz - t13
+    k3_yy = t15 + 0.0020475_rk
+    k3_xz = -nu3_x_3 - 0.09736195574999999_rk
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t16 - t15 + 0.5956519516747499_rk
+    m3_3 = t15 - t14 + 0.5956519516747499_rk
     ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = t5 - s3*h3_x
-    fu2_y_2 = t6 + c3*h3_x
+    fu2_x_2 = t4 - s3*h3_x
+    fu2_y_2 = t5 + c3*h3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x_2 = t7 + c3*k3_xz - 0.1197_rk*fu2_y_2
-    nu2_y_4 = t8 - s3*k3_xz - 0.1197_rk*fu2_x_2
+    neg_nu2_x_2 = t6 + c3*k3_xz
+    nu2_y_4 = t7 - s3*k3_xz
     nu2_z_2 = m3_3 + 0.425_rk*fu2_y_2
-    t17 = c2*fu2_x_2
+    t16 = c2*fu2_x_2
     ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_2 = s2*fu2_y_2 - t17
-    t18 = c2*nu2_y_4
+    fu1_x_2 = s2*fu2_y_2 - t16
+    t17 = c2*nu2_y_4
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_4 = s2*neg_nu2_x_2 - t18 + 0.13585_rk*fu1_x_2
-    t19 = c3*c3
-    t20 = t16 + t15 - 0.59155695167475_rk
-    t21 = c3*s3
-    t22 = t19*t20 + k3_xy*(2.0_rk*t21)
-    t23 = k3_xx + t22
-    t24 = k3_zz - t23
+    nu1_z_4 = s2*neg_nu2_x_2 - t17 + 0.10915_rk*fu1_x_2
+    t18 = c3*c3
+    t19 = t15 + t14 - 0.59155695167475_rk
+    t20 = c3*s3
+    t21 = t18*t19 + k3_xy*(2.0_rk*t20)
+    t22 = k3_xx + t21
+    t23 = k3_zz - t22
     ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = t23 + t24
-    k2_xy = -0.425_rk*fu2_x_2 - (t20*t21 + k3_xy*(1.0_rk - 2.0_rk*t19))
+    k2_zz = t22 + t23
+    k2_xy = -0.425_rk*fu2_x_2 - (t19*t20 + k3_xy*(1.0_rk - 2.0_rk*t18))
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_x = fu2_y_2 + 4.4329225_rk
-    t25 = k3_zz - t24
+    t24 = k3_zz - t23
     ! link 2: second moment of the composite body [kg m^2]
-    k2_yy = t25 + 0.0075537_rk
-    k2_xz = neg_nu2_x_2 - 0.19371331275_rk
-    t26 = k3_yy - t22 + 0.85_rk*fu2_y_2
+    k2_yy = t24 + 0.0075537_rk
+    k2_xz = neg_nu2_x_2 - 0.075354282_rk
+    t25 = k3_yy - t21 + 0.85_rk*fu2_y_2
     ! link 2: mass matrix, its row of this joint
-    m2_2 = t25 + t26 + 1.77012693841_rk
+    m2_2 = t24 + t25 + 1.77012693841_rk
     ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_3 = s2*h2_x - t17
+    fu1_x_3 = s2*h2_x - t16
     ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_5 = 0.13585_rk*fu1_x_3 - (t18 - s2*k2_xz)
-    t27 = k2_zz + (k2_yy - (c2*c2*(t25 - t26 - 1.75501953841_rk) + k2_xy*(2.0_rk*(c2*s2))))
+    nu1_z_5 = 0.10915_rk*fu1_x_3 - (t17 - s2*k2_xz)
+    t26 = k2_zz + (k2_yy - (c2*c2*(t24 - t25 - 1.75501953841_rk) + k2_xy*(2.0_rk*(c2*s2))))
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t27 + 0.29853861244275_rk
+    m1_1 = t26 + 0.29853861244275_rk
+    ! sines and cosines of the joint angles
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! sines and cosines of the joint angles
+    angle234 = q(4) + angle23
+    c234 = cos(angle234)
+    s234 = sin(angle234)
+    ! link 4: angular velocity [rad/s]
+    w4_z = qd(4) + w3_z
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
-    t28 = -qd(1)
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a2_z = -0.10915_rk*ww1_zz
     ! link 2: angular velocity [rad/s]
-    w2_x = t28*s2
-    w2_y = t28*c2
+    neg_w2_x = qd(1)*s2
+    neg_w2_y = qd(1)*c2
     ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_x = qd(2)*neg_w2_y
+    alpha2_y = qd(2)*neg_w2_x
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
+    ww2_xy = neg_w2_x*neg_w2_y
+    ww2_xx = neg_w2_x*neg_w2_x
+    ww2_yy = neg_w2_y*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_11 = ww2_yy + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.13585_rk*ww1_zz
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_z = a2_z - 0.85_rk*alpha2_y
+    t27 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + s3*w2_y
-    w3_y = c3*w2_y - s3*w2_x
+    w3_x = t27*s23
+    w3_y = t27*c23
+    t28 = 0.425_rk*neg_lam2_11
+    t29 = 0.425_rk*ww2_xy
+    t30 = c2*t28 + s2*t29
+    t31 = s2*t28 - c2*t29 + 9.81_rk
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_y = s23*t30 - c23*t31
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - s3*alpha2_y)
-    alpha3_y = c3*alpha2_y - s3*alpha2_x - qd(3)*w3_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    alpha3_x = w3_z*w3_y
+    neg_alpha3_y = w3_z*w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
     ww3_xy = w3_x*w3_y
     ww3_xx = w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_13 = alpha3_y + ww3_zx
-    lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
     neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - (0.85_rk*alpha2_y - 0.1197_rk*neg_lam2_33)
-    t29 = 0.425_rk*neg_lam2_11 - a2_x
-    t30 = -0.425_rk*ww2_xy - a2_y
-    neg_a3_x = c3*t29 + s3*t30
-    a3_y = s3*t29 - c3*t30
-    t31 = -c4
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_z = a3_z + 0.7845_rk*neg_alpha3_y
     ! link 4: angular velocity [rad/s]
-    w4_x = t31*w3_x - s4*w3_y
-    w4_y = s4*w3_x - c4*w3_y
+    w4_x = qd(1)*s234
+    w4_y = qd(1)*c234
+    t32 = 0.39225_rk*neg_lam3_11
+    t33 = 0.39225_rk*ww3_xy
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a4_x = c234*(t30 + (c23*t32 + s23*t33)) + s234*(t31 + (s23*t32 - c23*t33))
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = t31*alpha3_x - s4*alpha3_y + qd(4)*w4_y
-    alpha4_y = s4*alpha3_x - c4*alpha3_y - qd(4)*w4_x
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) + w3_z
+    alpha4_x = w4_z*w4_y
+    alpha4_y = -w4_z*w4_x
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
     ww4_xx = w4_x*w4_x
     ww4_zz = w4_z*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam4_22 = ww4_xx + ww4_zz
-    lam4_31 = ww4_zx - alpha4_y
-    lam4_32 = alpha4_x + ww4_yz
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = a3_z - (0.093_rk*neg_lam3_33 - 0.39225_rk*lam3_31)
-    a4_x = c4*(neg_a3_x + (0.39225_rk*neg_lam3_11 - 0.093_rk*lam3_13)) - s4*(a3_y - &
-        (-0.39225_rk*ww3_xy - 0.093_rk*lam3_23))
     ! link 5: angular velocity [rad/s]
     w5_x = -(c5*w4_x) - s5*w4_z
     w5_y = s5*w4_x - c5*w4_z
@@ -957,26 +955,26 @@ contains
     fc2_x = -4.4329225_rk*neg_lam2_11
     fc2_y = 4.4329225_rk*ww2_xy
     ! link 2: moment that turns the link [N m]
-    nc2_x = 0.0151074_rk*alpha2_x + 0.19371331275_rk*ww2_xy
-    nc2_y = 3.52514647682_rk*alpha2_y + 0.19371331275_rk*(neg_lam2_11 - neg_lam2_33) + &
-        0.602212521625_rk*ww1_zz
+    neg_nc2_x = 0.0151074_rk*neg_alpha2_x - 0.075354282_rk*ww2_xy
+    nc2_y = 3.52514647682_rk*alpha2_y + 0.075354282_rk*(neg_lam2_11 - neg_lam2_33) + &
+        0.483853490875_rk*ww1_zz
     nc2_z = 1.75501953841_rk*ww2_xy - 43.486969725_rk*c2
     ! link 3: force that moves the link [N]
     fc3_x = -1.598759275_rk*neg_lam3_11
     fc3_y = 1.598759275_rk*ww3_xy
-    fc3_z = 1.598759275_rk*lam3_31
+    fc3_z = 3.19751855_rk*neg_alpha3_y
     ! link 3: moment that turns the link [N m]
-    nc3_x = 0.0020475_rk*lam3_32 - 0.051322656825_rk*ww3_xy
-    nc3_y = -0.59360445167475_rk*lam3_31 - 0.051322656825_rk*(neg_lam3_11 - neg_lam3_33) - &
+    neg_nc3_x = -0.004095_rk*alpha3_x - 0.09736195574999999_rk*ww3_xy
+    nc3_y = 0.09736195574999999_rk*(neg_lam3_11 - neg_lam3_33) - 1.1872089033495_rk*neg_alpha3_y - &
         1.598759275_rk*a3_z
-    nc3_z = 1.598759275_rk*a3_y - (-0.59155695167475_rk*ww3_xy - 0.051322656825_rk*lam3_23)
+    nc3_z = 0.59155695167475_rk*ww3_xy + 1.598759275_rk*a3_y
     ! link 4: force that moves the link [N]
     fc4_x = -0.017784735_rk*ww4_xy
     fc4_y = 0.017784735_rk*neg_lam4_22
-    fc4_z = -0.017784735_rk*lam4_32
+    fc4_z = -0.03556947_rk*alpha4_x
     ! link 4: moment that turns the link [N m]
-    nc4_y = -0.10971_rk*lam4_31
-    nc4_x = 0.11431883622975_rk*lam4_32 - 0.017784735_rk*a4_z
+    nc4_y = 0.21942_rk*alpha4_y
+    nc4_x = 0.2286376724595_rk*alpha4_x - 0.017784735_rk*a4_z
     nc4_z = 0.017784735_rk*a4_x - 0.00460883622975_rk*ww4_xy
     ! link 5: moment that turns the link [N m]
     nc5_y = -0.21942_rk*ww5_zx
@@ -986,37 +984,41 @@ contains
     nc6_y = -0.033822_rk*ww6_zx
     nc6_x = 0.0171364731454_rk*ww6_yz - 0.0166855268546_rk*alpha6_x
     nc6_z = 0.0166855268546_rk*ww6_xy - 0.0171364731454_rk*alpha5_y
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_x = c6*nc6_x - s6*nc6_y
+    n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + (c6*nc6_x - s6*nc6_y)
+    n5_x = nc5_x + n06_x
     n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + (s6*nc6_x + c6*nc6_y)
+    n5_z = nc5_z + n06_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_x = s5*n5_y - c5*n5_x
+    neg_n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - (c5*n5_x - s5*n5_y)
+    n4_x = nc4_x + n05_x
     n4_y = nc4_y - n5_z
-    n4_z = nc4_z - (s5*n5_x + c5*n5_y)
-    t32 = s4*fc4_x + c4*fc4_y
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_x = c4*n4_x - s4*n4_y - (nc3_x + 0.093_rk*t32)
-    t33 = c4*fc4_x - s4*fc4_y
-    n3_y = nc3_y - (0.093_rk*t33 - 0.00697606230375_rk*lam4_32) - (s4*n4_x + c4*n4_y)
-    n3_z = n4_z - (0.39225_rk*t32 - nc3_z)
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x - t33
-    f3_y = fc3_y - t32
-    f3_z = fc3_z + fc4_z
-    t34 = -s3*f3_x - c3*f3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = c3*neg_n3_x + s3*n3_y + (0.1197_rk*t34 - nc2_x)
-    t35 = s3*f3_y - c3*f3_x
-    n2_y = nc2_y + (0.1197_rk*t35 - 0.425_rk*f3_z) - (s3*neg_n3_x - c3*n3_y)
-    n2_z = n3_z + (nc2_z - 0.425_rk*t34)
-    ! link 2: force through the joint [N]
-    f2_x = fc2_x - t35
-    f2_y = fc2_y - t34
-    ! link 1: force through the joint [N]
-    f1_x = s2*f2_y - c2*f2_x
+    n4_z = nc4_z - neg_n05_y
+    ! link 4: force through the joint, along the axes that its turn starts from [N]
+    f04_x = c234*fc4_x - s234*fc4_y
+    f04_y = s234*fc4_x + c234*fc4_y
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_y = s234*n4_x + c234*n4_y
+    t34 = 0.39225_rk*c23
+    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
+    n03_y = n04_y + (s23*neg_nc3_x - c23*nc3_y + fc4_z*t34)
+    n03_z = n4_z + (nc3_z + (f04_x*(0.39225_rk*s23) - f04_y*t34))
+    ! link 3: force through the joint, along the axes that its turn starts from [N]
+    f03_x = f04_x + (s23*fc3_y - c23*fc3_x)
+    f03_y = f04_y + (-s23*fc3_x - c23*fc3_y)
+    f03_z = fc3_z + fc4_z
+    t35 = 0.425_rk*c2
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_y = n03_y + (s2*neg_nc2_x - c2*nc2_y + f03_z*t35)
+    n02_z = n03_z + (nc2_z + (f03_x*(0.425_rk*s2) - f03_y*t35))
+    ! link 2: force through the joint, along the axes that its turn starts from [N]
+    f02_x = f03_x + (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*neg_n2_x - c2*n2_y + 0.13585_rk*f1_x
+    n1_z = n02_y + 0.10915_rk*f02_x
     ! link 1: forward substitution
     y1 = tau(1) - n1_z
     ! factorisation M = L D L^T
@@ -1057,9 +1059,9 @@ contains
     pivot6 = 0.0171364731454_rk - nu1_z*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - ld6_5*l6_5
     ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
-    y2 = tau(2) - n2_z - y1*l2_1
+    y2 = tau(2) - n02_z - y1*l2_1
     ! link 3: forward substitution
-    y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
+    y3 = tau(3) - n03_z - y1*l3_1 - l3_2*y2
     ! link 4: forward substitution
     y4 = tau(4) - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
     ! link 5: forward substitution

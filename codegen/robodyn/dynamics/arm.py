@@ -67,6 +67,19 @@ class Arm:
 
 
 @dataclass(frozen=True, slots=True)
+class JointAngle:
+    """An angle that cosine and sine are taken of: a sum of joint variables, ``(joint, +1 or -1)`` with
+    joints from 0, and a constant."""
+
+    terms: tuple[tuple[int, int], ...]
+    offset: Angle
+
+
+#: Cosine and sine of an angle, over the scalars in use.
+Trigonometry = Callable[[JointAngle], tuple[Any, Any]]
+
+
+@dataclass(frozen=True, slots=True)
 class Motion:
     """A state of the arm, joint by joint: ``c, s`` [n] of the rotation about z (offsets included),
     ``d`` [n] the displacement along z (a prismatic joint's variable included), rates ``qd`` [n] and
@@ -125,14 +138,14 @@ def build_motion(
     q: Sequence[Any],
     qd: Sequence[Any],
     qdd: Sequence[Any],
-    trigonometry: Callable[[Any, Angle], tuple[Any, Any]],
+    trigonometry: Trigonometry,
     number: Callable[[Fraction], Any],
 ) -> Motion:
-    """The motion at ``q, qd, qdd``; ``trigonometry(q_i, offset)`` is (cos, sin) of their sum."""
+    """The motion at ``q, qd, qdd``; constants pass through ``number``."""
     c, s, d = [], [], []
-    for body, x in zip(arm.bodies, q, strict=True):
+    for i, (body, x) in enumerate(zip(arm.bodies, q, strict=True)):
         if body.revolute:
-            cosine, sine = trigonometry(x, body.theta)
+            cosine, sine = trigonometry(JointAngle(((i, 1),), body.theta))
             d.append(body.d)
         else:
             cosine, sine = number(body.theta.cos), number(body.theta.sin)

@@ -10,19 +10,20 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
+from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion
 from robodyn.dynamics.base_parameters import base_newton_euler
 from robodyn.dynamics.mass_matrix import mass_matrix, solve_symmetric
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.parallel import chain_turns, chained, single_turns
 from robodyn.dynamics.regroup import MomentForm, lumps_of, regrouped, suited_forms
+from robodyn.dynamics.slide import slid
 from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
 from robodyn.ir.graph import lower
 from robodyn.ir.signature import ScalarType
 from robodyn.robot.model import Robot
-from robodyn.robot.values import Angle
 
 #: Inputs of each function, beside what it returns.
 FUNCTIONS: dict[str, tuple[tuple[str, ...], str]] = {
@@ -40,11 +41,12 @@ FORMULATIONS = ("modified_newton_euler", "newton_euler")
 @dataclass(frozen=True, slots=True)
 class Choice:
     """How the recursion is written: the formulation, and whether base parameters are regrouped (in the
-    modified Newton-Euler recursion). ``forms`` picks the form of each link's moment; empty, the forms
-    that suit the arm."""
+    modified Newton-Euler recursion); then ``chains`` says whether parallel joints turn as one, and
+    ``forms`` picks the form of each link's moment (empty: the forms that suit the arm)."""
 
     formulation: str = "modified_newton_euler"
     regroup: bool = True
+    chains: bool = True
     forms: tuple[MomentForm, ...] = ()
 
 
@@ -76,16 +78,23 @@ def build(robot: Robot, function: str, choice: Choice) -> Program:
     interface = signature(robot, function)
     given = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
     arm = build_arm(robot, exact, graph.input)
+    if choice.regroup:
+        arm = slid(arm)
 
-    def motion(qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
-        return build_motion(arm, given["q"], qd, qdd, lambda x, angle: turned(graph, x, angle), exact)
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        return turned(graph, given["q"], angle)
 
     def mark(value: Any, label: Label) -> Any:
         return graph.label(value, label)
 
-    values = outputs_of(function, arm, choice, given, motion, mark)
+    values = outputs_of(function, arm, choice, given, trigonometry, exact, mark)
     (result, _), *_ = interface.outputs
     return lower(graph, [(result, values)])
+
+
+def has_chains(robot: Robot) -> bool:
+    """Whether some joint turns about an axis parallel to the one before (see :mod:`.parallel`)."""
+    return any(chained(build_arm(robot, exact, lambda _: 1)))
 
 
 def outputs_of(
@@ -93,15 +102,17 @@ def outputs_of(
     arm: Arm,
     choice: Choice,
     given: Mapping[str, Sequence[Any]],
-    motion: Callable[[Sequence[Any], Sequence[Any]], Motion],
+    trigonometry: Trigonometry,
+    number: Callable[[Fraction], Any],
     mark: Mark,
 ) -> list[Any]:
-    """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``given``.
-
-    ``motion(qd, qdd)`` is the arm's motion at the given joint positions.
-    """
+    """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``given``."""
     zeros = [0] * len(arm.bodies)
-    inverse = _inverse_dynamics(arm, choice)
+    inverse = _inverse_dynamics(arm, choice, trigonometry)
+
+    def motion(qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
+        return build_motion(arm, given["q"], qd, qdd, trigonometry, number)
+
     if function == "inverse_dynamics":
         return inverse(motion(given["qd"], given["qdd"]), mark)
     if function == "gravity":
@@ -117,16 +128,21 @@ def outputs_of(
     return solve_symmetric(matrix, right, mark)
 
 
-def turned(graph: Graph, q: Node, offset: Angle) -> tuple[Any, Any]:
-    """Cosine and sine of ``q + offset``; an offset of quarter turns costs nothing."""
-    joint = graph.keys[q.position][1].index + 1
-    angle: Any = q
-    cosine, sine = exact(offset.cos), exact(offset.sin)
-    if offset.quarter is None:
-        angle = graph.label(q + Fraction(offset.radians), Label(joint, "angle", ""))
+def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:
+    """Cosine and sine of ``angle``; an offset of quarter turns costs nothing."""
+    joints = "".join(str(joint + 1) for joint, _ in angle.terms[:-1])
+    last = angle.terms[-1][0] + 1
+    total: Any = 0
+    for joint, sign in angle.terms:
+        total = total + sign * q[joint]
+    cosine, sine = exact(angle.offset.cos), exact(angle.offset.sin)
+    if angle.offset.quarter is None:
+        total = total + Fraction(angle.offset.radians)
         cosine, sine = 1, 0
-    c = graph.label(graph.cos(angle), Label(joint, "c", ""))
-    s = graph.label(graph.sin(angle), Label(joint, "s", ""))
+    if total is not q[last - 1]:
+        total = graph.label(total, Label(last, f"angle{joints}", ""))
+    c = graph.label(graph.cos(total), Label(last, f"c{joints}", ""))
+    s = graph.label(graph.sin(total), Label(last, f"s{joints}", ""))
     return cosine * c - sine * s, cosine * s + sine * c
 
 
@@ -135,7 +151,9 @@ def exact(x: Fraction) -> Fraction | int:
     return x.numerator if x.denominator == 1 else x
 
 
-def _inverse_dynamics(arm: Arm, choice: Choice) -> Callable[[Motion, Mark], list[Any]]:
+def _inverse_dynamics(
+    arm: Arm, choice: Choice, trigonometry: Trigonometry
+) -> Callable[[Motion, Mark], list[Any]]:
     if choice.formulation == "newton_euler":
         return lambda motion, mark: newton_euler(arm, motion, mark)
     if choice.formulation != "modified_newton_euler":
@@ -146,4 +164,9 @@ def _inverse_dynamics(arm: Arm, choice: Choice) -> Callable[[Motion, Mark], list
         return lambda motion, mark: modified_newton_euler(arm, motion, mark)
     forms = choice.forms or suited_forms(arm)
     lumps = regrouped(arm, forms)
-    return lambda motion, mark: base_newton_euler(arm, motion, lumps, forms, mark)
+
+    def recursion(motion: Motion, mark: Mark) -> list[Any]:
+        turns = chain_turns(arm, motion, trigonometry) if choice.chains else single_turns(motion)
+        return base_newton_euler(arm, motion, turns, lumps, forms, mark)
+
+    return recursion

@@ -6,21 +6,23 @@ quantity of the recursion gets a symbol of its own, so that no expression grows 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from robodyn.dynamics.arm import build_arm, build_motion
+from robodyn.dynamics.arm import JointAngle, build_arm
 from robodyn.dynamics.functions import Choice, outputs_of, signature
+from robodyn.dynamics.slide import slid
 from robodyn.ir import Graph, Label, Program
 from robodyn.ir.graph import Scalar, lower
 from robodyn.robot.model import Robot
-from robodyn.robot.values import Angle
 
 if TYPE_CHECKING:
     import sympy
+
+
+AS_IN_THE_BOOK = Choice(regroup=False, chains=False)
 
 
 @dataclass(frozen=True)
@@ -84,10 +86,9 @@ def _latex_name(label: Label) -> str:
     return f"{{{symbol}}}_{{{index}}}"
 
 
-def symbolic(
-    robot: Robot, function: str = "inverse_dynamics", *, regroup: bool = False, formulation: str = ""
-) -> Symbolic:
-    """The model of ``robot`` as sympy expressions: by default the recursion as the book has it.
+def symbolic(robot: Robot, function: str = "inverse_dynamics", choice: Choice = AS_IN_THE_BOOK) -> Symbolic:
+    """The model of ``robot`` as sympy expressions: by default the modified Newton-Euler recursion as the
+    book has it, without regrouping.
 
     >>> symbolic(load("puma560_3dof")).steps[:3]                     # doctest: +SKIP
 
@@ -121,21 +122,22 @@ def symbolic(
         labels[symbol] = label
         return symbol
 
-    def trigonometry(q: Any, offset: Angle) -> tuple[Any, Any]:
-        joint = int(q.name[1:])
-        angle, cosine, sine = q, rational(offset.cos), rational(offset.sin)
-        if offset.quarter is None:
-            angle, cosine, sine = q + rational(Fraction(offset.radians)), 1, 0
-        c, s = mark(sympy.cos(angle), Label(joint, "c", "")), mark(sympy.sin(angle), Label(joint, "s", ""))
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        joints = "".join(str(joint + 1) for joint, _ in angle.terms[:-1])
+        last = angle.terms[-1][0] + 1
+        total = sympy.Add(*(sign * inputs["q"][joint] for joint, sign in angle.terms))
+        cosine, sine = rational(angle.offset.cos), rational(angle.offset.sin)
+        if angle.offset.quarter is None:
+            total, cosine, sine = total + rational(Fraction(angle.offset.radians)), 1, 0
+        c = mark(sympy.cos(total), Label(last, f"c{joints}", ""))
+        s = mark(sympy.sin(total), Label(last, f"s{joints}", ""))
         return cosine * c - sine * s, cosine * s + sine * c
 
     arm = build_arm(robot, rational, lambda name: sympy.Symbol(name, real=True))
+    if choice.regroup:
+        arm = slid(arm)
 
-    def motion(qd: Sequence[Any], qdd: Sequence[Any]) -> Any:
-        return build_motion(arm, inputs["q"], qd, qdd, trigonometry, rational)
-
-    choice = Choice(formulation=formulation or "modified_newton_euler", regroup=regroup)
-    results = outputs_of(function, arm, choice, inputs, motion, mark)
+    results = outputs_of(function, arm, choice, inputs, trigonometry, rational, mark)
     return Symbolic(robot.name, function, inputs, tuple(steps), tuple(map(sympy.sympify, results)), labels)
 
 
@@ -143,7 +145,7 @@ def build_through_sympy(robot: Robot, function: str, choice: Choice) -> Program:
     """The program of ``function`` with sympy in the graph's place: named intermediates, ``sympy.cse``."""
     import sympy
 
-    model = symbolic(robot, function, regroup=choice.regroup, formulation=choice.formulation)
+    model = symbolic(robot, function, choice)
     expressions = [expression for _, expression in model.steps] + list(model.results)
     symbols = sympy.numbered_symbols("cse_", real=True)
     replacements, reduced = sympy.cse(expressions, symbols=symbols, optimizations=None, order="none")

@@ -21,6 +21,8 @@ QUANTITIES: dict[str, str] = {
     "nc": "moment that turns the link [N m]",
     "f": "force through the joint [N]",
     "n": "moment through the joint, about the frame's origin [N m]",
+    "f0": "force through the joint, along the axes that its turn starts from [N]",
+    "n0": "moment through the joint, along the axes that its turn starts from [N m]",
     "tau": "joint torque [N m], at a prismatic joint force [N]",
     "h": "first moment of the composite body, about the frame's origin [kg m]",
     "k": "second moment of the composite body [kg m^2]",
@@ -129,7 +131,7 @@ def _unique(name: str, taken: set[str]) -> str:
 def _heading(label: Label | None) -> str | None:
     if label is None:
         return None
-    if label.quantity in ("c", "s", "angle"):
+    if label.quantity.rstrip("0123456789") in ("c", "s", "angle"):
         return QUANTITIES["sc"]
     family = {"ipivot": "pivot", "l": "pivot", "ld": "pivot"}.get(label.quantity, label.quantity)
     meaning = QUANTITIES.get(family)

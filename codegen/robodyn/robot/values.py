@@ -124,12 +124,17 @@ def circle_point(angle: Fraction) -> tuple[Fraction, Fraction]:
     return (c, s) if small else (-c, s)
 
 
+def quarter_turns(quarter: int) -> Angle:
+    """The angle of ``quarter`` times pi/2."""
+    cos, sin = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter % 4]
+    return Angle(float(quarter * PI / 2), Fraction(cos), Fraction(sin), quarter)
+
+
 def angle(radians: Fraction) -> Angle:
     """The angle of ``radians``; within 1e-12 of a multiple of pi/2 it is exactly that."""
     quarter = round(radians / (PI / 2))
     if abs(radians - quarter * PI / 2) <= Fraction(1, 10**12):
-        cos, sin = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter % 4]
-        return Angle(float(quarter * PI / 2), Fraction(cos), Fraction(sin), quarter)
+        return quarter_turns(quarter)
     # The point of the rounded angle: the same that a kernel's sin(q + offset) means.
     cosine, sine = circle_point(Fraction(float(radians)))
     return Angle(float(radians), cosine, sine, None)

@@ -12,12 +12,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
+from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir.evaluate import evaluate_exact, turn
 from robodyn.ir.program import Input, Program
 from robodyn.robot.model import Robot
-from robodyn.robot.values import Angle, circle_point
+from robodyn.robot.values import circle_point
 
 Point = tuple[Fraction, Fraction]
 
@@ -81,9 +81,11 @@ def _equal_at(robot: Robot, function: str, program: Program, chance: random.Rand
 def _motion(
     arm: Arm, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any], circle: dict[Input, Point]
 ) -> Motion:
-    points = iter([circle[Input("q", i)] for i, body in enumerate(arm.bodies) if body.revolute])
-
-    def trigonometry(_: Any, offset: Angle) -> Point:
-        return turn((offset.cos, offset.sin), next(points))
+    def trigonometry(angle: JointAngle) -> Point:
+        total = (angle.offset.cos, angle.offset.sin)
+        for joint, sign in angle.terms:
+            c, s = circle[Input("q", joint)]
+            total = turn(total, (c, sign * s))
+        return total
 
     return build_motion(arm, q, qd, qdd, trigonometry, lambda x: x)

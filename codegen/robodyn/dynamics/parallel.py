@@ -1,0 +1,71 @@
+"""Chains of parallel joint axes, turned as one: ``cos(q2 + q3)`` in the place of ``cos q3``.
+
+The links of a chain see the angular velocity of what carries the chain through the sum of their angles
+and turn about one axis with the sum of their rates, so that a link further out need not wait for the
+ones before it, and the zeros of the carrier's velocity are not lost.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry
+from robodyn.dynamics.joints import is_zero
+from robodyn.robot.values import quarter_turns
+
+
+@dataclass(frozen=True, slots=True)
+class Turns:
+    """How each link stands to its chain's first joint: ``c, s`` [n] of the whole turn about z, its
+    ``rate`` and ``acceleration`` [n], and whether the link ``follows`` [n] the one before in a chain."""
+
+    c: tuple[Any, ...]
+    s: tuple[Any, ...]
+    rate: tuple[Any, ...]
+    acceleration: tuple[Any, ...]
+    follows: tuple[bool, ...]
+
+
+def chained(arm: Arm) -> tuple[bool, ...]:
+    """For each link [n] whether its joint axis is parallel to the one before, both revolute.
+
+    The first joint begins no chain: nothing turns before it. Offsets of the angles must be quarter turns,
+    lest the kernel add them up.
+    """
+    found = [False] * len(arm.bodies)
+    for i in range(2, len(arm.bodies)):
+        pair = arm.bodies[i - 1 : i + 1]
+        found[i] = is_zero(arm.bodies[i].sin_alpha) and all(
+            body.revolute and body.theta.quarter is not None for body in pair
+        )
+    return tuple(found)
+
+
+def single_turns(motion: Motion) -> Turns:
+    """Every joint for itself."""
+    return Turns(motion.c, motion.s, motion.qd, motion.qdd, (False,) * len(motion.c))
+
+
+def chain_turns(arm: Arm, motion: Motion, trigonometry: Trigonometry) -> Turns:
+    """The turns of ``arm`` with its chains of parallel joints taken together."""
+    follows = chained(arm)
+    c, s, rate, acceleration = list(motion.c), list(motion.s), list(motion.qd), list(motion.qdd)
+    angle: list[JointAngle | None] = [None] * len(c)
+    for i, body in enumerate(arm.bodies):
+        if not body.revolute:
+            continue
+        angle[i] = JointAngle(((i, 1),), body.theta)
+        before = angle[i - 1]
+        if follows[i] and before is not None:
+            way = int(body.cos_alpha)  # +1, or -1 where the axes point against each other
+            terms = tuple((joint, way * sign) for joint, sign in before.terms)
+            angle[i] = JointAngle((*terms, (i, 1)), _summed(before, way, body.theta.quarter))
+            c[i], s[i] = trigonometry(angle[i])  # type: ignore[arg-type]
+            rate[i] = way * rate[i - 1] + rate[i]
+            acceleration[i] = way * acceleration[i - 1] + acceleration[i]
+    return Turns(tuple(c), tuple(s), tuple(rate), tuple(acceleration), follows)
+
+
+def _summed(before: JointAngle, way: int, quarter: int | None) -> Any:
+    return quarter_turns(way * (before.offset.quarter or 0) + (quarter or 0))

@@ -1,0 +1,31 @@
+"""Sliding origins: an offset between parallel axes moves to the joint before, where it costs less.
+
+The origin of a frame may stand anywhere on its joint's axis. Where the next axis is parallel, sliding the
+origin along makes one offset of two, and of none beside the base, whose frame does not move.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from robodyn.dynamics.arm import Arm
+from robodyn.dynamics.joints import is_zero
+
+
+def slid(arm: Arm) -> Arm:
+    """``arm`` in frames whose origins make the offsets ``d`` between parallel axes zero.
+
+    The joint variables, torques and everything but the frames stay the same.
+    """
+    bodies = list(arm.bodies)
+    for i in reversed(range(len(bodies) - 1)):
+        body, child = bodies[i], bodies[i + 1]
+        if not is_zero(child.sin_alpha) or is_zero(child.d):
+            continue
+        if i and is_zero(body.d):
+            continue  # one offset stays one offset
+        shift = child.cos_alpha * child.d
+        x, y, z = body.com
+        bodies[i] = replace(body, d=body.d + shift, com=(x, y, z - shift))
+        bodies[i + 1] = replace(child, d=0)
+    return replace(arm, bodies=tuple(bodies))

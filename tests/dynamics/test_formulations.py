@@ -1,0 +1,202 @@
+"""Three formulations, on fractions and as programs: exactly the same torques."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dynamics.direct import Recorder, State, exact_arm
+from ir.programs import Point, every_value, exactly
+from robodyn import Options, load, program
+from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS, Choice, build, signature
+from robodyn.dynamics.modified_newton_euler import modified_newton_euler
+from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.regroup import lumps_of, regrouped
+from robodyn.dynamics.slide import slid
+from robodyn.errors import InputError
+from robodyn.ir import Input
+from robodyn.ir.evaluate import evaluate_exact
+from robodyn.passes import FRESH, run
+from robodyn.robot import Robot, bundled_names
+from robodyn.robot.values import circle_point
+from robodyn.verify.exact import exact_torque
+
+ARMS = [exact_arm(seed, joints=1 + seed % 9) for seed in range(18)]
+FORMS = ("inertia", "second_moment")
+CHOICES = {
+    "newton_euler": Choice("newton_euler", regroup=False, chains=False),
+    "modified": Choice(regroup=False, chains=False),
+    "base": Choice(chains=False),
+    "base-chains": Choice(),
+}
+WAYS = [
+    Options(formulation=formulation, regroup=regroup, optimize=level)
+    for formulation in FORMULATIONS
+    for regroup in (False, True)
+    for level in ("none", "fast")
+]
+
+
+def ids(robot: Robot) -> str:
+    return robot.name
+
+
+def test_the_arms_have_both_kinds_of_joints_and_every_number_of_them() -> None:
+    assert {robot.n for robot in ARMS} == set(range(1, 10))
+    kinds = [link.joint.kind for robot in ARMS for link in robot.links]
+    assert min(kinds.count("revolute"), kinds.count("prismatic")) > 20
+    assert any(link.joint.theta.quarter is None for robot in ARMS for link in robot.links)
+
+
+# --- on fractions -----------------------------------------------------------------------------------------
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.integers(0, 10**6), st.integers(1, 6), st.integers(0, 10**6), st.booleans(), st.data())
+def test_three_recursions_give_the_same_fractions(
+    seed: int, n: int, point: int, parallel: bool, data: st.DataObject
+) -> None:
+    """Whatever form each link's moment is written in, in whatever frames, with chains or without."""
+    state = State(exact_arm(seed, joints=n, parallel=0.8 if parallel else 0.35), Point(point))
+    motion = state.motion()
+    expected = newton_euler(state.arm, motion)
+    assert modified_newton_euler(state.arm, motion) == expected
+    other = slid(state.arm)
+    assert newton_euler(other, state.motion(other)) == expected
+    for choice in CHOICES.values():
+        assert state.outputs("inverse_dynamics", choice) == expected
+    forms = tuple(data.draw(st.lists(st.sampled_from(FORMS), min_size=n, max_size=n)))
+    for chains in (False, True):
+        for arm in (state.arm, other):
+            found = state.outputs("inverse_dynamics", Choice(chains=chains, forms=forms), arm=arm)
+            assert found == expected
+
+
+@pytest.mark.parametrize("robot", ARMS[3:8], ids=ids)
+def test_torques_are_those_of_virtual_work(robot: Robot) -> None:
+    """The oracle shares no equation with the recursions; its sines are right to 1e-30."""
+    state = State(robot, Point(2))
+    q = [Fraction(k, 7) for k in range(1, robot.n + 1)]
+    numbers = state.numbers() | {Input("q", i): x for i, x in enumerate(q)}
+    points = {Input("q", i): circle_point(x) for i, x in enumerate(q)}
+    found = evaluate_exact(program(robot, "inverse_dynamics"), numbers, points, circle_point)["tau"]
+    expected = exact_torque(robot, q, state.given["qd"], state.given["qdd"])
+    largest = max(map(abs, expected))
+    assert largest > 0
+    assert all(abs(x - y) < Fraction(1, 10**24) * largest for x, y in zip(found, expected, strict=True))
+
+
+# --- regrouping, and other frames -------------------------------------------------------------------------
+
+
+def test_regrouping_leaves_nothing_that_could_move() -> None:
+    """A revolute link keeps no mass, no first moment along its axis and one inertia less."""
+    for robot in ARMS:
+        arm = State(robot, Point(0)).arm
+        for form in FORMS:
+            lumps = regrouped(arm, [form] * robot.n)
+            for body, lump in zip(arm.bodies, lumps, strict=True):
+                k = lump.second
+                if body.revolute:
+                    assert (lump.mass, lump.first[2]) == (0, 0)
+                    assert (k.zz if form == "second_moment" else lump.inertia().yy) == 0
+                else:
+                    assert k.entries() == (0,) * 6
+
+
+def test_moments_of_mass_about_the_origin() -> None:
+    """Two points of 3 kg at x = 1 m and x = 3 m: 6 kg, 12 kg m, 3 + 27 kg m^2."""
+    robot = exact_arm(1, joints=1)
+    (link,) = robot.links
+    zero = Fraction(0)
+    inertia = replace(link.inertia, xx=zero, yy=Fraction(6), zz=Fraction(6), xy=zero, xz=zero, yz=zero)
+    body = replace(link, mass=Fraction(6), com=(Fraction(2), zero, zero), inertia=inertia)
+    (lump,) = lumps_of(State(replace(robot, links=(body,)), Point(0)).arm)
+    assert (lump.mass, lump.first) == (6, (12, 0, 0))
+    assert lump.second.entries() == (30, 0, 0, 0, 0, 0)
+    assert lump.inertia().entries() == (0, 30, 30, 0, 0, 0)
+
+
+def test_parallel_axes_need_one_offset() -> None:
+    """The elbow of the PUMA 560: what lies between its second and third axis moves to the second."""
+    before = State(bundled("puma560_d2"), Point(0)).arm
+    after = slid(before)
+    assert [body.d for body in before.bodies[1:3]] == [Fraction("0.2435"), Fraction("-0.0934")]
+    assert [body.d for body in after.bodies[1:3]] == [Fraction("0.1501"), 0]
+    assert after.bodies[1].com[2] == before.bodies[1].com[2] + Fraction("0.0934")
+    assert after.bodies[3:] == before.bodies[3:]
+
+
+# --- as programs ------------------------------------------------------------------------------------------
+
+
+def bundled(name: str) -> Robot:
+    return load(name, warn=lambda _: None)
+
+
+@pytest.mark.parametrize("robot", ARMS, ids=ids)
+def test_programs_give_what_the_recursion_gives(robot: Robot) -> None:
+    state = State(robot, Point(1))
+    expected = newton_euler(state.arm, state.motion())
+    for options in WAYS:
+        assert exactly(program(robot, "inverse_dynamics", options), state.at)["tau"] == expected, options
+
+
+@pytest.mark.parametrize("name", bundled_names())
+def test_programs_of_the_bundled_robots_give_what_the_recursion_gives(name: str) -> None:
+    robot = bundled(name)
+    state = State(robot, Point(1))
+    expected = newton_euler(state.arm, state.motion())
+    for options in (Options(), Options(regroup=False), Options(formulation="newton_euler")):
+        assert exactly(program(robot, "inverse_dynamics", options), state.at)["tau"] == expected, options
+    for choice in CHOICES.values():
+        assert exactly(build(robot, "inverse_dynamics", choice), state.at)["tau"] == expected, choice
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+@pytest.mark.parametrize("choice", CHOICES)
+def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: str) -> None:
+    """``w3_x`` in the emitted code is the x component of link 3's angular velocity, with its sign.
+
+    The recursion runs directly on fractions and notes what it names. A name may come more than once (a
+    row of the mass matrix), and quantities that nothing needs are missing in the program.
+    """
+    robots = [*ARMS[4:6], bundled("puma560_3dof"), bundled("stanford_3dof")]
+    for robot in robots:
+        state = State(robot, Point(4))
+        recorder = Recorder()
+        arm = slid(state.arm) if CHOICES[choice].regroup else state.arm
+        state.outputs(function, CHOICES[choice], recorder.mark, arm)
+        made = run(build(robot, function, CHOICES[choice]), FRESH)
+        seen = 0
+        for (_, _, label), value in zip(made.operations, every_value(made, state.at), strict=True):
+            if label is not None and label.quantity.rstrip("0123456789") not in ("c", "s", "angle"):
+                known = recorder.values[label._replace(negative=False)]
+                assert (-value if label.negative else value) in known, (robot.name, str(label))
+                seen += 1
+        assert seen >= robot.n - 1
+
+
+def test_a_formulation_or_function_must_be_known() -> None:
+    robot = ARMS[0]
+    with pytest.raises(InputError, match="unknown formulation 'kane'"):
+        build(robot, "inverse_dynamics", Choice(formulation="kane"))
+    with pytest.raises(InputError, match="unknown function 'inverse'"):
+        signature(robot, "inverse")
+
+
+def test_signatures() -> None:
+    robot = bundled("stanford_3dof")
+    shapes = {f: (signature(robot, f).inputs, signature(robot, f).outputs) for f in FUNCTIONS}
+    q, qd, qdd, tau = (("q", 3), ("qd", 3), ("qdd", 3), ("tau", 3))
+    assert shapes == {
+        "inverse_dynamics": ((q, qd, qdd), (tau,)),
+        "gravity": ((q,), (tau,)),
+        "bias": ((q, qd), (tau,)),
+        "mass_matrix": ((q,), (("M", 9),)),
+        "forward_dynamics": ((q, qd, tau), (qdd,)),
+    }

@@ -1,0 +1,1 @@
+"""Tests of the graph and its programs, and the random programs that other tests use too."""

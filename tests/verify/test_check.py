@@ -1,0 +1,327 @@
+"""A right kernel passes, a wrong one does not: whichever number is wrong, the comparison finds it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from robodyn.errors import InputError
+from robodyn.ir.signature import Signature
+from robodyn.robot.model import Inertia, Joint, Link, Robot
+from robodyn.robot.values import PI, ZERO, angle, parameter
+from robodyn.verify import Reference, VerifyReport, verify
+from robodyn.verify.sample import draw
+from robodyn_testing.random_robots import random_robot
+
+INPUTS = {
+    "inverse_dynamics": ("q", "qd", "qdd"),
+    "gravity": ("q",),
+    "bias": ("q", "qd"),
+    "mass_matrix": ("q",),
+    "forward_dynamics": ("q", "qd", "tau"),
+}
+
+
+class Stand:
+    """In a compiled kernel's place: the reference of ``robot``, rounded to the kernel's type."""
+
+    def __init__(
+        self, robot: Robot, scalar: Any = "double", functions: tuple[str, ...] = tuple(INPUTS)
+    ) -> None:
+        self.model = robot
+        self.robot, self.scalar, self.language = robot.name, scalar, "c"
+        self.dtype = np.dtype(np.float64 if scalar == "double" else np.float32)
+        self.functions = functions
+        self.signatures = {f: self.signature(f) for f in functions}
+
+    def signature(self, function: str) -> Signature:
+        n = self.model.n
+        inputs = tuple((name, n) for name in INPUTS[function])
+        output = ("M", n * n) if function == "mass_matrix" else ("tau", n)
+        return Signature(self.robot, function, inputs, (output,), self.model.parameters, self.scalar)
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        def call(*arrays: Any, params: Any = None) -> Any:
+            return getattr(Reference(self.model, params), name)(*arrays).astype(self.dtype)
+
+        return call
+
+
+def check(robot: Robot, kernel: Any, **options: Any) -> VerifyReport:
+    return verify(robot, kernel, **{"states": 40, "exact_states": 2, **options})
+
+
+@pytest.fixture(scope="module")
+def arm() -> Robot:
+    """Three joints, both kinds, nothing zero; rotor, friction on every joint."""
+    nothing_zero = {"generic_angles": 1.0, "parallel": 0.0, "zeros": 0.0, "degenerate": 0.0, "exotic": 0.0}
+    robot = random_robot(4, joints=3, **nothing_zero)
+    links = []
+    for link, kind in zip(robot.links, ("revolute", "prismatic", "revolute"), strict=True):
+        drive = {"motor_inertia": Fraction(1, 3), "viscous": Fraction(6, 5), "coulomb": Fraction(7, 4)}
+        links.append(replace(link, joint=replace(link.joint, kind=kind, **drive)))
+    return replace(robot, links=tuple(links))
+
+
+def test_a_right_kernel_passes(arm: Robot) -> None:
+    seen: list[tuple[int, int]] = []
+    report = check(arm, Stand(arm), progress=lambda done, total: seen.append((done, total)))
+    assert report.passed
+    assert {(c.function, c.against) for c in report.comparisons} == {
+        (f, a) for f in INPUTS for a in ("reference", "exact", "lagrangian")
+    }
+    assert seen == [(k, 15) for k in range(1, 16)]
+    assert report.skipped == {}
+    for c in report.comparisons:
+        assert c.error < 1e-14
+        assert (c.ulps is not None) == (c.against == "exact" and c.function != "forward_dynamics")
+        assert c.ulps is None or c.ulps < 64
+        assert c.states == (2 if c.against == "exact" else 40)
+
+
+def test_single_precision_has_its_own_tolerance(arm: Robot) -> None:
+    report = check(arm, Stand(arm, "float"))
+    assert report.passed
+    assert 1e-10 < max(c.error for c in report.comparisons) < 1e-6
+    assert {c.tolerance for c in report.comparisons} == {1e-5}
+
+
+def scaled(x: Any) -> Any:
+    return x * Fraction(10001, 10000)
+
+
+LINK: dict[str, Callable[[Link], Link]] = {
+    "mass": lambda link: replace(link, mass=scaled(link.mass)),
+    **{
+        f"com {'xyz'[k]}": lambda link, k=k: replace(
+            link, com=tuple(scaled(x) if j == k else x for j, x in enumerate(link.com))
+        )
+        for k in range(3)
+    },
+    **{
+        f"inertia {name}": lambda link, name=name: replace(
+            link, inertia=replace(link.inertia, **{name: scaled(getattr(link.inertia, name))})
+        )
+        for name in ("xx", "yy", "zz", "xy", "xz", "yz")
+    },
+    **{
+        name: lambda link, name=name: replace(
+            link, joint=replace(link.joint, **{name: scaled(getattr(link.joint, name))})
+        )
+        for name in ("a", "d", "motor_inertia", "viscous", "coulomb")
+    },
+    **{
+        name: lambda link, name=name: replace(
+            link,
+            joint=replace(
+                link.joint, **{name: angle(Fraction(getattr(link.joint, name).radians) + Fraction(1, 10**5))}
+            ),
+        )
+        for name in ("alpha", "theta")
+    },
+}
+
+
+@pytest.mark.parametrize("number", LINK)
+def test_any_wrong_number_is_found(number: str, arm: Robot) -> None:
+    """One number of the last link is wrong by a ten-thousandth (an angle by 1e-5) in the kernel."""
+    wrong = replace(arm, links=(*arm.links[:-1], LINK[number](arm.links[-1])))
+    report = check(arm, Stand(wrong, functions=("inverse_dynamics",)))
+    assert not report.passed
+    assert [c.passed for c in report.comparisons] == [False, False, False]
+
+
+@pytest.mark.parametrize("function", INPUTS)
+@pytest.mark.parametrize("axis", range(3))
+def test_wrong_gravity_is_found_where_it_matters(function: str, axis: int, arm: Robot) -> None:
+    wrong = replace(
+        arm, gravity=tuple(g + Fraction(int(k == axis), 10**4) for k, g in enumerate(arm.gravity))
+    )
+    report = check(arm, Stand(wrong, functions=(function,)), lagrangian=False)
+    assert report.passed == (function == "mass_matrix")
+
+
+def test_the_wrong_side_of_the_gear_is_found(arm: Robot) -> None:
+    report = check(arm, Stand(replace(arm, torque_side="link")))
+    failed = {c.function for c in report.comparisons if not c.passed}
+    assert failed == set(INPUTS) - {"gravity"}
+
+
+class Spoilt(Stand):
+    """Spoils one number of one result."""
+
+    value: float = np.nan
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        right = super().__getattr__(name)
+
+        def call(*arrays: Any, params: Any = None) -> Any:
+            result = right(*arrays, params=params)
+            result[7, 2] += self.value
+            return result
+
+        return call
+
+
+@pytest.mark.parametrize("function", INPUTS)
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_what_is_not_a_number_is_infinitely_wrong(function: str, value: float, arm: Robot) -> None:
+    kernel = Spoilt(arm, functions=(function,))
+    kernel.value = value
+    report = check(arm, kernel, states=8, exact_states=8)
+    assert not report.passed
+    by_reference = {c.against: c for c in report.comparisons}
+    assert by_reference["reference"].error == np.inf
+    assert by_reference["reference"].state == 7
+    assert by_reference["lagrangian"].error == np.inf
+    if function != "mass_matrix":
+        assert by_reference["exact"].error == np.inf
+    told = json.dumps(report.to_dict(), allow_nan=False)
+    assert json.loads(told)["comparisons"][0]["error"] is None
+
+
+def test_place_and_size_of_the_error_are_told(arm: Robot) -> None:
+    kernel = Spoilt(arm, functions=("inverse_dynamics",))
+    kernel.value = 1e-3
+    report = check(arm, kernel)
+    worst = report.worst
+    assert worst is not None
+    assert (worst.joint, worst.state, worst.column) == (3, 7, None)
+    assert worst.error == pytest.approx(1e-3 / report.largest_torque, rel=1e-6)
+    sample = draw(arm, 40, 0, np.dtype(np.float64))
+    assert worst.inputs["qdd"] == tuple(sample.qdd[7])
+    text = report.to_text()
+    assert "inverse_dynamics  reference" in text
+    assert "FAILED: 2 of 3" in text
+    assert "worst: inverse_dynamics against" in text
+    assert f"qdd = [{', '.join(repr(x) for x in worst.inputs['qdd'])}]" in text
+
+
+def test_a_matrix_tells_row_and_column(arm: Robot) -> None:
+    class Crooked(Stand):
+        def __getattr__(self, name: str) -> Callable[..., Any]:
+            def call(q: Any, params: Any = None) -> Any:
+                M = Reference(self.model).mass_matrix(q)
+                M[5, 1, 2] *= 1.001
+                return M
+
+            return call
+
+    report = check(arm, Crooked(arm, functions=("mass_matrix",)))
+    worst = report.worst
+    assert worst is not None
+    assert (worst.state, worst.joint, worst.column) == (5, 2, 3)
+    assert "2,3" in report.to_text()
+
+
+def test_the_same_seed_gives_the_same_report(arm: Robot) -> None:
+    first, again = (check(arm, Stand(arm), seed=3) for _ in range(2))
+    assert first.to_dict() == again.to_dict()
+    assert first.to_text() == again.to_text()
+    assert check(arm, Stand(arm), seed=4).to_dict() != first.to_dict()
+
+
+def test_run_time_parameters(arm: Robot) -> None:
+    last = replace(arm.links[-1], mass=parameter("m_tool"))
+    robot = replace(arm, links=(*arm.links[:-1], last))
+    report = check(robot, Stand(robot))
+    assert report.passed
+    assert 0.1 <= report.parameters["m_tool"] <= 1.0
+    report = check(robot, Stand(robot, "float"), parameters={"m_tool": 1 / 3})
+    assert report.passed
+    assert report.parameters == {"m_tool": float(np.float32(1 / 3))}
+    wrong = Stand(arm)
+    wrong.signatures = Stand(robot).signatures
+    assert not check(robot, wrong).passed
+    with pytest.raises(InputError, match="no such run-time parameter; found mass; expected m_tool"):
+        check(robot, Stand(robot), parameters={"mass": 1.0})
+
+
+def test_functions_that_no_reference_knows_are_told(arm: Robot) -> None:
+    kernel = Stand(arm, functions=("gravity",))
+    kernel.functions = ("gravity", "regressor")
+    report = check(arm, kernel)
+    assert report.passed
+    assert report.skipped == {"regressor": "no reference knows it"}
+    assert "not compared: regressor: no reference knows it" in report.to_text()
+    kernel.functions = ("regressor",)
+    report = check(arm, kernel)
+    assert not report.passed
+    assert report.worst is None
+    assert report.to_text().endswith("nothing was compared")
+
+
+def test_another_robots_kernel(arm: Robot) -> None:
+    with pytest.raises(InputError, match="another robot's; found other"):
+        check(arm, Stand(replace(arm, name="other")))
+
+
+def test_a_singular_arm_is_compared_where_it_can_be(arm: Robot) -> None:
+    tip = replace(
+        arm.links[-1], mass=ZERO, inertia=Inertia(), joint=replace(arm.links[-1].joint, motor_inertia=ZERO)
+    )
+    robot = replace(arm, links=(*arm.links[:-1], tip))
+    report = check(robot, Stand(robot))
+    assert report.passed
+    assert report.skipped == {"forward_dynamics": "the mass matrix is singular at every state"}
+
+
+def test_singular_states_are_left_out_and_counted() -> None:
+    """A point mass whose arm goes through zero: at q2 = 0 nothing turns."""
+    turn = Joint("revolute", angle(ZERO), ZERO, ZERO, angle(ZERO))
+    slide = Joint("prismatic", angle(PI / 2), ZERO, ZERO, angle(ZERO))
+    robot = Robot("polar", (Link("post", turn), Link("ball", slide, mass=Fraction(2))))
+    report = check(robot, Stand(robot, functions=("mass_matrix",)), states=20)
+    assert report.passed
+
+    class Careful(Stand):
+        def __getattr__(self, name: str) -> Callable[..., Any]:
+            def call(q: Any, qd: Any, tau: Any, params: Any = None) -> Any:
+                found = np.full_like(q, np.nan)
+                fit = q[:, 1] != 0
+                found[fit] = Reference(self.model).forward_dynamics(q[fit], qd[fit], tau[fit])
+                return found
+
+            return call
+
+    report = check(robot, Careful(robot, functions=("forward_dynamics",)), states=20)
+    assert report.passed
+    assert {c.against: (c.states, c.left_out) for c in report.comparisons}["reference"] == (19, 1)
+    assert "19 (-1)" in report.to_text()
+
+
+def test_an_arm_that_needs_no_torque() -> None:
+    robot = Robot("ghost", (Link("nothing", Joint("revolute", angle(ZERO), ZERO, ZERO, angle(ZERO))),))
+    report = check(robot, Stand(robot))
+    assert report.passed
+    assert report.largest_torque == 0.0
+    heavy = Robot("ghost", (Link("thing", robot.links[0].joint, inertia=Inertia(zz=Fraction(1))),))
+    assert not check(robot, Stand(heavy)).passed
+
+
+def test_given_sines_and_cosines(arm: Robot) -> None:
+    class Given(Stand):
+        def signature(self, function: str) -> Signature:
+            return Signature(self.robot, function, (("sc", 6),), (("tau", 3),))
+
+        def __getattr__(self, name: str) -> Callable[..., Any]:
+            def call(sc: Any, params: Any = None) -> Any:
+                assert params is None
+                return Reference(self.model).gravity(np.arctan2(sc[:, :3], sc[:, 3:]))
+
+            return call
+
+    turning = replace(
+        arm, links=tuple(replace(k, joint=replace(k.joint, kind="revolute")) for k in arm.links)
+    )
+    kernel = Given(turning, functions=("gravity",))
+    assert check(turning, kernel, trig=lambda q: np.hstack([np.sin(q), np.cos(q)])).passed
+    assert not check(turning, kernel, trig=lambda q: np.hstack([np.cos(q), np.sin(q)])).passed
+    with pytest.raises(InputError, match="takes sines and cosines; expected trig"):
+        check(turning, kernel)
