@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
 from robodyn_testing import PREFIX
+
+# What the tests compile stays out of the user's own cache.
+os.environ.setdefault("ROBODYN_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "kernels"))
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -6,6 +6,7 @@ Sources: Walker and Orin 1982 (composite rigid bodies); Featherstone 2008, chapt
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, into_parent, origin
@@ -75,7 +76,7 @@ def solve_symmetric(
         pivot = matrix[j][j]
         for k in range(j):
             pivot = pivot - lower[j][k] * scaled[j][k]
-        inverse[j] = mark(1 / mark(pivot, Label(j + 1, "pivot", "")), Label(j + 1, "ipivot", ""))
+        inverse[j] = mark(Fraction(1) / mark(pivot, Label(j + 1, "pivot", "")), Label(j + 1, "ipivot", ""))
         for i in range(j + 1, n):
             entry = matrix[i][j]
             for k in range(j):

@@ -68,6 +68,10 @@ def angle_form(program: Program, operand: Operand) -> AngleForm:
     if isinstance(operand, Input):
         return ((operand, 1),), Fraction(0)
     op, args, _ = program.operations[operand]
+    if op == "mul" and isinstance(args[0], Fraction) and args[0].denominator == 1:
+        terms, constant = angle_form(program, args[1])
+        times = args[0].numerator
+        return tuple((name, times * m) for name, m in terms if times), times * constant
     if op not in ("add", "sub", "neg"):
         raise ValueError(f"{op} in the argument of a sine")
     total: dict[Input, int] = {}
@@ -145,6 +149,9 @@ def fingerprint(
         digest = hashlib.blake2b(f"{seed} {name}".encode(), digest_size=16).digest()
         return int.from_bytes(digest, "little") % PRIME
 
+    def variable(x: Input) -> int:
+        return random(f"{x.array} {x.index}") % (1 << 40)
+
     def number(x: Fraction) -> int:
         return x.numerator * pow(x.denominator, -1, PRIME) % PRIME
 
@@ -157,7 +164,7 @@ def fingerprint(
         form = angle_form(program, operand)
         if form not in powers:
             terms, constant = form
-            exponent = sum(m * (random(str(name)) % (1 << 40)) for name, m in terms)
+            exponent = sum(m * variable(name) for name, m in terms)
             c, s = base if exponent >= 0 else (base[0], -base[1])
             exponent = abs(exponent)
             total = (1, 0)
@@ -178,7 +185,7 @@ def fingerprint(
         if isinstance(operand, int):
             return values[operand]
         if isinstance(operand, Input):
-            return random(str(operand)) % (1 << 40)
+            return variable(operand)
         return number(operand)
 
     for op, args, _ in program.operations:
@@ -203,6 +210,6 @@ def fingerprint(
             x = random(f"sqrt {x}")
         else:
             y = min(x, PRIME - x)
-            x = random(f"{op} {y}") * (1 if y == x else -1)
+            x = random(f"{op} {y}") * (1 if y == x else -1) if y else 0
         values.append(x % PRIME)
     return tuple(value(operand) % PRIME for operand in program.results())

@@ -45,7 +45,9 @@ class Node:
         return NotImplemented
 
     def __rsub__(self, other: Fraction | int) -> Scalar:
-        return self.graph.add(-self, other)
+        if isinstance(other, (Fraction, int)):
+            return self.graph.add(-self, other)
+        return NotImplemented
 
     def __mul__(self, other: Scalar) -> Scalar:
         if isinstance(other, (Node, Fraction, int)):
@@ -62,7 +64,9 @@ class Node:
         return NotImplemented
 
     def __rtruediv__(self, other: Fraction | int) -> Scalar:
-        return self.graph.div(other, self)
+        if isinstance(other, (Fraction, int)):
+            return self.graph.div(other, self)
+        return NotImplemented
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Node):
@@ -167,7 +171,7 @@ class Graph:
                 return 0
             a = self.constant(a)
         if self.fold and a.position == b.position:
-            return a.sign * b.sign
+            return Fraction(a.sign * b.sign)
         return self._node(("div", a.position, b.position), a.sign * b.sign)
 
     def sin(self, a: Scalar) -> Scalar:
@@ -178,7 +182,7 @@ class Graph:
         """Cosine; even."""
         if not isinstance(a, Node):
             if a == 0:
-                return 1
+                return Fraction(1)
             a = self.constant(a)
         return self._node(("cos", a.position))
 

@@ -1,0 +1,188 @@
+"""The face in sympy: the same model, symbol by symbol and result by result."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy
+
+from dynamics.direct import exact_arm, with_named_numbers
+from ir.programs import Point, exactly
+from robodyn import InputError, Options, load, program, symbolic
+from robodyn.counts import count
+from robodyn.dynamics.functions import FUNCTIONS, Choice
+from robodyn.generate import generate
+from robodyn.ir import Input
+from robodyn.ir.evaluate import angle_form, fingerprint
+from robodyn.robot import Robot
+from robodyn.robot import read_text as read
+from robodyn.robot.values import circle_point
+
+CHOICES = (Choice(regroup=False, chains=False), Choice(), Choice("newton_euler", regroup=False, chains=False))
+
+
+def bundled(name: str) -> Robot:
+    return load(name, warn=lambda _: None)
+
+
+def read_text(text: str) -> Robot:
+    return read(text, warn=lambda _: None)
+
+
+def rational(x: Fraction) -> sympy.Rational:
+    return sympy.Rational(x.numerator, x.denominator)
+
+
+def angle_point(expression: sympy.Expr, at: Point) -> tuple[Fraction, Fraction]:
+    """Cosine and sine of a sum of joint angles and a constant, at a rational point."""
+    constant, rest = expression.as_coeff_Add()
+    c, s = circle_point(Fraction(int(constant.p), int(constant.q))) if constant else (Fraction(1), Fraction(0))
+    for term in sympy.Add.make_args(rest):
+        multiple, symbol = term.as_coeff_Mul()
+        cosine, sine = at.circle(Input("q", int(symbol.name[1:]) - 1))
+        for _ in range(abs(int(multiple))):
+            way = 1 if multiple > 0 else -1
+            c, s = c * cosine - way * s * sine, s * cosine + way * c * sine
+    return c, s
+
+
+def evaluated(model: Any, robot: Robot, at: Point) -> list[Fraction]:
+    """The results of a model in sympy, step by step, at a rational point."""
+    known: dict[Any, Any] = {}
+    for array, symbols in model.inputs.items():
+        known |= {symbol: rational(at.number(Input(array, i))) for i, symbol in enumerate(symbols)}
+    for name in robot.parameters:
+        known[sympy.Symbol(name, real=True)] = rational(at.number(Input(name, None)))
+
+    def value(expression: Any) -> Any:
+        circles = {
+            f: rational(angle_point(f.args[0], at)[isinstance(f, sympy.sin)])
+            for f in sympy.sympify(expression).atoms(sympy.sin, sympy.cos)
+        }
+        return sympy.sympify(expression).xreplace(circles).xreplace(known)
+
+    for symbol, expression in model.steps:
+        assert symbol not in known
+        known[symbol] = value(expression)
+    return [Fraction(int(x.p), int(x.q)) for x in map(value, model.results)]
+
+
+def arms() -> list[Robot]:
+    found = [exact_arm(seed, joints=1 + seed % 4) for seed in range(50, 56)]
+    few = with_named_numbers(found[2], lambda name: name.startswith(("mass", "com_x", "d_", "viscous")))
+    return [*found, replace(few, name="named"), bundled("stanford_3dof"), bundled("puma560_3dof")]
+
+
+@pytest.mark.parametrize("robot", arms(), ids=lambda robot: robot.name)
+def test_symbolic_models_are_the_graphs_programs(robot: Robot) -> None:
+    at = Point(6)
+    functions = [f for f in FUNCTIONS if f in generate(robot).counts]
+    for function in functions:
+        (expected,) = exactly(program(robot, function), at).values()
+        for choice in CHOICES if function == "inverse_dynamics" else CHOICES[:1]:
+            model = symbolic(robot, function, choice)
+            assert evaluated(model, robot, at) == expected, (function, choice)
+            assert len({symbol for symbol, _ in model.steps}) == len(model.steps) == len(model.labels)
+
+
+def test_the_torques_as_closed_expressions() -> None:
+    """One link: ``tau = (I + m r^2) qdd + m g r cos(q)``, and nothing but inputs in ``outputs``."""
+    robot = read_text(
+        "name: rod\ngravity: [0, -10, 0]\n"
+        "links: [{joint: revolute, mass: m, com: [0.5, 0, 0], inertia: {zz: 2}, motor_inertia: j}]"
+    )
+    model = symbolic(robot)
+    q, qdd, m, j = (sympy.Symbol(name, real=True) for name in ("q1", "qdd1", "m", "j"))
+    (tau,) = model.tau
+    assert sympy.expand(tau - ((2 + m / 4 + j) * qdd + 5 * m * sympy.cos(q))) == 0
+    assert model.outputs == model.tau
+    assert model.inputs["q"] == (q,)
+
+
+def test_outputs_have_no_steps_in_them() -> None:
+    model = symbolic(bundled("stanford_3dof"))
+    symbols = {s for array in model.inputs.values() for s in array}
+    assert all(output.free_symbols <= symbols for output in model.outputs)
+    assert any(result.free_symbols - symbols for result in model.results)
+
+
+def test_latex_names_every_step() -> None:
+    model = symbolic(bundled("puma560_3dof"))
+    lines = model.latex().splitlines()
+    assert (lines[0], lines[-1]) == (r"\begin{align*}", r"\end{align*}")
+    assert len(lines) == len(model.steps) + len(model.results) + 2
+    assert all(" &= " in line and line.endswith(r"\\") for line in lines[1:-1])
+    text = "\n".join(lines)
+    assert r"{\omega}_{2,x}" in text
+    assert r"\ddot q_{3}" in text
+    assert r"\tau_{3} &=" in text
+    assert all(line.count("{") == line.count("}") for line in lines)
+
+
+def test_functions_and_formulations_must_be_known() -> None:
+    robot = bundled("stanford_3dof")
+    with pytest.raises(InputError, match="unknown function"):
+        symbolic(robot, "torque")
+    with pytest.raises(InputError, match="unknown formulation"):
+        symbolic(robot, "gravity", Choice("kane"))
+
+
+# --- the engine -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["puma560", "puma560_3dof", "stanford", "ur5", "stanford_3dof", "named", "sliding"])
+def test_through_sympy_comes_the_same_program(name: str) -> None:
+    if name == "named":
+        robot = with_named_numbers(exact_arm(57, joints=3), lambda n: n.startswith(("mass", "coulomb", "ixx", "a_")))
+    elif name == "sliding":
+        robot = replace(exact_arm(58, joints=4, friction=1, prismatic=0.5), rest_velocity=Fraction(1, 100))
+    else:
+        robot = bundled(name)
+    functions = [f for f in FUNCTIONS if f in generate(robot).counts] if robot.n < 6 else ["inverse_dynamics"]
+    for function in functions:
+        one = program(robot, function)
+        for options in (Options(engine="sympy"), Options(engine="sympy", regroup=False, optimize="none")):
+            other = program(robot, function, options)
+            for seed in (1, 2):
+                prints = [fingerprint(p, seed, circle_point) for p in (one, other)]
+                assert prints[0] == prints[1], (function, options)
+
+
+def test_sympy_is_no_smaller() -> None:
+    """What the graph is for: no more operations than sympy's ``cse`` leaves, and usually fewer."""
+    for name in ("stanford_3dof", "puma560_3dof", "stanford"):
+        graph, through = (
+            count(program(bundled(name), "inverse_dynamics", Options(engine=engine)))  # type: ignore[arg-type]
+            for engine in ("graph", "sympy")
+        )
+        assert graph.total <= through.total
+
+
+@pytest.mark.parametrize("name", ["q1", "qd2", "qdd1", "c2", "s1", "w2_x", "tau1", "lam2_11", "cse_0", "t1"])
+def test_a_parameter_may_be_called_like_a_quantity_of_the_recursion(name: str) -> None:
+    """In C it is ``p->c2`` beside ``c2``; in sympy both are symbols, and must be two."""
+    text = f"""
+name: arm
+links:
+  - {{joint: revolute, mass: 2, com: [0.1, 0.2, 0.3], inertia: {{xx: 1, yy: 1, zz: {name}}}}}
+  - {{joint: revolute, alpha: pi/2, a: 0.3, mass: {name}, com: [0.3, 0.1, -0.2], inertia: {{zz: 0.2}}}}
+"""
+    robot = read_text(text)
+    plain = read_text(text.replace(f"zz: {name}", "zz: m_tool").replace(f"mass: {name}", "mass: m_tool"))
+    at = Point(3)
+    value = {Input(name, None): at.number(Input("m_tool", None))}
+    (expected,) = exactly(program(plain, "inverse_dynamics"), at).values()
+    (found,) = exactly(program(robot, "inverse_dynamics"), at, value).values()
+    assert found == expected
+    (through,) = exactly(program(robot, "inverse_dynamics", Options(engine="sympy")), at, value).values()
+    assert through == expected
+
+
+def test_every_angle_through_sympy_is_a_sum_of_joints() -> None:
+    made = program(bundled("puma560"), "inverse_dynamics", Options(engine="sympy"))
+    forms = [angle_form(made, op.args[0]) for op in made.operations if op.op in ("sin", "cos")]
+    assert forms
+    assert all(abs(multiple) == 1 for terms, _ in forms for _, multiple in terms)
