@@ -22,7 +22,7 @@ def model_options(command: Command) -> Command:
                 metavar="F",
                 default="modified_newton_euler",
                 show_default=True,
-                help="modified_newton_euler (lambda matrix) or newton_euler.",
+                help="modified_newton_euler (lambda matrix), newton_euler, balafoutis or kane.",
             ),
             click.option(
                 "--optimize",

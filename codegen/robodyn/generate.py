@@ -186,9 +186,9 @@ def generate(robot: Robot, options: Options | None = None) -> Generated:
     described: tuple[str, ...] = ()
     if options.trig == "given":
         layout = given_layout(list(programs.values()))
-        described = tuple(describe(given) for given in layout)
+        described = tuple(describe(given) for given in layout) or ("0, not read: there is no angle",)
         programs = {f: trig_given(p, layout) for f, p in programs.items()}
-        interfaces = {f: _with_sc(interface, len(layout)) for f, interface in interfaces.items()}
+        interfaces = {f: _with_sc(interface, len(described)) for f, interface in interfaces.items()}
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),
@@ -205,9 +205,16 @@ def _with_sc(interface: Signature, size: int) -> Signature:
     return dataclasses.replace(interface, inputs=inputs)
 
 
+_TITLES = {
+    "modified_newton_euler": "modified Newton-Euler (lambda matrix)",
+    "newton_euler": "Newton-Euler",
+    "balafoutis": "Balafoutis's tensor recursion",
+    "kane": "Kane's equations",
+}
+
+
 def _notes(choice: Choice) -> tuple[str, ...]:
-    names = {"modified_newton_euler": "modified Newton-Euler (lambda matrix)", "newton_euler": "Newton-Euler"}
-    method = f"Formulation: {names[choice.formulation]} in modified Denavit-Hartenberg frames"
+    method = f"Formulation: {_TITLES[choice.formulation]} in modified Denavit-Hartenberg frames"
     if choice.regroup:
         method += (
             ", on base parameters: fc and nc act at and about the frame's origin, and what of a link's mass "

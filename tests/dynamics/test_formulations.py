@@ -183,8 +183,8 @@ def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: s
 
 def test_a_formulation_or_function_must_be_known() -> None:
     robot = ARMS[0]
-    with pytest.raises(InputError, match="unknown formulation 'kane'"):
-        build(robot, "inverse_dynamics", Choice(formulation="kane"))
+    with pytest.raises(InputError, match="unknown formulation 'khalil'"):
+        build(robot, "inverse_dynamics", Choice(formulation="khalil"))
     with pytest.raises(InputError, match="unknown function 'inverse'"):
         signature(robot, "inverse")
 

@@ -127,7 +127,7 @@ def test_functions_and_formulations_must_be_known() -> None:
     with pytest.raises(InputError, match="unknown function"):
         symbolic(robot, "torque")
     with pytest.raises(InputError, match="unknown formulation"):
-        symbolic(robot, "gravity", Choice("kane"))
+        symbolic(robot, "gravity", Choice("khalil"))
 
 
 # --- the engine -------------------------------------------------------------------------------------------

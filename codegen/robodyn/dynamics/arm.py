@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.vectors import Vector
+from robodyn.ir.program import Label
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Affine, Angle, Value
 
@@ -73,6 +74,14 @@ class JointAngle:
 
     terms: tuple[tuple[int, int], ...]
     offset: Angle
+
+    def label(self, quantity: str) -> Label:
+        """The label of a quantity of the angle: ``c3``, ``c23`` of joints 2 and 3, ``c2to5``."""
+        first, last = self.terms[0][0] + 1, self.terms[-1][0] + 1
+        if len(self.terms) == 1:
+            return Label(last, quantity, "")
+        joined = str(first) if last == first + 1 and last < 10 else f"{first}to"
+        return Label(last, quantity + joined, "")
 
 
 #: Cosine and sine of an angle, over the scalars in use.

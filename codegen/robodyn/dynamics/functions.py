@@ -11,7 +11,9 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion
+from robodyn.dynamics.balafoutis import balafoutis
 from robodyn.dynamics.base_parameters import base_newton_euler
+from robodyn.dynamics.kane import kane
 from robodyn.dynamics.mass_matrix import mass_matrix, solve_symmetric
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
@@ -34,8 +36,14 @@ FUNCTIONS: dict[str, tuple[tuple[str, ...], str]] = {
     "forward_dynamics": (("q", "qd", "tau"), "qdd"),
 }
 
-#: Formulations of the inverse dynamics.
-FORMULATIONS = ("modified_newton_euler", "newton_euler")
+#: Formulations of the inverse dynamics, from the description as it stands.
+RECURSIONS: dict[str, Callable[[Arm, Motion, Mark], list[Any]]] = {
+    "modified_newton_euler": modified_newton_euler,
+    "newton_euler": newton_euler,
+    "balafoutis": balafoutis,
+    "kane": kane,
+}
+FORMULATIONS = tuple(RECURSIONS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +128,9 @@ def outputs_of(
     if function == "bias":
         return inverse(motion(given["qd"], zeros), mark)
     lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
-    matrix = mass_matrix(arm, motion(zeros, zeros), lumps, mark)
+    at_rest = motion(zeros, zeros)
+    turns = chain_turns(arm, at_rest, trigonometry) if choice.chains else single_turns(at_rest)
+    matrix = mass_matrix(arm, at_rest, turns, lumps, mark)
     if function == "mass_matrix":
         return [entry for row in matrix for entry in row]
     bias = inverse(motion(given["qd"], zeros), mark)
@@ -130,8 +140,6 @@ def outputs_of(
 
 def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:
     """Cosine and sine of ``angle``; an offset of quarter turns costs nothing."""
-    joints = "".join(str(joint + 1) for joint, _ in angle.terms[:-1])
-    last = angle.terms[-1][0] + 1
     total: Any = 0
     for joint, sign in angle.terms:
         total = total + sign * q[joint]
@@ -139,10 +147,9 @@ def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any
     if angle.offset.quarter is None:
         total = total + Fraction(angle.offset.radians)
         cosine, sine = 1, 0
-    if total is not q[last - 1]:
-        total = graph.label(total, Label(last, f"angle{joints}", ""))
-    c = graph.label(graph.cos(total), Label(last, f"c{joints}", ""))
-    s = graph.label(graph.sin(total), Label(last, f"s{joints}", ""))
+    total = graph.label(total, angle.label("angle"))
+    c = graph.label(graph.cos(total), angle.label("c"))
+    s = graph.label(graph.sin(total), angle.label("s"))
     return cosine * c - sine * s, cosine * s + sine * c
 
 
@@ -154,14 +161,13 @@ def exact(x: Fraction) -> Fraction | int:
 def _inverse_dynamics(
     arm: Arm, choice: Choice, trigonometry: Trigonometry
 ) -> Callable[[Motion, Mark], list[Any]]:
-    if choice.formulation == "newton_euler":
-        return lambda motion, mark: newton_euler(arm, motion, mark)
-    if choice.formulation != "modified_newton_euler":
+    if choice.formulation not in RECURSIONS:
         raise InputError(
             f"unknown formulation {choice.formulation!r}", expected=f"one of {', '.join(FORMULATIONS)}"
         )
-    if not choice.regroup:
-        return lambda motion, mark: modified_newton_euler(arm, motion, mark)
+    if choice.formulation != "modified_newton_euler" or not choice.regroup:
+        book = RECURSIONS[choice.formulation]
+        return lambda motion, mark: book(arm, motion, mark)
     forms = choice.forms or suited_forms(arm)
     lumps = regrouped(arm, forms)
 

@@ -9,31 +9,48 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Motion, into_parent, origin
+from robodyn.dynamics.arm import Arm, Motion, Symmetric, about_x, about_z, origin
 from robodyn.dynamics.joints import is_zero
-from robodyn.dynamics.regroup import Lump, about_axis_z, in_parent, merged
+from robodyn.dynamics.parallel import Turns
+from robodyn.dynamics.regroup import Lump, about_axis_x, about_axis_z, merged, shifted
 from robodyn.dynamics.vectors import Mark, Vector, cross, named, plus, unmarked
 from robodyn.ir.program import Label
 
+NOTHING = Lump(0, (0, 0, 0), Symmetric(0, 0, 0, 0, 0, 0))
 
-def mass_matrix(arm: Arm, motion: Motion, lumps: Sequence[Lump], mark: Mark = unmarked) -> list[list[Any]]:
-    """Mass matrix [n, n] (kg m^2, kg m, kg), rotor inertias on its diagonal."""
+
+def mass_matrix(
+    arm: Arm, motion: Motion, turns: Turns, lumps: Sequence[Lump], mark: Mark = unmarked
+) -> list[list[Any]]:
+    """Mass matrix [n, n] (kg m^2, kg m, kg), rotor inertias on its diagonal.
+
+    Composite bodies, forces and moments are along the axes in which a joint (or its chain) begins to
+    turn: the turn leaves the joint's own axis where it is.
+    """
     n = len(arm.bodies)
     matrix: list[list[Any]] = [[0] * n for _ in range(n)]
-    composite: Lump | None = None
+    # The next origin from each, along the axes in which the two links' composite is formed.
+    reach: list[Vector] = []
+    for i in range(1, n):
+        p = origin(arm.bodies[i], motion.d[i])
+        reach.append(about_z(turns.c[i - 1], turns.s[i - 1], p) if turns.follows[i] else p)
+    composite = NOTHING
     for j in reversed(range(n)):
-        body = arm.bodies[j]
-        if composite is None:
-            composite = lumps[j]
-        else:
-            tip = j + 1
-            turned = about_axis_z(composite, motion.c[tip], motion.s[tip])
-            composite = _marked(merged(lumps[j], in_parent(turned, arm, tip, motion.d[tip])), j + 1, mark)
+        body, c, s = arm.bodies[j], turns.c[j], turns.s[j]
+        here, further = lumps[j], NOTHING
+        if j + 1 < n:
+            child = arm.bodies[j + 1]
+            further = shifted(about_axis_x(composite, child.cos_alpha, child.sin_alpha), reach[j])
+            if not turns.follows[j + 1]:
+                here, further = merged(here, further), NOTHING
+        # Inertia about the joint's axis, which the turn does not change.
+        about_axis = (here.second.xx + here.second.yy) + (further.second.xx + further.second.yy)
+        composite = _marked(merged(about_axis_z(here, c, s), further), j + 1, mark)
         (x, y, _), k = composite.first, composite.second
         # Force and moment that a unit acceleration of joint j alone needs, about the frame's origin.
         if body.revolute:
             f: Vector = (-y, x, 0)
-            moment: Vector = (-k.xz, -k.yz, k.xx + k.yy)
+            moment: Vector = (-k.xz, -k.yz, about_axis)
             own = moment[2]
         else:
             f = (0, 0, composite.mass)
@@ -44,13 +61,14 @@ def mass_matrix(arm: Arm, motion: Motion, lumps: Sequence[Lump], mark: Mark = un
         matrix[j][j] = mark(own, Label(j + 1, "m", str(j + 1)))
         for i in reversed(range(j)):
             child = arm.bodies[i + 1]
-            f = into_parent(child, motion.c[i + 1], motion.s[i + 1], f)
-            moment = into_parent(child, motion.c[i + 1], motion.s[i + 1], moment)
-            moment = plus(moment, cross(origin(child, motion.d[i + 1]), f))
-            f = named(mark, f, i + 1, "fu")
-            moment = named(mark, moment, i + 1, "nu")
+            f, moment = (about_x(child.cos_alpha, child.sin_alpha, u) for u in (f, moment))
+            moment = plus(moment, cross(reach[i], f))
             value = moment[2] if arm.bodies[i].revolute else f[2]
             matrix[i][j] = matrix[j][i] = mark(value, Label(i + 1, "m", str(j + 1)))
+            if not turns.follows[i + 1]:
+                f, moment = (about_z(turns.c[i], turns.s[i], u) for u in (f, moment))
+            f = named(mark, f, i + 1, "fu")
+            moment = named(mark, moment, i + 1, "nu")
     return matrix
 
 

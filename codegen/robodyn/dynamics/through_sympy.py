@@ -31,12 +31,14 @@ class Symbolic:
 
     ``steps`` are the recursion's quantities in order, ``(symbol, expression in earlier symbols)``;
     ``results`` the outputs in those symbols, ``outputs`` in the inputs alone (large from about four
-    joints on). ``inputs`` holds the symbols of each argument.
+    joints on). ``inputs`` holds the symbols of each argument, ``parameters`` those of run-time
+    parameters; a symbol that would bear the name of an earlier one has a number after it.
     """
 
     robot: str
     function: str
     inputs: dict[str, tuple[sympy.Symbol, ...]]
+    parameters: dict[str, sympy.Symbol]
     steps: tuple[tuple[sympy.Symbol, sympy.Expr], ...]
     results: tuple[sympy.Expr, ...]
     labels: dict[sympy.Symbol, Label]
@@ -103,42 +105,45 @@ def symbolic(robot: Robot, function: str = "inverse_dynamics", choice: Choice = 
         name: tuple(sympy.Symbol(f"{name}{i + 1}", real=True) for i in range(size))
         for name, size in interface.inputs
     }
-    taken: set[str] = set()
+    taken = {symbol.name for symbols in inputs.values() for symbol in symbols}
     steps: list[tuple[sympy.Symbol, sympy.Expr]] = []
     labels: dict[sympy.Symbol, Label] = {}
 
     def rational(x: Fraction) -> Any:
         return sympy.Rational(x.numerator, x.denominator)
 
+    def fresh(wanted: str) -> Any:
+        name, k = wanted, 2
+        while name in taken:
+            name, k = f"{wanted}_{k}", k + 1
+        taken.add(name)
+        return sympy.Symbol(name, real=True)
+
+    parameters = {name: fresh(name) for name in robot.parameters}
+
     def mark(value: Any, label: Label) -> Any:
         if not isinstance(value, sympy.Expr) or value.is_Number or value.is_Symbol or (-value).is_Symbol:
             return value
-        name, k = str(label), 2
-        while name in taken:
-            name, k = f"{label}_{k}", k + 1
-        taken.add(name)
-        symbol = sympy.Symbol(name, real=True)
+        symbol = fresh(str(label))
         steps.append((symbol, value))
         labels[symbol] = label
         return symbol
 
     def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-        joints = "".join(str(joint + 1) for joint, _ in angle.terms[:-1])
-        last = angle.terms[-1][0] + 1
         total = sympy.Add(*(sign * inputs["q"][joint] for joint, sign in angle.terms))
         cosine, sine = rational(angle.offset.cos), rational(angle.offset.sin)
         if angle.offset.quarter is None:
             total, cosine, sine = total + rational(Fraction(angle.offset.radians)), 1, 0
-        c = mark(sympy.cos(total), Label(last, f"c{joints}", ""))
-        s = mark(sympy.sin(total), Label(last, f"s{joints}", ""))
+        c, s = mark(sympy.cos(total), angle.label("c")), mark(sympy.sin(total), angle.label("s"))
         return cosine * c - sine * s, cosine * s + sine * c
 
-    arm = build_arm(robot, rational, lambda name: sympy.Symbol(name, real=True))
+    arm = build_arm(robot, rational, parameters.__getitem__)
     if choice.regroup:
         arm = slid(arm)
 
     results = outputs_of(function, arm, choice, inputs, trigonometry, rational, mark)
-    return Symbolic(robot.name, function, inputs, tuple(steps), tuple(map(sympy.sympify, results)), labels)
+    expressions = tuple(map(sympy.sympify, results))
+    return Symbolic(robot.name, function, inputs, parameters, tuple(steps), expressions, labels)
 
 
 def build_through_sympy(robot: Robot, function: str, choice: Choice) -> Program:
@@ -147,13 +152,13 @@ def build_through_sympy(robot: Robot, function: str, choice: Choice) -> Program:
 
     model = symbolic(robot, function, choice)
     expressions = [expression for _, expression in model.steps] + list(model.results)
-    symbols = sympy.numbered_symbols("cse_", real=True)
+    symbols = sympy.numbered_symbols("cse:", real=True)  # no name of a robot or a quantity has a colon
     replacements, reduced = sympy.cse(expressions, symbols=symbols, optimizations=None, order="none")
     graph = Graph(fold=False)
     values: dict[sympy.Symbol, Scalar] = {}
     for name, given in model.inputs.items():
         values.update((symbol, graph.input(name, i)) for i, symbol in enumerate(given))
-    values.update((sympy.Symbol(name, real=True), graph.input(name)) for name in robot.parameters)
+    values.update((symbol, graph.input(name)) for name, symbol in model.parameters.items())
     # cse puts its symbols first although they may use the model's own: take each when it is reached.
     waiting: dict[sympy.Symbol, sympy.Expr] = dict(replacements)
     waiting.update((symbol, e) for (symbol, _), e in zip(model.steps, reduced, strict=False))

@@ -224,7 +224,7 @@ def _fortran_function(signature: Signature, counted: Count, body: Body) -> dict[
         for line in spelling.wrapped(f"{array}({i + 1}) = {spelling.text(e)}", "    ")
     ]
     names = [statement.name for statement in body.statements]
-    locals_ = [", ".join(names[i : i + 8]) for i in range(0, len(names), 8)]
+    locals_ = [line.rstrip(",") for line in textwrap.wrap(", ".join(names), WIDTH - 16)]
     arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
     if signature.parameters:
         arguments.append("p")

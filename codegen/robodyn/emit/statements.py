@@ -17,6 +17,11 @@ QUANTITIES: dict[str, str] = {
     "lam": "lambda matrix: takes a position to its acceleration [1/s^2]",
     "a": "acceleration of the frame's origin, gravity taken off [m/s^2]",
     "ac": "acceleration of the centre of mass, gravity taken off [m/s^2]",
+    "ao": "acceleration of the frame's origin [m/s^2]",
+    "g": "gravity along the link's axes [m/s^2]",
+    "pw": "partial angular velocities of the link, joint by joint",
+    "pv": "partial velocities of the centre of mass, joint by joint [m, at a prismatic joint 1]",
+    "fw": "force through the joint less what the whole mass beyond it takes at the origin [N]",
     "fc": "force that moves the link [N]",
     "nc": "moment that turns the link [N m]",
     "f": "force through the joint [N]",
@@ -131,7 +136,7 @@ def _unique(name: str, taken: set[str]) -> str:
 def _heading(label: Label | None) -> str | None:
     if label is None:
         return None
-    if label.quantity.rstrip("0123456789") in ("c", "s", "angle"):
+    if label.quantity.removesuffix("to").rstrip("0123456789") in ("c", "s", "angle"):
         return QUANTITIES["sc"]
     family = {"ipivot": "pivot", "l": "pivot", "ld": "pivot"}.get(label.quantity, label.quantity)
     meaning = QUANTITIES.get(family)

@@ -61,28 +61,36 @@ def evaluate(
 AngleForm = tuple[tuple[tuple[Input, int], ...], Fraction]
 
 
-def angle_form(program: Program, operand: Operand) -> AngleForm:
-    """The argument of a sine or cosine as whole multiples of inputs plus a constant [rad]."""
+def angle_form(program: Program, operand: Operand, known: dict[int, AngleForm] | None = None) -> AngleForm:
+    """The argument of a sine or cosine as whole multiples of inputs plus a constant [rad].
+
+    ``known`` remembers the forms of operations from call to call.
+    """
     if isinstance(operand, Fraction):
         return (), operand
     if isinstance(operand, Input):
         return ((operand, 1),), Fraction(0)
+    if known is not None and operand in known:
+        return known[operand]
     op, args, _ = program.operations[operand]
+    factors: tuple[int, ...]
     if op == "mul" and isinstance(args[0], Fraction) and args[0].denominator == 1:
-        terms, constant = angle_form(program, args[1])
-        times = args[0].numerator
-        return tuple((name, times * m) for name, m in terms if times), times * constant
-    if op not in ("add", "sub", "neg"):
+        factors, args = (args[0].numerator,), args[1:]
+    elif op in ("add", "sub", "neg"):
+        factors = {"add": (1, 1), "sub": (1, -1), "neg": (-1,)}[op]
+    else:
         raise ValueError(f"{op} in the argument of a sine")
     total: dict[Input, int] = {}
     constant = Fraction(0)
-    for k, arg in enumerate(args):
-        factor = -1 if op == "neg" or (op == "sub" and k == 1) else 1
-        terms, rest = angle_form(program, arg)
+    for factor, arg in zip(factors, args, strict=True):
+        terms, rest = angle_form(program, arg, known)
         constant += factor * rest
         for name, multiple in terms:
             total[name] = total.get(name, 0) + factor * multiple
-    return tuple(sorted((name, m) for name, m in total.items() if m)), constant
+    form = tuple(sorted((name, m) for name, m in total.items() if m)), constant
+    if known is not None:
+        known[operand] = form
+    return form
 
 
 Circle = tuple[Any, Any]
@@ -105,7 +113,9 @@ def evaluate_exact(
     ``points`` gives for each joint angle a rational point (cos, sin) of the unit circle, and
     ``constant_point`` the one for a constant angle; sines and cosines of sums follow exactly.
     """
-    forms = iter([angle_form(program, op.args[0]) for op in program.operations if op.op in ("sin", "cos")])
+    known: dict[int, AngleForm] = {}
+    arguments = [op.args[0] for op in program.operations if op.op in ("sin", "cos")]
+    forms = iter([angle_form(program, argument, known) for argument in arguments])
 
     def point() -> Circle:
         terms, constant = next(forms)
@@ -159,9 +169,10 @@ def fingerprint(
     inverse = pow(1 + t * t, -1, PRIME)
     base = ((1 - t * t) * inverse % PRIME, 2 * t * inverse % PRIME)
     powers: dict[AngleForm, tuple[int, int]] = {}
+    forms: dict[int, AngleForm] = {}
 
     def circle(operand: Operand) -> tuple[int, int]:
-        form = angle_form(program, operand)
+        form = angle_form(program, operand, forms)
         if form not in powers:
             terms, constant = form
             exponent = sum(m * variable(name) for name, m in terms)

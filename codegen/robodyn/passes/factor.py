@@ -9,6 +9,9 @@ from robodyn.ir.graph import Graph, Node, Scalar, children, lower, needed
 from robodyn.ir.program import Program
 from robodyn.passes.replay import as_graph
 
+#: Each round frees sums for the next; on long arms the later rounds gain little.
+_ROUNDS = 8
+
 Term = tuple[int, int]  # position and sign
 Outputs = list[tuple[str, list[Any]]]
 
@@ -17,7 +20,7 @@ def factor(program: Program) -> Program:
     """``program`` with sums of products factored until that saves nothing more."""
     graph, outputs = as_graph(program, fold=True)
     first = best = _Factoring(graph, outputs)
-    while True:
+    for _ in range(_ROUNDS):
         factored = best.factored()
         if factored is None:
             break

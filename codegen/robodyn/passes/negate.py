@@ -19,7 +19,11 @@ _MINUS = 3
 def negate(program: Program) -> Program:
     """``program`` with signs moved into subtractions and constants as far as they go."""
     graph, outputs = as_graph(program, fold=False)
-    return lower(graph, outputs, _Signs(graph, outputs).chosen())
+    signs = _Signs(graph, outputs)
+    # From the signs that the recursion's own names have, and from those that the graph happens to have.
+    descents = [signs.descended(signs.of_names()), signs.descended([1] * len(graph.keys))]
+    best = min(descents, key=lambda descent: descent[0])
+    return lower(graph, outputs, {p: -1 for p in signs.positions if best[1][p] < 0})
 
 
 class _Signs:
@@ -40,17 +44,23 @@ class _Signs:
                 if isinstance(value, Node):
                     self.wanted.setdefault(value.position, []).append(value.sign)
         self.named = {p: -1 if label.negative else 1 for p, label in graph.labels.items()}
-        # Start from the signs that the recursion's own names have.
         self.sign = [1] * len(keys)
-        for p, sign in self.named.items():
-            if keys[p][0] in _FREE:
-                self.sign[p] = sign
 
-    def chosen(self) -> dict[int, int]:
-        """Coordinate descent: flip a sign where that saves something; then look at its neighbours."""
-        sign = self.sign
+    def of_names(self) -> list[int]:
+        """The signs with which each quantity stands as its name says."""
+        sign = [1] * len(self.keys)
+        for p, own in self.named.items():
+            if self.keys[p][0] in _FREE:
+                sign[p] = own
+        return sign
+
+    def descended(self, start: list[int]) -> tuple[int, list[int]]:
+        """Coordinate descent from ``start``: flip a sign where that saves something, or once where it
+        costs nothing; then look at its neighbours. The cost reached, and the signs."""
+        self.sign = sign = start
         queue = list(self.positions)
         waiting = set(queue)
+        sidestepped: set[int] = set()
         flips = 0
         while queue and flips < 20 * len(self.positions):
             p = queue.pop()
@@ -61,9 +71,12 @@ class _Signs:
             if not before:
                 continue
             sign[p] = -sign[p]
-            if self._cost(p) >= before:
+            after = self._cost(p)
+            if after > before or (after == before and p in sidestepped):
                 sign[p] = -sign[p]
                 continue
+            if after == before:
+                sidestepped.add(p)
             flips += 1
             near = [*self.reads[p], *self.users[p]]
             near += [child for user in self.users[p] for child in self.reads[user]]
@@ -71,7 +84,12 @@ class _Signs:
                 if q not in waiting:
                     waiting.add(q)
                     queue.append(q)
-        return {p: -1 for p in self.positions if sign[p] < 0}
+        return self._total(), sign
+
+    def _total(self) -> int:
+        total = sum(self._at(p) for p in self.positions)
+        total += sum(_MINUS for p, signs in self.wanted.items() for sign in signs if sign != self.sign[p])
+        return total + sum(sign != self.sign[p] for p, sign in self.named.items() if p in self.users)
 
     def _cost(self, p: int) -> int:
         """What the sign of ``p`` costs: minuses there, at what reads it and at outputs; and a little for a

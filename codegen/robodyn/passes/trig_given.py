@@ -30,18 +30,19 @@ def given_layout(programs: Sequence[Program]) -> tuple[Given, ...]:
 
 def _displacements(program: Program) -> list[Input]:
     """Joint variables that are read other than as angles."""
-    angles: set[int] = set()
-    stack = [x for op in program.operations if op.op in ("sin", "cos") for x in op.args if isinstance(x, int)]
+    found: dict[Input, None] = {}
+    seen: set[int] = set()
+    stack: list[Operand] = list(program.results())
     while stack:
-        i = stack.pop()
-        angles.add(i)
-        stack.extend(x for x in program.operations[i].args if isinstance(x, int))
-    reads: dict[Input, None] = {}
-    for i, (op, args, _) in enumerate(program.operations):
-        if op not in ("sin", "cos") and i not in angles:
-            reads.update((x, None) for x in args if isinstance(x, Input) and x.array == "q")
-    reads.update((x, None) for x in program.results() if isinstance(x, Input) and x.array == "q")
-    return list(reads)
+        operand = stack.pop()
+        if isinstance(operand, Input) and operand.array == "q":
+            found[operand] = None
+        elif isinstance(operand, int) and operand not in seen:
+            seen.add(operand)
+            operation = program.operations[operand]
+            if operation.op not in ("sin", "cos"):
+                stack.extend(operation.args)
+    return list(found)
 
 
 def trig_given(program: Program, layout: Sequence[Given]) -> Program:

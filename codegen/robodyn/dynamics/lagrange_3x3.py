@@ -1,0 +1,103 @@
+"""The recursive Lagrangian with 3x3 rotations and position vectors, over any scalar.
+
+``tau_i = tr(dW_i/dq_i D_i) - g^T dW_i/dq_i h_i`` at a revolute joint, with rotations ``W_i`` and
+accelerations ``pdd_i`` of the origins from base to tip, and ``D_i``, ``e_i``, ``h_i`` (the paper's ``c_i``)
+from tip to base. Source: J. M. Hollerbach, A Recursive Lagrangian Formulation of Manipulator Dynamics, IEEE
+Trans. SMC-10 (11), 1980, whose joints are revolute; a prismatic joint's force is ``dp_i/dq_i`` times the
+force ``e_i - m g`` of what it carries.
+
+In these frames ``p_i``, the origin of frame i, does not turn with joint i: the velocity of frame i - 1
+carries it. Written as the paper has it: ``W_{i-1} dR_i/dq_i`` stands three times; in a graph it is one value.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, Motion, origin
+from robodyn.dynamics.joints import joint_torque
+from robodyn.dynamics.transforms import (
+    IDENTITY_3,
+    TURN_3,
+    ZERO_3,
+    Matrix,
+    applied,
+    first_moment,
+    inner,
+    marked,
+    outer,
+    product,
+    rotation,
+    second_moment,
+    summed,
+    times,
+    trace,
+    transposed,
+)
+from robodyn.dynamics.vectors import ZERO, Mark, Vector, named, plus, scaled, unmarked
+
+
+def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
+    """Joint torques [n] (N m; N at prismatic joints) of ``arm`` in ``motion``."""
+    n = len(arm.bodies)
+    W, Wd, Wdd = IDENTITY_3, ZERO_3, ZERO_3
+    pdd: Vector = ZERO
+    rotations, origins, slopes, turns, slides = [], [], [], [], []
+    for i, body in enumerate(arm.bodies):
+        qd, qdd = motion.qd[i], motion.qdd[i]
+        R = marked(mark, rotation(body, motion.c[i], motion.s[i]), i + 1, "R")
+        p = origin(body, motion.d[i])
+        pdd = plus(pdd, along(Wdd, p))
+        if body.revolute:
+            dR = marked(mark, product(R, TURN_3), i + 1, "dR")
+            ddR = marked(mark, product(dR, TURN_3), i + 1, "ddR")
+            Wdd = summed(
+                product(Wdd, R),
+                times(2 * qd, product(Wd, dR)),
+                times(qd * qd, product(W, ddR)),
+                times(qdd, product(W, dR)),
+            )
+            Wd = summed(product(Wd, R), times(qd, product(W, dR)))
+            slopes.append(marked(mark, product(W, dR), i + 1, "dW"))
+        else:
+            axis: Vector = (0, -body.sin_alpha, body.cos_alpha)  # dp/dq
+            along_base = named(mark, along(W, axis), i + 1, "dp")
+            pdd = plus(pdd, scaled(2 * qd, along(Wd, axis)), scaled(qdd, along_base))
+            Wd, Wdd = product(Wd, R), product(Wdd, R)
+            slopes.append((along_base,))
+        W = marked(mark, product(W, R), i + 1, "W")
+        Wd = marked(mark, Wd, i + 1, "Wd")
+        Wdd = marked(mark, Wdd, i + 1, "Wdd")
+        pdd = named(mark, pdd, i + 1, "pdd")
+        rotations.append(R)
+        origins.append(p)
+        turns.append(Wdd)
+        slides.append(pdd)
+
+    D, e, h, mass = ZERO_3, ZERO, ZERO, 0
+    torques: list[Any] = [None] * n
+    for i in reversed(range(n)):
+        body = arm.bodies[i]
+        Wdd, pdd, moment = turns[i], slides[i], first_moment(body)
+        D_i = summed(outer(moment, pdd), product(second_moment(body), transposed(Wdd)))
+        h_i = moment
+        if i + 1 < n:
+            R, p = rotations[i + 1], origins[i + 1]
+            D_i = summed(product(R, D), outer(p, e), D_i)
+            h_i = plus(h_i, along(R, h), scaled(mass, p))
+        D = marked(mark, D_i, i + 1, "D")
+        e = named(mark, plus(e, scaled(body.mass, pdd), along(Wdd, moment)), i + 1, "e")
+        h = named(mark, h_i, i + 1, "h")
+        mass = mass + body.mass
+        if body.revolute:
+            torque = trace(product(slopes[i], D)) - inner(arm.gravity, along(slopes[i], h))
+        else:
+            torque = inner(slopes[i][0], plus(e, scaled(-mass, arm.gravity)))
+        torques[i] = joint_torque(arm, i, motion, torque, mark)
+    return torques
+
+
+def along(A: Matrix, u: Vector) -> Vector:
+    """``A u``."""
+    x, y, z = applied(A, u)
+    return x, y, z

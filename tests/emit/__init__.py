@@ -1,0 +1,1 @@
+"""Tests of the emitted files: read by a parser, by compilers, and run."""

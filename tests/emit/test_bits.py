@@ -1,0 +1,138 @@
+"""C, Fortran and the program itself give the same bits, state by state."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from emit.kernels import made, robots
+from robodyn import compile as compile_robot
+from robodyn.ir import Input
+from robodyn.ir.evaluate import evaluate
+from robodyn.passes.trig_given import describe, given_layout
+from robodyn_testing import require_tool
+from robodyn_testing.random_robots import random_states
+
+STATES = 1000
+NAMES = ("puma560", "stanford", "smooth", "tool", "random_65")
+
+
+@pytest.fixture(autouse=True)
+def own_cache(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Compiled kernels of these tests stay out of the user's cache; one folder for the whole run."""
+    folder = tmp_path_factory.getbasetemp() / "robodyn-cache"
+    monkeypatch.setenv("ROBODYN_CACHE", str(folder))
+    return folder
+
+
+def arrays(name: str, states: int = STATES) -> dict[str, NDArray[np.float64]]:
+    """Random inputs; every number is one of single precision."""
+    q, qd, qdd = random_states(robots()[name], states, 11)
+    rng = np.random.default_rng(12)
+    tau = rng.uniform(-50, 50, q.shape).astype(np.float32).astype(np.float64)
+    return {"q": q, "qd": qd, "qdd": qdd, "tau": tau}
+
+
+def parameters(name: str) -> dict[str, float] | None:
+    names = robots()[name].parameters
+    return {parameter: 0.25 + 0.0625 * k for k, parameter in enumerate(names)} or None
+
+
+def run(kernel: Any, function: str, inputs: dict[str, NDArray[np.float64]], name: str) -> NDArray[Any]:
+    given = [inputs[array].astype(kernel.dtype) for array, _ in kernel.signatures[function].inputs]
+    result: NDArray[Any] = getattr(kernel, function)(*given, params=parameters(name))
+    return result
+
+
+def same_bits(one: NDArray[Any], other: NDArray[Any]) -> bool:
+    return one.dtype == other.dtype and one.shape == other.shape and one.tobytes() == other.tobytes()
+
+
+@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize("name", NAMES)
+def test_c_and_fortran_give_the_same_bits(name: str, scalar: str) -> None:
+    gcc, gfortran = require_tool("gcc"), require_tool("gfortran")
+    robot, inputs = robots()[name], arrays(name)
+    c = compile_robot(robot, scalar=scalar, cc=gcc, mode="abi")
+    fortran = compile_robot(robot, scalar=scalar, language="fortran", cc=gcc, fc=gfortran, mode="abi")
+    assert c.functions == fortran.functions == tuple(made(name).counts)
+    for function in c.functions:
+        one, other = (run(kernel, function, inputs, name) for kernel in (c, fortran))
+        assert np.isfinite(one).all()
+        assert len(np.unique(one, axis=0)) > STATES // 2 or function == "mass_matrix"
+        assert same_bits(one, other), function
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_compiled_c_does_what_the_program_says_to_the_bit(name: str) -> None:
+    """The program, run in Python: the same operations in the same order, so the same roundings."""
+    kernel = compile_robot(robots()[name], cc=require_tool("gcc"), mode="abi")
+    inputs = arrays(name, 40)
+    numbers = parameters(name) or {}
+    for interface, program in made(name).unit.functions:
+        found = run(kernel, interface.function, inputs, name).reshape(40, -1)
+        for k in range(40):
+            state = {Input(array, i): float(v) for array, x in inputs.items() for i, v in enumerate(x[k])}
+            state |= {Input(parameter, None): v for parameter, v in numbers.items()}
+            (expected,) = evaluate(program, state).values()
+            assert found[k].tobytes() == np.array(expected, dtype=np.float64).tobytes()
+
+
+@pytest.mark.parametrize(
+    ("compiler", "flags"),
+    [
+        ("gcc", "-std=c99 -O0 -ffp-contract=off"),
+        ("gcc", "-std=c99 -O3 -ffp-contract=off"),
+        ("gcc", "-std=c99 -Os -ffp-contract=off"),
+        ("clang", "-std=c99 -O2 -ffp-contract=off"),
+    ],
+)
+def test_compilers_and_levels_give_the_same_bits(compiler: str, flags: str) -> None:
+    name = "smooth"
+    reference = compile_robot(robots()[name], cc=require_tool("gcc"), mode="abi")
+    other = compile_robot(robots()[name], cc=require_tool(compiler), flags=flags, mode="abi")
+    inputs = arrays(name)
+    for function in reference.functions:
+        one, two = (run(kernel, function, inputs, name) for kernel in (reference, other))
+        assert same_bits(one, two), function
+
+
+@pytest.mark.parametrize("name", ["stanford", "tool"])
+def test_given_sines_give_the_same_bits(name: str) -> None:
+    """The caller computes what the header lists, and gets what the kernel would have computed."""
+    cc = require_tool("gcc")
+    plain, given = (compile_robot(robots()[name], trig=t, cc=cc, mode="abi") for t in ("libm", "given"))
+    inputs = arrays(name)
+    layout = given_layout([program for _, program in made(name).unit.functions])
+    assert made(name, "given").unit.sc == tuple(map(describe, layout))
+    columns = []
+    for kind, terms, constant in layout:
+        total = np.zeros(STATES)
+        for x, multiple in terms:  # in the kernel's order: no other sum has its bits
+            total = total + multiple * inputs["q"][:, x.index]
+        total = total + float(constant)
+        function = {"cos": math.cos, "sin": math.sin, "q": float}[kind]  # numpy's own sine has other bits
+        columns.append(np.array([function(float(x)) for x in total]))
+    inputs["sc"] = np.stack(columns, axis=1)
+    for function in plain.functions:
+        one, two = (run(kernel, function, inputs, name) for kernel in (plain, given))
+        assert same_bits(one, two), function
+
+
+def test_the_sign_of_nothing_is_nothing() -> None:
+    """At rest exact friction is 0, in both languages; a velocity that is no number is none afterwards."""
+    cc, fc = require_tool("gcc"), require_tool("gfortran")
+    robot = robots()["rubbing"]
+    kernels = (
+        compile_robot(robot, cc=cc, mode="abi"),
+        compile_robot(robot, language="fortran", cc=cc, fc=fc, mode="abi"),
+    )
+    for kernel in kernels:
+        found = kernel.bias([[0.0]] * 5, [[0.0], [-0.0], [1e-300], [-1e-300], [2.0]])
+        assert found[:, 0].tolist() == [0.0, 0.0, 1.5, -1.5, 5.5]
+        assert np.isnan(kernel.bias([0.0], [np.nan])).all()

@@ -1,0 +1,141 @@
+"""The same bytes from the same input: in every process, on every Python, and as committed."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from emit.kernels import in_single, made, robots
+from robodyn.robot import bundled_names, to_yaml
+
+ROOT = Path(__file__).parents[2]
+NAMES = ("puma560", "stanford_3dof", "ur5", "tool", "smooth", "random_62", "random_68")
+SCRIPT = """
+import hashlib, json, sys
+from robodyn.generate import Options, generate
+from robodyn.robot import read_text
+robots = json.load(sys.stdin)
+found = {}
+for name, text in robots.items():
+    robot = read_text(text, warn=lambda _: None)
+    for trig in ("libm", "given"):
+        for file, content in generate(robot, Options(trig=trig)).files().items():
+            found[f"{trig} {file}"] = hashlib.sha256(content.encode()).hexdigest()
+json.dump(found, sys.stdout)
+"""
+
+
+@cache
+def texts() -> str:
+    return json.dumps({name: to_yaml(robots()[name]) for name in NAMES})
+
+
+@cache
+def expected() -> dict[str, str]:
+    """Hashes of the files that this process makes."""
+    found = {}
+    for name in NAMES:
+        for trig in ("libm", "given"):
+            for file, content in made(name, trig).files().items():
+                found[f"{trig} {file}"] = hashlib.sha256(content.encode()).hexdigest()
+    return found
+
+
+def hashes(python: str, **environment: str) -> dict[str, str]:
+    """Hashes of the files that another process makes."""
+    done = subprocess.run(
+        [python, "-c", SCRIPT],
+        input=texts(),
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    found: dict[str, str] = json.loads(done.stdout)
+    return found
+
+
+@pytest.mark.parametrize("seed", ["0", "1", "4242"])
+def test_hash_seeds_make_no_difference(seed: str, tmp_path: Path) -> None:
+    """Nor does the locale, the time zone, or the folder."""
+    other = {"LC_ALL": "C", "TZ": "Pacific/Auckland", "HOME": str(tmp_path)} if seed == "1" else {}
+    assert hashes(sys.executable, PYTHONHASHSEED=seed, **other) == expected()
+
+
+def test_a_second_run_in_one_process_makes_no_difference() -> None:
+    from robodyn.generate import Options, generate
+
+    for name in ("puma560", "tool"):
+        again = generate(robots()[name], Options(scalar="float"))
+        assert again.files() == in_single(made(name)).files()
+        assert again.counts == made(name).counts
+
+
+def interpreters() -> list[str]:
+    """Other Pythons on the PATH and of pyenv, new enough, each version once."""
+    found: dict[str, None] = {}
+    for minor in range(11, 20):
+        found.setdefault(shutil.which(f"python3.{minor}") or "", None)
+    root = Path(os.environ.get("PYENV_ROOT") or os.environ.get("pyenv") or Path.home() / ".pyenv")
+    found.update((str(path), None) for path in sorted(root.glob("versions/3.*/bin/python3")))
+    chosen: dict[str, str] = {sys.version: ""}
+    for python in filter(None, found):
+        ask = "import sys; print(sys.version if sys.version_info >= (3, 11) else '')"
+        try:
+            done = subprocess.run([python, "-c", ask], capture_output=True, text=True, check=False, timeout=20)
+        except (OSError, subprocess.TimeoutExpired):
+            continue
+        version = done.stdout.strip()
+        if done.returncode == 0 and version:
+            chosen.setdefault(version, python)
+    return [python for python in chosen.values() if python]
+
+
+def borrowed() -> str:
+    """A PYTHONPATH with our library and the pure Python parts of what it needs, as installed here."""
+    folders: dict[str, None] = {}
+    for name in ("robodyn", "robodyn_cli", "click", "jinja2", "markupsafe", "yaml"):
+        file = importlib.import_module(name).__file__
+        assert file is not None
+        folders[str(Path(file).parents[1])] = None
+    return os.pathsep.join(folders)
+
+
+def test_other_pythons_make_no_difference() -> None:
+    """Those that are at hand and can import what is needed; the rest are passed over."""
+    path = borrowed()
+    for python in interpreters():
+        try:
+            found = hashes(python, PYTHONPATH=path, PYTHONDONTWRITEBYTECODE="1")
+        except subprocess.CalledProcessError as error:
+            if "ImportError" in error.stderr or "ModuleNotFoundError" in error.stderr:
+                continue
+            raise
+        assert found == expected(), python
+
+
+GENERATED = ROOT / "generated"
+COMMITTED = sorted(path.name for path in GENERATED.glob("*/")) if GENERATED.is_dir() else []
+
+
+@pytest.mark.skipif(not COMMITTED, reason="generated/ is not part of what is installed here")
+def test_every_bundled_robot_is_committed() -> None:
+    assert set(COMMITTED) == set(bundled_names())
+
+
+@pytest.mark.parametrize("name", COMMITTED)
+def test_the_committed_kernels_are_what_is_generated(name: str) -> None:
+    folder = GENERATED / name
+    files = made(name).files()
+    assert {path.name for path in folder.iterdir()} == set(files)
+    for file, text in files.items():
+        assert (folder / file).read_bytes() == text.encode(), f"{name}/{file}: run `make generated`"
