@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine
- *   gravity: 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
- *   bias: 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
- *   mass_matrix: 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
- *   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12
+ *   inverse_dynamics: 296 multiplications, 281 additions = 577; 6 unary minus; 12 sine/cosine
+ *   gravity: 64 multiplications, 38 additions = 102; 2 unary minus; 12 sine/cosine
+ *   bias: 288 multiplications, 262 additions = 550; 8 unary minus; 12 sine/cosine
+ *   mass_matrix: 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
+ *   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 17 unary minus; 12
  *       sine/cosine
  */
 #include "iiwa.h"
@@ -29,7 +29,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine */
+ * 296 multiplications, 281 additions = 577; 6 unary minus; 12 sine/cosine */
 void iiwa_inverse_dynamics(
     const iiwa_real q[7],
     const iiwa_real qd[7],
@@ -57,8 +57,8 @@ void iiwa_inverse_dynamics(
     const iiwa_real w2_x = t1*s2;
     const iiwa_real w2_y = t1*c2;
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a2_x = -9.81*s2;
-    const iiwa_real a2_y = -9.81*c2;
+    const iiwa_real neg_a2_x = 9.81*s2;
+    const iiwa_real neg_a2_y = 9.81*c2;
     /* link 2: products of the angular velocity [1/s^2] */
     const iiwa_real ww2_yz = qd[1]*w2_y;
     const iiwa_real ww2_zx = qd[1]*w2_x;
@@ -76,22 +76,22 @@ void iiwa_inverse_dynamics(
     const iiwa_real lam2_13 = ww2_zx - neg_alpha2_y;
     const iiwa_real lam2_21 = qdd[1] + ww2_xy;
     const iiwa_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const iiwa_real lam2_23 = ww2_yz - alpha2_x;
+    const iiwa_real neg_lam2_23 = alpha2_x - ww2_yz;
     const iiwa_real lam2_31 = ww2_zx + neg_alpha2_y;
     const iiwa_real lam2_32 = ww2_yz + alpha2_x;
     const iiwa_real neg_lam2_33 = ww2_xx + ww2_yy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
+    const iiwa_real a3_z = neg_a2_y - 0.4*neg_lam2_22;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = c3*w2_x + qd[1]*s3;
     const iiwa_real w3_y = qd[1]*c3 - s3*w2_x;
     const iiwa_real t2 = -0.4*lam2_32;
-    const iiwa_real t3 = 0.4*lam2_12 - a2_x;
+    const iiwa_real t3 = neg_a2_x + 0.4*lam2_12;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a3_x = s3*t2 - c3*t3;
     const iiwa_real a3_y = s3*t3 + c3*t2;
     /* link 3: angular acceleration [rad/s^2] */
-    const iiwa_real alpha3_x = qd[2]*w3_y - (-c3*alpha2_x - qdd[1]*s3);
+    const iiwa_real alpha3_x = qd[2]*w3_y - (-qdd[1]*s3 - c3*alpha2_x);
     const iiwa_real alpha3_y = qdd[1]*c3 - s3*alpha2_x - qd[2]*w3_x;
     const iiwa_real alpha3_z = qdd[2] + neg_alpha2_y;
     /* link 3: angular velocity [rad/s] */
@@ -120,7 +120,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real a4_x = c4*a3_x + s4*a3_z;
     const iiwa_real a4_y = c4*a3_z - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
-    const iiwa_real alpha4_x = qd[3]*w4_y - (-c4*alpha3_x - s4*alpha3_z);
+    const iiwa_real alpha4_x = qd[3]*w4_y - (-s4*alpha3_z - c4*alpha3_x);
     const iiwa_real alpha4_y = c4*alpha3_z - s4*alpha3_x - qd[3]*w4_x;
     const iiwa_real alpha4_z = qdd[3] - alpha3_y;
     /* link 4: angular velocity [rad/s] */
@@ -129,7 +129,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real ww4_yz = w4_y*w4_z;
     const iiwa_real ww4_zx = w4_x*w4_z;
     const iiwa_real ww4_xy = w4_x*w4_y;
-    const iiwa_real neg_ww4_xx = -w4_x*w4_x;
+    const iiwa_real ww4_xx = w4_x*w4_x;
     const iiwa_real ww4_yy = w4_y*w4_y;
     const iiwa_real ww4_zz = w4_z*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -137,17 +137,17 @@ void iiwa_inverse_dynamics(
     const iiwa_real lam4_12 = ww4_xy - alpha4_z;
     const iiwa_real lam4_13 = alpha4_y + ww4_zx;
     const iiwa_real lam4_21 = alpha4_z + ww4_xy;
-    const iiwa_real lam4_22 = neg_ww4_xx - ww4_zz;
+    const iiwa_real neg_lam4_22 = ww4_xx + ww4_zz;
     const iiwa_real lam4_23 = ww4_yz - alpha4_x;
     const iiwa_real lam4_31 = ww4_zx - alpha4_y;
     const iiwa_real lam4_32 = alpha4_x + ww4_yz;
-    const iiwa_real lam4_33 = neg_ww4_xx - ww4_yy;
+    const iiwa_real neg_lam4_33 = ww4_xx + ww4_yy;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
+    const iiwa_real a5_z = a4_y - 0.4*neg_lam4_22;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = c5*w4_x - s5*w4_z;
-    const iiwa_real t4 = -s5;
-    const iiwa_real w5_y = t4*w4_x - c5*w4_z;
+    const iiwa_real t4 = -c5;
+    const iiwa_real w5_y = t4*w4_z - s5*w4_x;
     const iiwa_real t5 = a3_y - 0.4*lam4_32;
     const iiwa_real t6 = -0.4*lam4_12 - a4_x;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
@@ -155,7 +155,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real a5_y = s5*t6 + c5*t5;
     /* link 5: angular acceleration [rad/s^2] */
     const iiwa_real alpha5_x = qd[4]*w5_y - (s5*alpha4_z - c5*alpha4_x);
-    const iiwa_real alpha5_y = t4*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
+    const iiwa_real alpha5_y = t4*alpha4_z - s5*alpha4_x - qd[4]*w5_x;
     const iiwa_real alpha5_z = qdd[4] + alpha4_y;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_z = qd[4] + w4_y;
@@ -178,14 +178,14 @@ void iiwa_inverse_dynamics(
     const iiwa_real neg_lam5_33 = ww5_xx + ww5_yy;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = c6*w5_x - s6*w5_z;
-    const iiwa_real t7 = -s6;
-    const iiwa_real w6_y = t7*w5_x - c6*w5_z;
+    const iiwa_real t7 = -c6;
+    const iiwa_real w6_y = t7*w5_z - s6*w5_x;
     /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
-    const iiwa_real a6_y = t7*a5_x - c6*a5_z;
+    const iiwa_real a6_x = c6*a5_x - s6*a5_z;
+    const iiwa_real a6_y = t7*a5_z - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const iiwa_real alpha6_x = qd[5]*w6_y - (s6*alpha5_z - c6*alpha5_x);
-    const iiwa_real alpha6_y = t7*alpha5_x - c6*alpha5_z - qd[5]*w6_x;
+    const iiwa_real alpha6_y = t7*alpha5_z - s6*alpha5_x - qd[5]*w6_x;
     const iiwa_real alpha6_z = qdd[5] + alpha5_y;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_z = qd[5] + w5_y;
@@ -212,12 +212,12 @@ void iiwa_inverse_dynamics(
     const iiwa_real w7_x = c7*w6_x + s7*w6_z;
     const iiwa_real w7_y = c7*w6_z - s7*w6_x;
     const iiwa_real t8 = a5_y - 0.126*lam6_32;
-    const iiwa_real t9 = neg_a6_x + 0.126*lam6_12;
+    const iiwa_real t9 = 0.126*lam6_12 - a6_x;
     /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a7_x = s7*t8 - c7*t9;
     const iiwa_real a7_y = s7*t9 + c7*t8;
     /* link 7: angular acceleration [rad/s^2] */
-    const iiwa_real alpha7_x = qd[6]*w7_y - (-c7*alpha6_x - s7*alpha6_z);
+    const iiwa_real alpha7_x = qd[6]*w7_y - (-s7*alpha6_z - c7*alpha6_x);
     const iiwa_real alpha7_y = c7*alpha6_z - s7*alpha6_x - qd[6]*w7_x;
     const iiwa_real alpha7_z = qdd[6] - alpha6_y;
     /* link 7: angular velocity [rad/s] */
@@ -247,7 +247,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real nc2_y = 0.20091837135316784*(neg_lam2_11 - neg_lam2_33) -
         0.5265869353045646*lam2_31 - (-0.26458063578324464*lam2_12 - 0.5218524991029152*lam2_32);
     const iiwa_real t10 = 0.5265869353045646*lam2_21 - 4.238401785575742*lam2_12 -
-        0.5218524991029152*(neg_lam2_11 - neg_lam2_22) + (-0.20091837135316784*lam2_23 -
+        0.5218524991029152*(neg_lam2_11 - neg_lam2_22) + (0.20091837135316784*neg_lam2_23 -
         0.26458063578324464*lam2_13);
     const iiwa_real nc2_z = t10 + (13.292379489096295*c2 - 76.6738398539524*s2);
     /* link 3: force that moves the link [N] */
@@ -260,22 +260,23 @@ void iiwa_inverse_dynamics(
     const iiwa_real nc3_y = 0.20191091047133833*neg_lam3_31 - 0.16230144331072144*(neg_lam3_11 -
         neg_lam3_33) + (0.1005265342798281*lam3_32 - 0.06405373385272267*lam3_12) +
         1.0168650139155704*a3_z;
-    const iiwa_real t11 = 0.20191091047133833*lam3_21 - 0.45257769458388303*lam3_12 -
-        0.1005265342798281*(neg_lam3_11 - neg_lam3_22) + (0.16230144331072144*lam3_23 +
+    const iiwa_real t11 = 0.20191091047133833*lam3_21 - 0.45257769458388303*lam3_12 +
+        0.1005265342798281*(neg_lam3_22 - neg_lam3_11) + (0.16230144331072144*lam3_23 +
         0.06405373385272267*lam3_13);
     const iiwa_real nc3_z = t11 - (1.0168650139155704*a3_y - 0.04389618410240257*a3_x);
     /* link 4: force that moves the link [N] */
     const iiwa_real fc4_x = 0.5168019281781282*neg_lam4_11 + 8.054835434921454*lam4_12;
-    const iiwa_real fc4_y = 8.054835434921454*lam4_22 - 0.5168019281781282*lam4_21;
+    const iiwa_real fc4_y = -8.054835434921454*neg_lam4_22 - 0.5168019281781282*lam4_21;
     const iiwa_real fc4_z = 8.054835434921454*lam4_32 - 0.5168019281781282*lam4_31;
     /* link 4: moment that turns the link [N m] */
-    const iiwa_real neg_nc4_x = -3.569490999313376*lam4_32 - 0.09675036990607108*(lam4_33 - lam4_22)
-        - (0.013124222729483126*lam4_21 - 0.20921122087079386*lam4_31) + 8.054835434921454*a3_y;
-    const iiwa_real nc4_y = 0.013124222729483126*(neg_lam4_11 + lam4_33) -
+    const iiwa_real neg_nc4_x = -3.569490999313376*lam4_32 - 0.09675036990607108*(neg_lam4_22 -
+        neg_lam4_33) - (0.013124222729483126*lam4_21 - 0.20921122087079386*lam4_31) +
+        8.054835434921454*a3_y;
+    const iiwa_real nc4_y = 0.013124222729483126*(neg_lam4_11 - neg_lam4_33) -
         0.24852411424661205*lam4_31 - (-0.09675036990607108*lam4_12 - 0.20921122087079386*lam4_32) -
         0.5168019281781282*a3_y;
     const iiwa_real t12 = 0.24852411424661205*lam4_21 - 3.569490999313376*lam4_12 -
-        0.20921122087079386*(neg_lam4_11 + lam4_22) - (0.013124222729483126*lam4_23 +
+        0.20921122087079386*(neg_lam4_11 - neg_lam4_22) - (0.013124222729483126*lam4_23 +
         0.09675036990607108*lam4_13);
     const iiwa_real nc4_z = t12 - (0.5168019281781282*a4_y + 8.054835434921454*a4_x);
     /* link 5: force that moves the link [N] */
@@ -307,7 +308,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real t14 = 0.4239952187044951*lam6_21 - 2.0289563933923875*lam6_12 -
         0.36144292274665746*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574*lam6_23 +
         0.0870114460092663*lam6_13);
-    const iiwa_real nc6_z = t14 - (1.5656307599463828*a6_y + 1.291128497815195*neg_a6_x);
+    const iiwa_real nc6_z = t14 - (1.5656307599463828*a6_y - 1.291128497815195*a6_x);
     /* link 7: force that moves the link [N] */
     const iiwa_real fc7_x = 0.708306797966195*lam7_12 - 0.9999503996366931*neg_lam7_11;
     const iiwa_real fc7_y = 0.9999503996366931*lam7_21 - 0.708306797966195*neg_lam7_22;
@@ -324,7 +325,7 @@ void iiwa_inverse_dynamics(
         0.061680050398747424*lam7_13);
     const iiwa_real nc7_z = t15 + (0.9999503996366931*a7_y - 0.708306797966195*a7_x);
     /* link 7: force through the joint, along the axes that its turn starts from [N] */
-    const iiwa_real neg_f07_x = s7*fc7_y - c7*fc7_x;
+    const iiwa_real f07_x = c7*fc7_x - s7*fc7_y;
     const iiwa_real f07_y = s7*fc7_x + c7*fc7_y;
     /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
     const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
@@ -332,9 +333,9 @@ void iiwa_inverse_dynamics(
     /* link 6: moment through the joint, about the frame's origin [N m] */
     const iiwa_real n6_x = n07_x + (nc6_x - 0.126*f07_y);
     const iiwa_real n6_y = nc6_y - nc7_z;
-    const iiwa_real n6_z = n07_y + (nc6_z - 0.126*neg_f07_x);
+    const iiwa_real n6_z = n07_y + (nc6_z + 0.126*f07_x);
     /* link 6: force through the joint [N] */
-    const iiwa_real f6_x = fc6_x - neg_f07_x;
+    const iiwa_real f6_x = fc6_x + f07_x;
     const iiwa_real f6_y = fc6_y - fc7_z;
     const iiwa_real f6_z = fc6_z + f07_y;
     /* link 6: force through the joint, along the axes that its turn starts from [N] */
@@ -401,7 +402,7 @@ void iiwa_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine */
+ * 64 multiplications, 38 additions = 102; 2 unary minus; 12 sine/cosine */
 void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -421,39 +422,39 @@ void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
     const iiwa_real c7 = cos(q[6]);
     const iiwa_real s7 = sin(again[6]);
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a2_x = -9.81*s2;
-    const iiwa_real a2_y = -9.81*c2;
+    const iiwa_real neg_a2_x = 9.81*s2;
+    const iiwa_real neg_a2_y = 9.81*c2;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_x = c3*a2_x;
-    const iiwa_real a3_y = -s3*a2_x;
+    const iiwa_real a3_x = -c3*neg_a2_x;
+    const iiwa_real a3_y = s3*neg_a2_x;
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a4_x = c4*a3_x - s4*a2_y;
-    const iiwa_real a4_y = -s4*a3_x - c4*a2_y;
+    const iiwa_real a4_x = c4*a3_x + s4*neg_a2_y;
+    const iiwa_real a4_y = c4*neg_a2_y - s4*a3_x;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a5_x = c5*a4_x + s5*a3_y;
     const iiwa_real a5_y = c5*a3_y - s5*a4_x;
     /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a6_x = c6*a5_x - s6*a4_y;
-    const iiwa_real a6_y = -s6*a5_x - c6*a4_y;
+    const iiwa_real a6_y = -c6*a4_y - s6*a5_x;
     /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a7_x = c7*a6_x + s7*a5_y;
     const iiwa_real a7_y = c7*a5_y - s7*a6_x;
     /* link 2: moment that turns the link [N m] */
     const iiwa_real nc2_z = 13.292379489096295*c2 - 76.6738398539524*s2;
     /* link 3: moment that turns the link [N m] */
-    const iiwa_real nc3_x = -0.43062156604456925*c2;
+    const iiwa_real neg_nc3_x = 0.43062156604456925*c2;
     const iiwa_real nc3_y = 9.975445786511747*c2;
     const iiwa_real nc3_z = 0.04389618410240257*a3_x - 1.0168650139155704*a3_y;
     /* link 4: moment that turns the link [N m] */
-    const iiwa_real nc4_x = -8.054835434921454*a3_y;
-    const iiwa_real nc4_y = -0.5168019281781282*a3_y;
+    const iiwa_real neg_nc4_x = 8.054835434921454*a3_y;
+    const iiwa_real neg_nc4_y = 0.5168019281781282*a3_y;
     const iiwa_real nc4_z = -8.054835434921454*a4_x - 0.5168019281781282*a4_y;
     /* link 5: moment that turns the link [N m] */
     const iiwa_real nc5_x = 0.4193059538543958*a4_y;
     const iiwa_real nc5_y = 0.25252954507510866*a4_y;
     const iiwa_real nc5_z = -0.4193059538543958*a5_x - 0.25252954507510866*a5_y;
     /* link 6: moment that turns the link [N m] */
-    const iiwa_real nc6_x = -1.291128497815195*a5_y;
+    const iiwa_real neg_nc6_x = 1.291128497815195*a5_y;
     const iiwa_real nc6_y = 1.5656307599463828*a5_y;
     const iiwa_real nc6_z = 1.291128497815195*a6_x - 1.5656307599463828*a6_y;
     /* link 7: moment that turns the link [N m] */
@@ -464,7 +465,7 @@ void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
     const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
     const iiwa_real n07_y = s7*nc7_x + c7*nc7_y;
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n6_x = nc6_x + n07_x;
+    const iiwa_real n6_x = n07_x - neg_nc6_x;
     const iiwa_real n6_y = nc6_y - nc7_z;
     const iiwa_real n6_z = nc6_z + n07_y;
     /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
@@ -478,14 +479,14 @@ void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
     const iiwa_real n05_x = c5*n5_x - s5*n5_y;
     const iiwa_real n05_y = s5*n5_x + c5*n5_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n4_x = nc4_x + n05_x;
-    const iiwa_real n4_y = nc4_y + n5_z;
+    const iiwa_real n4_x = n05_x - neg_nc4_x;
+    const iiwa_real n4_y = n5_z - neg_nc4_y;
     const iiwa_real n4_z = nc4_z - n05_y;
     /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
     const iiwa_real n04_x = c4*n4_x - s4*n4_y;
     const iiwa_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n3_x = nc3_x + n04_x;
+    const iiwa_real n3_x = n04_x - neg_nc3_x;
     const iiwa_real n3_y = nc3_y - n4_z;
     const iiwa_real n3_z = nc3_z + n04_y;
     /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
@@ -505,7 +506,7 @@ void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine */
+ * 288 multiplications, 262 additions = 550; 8 unary minus; 12 sine/cosine */
 void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -529,11 +530,11 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real w2_x = t1*s2;
     const iiwa_real w2_y = t1*c2;
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a2_x = -9.81*s2;
-    const iiwa_real a2_y = -9.81*c2;
+    const iiwa_real neg_a2_x = 9.81*s2;
+    const iiwa_real neg_a2_y = 9.81*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const iiwa_real alpha2_x = qd[1]*w2_y;
-    const iiwa_real alpha2_y = -qd[1]*w2_x;
+    const iiwa_real neg_alpha2_y = qd[1]*w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
     const iiwa_real ww2_xy = w2_x*w2_y;
     const iiwa_real ww2_xx = w2_x*w2_x;
@@ -544,18 +545,18 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real neg_lam2_22 = ww2_xx + ww2_zz;
     const iiwa_real neg_lam2_33 = ww2_xx + ww2_yy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
+    const iiwa_real neg_a3_z = 0.4*neg_lam2_22 - neg_a2_y;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = c3*w2_x + qd[1]*s3;
     const iiwa_real w3_y = qd[1]*c3 - s3*w2_x;
     const iiwa_real t2 = -0.8*alpha2_x;
-    const iiwa_real t3 = 0.4*ww2_xy - a2_x;
+    const iiwa_real t3 = neg_a2_x + 0.4*ww2_xy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a3_x = s3*t2 - c3*t3;
     const iiwa_real a3_y = s3*t3 + c3*t2;
     /* link 3: angular acceleration [rad/s^2] */
     const iiwa_real alpha3_x = c3*alpha2_x + qd[2]*w3_y;
-    const iiwa_real alpha3_y = -s3*alpha2_x - qd[2]*w3_x;
+    const iiwa_real alpha3_y = -qd[2]*w3_x - s3*alpha2_x;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_z = qd[2] - w2_y;
     /* link 3: products of the angular velocity [1/s^2] */
@@ -567,9 +568,9 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const iiwa_real lam3_12 = alpha2_y + ww3_xy;
+    const iiwa_real lam3_12 = ww3_xy - neg_alpha2_y;
     const iiwa_real lam3_13 = alpha3_y + ww3_zx;
-    const iiwa_real lam3_21 = ww3_xy - alpha2_y;
+    const iiwa_real lam3_21 = neg_alpha2_y + ww3_xy;
     const iiwa_real neg_lam3_22 = ww3_xx + ww3_zz;
     const iiwa_real lam3_23 = ww3_yz - alpha3_x;
     const iiwa_real neg_lam3_31 = alpha3_y - ww3_zx;
@@ -579,18 +580,18 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real w4_x = c4*w3_x + s4*w3_z;
     const iiwa_real w4_y = c4*w3_z - s4*w3_x;
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a4_x = c4*a3_x + s4*a3_z;
-    const iiwa_real a4_y = c4*a3_z - s4*a3_x;
+    const iiwa_real neg_a4_x = s4*neg_a3_z - c4*a3_x;
+    const iiwa_real a4_y = -s4*a3_x - c4*neg_a3_z;
     /* link 4: angular acceleration [rad/s^2] */
-    const iiwa_real alpha4_x = qd[3]*w4_y - (s4*alpha2_y - c4*alpha3_x);
-    const iiwa_real alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd[3]*w4_x;
+    const iiwa_real alpha4_x = qd[3]*w4_y - (-c4*alpha3_x - s4*neg_alpha2_y);
+    const iiwa_real alpha4_y = c4*neg_alpha2_y - s4*alpha3_x - qd[3]*w4_x;
     /* link 4: angular velocity [rad/s] */
     const iiwa_real w4_z = qd[3] - w3_y;
     /* link 4: products of the angular velocity [1/s^2] */
     const iiwa_real ww4_yz = w4_y*w4_z;
     const iiwa_real ww4_zx = w4_x*w4_z;
     const iiwa_real ww4_xy = w4_x*w4_y;
-    const iiwa_real neg_ww4_xx = -w4_x*w4_x;
+    const iiwa_real ww4_xx = w4_x*w4_x;
     const iiwa_real ww4_yy = w4_y*w4_y;
     const iiwa_real ww4_zz = w4_z*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -598,23 +599,23 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real lam4_12 = alpha3_y + ww4_xy;
     const iiwa_real lam4_13 = alpha4_y + ww4_zx;
     const iiwa_real lam4_21 = ww4_xy - alpha3_y;
-    const iiwa_real lam4_22 = neg_ww4_xx - ww4_zz;
+    const iiwa_real neg_lam4_22 = ww4_xx + ww4_zz;
     const iiwa_real lam4_23 = ww4_yz - alpha4_x;
     const iiwa_real lam4_31 = ww4_zx - alpha4_y;
     const iiwa_real lam4_32 = alpha4_x + ww4_yz;
-    const iiwa_real lam4_33 = neg_ww4_xx - ww4_yy;
+    const iiwa_real neg_lam4_33 = ww4_xx + ww4_yy;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
+    const iiwa_real a5_z = a4_y - 0.4*neg_lam4_22;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = c5*w4_x - s5*w4_z;
-    const iiwa_real w5_y = -s5*w4_x - c5*w4_z;
+    const iiwa_real w5_y = -c5*w4_z - s5*w4_x;
     const iiwa_real t4 = a3_y - 0.4*lam4_32;
-    const iiwa_real t5 = -0.4*lam4_12 - a4_x;
+    const iiwa_real t5 = neg_a4_x - 0.4*lam4_12;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a5_x = s5*t4 - c5*t5;
     const iiwa_real a5_y = s5*t5 + c5*t4;
     /* link 5: angular acceleration [rad/s^2] */
-    const iiwa_real alpha5_x = qd[4]*w5_y - (-c5*alpha4_x - s5*alpha3_y);
+    const iiwa_real alpha5_x = qd[4]*w5_y - (-s5*alpha3_y - c5*alpha4_x);
     const iiwa_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_z = qd[4] + w4_y;
@@ -637,14 +638,14 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real neg_lam5_33 = ww5_xx + ww5_yy;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = c6*w5_x - s6*w5_z;
-    const iiwa_real t6 = -s6;
-    const iiwa_real w6_y = t6*w5_x - c6*w5_z;
+    const iiwa_real t6 = -c6;
+    const iiwa_real w6_y = t6*w5_z - s6*w5_x;
     /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
-    const iiwa_real a6_y = t6*a5_x - c6*a5_z;
+    const iiwa_real a6_x = c6*a5_x - s6*a5_z;
+    const iiwa_real a6_y = t6*a5_z - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const iiwa_real alpha6_x = qd[5]*w6_y - (s6*alpha4_y - c6*alpha5_x);
-    const iiwa_real alpha6_y = t6*alpha5_x - c6*alpha4_y - qd[5]*w6_x;
+    const iiwa_real alpha6_y = t6*alpha4_y - s6*alpha5_x - qd[5]*w6_x;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_z = qd[5] + w5_y;
     /* link 6: products of the angular velocity [1/s^2] */
@@ -670,12 +671,12 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real w7_x = c7*w6_x + s7*w6_z;
     const iiwa_real w7_y = c7*w6_z - s7*w6_x;
     const iiwa_real t7 = a5_y - 0.126*lam6_32;
-    const iiwa_real t8 = neg_a6_x + 0.126*lam6_12;
+    const iiwa_real t8 = 0.126*lam6_12 - a6_x;
     /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const iiwa_real a7_x = s7*t7 - c7*t8;
     const iiwa_real a7_y = s7*t8 + c7*t7;
     /* link 7: angular acceleration [rad/s^2] */
-    const iiwa_real alpha7_x = qd[6]*w7_y - (-c7*alpha6_x - s7*alpha5_y);
+    const iiwa_real alpha7_x = qd[6]*w7_y - (-s7*alpha5_y - c7*alpha6_x);
     const iiwa_real alpha7_y = c7*alpha5_y - s7*alpha6_x - qd[6]*w7_x;
     /* link 7: angular velocity [rad/s] */
     const iiwa_real w7_z = qd[6] - w6_y;
@@ -697,40 +698,42 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real lam7_32 = alpha7_x + ww7_yz;
     const iiwa_real neg_lam7_33 = ww7_xx + ww7_yy;
     /* link 2: moment that turns the link [N m] */
-    const iiwa_real nc2_x = 1.0437049982058304*alpha2_y + 0.20091837135316784*ww2_xy -
+    const iiwa_real nc2_x = 0.20091837135316784*ww2_xy - 1.0437049982058304*neg_alpha2_y -
         (-8.476803571151484*alpha2_x - 0.26458063578324464*(neg_lam2_22 - neg_lam2_33));
-    const iiwa_real nc2_y = 1.0531738706091291*alpha2_y + 0.20091837135316784*(neg_lam2_11 -
-        neg_lam2_33) + (0.26458063578324464*ww2_xy + 1.0437049982058304*alpha2_x);
+    const iiwa_real nc2_y = 0.20091837135316784*(neg_lam2_11 - neg_lam2_33) -
+        1.0531738706091291*neg_alpha2_y + (0.26458063578324464*ww2_xy +
+        1.0437049982058304*alpha2_x);
     const iiwa_real nc2_z = 13.292379489096295*c2 - 76.6738398539524*s2 - (3.711814850271177*ww2_xy
         + 0.5218524991029152*(neg_lam2_11 - neg_lam2_22));
     /* link 3: force that moves the link [N] */
     const iiwa_real fc3_x = 1.0168650139155704*neg_lam3_11 - 0.04389618410240257*lam3_12;
     const iiwa_real fc3_y = 0.04389618410240257*neg_lam3_22 - 1.0168650139155704*lam3_21;
     /* link 3: moment that turns the link [N m] */
-    const iiwa_real neg_nc3_x = 0.06405373385272267*(neg_lam3_22 - neg_lam3_33) -
-        0.45257769458388303*lam3_32 - (0.1005265342798281*neg_lam3_31 - 0.16230144331072144*lam3_21)
-        + 0.04389618410240257*a3_z;
+    const iiwa_real nc3_x = 0.04389618410240257*neg_a3_z - (0.06405373385272267*(neg_lam3_22 -
+        neg_lam3_33) - 0.45257769458388303*lam3_32 - (0.1005265342798281*neg_lam3_31 -
+        0.16230144331072144*lam3_21));
     const iiwa_real nc3_y = 0.20191091047133833*neg_lam3_31 - 0.16230144331072144*(neg_lam3_11 -
-        neg_lam3_33) - (0.06405373385272267*lam3_12 - 0.1005265342798281*lam3_32) +
-        1.0168650139155704*a3_z;
+        neg_lam3_33) - (0.06405373385272267*lam3_12 - 0.1005265342798281*lam3_32) -
+        1.0168650139155704*neg_a3_z;
     const iiwa_real t9 = 0.45257769458388303*lam3_12 - 0.20191091047133833*lam3_21 +
         0.1005265342798281*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144*lam3_23 +
         0.06405373385272267*lam3_13);
     const iiwa_real neg_nc3_z = t9 + (1.0168650139155704*a3_y - 0.04389618410240257*a3_x);
     /* link 4: force that moves the link [N] */
     const iiwa_real fc4_x = 0.5168019281781282*neg_lam4_11 + 8.054835434921454*lam4_12;
-    const iiwa_real fc4_y = 8.054835434921454*lam4_22 - 0.5168019281781282*lam4_21;
+    const iiwa_real fc4_y = -8.054835434921454*neg_lam4_22 - 0.5168019281781282*lam4_21;
     const iiwa_real fc4_z = 8.054835434921454*lam4_32 - 0.5168019281781282*lam4_31;
     /* link 4: moment that turns the link [N m] */
-    const iiwa_real neg_nc4_x = -3.569490999313376*lam4_32 - 0.09675036990607108*(lam4_33 - lam4_22)
-        - (0.013124222729483126*lam4_21 - 0.20921122087079386*lam4_31) + 8.054835434921454*a3_y;
-    const iiwa_real nc4_y = 0.013124222729483126*(neg_lam4_11 + lam4_33) -
+    const iiwa_real neg_nc4_x = -3.569490999313376*lam4_32 - 0.09675036990607108*(neg_lam4_22 -
+        neg_lam4_33) - (0.013124222729483126*lam4_21 - 0.20921122087079386*lam4_31) +
+        8.054835434921454*a3_y;
+    const iiwa_real nc4_y = 0.013124222729483126*(neg_lam4_11 - neg_lam4_33) -
         0.24852411424661205*lam4_31 + (0.09675036990607108*lam4_12 + 0.20921122087079386*lam4_32) -
         0.5168019281781282*a3_y;
     const iiwa_real t10 = 3.569490999313376*lam4_12 - 0.24852411424661205*lam4_21 +
-        0.20921122087079386*(neg_lam4_11 + lam4_22) + (0.013124222729483126*lam4_23 +
+        0.20921122087079386*(neg_lam4_11 - neg_lam4_22) + (0.013124222729483126*lam4_23 +
         0.09675036990607108*lam4_13);
-    const iiwa_real nc4_z = -8.054835434921454*a4_x - 0.5168019281781282*a4_y - t10;
+    const iiwa_real nc4_z = 8.054835434921454*neg_a4_x - 0.5168019281781282*a4_y - t10;
     /* link 5: force that moves the link [N] */
     const iiwa_real fc5_x = 0.25252954507510866*neg_lam5_11 + 0.4193059538543958*lam5_12;
     const iiwa_real fc5_y = -0.4193059538543958*neg_lam5_22 - 0.25252954507510866*lam5_21;
@@ -751,16 +754,16 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real fc6_y = 1.291128497815195*neg_lam6_22 - 1.5656307599463828*lam6_21;
     const iiwa_real fc6_z = -1.5656307599463828*lam6_31 - 1.291128497815195*lam6_32;
     /* link 6: moment that turns the link [N m] */
-    const iiwa_real neg_nc6_x = -2.0289563933923875*lam6_32 - 0.0870114460092663*(neg_lam6_22 -
-        neg_lam6_33) - (0.042925575293549574*lam6_21 - 0.36144292274665746*lam6_31) +
-        1.291128497815195*a5_y;
+    const iiwa_real nc6_x = -1.291128497815195*a5_y - (-2.0289563933923875*lam6_32 -
+        0.0870114460092663*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574*lam6_21 -
+        0.36144292274665746*lam6_31));
     const iiwa_real nc6_y = 0.042925575293549574*(neg_lam6_11 - neg_lam6_33) -
         0.4239952187044951*lam6_31 - (-0.0870114460092663*lam6_12 - 0.36144292274665746*lam6_32) +
         1.5656307599463828*a5_y;
     const iiwa_real t12 = 0.4239952187044951*lam6_21 - 2.0289563933923875*lam6_12 -
         0.36144292274665746*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574*lam6_23 +
         0.0870114460092663*lam6_13);
-    const iiwa_real nc6_z = t12 - (1.5656307599463828*a6_y + 1.291128497815195*neg_a6_x);
+    const iiwa_real nc6_z = t12 - (1.5656307599463828*a6_y - 1.291128497815195*a6_x);
     /* link 7: force that moves the link [N] */
     const iiwa_real fc7_x = 0.708306797966195*lam7_12 - 0.9999503996366931*neg_lam7_11;
     const iiwa_real fc7_y = 0.9999503996366931*lam7_21 - 0.708306797966195*neg_lam7_22;
@@ -778,18 +781,18 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real nc7_z = 0.9999503996366931*a7_y - 0.708306797966195*a7_x - t13;
     /* link 7: force through the joint, along the axes that its turn starts from [N] */
     const iiwa_real f07_x = c7*fc7_x - s7*fc7_y;
-    const iiwa_real neg_f07_y = -s7*fc7_x - c7*fc7_y;
+    const iiwa_real f07_y = s7*fc7_x + c7*fc7_y;
     /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
     const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
     const iiwa_real n07_y = s7*nc7_x + c7*nc7_y;
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n6_x = n07_x + (0.126*neg_f07_y - neg_nc6_x);
+    const iiwa_real n6_x = n07_x + (nc6_x - 0.126*f07_y);
     const iiwa_real n6_y = nc6_y - nc7_z;
     const iiwa_real n6_z = n07_y + (nc6_z + 0.126*f07_x);
     /* link 6: force through the joint [N] */
     const iiwa_real f6_x = fc6_x + f07_x;
     const iiwa_real f6_y = fc6_y - fc7_z;
-    const iiwa_real f6_z = fc6_z - neg_f07_y;
+    const iiwa_real f6_z = fc6_z + f07_y;
     /* link 6: force through the joint, along the axes that its turn starts from [N] */
     const iiwa_real f06_x = c6*f6_x - s6*f6_y;
     const iiwa_real f06_y = s6*f6_x + c6*f6_y;
@@ -824,7 +827,7 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real n04_x = c4*n4_x - s4*n4_y;
     const iiwa_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n3_x = n04_x - neg_nc3_x;
+    const iiwa_real n3_x = nc3_x + n04_x;
     const iiwa_real n3_y = nc3_y - n4_z;
     const iiwa_real n3_z = n04_y - neg_nc3_z;
     /* link 3: force through the joint [N] */
@@ -837,11 +840,11 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real n03_x = c3*n3_x - s3*n3_y;
     const iiwa_real n03_y = s3*n3_x + c3*n3_y;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real neg_n2_x = 0.4*f03_y - nc2_x - n03_x;
-    const iiwa_real n2_y = nc2_y - n3_z;
+    const iiwa_real n2_x = n03_x - (0.4*f03_y - nc2_x);
+    const iiwa_real neg_n2_y = n3_z - nc2_y;
     const iiwa_real n2_z = n03_y + (nc2_z + 0.4*f03_x);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const iiwa_real neg_n02_y = s2*neg_n2_x - c2*n2_y;
+    const iiwa_real neg_n02_y = c2*neg_n2_y - s2*n2_x;
     tau[0] = neg_n02_y;
     tau[1] = n2_z;
     tau[2] = n3_z;
@@ -852,7 +855,7 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine */
+ * 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine */
 void iiwa_mass_matrix(const iiwa_real q[7], iiwa_real M[49])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -871,245 +874,248 @@ void iiwa_mass_matrix(const iiwa_real q[7], iiwa_real M[49])
     const iiwa_real s6 = sin(again[5]);
     const iiwa_real c7 = cos(q[6]);
     const iiwa_real s7 = sin(again[6]);
-    /* link 6: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu6_x = 0.708306797966195*c7 + 0.9999503996366931*s7;
-    const iiwa_real fu6_z = 0.9999503996366931*c7 - 0.708306797966195*s7;
-    /* link 6: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu6_x = -0.126*fu6_z - (0.2024621683128357*c7 - 0.061680050398747424*s7);
-    const iiwa_real nu6_z = -0.126*neg_fu6_x - (0.2024621683128357*s7 + 0.061680050398747424*c7);
-    /* link 5: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu5_x = c6*neg_fu6_x;
-    const iiwa_real fu5_z = s6*neg_fu6_x;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu5_x = c6*nu6_x + 0.48318719298539553*s6;
-    const iiwa_real nu5_z = 0.48318719298539553*c6 - s6*nu6_x;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real fu4_x = -c5*neg_fu5_x - s5*fu6_z;
-    const iiwa_real fu4_z = s5*neg_fu5_x - c5*fu6_z;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x = 0.4*fu4_z - (s5*nu6_z - c5*nu5_x);
-    const iiwa_real t1 = -s5;
-    const iiwa_real nu4_z = t1*nu5_x - c5*nu6_z - 0.4*fu4_x;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x = c4*fu4_x - s4*fu5_z;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu3_x = s4*nu5_z - c4*nu4_x;
-    const iiwa_real nu3_z = s4*nu4_x + c4*nu5_z;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x = c3*fu3_x + s3*fu4_z;
-    const iiwa_real neg_fu2_z = c3*fu4_z - s3*fu3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x = 0.4*neg_fu2_z - (c3*neg_nu3_x - s3*nu4_z);
-    const iiwa_real nu2_z = 0.4*fu2_x - (s3*neg_nu3_x + c3*nu4_z);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z = c2*nu3_z - s2*nu2_x;
-    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h6_x = fu6_z - 1.5656307599463828;
-    const iiwa_real t2 = c7*c7;
-    const iiwa_real t3 = c7*s7;
-    const iiwa_real t4 = 0.10136935104159488*t2 + 0.4228495651372064*t3;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const iiwa_real k6_xx = 0.7162734907179903 - t4;
-    const iiwa_real k6_xy = nu6_x - 0.36144292274665746;
-    const iiwa_real k6_xz = 0.2114247825686032*(2.0*t2 - 1.0) - 0.10136935104159488*t3 -
-        0.042925575293549574;
-    const iiwa_real k6_yz = nu6_z + 0.0870114460092663;
+    /* link 7: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h7_x = 0.9999503996366931*c7 - 0.708306797966195*s7;
+    const iiwa_real neg_h7_y = -0.708306797966195*c7 - 0.9999503996366931*s7;
+    const iiwa_real t1 = c7*c7;
+    const iiwa_real t2 = c7*s7;
+    /* link 7: second moment of the composite body [kg m^2] */
+    const iiwa_real k7_xy = 0.2114247825686032*(2.0*t1 - 1.0) - 0.10136935104159488*t2;
+    const iiwa_real k7_xz = 0.2024621683128357*c7 - 0.061680050398747424*s7;
+    const iiwa_real k7_yz = 0.2024621683128357*s7 + 0.061680050398747424*c7;
     /* link 6: mass matrix, its row of this joint */
-    const iiwa_real m6_6 = 2.745229884110378 - t4;
+    const iiwa_real m6_7 = 0.126*neg_h7_y - k7_yz;
+    /* link 6: force for a unit acceleration of a joint further out */
+    const iiwa_real fu6_x = c6*neg_h7_y;
+    const iiwa_real fu6_y = s6*neg_h7_y;
+    const iiwa_real t3 = k7_xz + 0.126*h7_x;
+    /* link 6: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu6_x = 0.48318719298539553*s6 - c6*t3;
+    const iiwa_real neg_nu6_y = s6*t3 + 0.48318719298539553*c6;
     /* link 5: force for a unit acceleration of a joint further out */
-    const iiwa_real fu5_x = 1.291128497815195*c6 - s6*h6_x;
-    const iiwa_real fu5_z_2 = -c6*h6_x - 1.291128497815195*s6;
+    const iiwa_real fu5_x = c5*fu6_x - s5*h7_x;
+    const iiwa_real fu5_y = s5*fu6_x + c5*h7_x;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu5_x_2 = s6*k6_yz - c6*k6_xz;
-    const iiwa_real nu5_z_2 = s6*k6_xz + c6*k6_yz;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real fu4_x_2 = c5*fu5_x;
-    const iiwa_real fu4_z_2 = t1*fu5_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x_2 = c5*nu5_x_2 - s5*m6_6 + 0.4*fu4_z_2;
-    const iiwa_real nu4_z_2 = -0.4*fu4_x_2 - (s5*nu5_x_2 + c5*m6_6);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_2 = c4*fu4_x_2 - s4*fu5_z_2;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x = c4*nu4_x_2 - s4*nu5_z_2;
-    const iiwa_real nu3_z_2 = s4*nu4_x_2 + c4*nu5_z_2;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x_2 = c3*fu3_x_2 + s3*fu4_z_2;
-    const iiwa_real fu2_z = s3*fu3_x_2 - c3*fu4_z_2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x_2 = c3*nu3_x + s3*nu4_z_2 - 0.4*fu2_z;
-    const iiwa_real nu2_z_2 = s3*nu3_x - c3*nu4_z_2 + 0.4*fu2_x_2;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_2 = c2*nu3_z_2 - s2*nu2_x_2;
-    const iiwa_real t5 = c6*c6;
-    const iiwa_real t6 = t4 + 1.3126829026743974;
-    const iiwa_real t7 = c6*s6;
-    const iiwa_real t8 = t5*t6 + k6_xy*(2.0*t7);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const iiwa_real k5_zz = k6_xx + t8;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h5_x = -fu5_z_2 - 0.25252954507510866;
-    const iiwa_real h5_y = neg_fu6_x + 0.4193059538543958;
-    /* link 5: second moment of the composite body [kg m^2] */
-    const iiwa_real k5_xx = 2.1237052812028625 - t8;
-    const iiwa_real k5_yy = t4 + 0.39746456131287133;
-    const iiwa_real k5_xy = -nu5_x_2 - 0.03284626166448073;
-    const iiwa_real k5_xz = t6*t7 + k6_xy*(1.0 - 2.0*t5) - 0.041147842218669614;
-    const iiwa_real k5_yz = -nu5_z_2 - 0.05680835589544868;
-    /* link 5: mass matrix, its row of this joint */
-    const iiwa_real m5_5 = t4 - t8 + 2.521169842515734;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu4_x = c5*h5_y + s5*h5_x;
-    const iiwa_real fu4_z_3 = s5*h5_y - c5*h5_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x_3 = 0.4*fu4_z_3 - (c5*k5_xz - s5*k5_yz);
-    const iiwa_real nu4_z_3 = s5*k5_xz + c5*k5_yz + 0.4*neg_fu4_x;
-    const iiwa_real t9 = -c4;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_3 = t9*neg_fu4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu3_x_2 = s4*m5_5 - c4*nu4_x_3;
-    const iiwa_real nu3_z_3 = s4*nu4_x_3 + c4*m5_5;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x_3 = c3*fu3_x_3 + s3*fu4_z_3;
-    const iiwa_real neg_fu2_z_2 = c3*fu4_z_3 - s3*fu3_x_3;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x_3 = 0.4*neg_fu2_z_2 - (c3*neg_nu3_x_2 - s3*nu4_z_3);
-    const iiwa_real nu2_z_3 = 0.4*fu2_x_3 - (s3*neg_nu3_x_2 + c3*nu4_z_3);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_3 = c2*nu3_z_3 - s2*nu2_x_3;
-    const iiwa_real t10 = c5*c5;
-    const iiwa_real t11 = t4 + t8 - 1.7262407198899914;
-    const iiwa_real t12 = c5*s5;
-    const iiwa_real t13 = t10*t11 + k5_xy*(2.0*t12);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const iiwa_real k4_zz = k5_xx + t13;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real neg_h4_x = fu4_z_3 + 0.5168019281781282;
-    const iiwa_real h4_y = fu5_x + 8.054835434921454;
-    const iiwa_real t14 = k5_yy - t13;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const iiwa_real k4_xx = t14 + 0.24852411424661205;
-    const iiwa_real t15 = k5_zz + 0.8*fu5_x;
-    const iiwa_real k4_yy = t15 + 3.569490999313376;
-    const iiwa_real k4_xy = -nu4_x_3 - 0.20921122087079386;
-    const iiwa_real k4_xz = t11*t12 + k5_xy*(1.0 - 2.0*t10) - 0.013124222729483126;
-    const iiwa_real k4_yz = 0.09675036990607108 - nu4_z_3;
+    const iiwa_real nu5_x = c5*nu6_x - s5*m6_7;
+    const iiwa_real neg_nu5_y = -c5*m6_7 - s5*nu6_x;
     /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_4 = t14 + t15 + 3.818015113559988;
+    const iiwa_real m4_7 = neg_nu5_y - 0.4*fu5_x;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const iiwa_real fu4_x = c4*fu5_x + s4*fu6_y;
+    const iiwa_real t4 = nu5_x - 0.4*fu5_y;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu4_x = c4*t4 - s4*neg_nu6_y;
+    const iiwa_real nu4_y = s4*t4 + c4*neg_nu6_y;
     /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_4 = s4*neg_h4_x - c4*h4_y;
-    const iiwa_real fu3_z = t9*neg_h4_x - s4*h4_y;
+    const iiwa_real fu3_x = c3*fu4_x - s3*fu5_y;
+    const iiwa_real fu3_y = s3*fu4_x + c3*fu5_y;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x_2 = s4*k4_yz - c4*k4_xz;
-    const iiwa_real nu3_z_4 = t9*k4_yz - s4*k4_xz;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x_4 = c3*fu3_x_4;
-    const iiwa_real fu2_z_2 = s3*fu3_x_4;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x_4 = -0.4*fu2_z_2 - (-c3*nu3_x_2 - s3*m4_4);
-    const iiwa_real nu2_z_4 = 0.4*fu2_x_4 - (c3*m4_4 - s3*nu3_x_2);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_4 = c2*nu3_z_4 - s2*nu2_x_4;
-    const iiwa_real t16 = c4*c4;
-    const iiwa_real t17 = t14 - t15 - 3.3209668850667637;
-    const iiwa_real t18 = c4*s4;
-    const iiwa_real t19 = t16*t17 - k4_xy*(2.0*t18);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const iiwa_real k3_zz = k4_xx - t19;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h3_x = fu3_z - 1.0168650139155704;
-    const iiwa_real h3_y = neg_fu4_x - 0.04389618410240257;
-    const iiwa_real t20 = k4_yy + t19;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const iiwa_real k3_xx = t20 + 0.20191091047133833;
-    const iiwa_real k3_yy = k4_zz + 0.45257769458388303;
-    const iiwa_real k3_xy = nu3_x_2 - 0.1005265342798281;
-    const iiwa_real k3_xz = t17*t18 - k4_xy*(1.0 - 2.0*t16) + 0.16230144331072144;
-    const iiwa_real k3_yz = nu3_z_4 - 0.06405373385272267;
-    /* link 3: mass matrix, its row of this joint */
-    const iiwa_real m3_3 = k4_zz + t20 + 0.6544886050552213;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x_5 = -s3*h3_x - c3*h3_y;
-    const iiwa_real neg_fu2_z_3 = s3*h3_y - c3*h3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x_5 = 0.4*neg_fu2_z_3 - (c3*k3_xz - s3*k3_yz);
-    const iiwa_real nu2_z_5 = 0.4*fu2_x_5 - (s3*k3_xz + c3*k3_yz);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_5 = c2*m3_3 - s2*nu2_x_5;
-    const iiwa_real t21 = c3*s3;
-    const iiwa_real t22 = c3*c3;
-    const iiwa_real t23 = t20 - k4_zz - 0.2506667841125447;
-    const iiwa_real t24 = k3_xy*(2.0*t21) - t22*t23;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const iiwa_real k2_zz = k3_xx + t24;
-    const iiwa_real t25 = k3_zz - 0.8*fu3_x_4;
-    const iiwa_real k2_yy = t25 + 4.238401785575742;
-    const iiwa_real k2_xy = nu2_x_5 - 0.5218524991029152;
-    const iiwa_real k2_xz = t23*t21 - k3_xy*(1.0 - 2.0*t22) - 0.20091837135316784;
-    const iiwa_real k2_yz = nu2_z_5 + 0.26458063578324464;
-    const iiwa_real t26 = t24 - k3_yy;
+    const iiwa_real nu3_x = c3*nu4_x + s3*m4_7;
+    const iiwa_real nu3_y = s3*nu4_x - c3*m4_7;
     /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_2 = 4.764988720880306 - (t26 - t25);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_6 = s2*k2_xz + c2*k2_yz;
-    const iiwa_real t27 = k2_zz + (k2_yy - (c2*c2*(t26 + t25 + 3.711814850271177) +
-        k2_xy*(2.0*(c2*s2))));
+    const iiwa_real m2_7 = nu3_y + 0.4*fu3_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real neg_nu2_y = c2*nu4_y - s2*(nu3_x - 0.4*fu3_y);
+    const iiwa_real t5 = 0.10136935104159488*t1 + 0.4228495651372064*t2;
+    /* link 6: mass matrix, its row of this joint */
+    const iiwa_real m6_6 = 2.745229884110378 - t5;
+    const iiwa_real t6 = h7_x - 1.5656307599463828;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h6_x = c6*t6 + 1.291128497815195*s6;
+    const iiwa_real h6_y = s6*t6 - 1.291128497815195*c6;
+    const iiwa_real t7 = c6*c6;
+    const iiwa_real t8 = t5 + 1.3126829026743974;
+    const iiwa_real t9 = t3 + 0.36144292274665746;
+    const iiwa_real t10 = c6*s6;
+    const iiwa_real t11 = t7*t8 - t9*(2.0*t10);
+    /* link 6: second moment of the composite body [kg m^2] */
+    const iiwa_real k6_yy = t11 - (t5 - 0.7162734907179903);
+    const iiwa_real neg_k6_xy = t8*t10 - t9*(1.0 - 2.0*t7);
+    const iiwa_real t12 = k7_xy - 0.042925575293549574;
+    const iiwa_real t13 = m6_7 + 0.0870114460092663;
+    const iiwa_real k6_xz = c6*t12 - s6*t13;
+    const iiwa_real k6_yz = s6*t12 + c6*t13;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const iiwa_real neg_fu5_x = c5*h6_y;
+    const iiwa_real t14 = -s5;
+    const iiwa_real fu5_y_2 = t14*h6_y;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu5_x_2 = t14*m6_6 - c5*k6_xz;
+    const iiwa_real nu5_y = c5*m6_6 - s5*k6_xz;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_6 = 0.4*neg_fu5_x - nu5_y;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const iiwa_real fu4_x_2 = s4*h6_x - c4*neg_fu5_x;
+    const iiwa_real t15 = nu5_x_2 - 0.4*fu5_y_2;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu4_x_2 = c4*t15 - s4*k6_yz;
+    const iiwa_real nu4_y_2 = s4*t15 + c4*k6_yz;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const iiwa_real fu3_x_2 = c3*fu4_x_2 - s3*fu5_y_2;
+    const iiwa_real fu3_y_2 = s3*fu4_x_2 + c3*fu5_y_2;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu3_x_2 = c3*nu4_x_2 + s3*m4_6;
+    const iiwa_real nu3_y_2 = s3*nu4_x_2 - c3*m4_6;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_6 = nu3_y_2 + 0.4*fu3_x_2;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real neg_nu2_y_2 = c2*nu4_y_2 - s2*(nu3_x_2 - 0.4*fu3_y_2);
+    /* link 5: mass matrix, its row of this joint */
+    const iiwa_real m5_5 = t5 - t11 + 2.521169842515734;
+    const iiwa_real t16 = h6_x - 0.25252954507510866;
+    const iiwa_real t17 = 0.4193059538543958 - neg_h7_y;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h5_x = c5*t16 - s5*t17;
+    const iiwa_real h5_y = s5*t16 + c5*t17;
+    const iiwa_real t18 = c5*c5;
+    const iiwa_real t19 = t5 + t11 - 1.7262407198899914;
+    const iiwa_real t20 = 0.03284626166448073 - k6_xz;
+    const iiwa_real t21 = c5*s5;
+    const iiwa_real t22 = t18*t19 - t20*(2.0*t21);
+    /* link 5: second moment of the composite body [kg m^2] */
+    const iiwa_real k5_xx = t5 + 0.39746456131287133 - t22;
+    const iiwa_real k5_yy = t22 - (t11 - 2.1237052812028625);
+    const iiwa_real neg_k5_xy = t19*t21 - t20*(1.0 - 2.0*t18);
+    const iiwa_real t23 = neg_k6_xy - 0.041147842218669614;
+    const iiwa_real t24 = -k6_yz - 0.05680835589544868;
+    const iiwa_real k5_xz = c5*t23 - s5*t24;
+    const iiwa_real k5_yz = s5*t23 + c5*t24;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_5 = k5_yz + 0.4*h5_y;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const iiwa_real fu4_x_3 = -c4*h5_y;
+    const iiwa_real t25 = k5_xz + 0.4*h5_x;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu4_x_3 = -s4*m5_5 - c4*t25;
+    const iiwa_real nu4_y_3 = c4*m5_5 - s4*t25;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const iiwa_real fu3_x_3 = c3*fu4_x_3 - s3*h5_x;
+    const iiwa_real fu3_y_3 = s3*fu4_x_3 + c3*h5_x;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu3_x_3 = c3*nu4_x_3 + s3*m4_5;
+    const iiwa_real nu3_y_3 = s3*nu4_x_3 - c3*m4_5;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_5 = nu3_y_3 + 0.4*fu3_x_3;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real neg_nu2_y_3 = c2*nu4_y_3 - s2*(nu3_x_3 - 0.4*fu3_y_3);
+    const iiwa_real t26 = 0.8*h6_y - k6_yy;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_4 = k5_xx - t26 + 3.818015113559988;
+    const iiwa_real t27 = h5_x - 0.5168019281781282;
+    const iiwa_real t28 = h6_y - 8.054835434921454;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h4_x = c4*t27 + s4*t28;
+    const iiwa_real h4_y = s4*t27 - c4*t28;
+    const iiwa_real t29 = c4*c4;
+    const iiwa_real t30 = k5_xx + t26 - 3.3209668850667637;
+    const iiwa_real t31 = t25 - 0.20921122087079386;
+    const iiwa_real t32 = c4*s4;
+    const iiwa_real t33 = t29*t30 - t31*(2.0*t32);
+    /* link 4: second moment of the composite body [kg m^2] */
+    const iiwa_real k4_xx = t33 - (t26 - 3.569490999313376);
+    const iiwa_real k4_yy = k5_xx + 0.24852411424661205 - t33;
+    const iiwa_real k4_xy = t30*t32 - t31*(1.0 - 2.0*t29);
+    const iiwa_real t34 = neg_k5_xy - 0.013124222729483126;
+    const iiwa_real t35 = m4_5 - 0.09675036990607108;
+    const iiwa_real k4_xz = c4*t34 + s4*t35;
+    const iiwa_real neg_k4_yz = c4*t35 - s4*t34;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const iiwa_real neg_fu3_x = c3*h4_y;
+    const iiwa_real neg_fu3_y = s3*h4_y;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu3_x_4 = s3*m4_4 - c3*k4_xz;
+    const iiwa_real neg_nu3_y = s3*k4_xz + c3*m4_4;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_4 = -0.4*neg_fu3_x - neg_nu3_y;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real neg_nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.4*neg_fu3_y);
+    /* link 3: mass matrix, its row of this joint */
+    const iiwa_real m3_3 = k5_yy + k4_xx + 0.6544886050552213;
+    const iiwa_real t36 = h4_x - 1.0168650139155704;
+    const iiwa_real t37 = h5_y - 0.04389618410240257;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h3_x = c3*t36 - s3*t37;
+    const iiwa_real h3_y = s3*t36 + c3*t37;
+    const iiwa_real t38 = c3*c3;
+    const iiwa_real t39 = k4_xx - k5_yy - 0.2506667841125447;
+    const iiwa_real t40 = k4_xz + 0.1005265342798281;
+    const iiwa_real t41 = c3*s3;
+    const iiwa_real t42 = t38*t39 + t40*(2.0*t41);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const iiwa_real k3_xx = k5_yy + 0.45257769458388303 + t42;
+    const iiwa_real k3_yy = k4_xx + 0.20191091047133833 - t42;
+    const iiwa_real k3_xy = t39*t41 + t40*(1.0 - 2.0*t38);
+    const iiwa_real t43 = k4_xy + 0.16230144331072144;
+    const iiwa_real t44 = 0.06405373385272267 - neg_k4_yz;
+    const iiwa_real k3_xz = c3*t43 + s3*t44;
+    const iiwa_real k3_yz = s3*t43 - c3*t44;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_3 = -0.4*h3_y - k3_yz;
+    const iiwa_real t45 = k3_xz + 0.4*h3_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real neg_nu2_y_5 = s2*t45 + c2*m3_3;
+    const iiwa_real t46 = k4_yy + 0.8*h4_y;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_2 = k3_xx + t46 + 4.764988720880306;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const iiwa_real k2_xx = t46 + 4.238401785575742 - (c2*c2*(t46 - k3_xx + 3.711814850271177) -
+        (t45 + 0.5218524991029152)*(2.0*(c2*s2)));
+    const iiwa_real k2_yz = s2*(k3_xy - 0.20091837135316784) + c2*(m2_3 + 0.26458063578324464);
     /* link 1: mass matrix, its row of this joint */
-    const iiwa_real m1_1 = t27 + 0.8058116303302202;
+    const iiwa_real m1_1 = k3_yy + k2_xx + 0.8058116303302202;
     M[0] = m1_1;
-    M[1] = nu1_z_6;
-    M[2] = nu1_z_5;
-    M[3] = nu1_z_4;
-    M[4] = nu1_z_3;
-    M[5] = nu1_z_2;
-    M[6] = nu1_z;
-    M[7] = nu1_z_6;
+    M[1] = k2_yz;
+    M[2] = neg_nu2_y_5;
+    M[3] = neg_nu2_y_4;
+    M[4] = neg_nu2_y_3;
+    M[5] = neg_nu2_y_2;
+    M[6] = neg_nu2_y;
+    M[7] = k2_yz;
     M[8] = m2_2;
-    M[9] = nu2_z_5;
-    M[10] = nu2_z_4;
-    M[11] = nu2_z_3;
-    M[12] = nu2_z_2;
-    M[13] = nu2_z;
-    M[14] = nu1_z_5;
-    M[15] = nu2_z_5;
+    M[9] = m2_3;
+    M[10] = m2_4;
+    M[11] = m2_5;
+    M[12] = m2_6;
+    M[13] = m2_7;
+    M[14] = neg_nu2_y_5;
+    M[15] = m2_3;
     M[16] = m3_3;
-    M[17] = nu3_z_4;
-    M[18] = nu3_z_3;
-    M[19] = nu3_z_2;
-    M[20] = nu3_z;
-    M[21] = nu1_z_4;
-    M[22] = nu2_z_4;
-    M[23] = nu3_z_4;
+    M[17] = neg_k4_yz;
+    M[18] = nu4_y_3;
+    M[19] = nu4_y_2;
+    M[20] = nu4_y;
+    M[21] = neg_nu2_y_4;
+    M[22] = m2_4;
+    M[23] = neg_k4_yz;
     M[24] = m4_4;
-    M[25] = nu4_z_3;
-    M[26] = nu4_z_2;
-    M[27] = nu4_z;
-    M[28] = nu1_z_3;
-    M[29] = nu2_z_3;
-    M[30] = nu3_z_3;
-    M[31] = nu4_z_3;
+    M[25] = m4_5;
+    M[26] = m4_6;
+    M[27] = m4_7;
+    M[28] = neg_nu2_y_3;
+    M[29] = m2_5;
+    M[30] = nu4_y_3;
+    M[31] = m4_5;
     M[32] = m5_5;
-    M[33] = nu5_z_2;
-    M[34] = nu5_z;
-    M[35] = nu1_z_2;
-    M[36] = nu2_z_2;
-    M[37] = nu3_z_2;
-    M[38] = nu4_z_2;
-    M[39] = nu5_z_2;
+    M[33] = k6_yz;
+    M[34] = neg_nu6_y;
+    M[35] = neg_nu2_y_2;
+    M[36] = m2_6;
+    M[37] = nu4_y_2;
+    M[38] = m4_6;
+    M[39] = k6_yz;
     M[40] = m6_6;
-    M[41] = nu6_z;
-    M[42] = nu1_z;
-    M[43] = nu2_z;
-    M[44] = nu3_z;
-    M[45] = nu4_z;
-    M[46] = nu5_z;
-    M[47] = nu6_z;
+    M[41] = m6_7;
+    M[42] = neg_nu2_y;
+    M[43] = m2_7;
+    M[44] = nu4_y;
+    M[45] = m4_7;
+    M[46] = neg_nu6_y;
+    M[47] = m6_7;
     M[48] = 0.48318719298539553;
 }
 
 /* accelerations that the torques tau give
- * 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12 sine/cosine */
+ * 597 multiplications, 517 additions, 7 divisions = 1121; 17 unary minus; 12 sine/cosine */
 void iiwa_forward_dynamics(
     const iiwa_real q[7],
     const iiwa_real qd[7],
@@ -1132,204 +1138,206 @@ void iiwa_forward_dynamics(
     const iiwa_real s6 = sin(again[5]);
     const iiwa_real c7 = cos(q[6]);
     const iiwa_real s7 = sin(again[6]);
+    /* link 7: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h7_x = 0.9999503996366931*c7 - 0.708306797966195*s7;
+    const iiwa_real neg_h7_y = -0.708306797966195*c7 - 0.9999503996366931*s7;
+    const iiwa_real t1 = c7*c7;
+    const iiwa_real t2 = c7*s7;
+    /* link 7: second moment of the composite body [kg m^2] */
+    const iiwa_real k7_xy = 0.2114247825686032*(2.0*t1 - 1.0) - 0.10136935104159488*t2;
+    const iiwa_real k7_xz = 0.2024621683128357*c7 - 0.061680050398747424*s7;
+    const iiwa_real k7_yz = 0.2024621683128357*s7 + 0.061680050398747424*c7;
+    /* link 6: mass matrix, its row of this joint */
+    const iiwa_real neg_m6_7 = k7_yz - 0.126*neg_h7_y;
     /* link 6: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu6_x = 0.708306797966195*c7 + 0.9999503996366931*s7;
-    const iiwa_real fu6_z = 0.9999503996366931*c7 - 0.708306797966195*s7;
+    const iiwa_real fu6_x = c6*neg_h7_y;
+    const iiwa_real fu6_y = s6*neg_h7_y;
+    const iiwa_real t3 = k7_xz + 0.126*h7_x;
     /* link 6: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu6_x = -0.126*fu6_z - (0.2024621683128357*c7 - 0.061680050398747424*s7);
-    const iiwa_real nu6_z = -0.126*neg_fu6_x - (0.2024621683128357*s7 + 0.061680050398747424*c7);
+    const iiwa_real nu6_x = 0.48318719298539553*s6 - c6*t3;
+    const iiwa_real nu6_y = -0.48318719298539553*c6 - s6*t3;
     /* link 5: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu5_x = c6*neg_fu6_x;
-    const iiwa_real fu5_z = s6*neg_fu6_x;
+    const iiwa_real fu5_x = c5*fu6_x - s5*h7_x;
+    const iiwa_real fu5_y = s5*fu6_x + c5*h7_x;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu5_x = c6*nu6_x + 0.48318719298539553*s6;
-    const iiwa_real nu5_z = 0.48318719298539553*c6 - s6*nu6_x;
-    const iiwa_real t1 = -c5;
+    const iiwa_real nu5_x = c5*nu6_x + s5*neg_m6_7;
+    const iiwa_real neg_nu5_y = c5*neg_m6_7 - s5*nu6_x;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_7 = neg_nu5_y - 0.4*fu5_x;
     /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real fu4_x = t1*neg_fu5_x - s5*fu6_z;
-    const iiwa_real fu4_z = s5*neg_fu5_x - c5*fu6_z;
+    const iiwa_real fu4_x = c4*fu5_x + s4*fu6_y;
+    const iiwa_real t4 = nu5_x - 0.4*fu5_y;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x = 0.4*fu4_z - (s5*nu6_z - c5*nu5_x);
-    const iiwa_real t2 = -s5;
-    const iiwa_real nu4_z = t2*nu5_x - c5*nu6_z - 0.4*fu4_x;
+    const iiwa_real nu4_x = c4*t4 + s4*nu6_y;
+    const iiwa_real nu4_y = s4*t4 - c4*nu6_y;
     /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x = c4*fu4_x - s4*fu5_z;
+    const iiwa_real fu3_x = c3*fu4_x - s3*fu5_y;
+    const iiwa_real fu3_y = s3*fu4_x + c3*fu5_y;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu3_x = s4*nu5_z - c4*nu4_x;
-    const iiwa_real nu3_z = s4*nu4_x + c4*nu5_z;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x = c3*fu3_x + s3*fu4_z;
-    const iiwa_real neg_fu2_z = c3*fu4_z - s3*fu3_x;
+    const iiwa_real nu3_x = c3*nu4_x + s3*m4_7;
+    const iiwa_real nu3_y = s3*nu4_x - c3*m4_7;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_7 = nu3_y + 0.4*fu3_x;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x = 0.4*neg_fu2_z - (c3*neg_nu3_x - s3*nu4_z);
-    const iiwa_real nu2_z = 0.4*fu2_x - (s3*neg_nu3_x + c3*nu4_z);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z = c2*nu3_z - s2*nu2_x;
-    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h6_x = fu6_z - 1.5656307599463828;
-    const iiwa_real t3 = c7*c7;
-    const iiwa_real t4 = c7*s7;
-    const iiwa_real t5 = 0.10136935104159488*t3 + 0.4228495651372064*t4;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const iiwa_real k6_xx = 0.7162734907179903 - t5;
-    const iiwa_real k6_xy = nu6_x - 0.36144292274665746;
-    const iiwa_real k6_xz = 0.2114247825686032*(2.0*t3 - 1.0) - 0.10136935104159488*t4 -
-        0.042925575293549574;
-    const iiwa_real k6_yz = nu6_z + 0.0870114460092663;
+    const iiwa_real nu2_y = s2*(nu3_x - 0.4*fu3_y) - c2*nu4_y;
+    const iiwa_real t5 = 0.10136935104159488*t1 + 0.4228495651372064*t2;
     /* link 6: mass matrix, its row of this joint */
     const iiwa_real m6_6 = 2.745229884110378 - t5;
+    const iiwa_real t6 = h7_x - 1.5656307599463828;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h6_x = c6*t6 + 1.291128497815195*s6;
+    const iiwa_real h6_y = s6*t6 - 1.291128497815195*c6;
+    const iiwa_real t7 = c6*c6;
+    const iiwa_real t8 = t5 + 1.3126829026743974;
+    const iiwa_real t9 = t3 + 0.36144292274665746;
+    const iiwa_real t10 = c6*s6;
+    const iiwa_real t11 = t7*t8 - t9*(2.0*t10);
+    /* link 6: second moment of the composite body [kg m^2] */
+    const iiwa_real k6_yy = t11 - (t5 - 0.7162734907179903);
+    const iiwa_real neg_k6_xy = t8*t10 - t9*(1.0 - 2.0*t7);
+    const iiwa_real t12 = k7_xy - 0.042925575293549574;
+    const iiwa_real t13 = 0.0870114460092663 - neg_m6_7;
+    const iiwa_real k6_xz = c6*t12 - s6*t13;
+    const iiwa_real k6_yz = s6*t12 + c6*t13;
     /* link 5: force for a unit acceleration of a joint further out */
-    const iiwa_real fu5_x = 1.291128497815195*c6 - s6*h6_x;
-    const iiwa_real fu5_z_2 = -c6*h6_x - 1.291128497815195*s6;
+    const iiwa_real neg_fu5_x = c5*h6_y;
+    const iiwa_real t14 = -s5;
+    const iiwa_real fu5_y_2 = t14*h6_y;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu5_x_2 = s6*k6_yz - c6*k6_xz;
-    const iiwa_real nu5_z_2 = s6*k6_xz + c6*k6_yz;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real fu4_x_2 = c5*fu5_x;
-    const iiwa_real fu4_z_2 = t2*fu5_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x_2 = c5*nu5_x_2 - s5*m6_6 + 0.4*fu4_z_2;
-    const iiwa_real nu4_z_2 = -0.4*fu4_x_2 - (s5*nu5_x_2 + c5*m6_6);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_2 = c4*fu4_x_2 - s4*fu5_z_2;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x = c4*nu4_x_2 - s4*nu5_z_2;
-    const iiwa_real nu3_z_2 = s4*nu4_x_2 + c4*nu5_z_2;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x_2 = c3*fu3_x_2 + s3*fu4_z_2;
-    const iiwa_real fu2_z = s3*fu3_x_2 - c3*fu4_z_2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x_2 = c3*nu3_x + s3*nu4_z_2 - 0.4*fu2_z;
-    const iiwa_real nu2_z_2 = s3*nu3_x - c3*nu4_z_2 + 0.4*fu2_x_2;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_2 = c2*nu3_z_2 - s2*nu2_x_2;
-    const iiwa_real t6 = c6*c6;
-    const iiwa_real t7 = t5 + 1.3126829026743974;
-    const iiwa_real t8 = c6*s6;
-    const iiwa_real t9 = t6*t7 + k6_xy*(2.0*t8);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const iiwa_real k5_zz = k6_xx + t9;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h5_x = -fu5_z_2 - 0.25252954507510866;
-    const iiwa_real h5_y = neg_fu6_x + 0.4193059538543958;
-    /* link 5: second moment of the composite body [kg m^2] */
-    const iiwa_real k5_xx = 2.1237052812028625 - t9;
-    const iiwa_real k5_yy = t5 + 0.39746456131287133;
-    const iiwa_real k5_xy = -nu5_x_2 - 0.03284626166448073;
-    const iiwa_real k5_xz = t7*t8 + k6_xy*(1.0 - 2.0*t6) - 0.041147842218669614;
-    const iiwa_real k5_yz = -nu5_z_2 - 0.05680835589544868;
-    /* link 5: mass matrix, its row of this joint */
-    const iiwa_real m5_5 = t5 - t9 + 2.521169842515734;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu4_x = c5*h5_y + s5*h5_x;
-    const iiwa_real fu4_z_3 = s5*h5_y - c5*h5_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x_3 = 0.4*fu4_z_3 - (c5*k5_xz - s5*k5_yz);
-    const iiwa_real nu4_z_3 = s5*k5_xz + c5*k5_yz + 0.4*neg_fu4_x;
-    const iiwa_real t10 = -c4;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_3 = t10*neg_fu4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu3_x_2 = s4*m5_5 - c4*nu4_x_3;
-    const iiwa_real nu3_z_3 = s4*nu4_x_3 + c4*m5_5;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x_3 = c3*fu3_x_3 + s3*fu4_z_3;
-    const iiwa_real neg_fu2_z_2 = c3*fu4_z_3 - s3*fu3_x_3;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x_3 = 0.4*neg_fu2_z_2 - (c3*neg_nu3_x_2 - s3*nu4_z_3);
-    const iiwa_real nu2_z_3 = 0.4*fu2_x_3 - (s3*neg_nu3_x_2 + c3*nu4_z_3);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_3 = c2*nu3_z_3 - s2*nu2_x_3;
-    const iiwa_real t11 = c5*c5;
-    const iiwa_real t12 = t5 + t9 - 1.7262407198899914;
-    const iiwa_real t13 = c5*s5;
-    const iiwa_real t14 = t11*t12 + k5_xy*(2.0*t13);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const iiwa_real k4_zz = k5_xx + t14;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real neg_h4_x = fu4_z_3 + 0.5168019281781282;
-    const iiwa_real h4_y = fu5_x + 8.054835434921454;
-    const iiwa_real t15 = k5_yy - t14;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const iiwa_real k4_xx = t15 + 0.24852411424661205;
-    const iiwa_real t16 = k5_zz + 0.8*fu5_x;
-    const iiwa_real k4_yy = t16 + 3.569490999313376;
-    const iiwa_real k4_xy = -nu4_x_3 - 0.20921122087079386;
-    const iiwa_real k4_xz = t12*t13 + k5_xy*(1.0 - 2.0*t11) - 0.013124222729483126;
-    const iiwa_real k4_yz = 0.09675036990607108 - nu4_z_3;
+    const iiwa_real nu5_x_2 = t14*m6_6 - c5*k6_xz;
+    const iiwa_real nu5_y = c5*m6_6 - s5*k6_xz;
     /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_4 = t15 + t16 + 3.818015113559988;
+    const iiwa_real m4_6 = 0.4*neg_fu5_x - nu5_y;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const iiwa_real fu4_x_2 = s4*h6_x - c4*neg_fu5_x;
+    const iiwa_real t15 = nu5_x_2 - 0.4*fu5_y_2;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu4_x_2 = c4*t15 - s4*k6_yz;
+    const iiwa_real nu4_y_2 = s4*t15 + c4*k6_yz;
     /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_4 = s4*neg_h4_x - c4*h4_y;
-    const iiwa_real fu3_z = t10*neg_h4_x - s4*h4_y;
+    const iiwa_real fu3_x_2 = c3*fu4_x_2 - s3*fu5_y_2;
+    const iiwa_real fu3_y_2 = s3*fu4_x_2 + c3*fu5_y_2;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x_2 = s4*k4_yz - c4*k4_xz;
-    const iiwa_real nu3_z_4 = t10*k4_yz - s4*k4_xz;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x_4 = c3*fu3_x_4;
-    const iiwa_real fu2_z_2 = s3*fu3_x_4;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x_4 = -0.4*fu2_z_2 - (-c3*nu3_x_2 - s3*m4_4);
-    const iiwa_real nu2_z_4 = 0.4*fu2_x_4 - (c3*m4_4 - s3*nu3_x_2);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_4 = c2*nu3_z_4 - s2*nu2_x_4;
-    const iiwa_real t17 = c4*c4;
-    const iiwa_real t18 = t15 - t16 - 3.3209668850667637;
-    const iiwa_real t19 = c4*s4;
-    const iiwa_real t20 = t17*t18 - k4_xy*(2.0*t19);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const iiwa_real k3_zz = k4_xx - t20;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h3_x = fu3_z - 1.0168650139155704;
-    const iiwa_real h3_y = neg_fu4_x - 0.04389618410240257;
-    const iiwa_real t21 = k4_yy + t20;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const iiwa_real k3_xx = t21 + 0.20191091047133833;
-    const iiwa_real k3_yy = k4_zz + 0.45257769458388303;
-    const iiwa_real k3_xy = nu3_x_2 - 0.1005265342798281;
-    const iiwa_real k3_xz = t18*t19 - k4_xy*(1.0 - 2.0*t17) + 0.16230144331072144;
-    const iiwa_real k3_yz = nu3_z_4 - 0.06405373385272267;
-    /* link 3: mass matrix, its row of this joint */
-    const iiwa_real m3_3 = k4_zz + t21 + 0.6544886050552213;
-    const iiwa_real t22 = -s3;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const iiwa_real fu2_x_5 = t22*h3_x - c3*h3_y;
-    const iiwa_real neg_fu2_z_3 = s3*h3_y - c3*h3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu2_x_5 = 0.4*neg_fu2_z_3 - (c3*k3_xz - s3*k3_yz);
-    const iiwa_real nu2_z_5 = 0.4*fu2_x_5 - (s3*k3_xz + c3*k3_yz);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_5 = c2*m3_3 - s2*nu2_x_5;
-    const iiwa_real t23 = c3*s3;
-    const iiwa_real t24 = c3*c3;
-    const iiwa_real t25 = t21 - k4_zz - 0.2506667841125447;
-    const iiwa_real t26 = k3_xy*(2.0*t23) - t24*t25;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const iiwa_real k2_zz = k3_xx + t26;
-    const iiwa_real t27 = k3_zz - 0.8*fu3_x_4;
-    const iiwa_real k2_yy = t27 + 4.238401785575742;
-    const iiwa_real k2_xy = nu2_x_5 - 0.5218524991029152;
-    const iiwa_real k2_xz = t25*t23 - k3_xy*(1.0 - 2.0*t24) - 0.20091837135316784;
-    const iiwa_real k2_yz = nu2_z_5 + 0.26458063578324464;
-    const iiwa_real t28 = t26 - k3_yy;
+    const iiwa_real nu3_x_2 = c3*nu4_x_2 + s3*m4_6;
+    const iiwa_real nu3_y_2 = s3*nu4_x_2 - c3*m4_6;
     /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_2 = 4.764988720880306 - (t28 - t27);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu1_z_6 = s2*k2_xz + c2*k2_yz;
-    const iiwa_real t29 = k2_zz + (k2_yy - (c2*c2*(t28 + t27 + 3.711814850271177) +
-        k2_xy*(2.0*(c2*s2))));
+    const iiwa_real m2_6 = nu3_y_2 + 0.4*fu3_x_2;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu2_y_2 = s2*(nu3_x_2 - 0.4*fu3_y_2) - c2*nu4_y_2;
+    /* link 5: mass matrix, its row of this joint */
+    const iiwa_real m5_5 = t5 - t11 + 2.521169842515734;
+    const iiwa_real t16 = h6_x - 0.25252954507510866;
+    const iiwa_real t17 = 0.4193059538543958 - neg_h7_y;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h5_x = c5*t16 - s5*t17;
+    const iiwa_real h5_y = s5*t16 + c5*t17;
+    const iiwa_real t18 = c5*c5;
+    const iiwa_real t19 = t5 + t11 - 1.7262407198899914;
+    const iiwa_real t20 = 0.03284626166448073 - k6_xz;
+    const iiwa_real t21 = c5*s5;
+    const iiwa_real t22 = t18*t19 - t20*(2.0*t21);
+    /* link 5: second moment of the composite body [kg m^2] */
+    const iiwa_real k5_xx = t5 + 0.39746456131287133 - t22;
+    const iiwa_real k5_yy = t22 - (t11 - 2.1237052812028625);
+    const iiwa_real neg_k5_xy = t19*t21 - t20*(1.0 - 2.0*t18);
+    const iiwa_real t23 = neg_k6_xy - 0.041147842218669614;
+    const iiwa_real t24 = -k6_yz - 0.05680835589544868;
+    const iiwa_real k5_xz = c5*t23 - s5*t24;
+    const iiwa_real k5_yz = s5*t23 + c5*t24;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_5 = k5_yz + 0.4*h5_y;
+    const iiwa_real t25 = -c4;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const iiwa_real fu4_x_3 = t25*h5_y;
+    const iiwa_real t26 = k5_xz + 0.4*h5_x;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu4_x_3 = -s4*m5_5 - c4*t26;
+    const iiwa_real nu4_y_3 = c4*m5_5 - s4*t26;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const iiwa_real fu3_x_3 = c3*fu4_x_3 - s3*h5_x;
+    const iiwa_real fu3_y_3 = s3*fu4_x_3 + c3*h5_x;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu3_x_3 = c3*nu4_x_3 + s3*m4_5;
+    const iiwa_real nu3_y_3 = s3*nu4_x_3 - c3*m4_5;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_5 = nu3_y_3 + 0.4*fu3_x_3;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu2_y_3 = s2*(nu3_x_3 - 0.4*fu3_y_3) - c2*nu4_y_3;
+    const iiwa_real t27 = 0.8*h6_y - k6_yy;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_4 = k5_xx - t27 + 3.818015113559988;
+    const iiwa_real t28 = h5_x - 0.5168019281781282;
+    const iiwa_real t29 = h6_y - 8.054835434921454;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h4_x = c4*t28 + s4*t29;
+    const iiwa_real h4_y = s4*t28 - c4*t29;
+    const iiwa_real t30 = c4*c4;
+    const iiwa_real t31 = k5_xx + t27 - 3.3209668850667637;
+    const iiwa_real t32 = t26 - 0.20921122087079386;
+    const iiwa_real t33 = c4*s4;
+    const iiwa_real t34 = t30*t31 - t32*(2.0*t33);
+    /* link 4: second moment of the composite body [kg m^2] */
+    const iiwa_real k4_xx = t34 - (t27 - 3.569490999313376);
+    const iiwa_real k4_yy = k5_xx + 0.24852411424661205 - t34;
+    const iiwa_real k4_xy = t31*t33 - t32*(1.0 - 2.0*t30);
+    const iiwa_real t35 = neg_k5_xy - 0.013124222729483126;
+    const iiwa_real t36 = m4_5 - 0.09675036990607108;
+    const iiwa_real k4_xz = c4*t35 + s4*t36;
+    const iiwa_real k4_yz = s4*t35 - c4*t36;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const iiwa_real neg_fu3_x = c3*h4_y;
+    const iiwa_real neg_fu3_y = s3*h4_y;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu3_x_4 = s3*m4_4 - c3*k4_xz;
+    const iiwa_real neg_nu3_y = s3*k4_xz + c3*m4_4;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_4 = -0.4*neg_fu3_x - neg_nu3_y;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu2_y_4 = s2*(nu3_x_4 + 0.4*neg_fu3_y) + c2*k4_yz;
+    /* link 3: mass matrix, its row of this joint */
+    const iiwa_real m3_3 = k5_yy + k4_xx + 0.6544886050552213;
+    const iiwa_real t37 = h5_y - 0.04389618410240257;
+    const iiwa_real t38 = h4_x - 1.0168650139155704;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real neg_h3_x = s3*t37 - c3*t38;
+    const iiwa_real h3_y = s3*t38 + c3*t37;
+    const iiwa_real t39 = c3*c3;
+    const iiwa_real t40 = k4_xx - k5_yy - 0.2506667841125447;
+    const iiwa_real t41 = k4_xz + 0.1005265342798281;
+    const iiwa_real t42 = c3*s3;
+    const iiwa_real t43 = t39*t40 + t41*(2.0*t42);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const iiwa_real k3_xx = k5_yy + 0.45257769458388303 + t43;
+    const iiwa_real k3_yy = k4_xx + 0.20191091047133833 - t43;
+    const iiwa_real k3_xy = t40*t42 + t41*(1.0 - 2.0*t39);
+    const iiwa_real t44 = k4_xy + 0.16230144331072144;
+    const iiwa_real t45 = k4_yz + 0.06405373385272267;
+    const iiwa_real k3_xz = c3*t44 + s3*t45;
+    const iiwa_real k3_yz = s3*t44 - c3*t45;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_3 = -0.4*h3_y - k3_yz;
+    const iiwa_real t46 = 0.4*neg_h3_x - k3_xz;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu2_y_5 = s2*t46 - c2*m3_3;
+    const iiwa_real t47 = k4_yy + 0.8*h4_y;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_2 = k3_xx + t47 + 4.764988720880306;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const iiwa_real k2_xx = t47 + 4.238401785575742 - (c2*c2*(t47 - k3_xx + 3.711814850271177) -
+        (0.5218524991029152 - t46)*(2.0*(c2*s2)));
+    const iiwa_real k2_yz = s2*(k3_xy - 0.20091837135316784) + c2*(m2_3 + 0.26458063578324464);
     /* link 1: mass matrix, its row of this joint */
-    const iiwa_real m1_1 = t29 + 0.8058116303302202;
-    const iiwa_real t30 = -qd[0];
+    const iiwa_real m1_1 = k3_yy + k2_xx + 0.8058116303302202;
+    const iiwa_real t48 = -qd[0];
     /* link 2: angular velocity [rad/s] */
-    const iiwa_real w2_x = t30*s2;
-    const iiwa_real w2_y = t30*c2;
+    const iiwa_real w2_x = t48*s2;
+    const iiwa_real w2_y = t48*c2;
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a2_x = -9.81*s2;
-    const iiwa_real a2_y = -9.81*c2;
+    const iiwa_real neg_a2_x = 9.81*s2;
+    const iiwa_real neg_a2_y = 9.81*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const iiwa_real alpha2_x = qd[1]*w2_y;
-    const iiwa_real alpha2_y = -qd[1]*w2_x;
+    const iiwa_real neg_alpha2_y = qd[1]*w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
     const iiwa_real ww2_xy = w2_x*w2_y;
     const iiwa_real ww2_xx = w2_x*w2_x;
@@ -1340,18 +1348,18 @@ void iiwa_forward_dynamics(
     const iiwa_real neg_lam2_22 = ww2_xx + ww2_zz;
     const iiwa_real neg_lam2_33 = ww2_xx + ww2_yy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_z = -0.4*neg_lam2_22 - a2_y;
+    const iiwa_real a3_z = neg_a2_y - 0.4*neg_lam2_22;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = c3*w2_x + qd[1]*s3;
     const iiwa_real w3_y = qd[1]*c3 - s3*w2_x;
-    const iiwa_real t31 = -0.8*alpha2_x;
-    const iiwa_real t32 = 0.4*ww2_xy - a2_x;
+    const iiwa_real t49 = -0.8*alpha2_x;
+    const iiwa_real t50 = neg_a2_x + 0.4*ww2_xy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a3_x = s3*t31 - c3*t32;
-    const iiwa_real a3_y = s3*t32 + c3*t31;
+    const iiwa_real a3_x = s3*t49 - c3*t50;
+    const iiwa_real a3_y = s3*t50 + c3*t49;
     /* link 3: angular acceleration [rad/s^2] */
     const iiwa_real alpha3_x = c3*alpha2_x + qd[2]*w3_y;
-    const iiwa_real alpha3_y = t22*alpha2_x - qd[2]*w3_x;
+    const iiwa_real alpha3_y = -qd[2]*w3_x - s3*alpha2_x;
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_z = qd[2] - w2_y;
     /* link 3: products of the angular velocity [1/s^2] */
@@ -1363,9 +1371,9 @@ void iiwa_forward_dynamics(
     const iiwa_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const iiwa_real lam3_12 = alpha2_y + ww3_xy;
+    const iiwa_real lam3_12 = ww3_xy - neg_alpha2_y;
     const iiwa_real lam3_13 = alpha3_y + ww3_zx;
-    const iiwa_real lam3_21 = ww3_xy - alpha2_y;
+    const iiwa_real lam3_21 = neg_alpha2_y + ww3_xy;
     const iiwa_real neg_lam3_22 = ww3_xx + ww3_zz;
     const iiwa_real lam3_23 = ww3_yz - alpha3_x;
     const iiwa_real neg_lam3_31 = alpha3_y - ww3_zx;
@@ -1378,15 +1386,15 @@ void iiwa_forward_dynamics(
     const iiwa_real a4_x = c4*a3_x + s4*a3_z;
     const iiwa_real a4_y = c4*a3_z - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
-    const iiwa_real alpha4_x = qd[3]*w4_y - (s4*alpha2_y - c4*alpha3_x);
-    const iiwa_real alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd[3]*w4_x;
+    const iiwa_real alpha4_x = qd[3]*w4_y - (t25*alpha3_x - s4*neg_alpha2_y);
+    const iiwa_real alpha4_y = c4*neg_alpha2_y - s4*alpha3_x - qd[3]*w4_x;
     /* link 4: angular velocity [rad/s] */
     const iiwa_real w4_z = qd[3] - w3_y;
     /* link 4: products of the angular velocity [1/s^2] */
     const iiwa_real ww4_yz = w4_y*w4_z;
     const iiwa_real ww4_zx = w4_x*w4_z;
     const iiwa_real ww4_xy = w4_x*w4_y;
-    const iiwa_real neg_ww4_xx = -w4_x*w4_x;
+    const iiwa_real ww4_xx = w4_x*w4_x;
     const iiwa_real ww4_yy = w4_y*w4_y;
     const iiwa_real ww4_zz = w4_z*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -1394,23 +1402,23 @@ void iiwa_forward_dynamics(
     const iiwa_real lam4_12 = alpha3_y + ww4_xy;
     const iiwa_real lam4_13 = alpha4_y + ww4_zx;
     const iiwa_real lam4_21 = ww4_xy - alpha3_y;
-    const iiwa_real lam4_22 = neg_ww4_xx - ww4_zz;
+    const iiwa_real neg_lam4_22 = ww4_xx + ww4_zz;
     const iiwa_real lam4_23 = ww4_yz - alpha4_x;
     const iiwa_real lam4_31 = ww4_zx - alpha4_y;
     const iiwa_real lam4_32 = alpha4_x + ww4_yz;
-    const iiwa_real lam4_33 = neg_ww4_xx - ww4_yy;
+    const iiwa_real neg_lam4_33 = ww4_xx + ww4_yy;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a5_z = a4_y + 0.4*lam4_22;
+    const iiwa_real a5_z = a4_y - 0.4*neg_lam4_22;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = c5*w4_x - s5*w4_z;
-    const iiwa_real w5_y = t2*w4_x - c5*w4_z;
-    const iiwa_real t33 = a3_y - 0.4*lam4_32;
-    const iiwa_real t34 = -0.4*lam4_12 - a4_x;
+    const iiwa_real w5_y = -c5*w4_z - s5*w4_x;
+    const iiwa_real t51 = a3_y - 0.4*lam4_32;
+    const iiwa_real t52 = -0.4*lam4_12 - a4_x;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a5_x = s5*t33 - c5*t34;
-    const iiwa_real a5_y = s5*t34 + c5*t33;
+    const iiwa_real a5_x = s5*t51 - c5*t52;
+    const iiwa_real a5_y = s5*t52 + c5*t51;
     /* link 5: angular acceleration [rad/s^2] */
-    const iiwa_real alpha5_x = qd[4]*w5_y - (t1*alpha4_x - s5*alpha3_y);
+    const iiwa_real alpha5_x = qd[4]*w5_y - (t14*alpha3_y - c5*alpha4_x);
     const iiwa_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_z = qd[4] + w4_y;
@@ -1433,14 +1441,14 @@ void iiwa_forward_dynamics(
     const iiwa_real neg_lam5_33 = ww5_xx + ww5_yy;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = c6*w5_x - s6*w5_z;
-    const iiwa_real t35 = -s6;
-    const iiwa_real w6_y = t35*w5_x - c6*w5_z;
+    const iiwa_real t53 = -c6;
+    const iiwa_real w6_y = t53*w5_z - s6*w5_x;
     /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real neg_a6_x = s6*a5_z - c6*a5_x;
-    const iiwa_real a6_y = t35*a5_x - c6*a5_z;
+    const iiwa_real a6_x = c6*a5_x - s6*a5_z;
+    const iiwa_real a6_y = t53*a5_z - s6*a5_x;
     /* link 6: angular acceleration [rad/s^2] */
     const iiwa_real alpha6_x = qd[5]*w6_y - (s6*alpha4_y - c6*alpha5_x);
-    const iiwa_real alpha6_y = t35*alpha5_x - c6*alpha4_y - qd[5]*w6_x;
+    const iiwa_real alpha6_y = t53*alpha4_y - s6*alpha5_x - qd[5]*w6_x;
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_z = qd[5] + w5_y;
     /* link 6: products of the angular velocity [1/s^2] */
@@ -1465,13 +1473,13 @@ void iiwa_forward_dynamics(
     /* link 7: angular velocity [rad/s] */
     const iiwa_real w7_x = c7*w6_x + s7*w6_z;
     const iiwa_real w7_y = c7*w6_z - s7*w6_x;
-    const iiwa_real t36 = a5_y - 0.126*lam6_32;
-    const iiwa_real t37 = neg_a6_x + 0.126*lam6_12;
+    const iiwa_real t54 = a5_y - 0.126*lam6_32;
+    const iiwa_real t55 = 0.126*lam6_12 - a6_x;
     /* link 7: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const iiwa_real a7_x = s7*t36 - c7*t37;
-    const iiwa_real a7_y = s7*t37 + c7*t36;
+    const iiwa_real a7_x = s7*t54 - c7*t55;
+    const iiwa_real a7_y = s7*t55 + c7*t54;
     /* link 7: angular acceleration [rad/s^2] */
-    const iiwa_real alpha7_x = qd[6]*w7_y - (-c7*alpha6_x - s7*alpha5_y);
+    const iiwa_real alpha7_x = qd[6]*w7_y - (-s7*alpha5_y - c7*alpha6_x);
     const iiwa_real alpha7_y = c7*alpha5_y - s7*alpha6_x - qd[6]*w7_x;
     /* link 7: angular velocity [rad/s] */
     const iiwa_real w7_z = qd[6] - w6_y;
@@ -1493,10 +1501,11 @@ void iiwa_forward_dynamics(
     const iiwa_real lam7_32 = alpha7_x + ww7_yz;
     const iiwa_real neg_lam7_33 = ww7_xx + ww7_yy;
     /* link 2: moment that turns the link [N m] */
-    const iiwa_real nc2_x = 1.0437049982058304*alpha2_y + 0.20091837135316784*ww2_xy -
+    const iiwa_real nc2_x = 0.20091837135316784*ww2_xy - 1.0437049982058304*neg_alpha2_y -
         (-8.476803571151484*alpha2_x - 0.26458063578324464*(neg_lam2_22 - neg_lam2_33));
-    const iiwa_real nc2_y = 1.0531738706091291*alpha2_y + 0.20091837135316784*(neg_lam2_11 -
-        neg_lam2_33) + (0.26458063578324464*ww2_xy + 1.0437049982058304*alpha2_x);
+    const iiwa_real nc2_y = 0.20091837135316784*(neg_lam2_11 - neg_lam2_33) -
+        1.0531738706091291*neg_alpha2_y + (0.26458063578324464*ww2_xy +
+        1.0437049982058304*alpha2_x);
     const iiwa_real nc2_z = 13.292379489096295*c2 - 76.6738398539524*s2 - (3.711814850271177*ww2_xy
         + 0.5218524991029152*(neg_lam2_11 - neg_lam2_22));
     /* link 3: force that moves the link [N] */
@@ -1509,24 +1518,25 @@ void iiwa_forward_dynamics(
     const iiwa_real nc3_y = 0.20191091047133833*neg_lam3_31 - 0.16230144331072144*(neg_lam3_11 -
         neg_lam3_33) - (0.06405373385272267*lam3_12 - 0.1005265342798281*lam3_32) +
         1.0168650139155704*a3_z;
-    const iiwa_real t38 = 0.45257769458388303*lam3_12 - 0.20191091047133833*lam3_21 +
+    const iiwa_real t56 = 0.45257769458388303*lam3_12 - 0.20191091047133833*lam3_21 +
         0.1005265342798281*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144*lam3_23 +
         0.06405373385272267*lam3_13);
-    const iiwa_real neg_nc3_z = t38 + (1.0168650139155704*a3_y - 0.04389618410240257*a3_x);
+    const iiwa_real neg_nc3_z = t56 + (1.0168650139155704*a3_y - 0.04389618410240257*a3_x);
     /* link 4: force that moves the link [N] */
     const iiwa_real fc4_x = 0.5168019281781282*neg_lam4_11 + 8.054835434921454*lam4_12;
-    const iiwa_real fc4_y = 8.054835434921454*lam4_22 - 0.5168019281781282*lam4_21;
+    const iiwa_real fc4_y = -8.054835434921454*neg_lam4_22 - 0.5168019281781282*lam4_21;
     const iiwa_real fc4_z = 8.054835434921454*lam4_32 - 0.5168019281781282*lam4_31;
     /* link 4: moment that turns the link [N m] */
-    const iiwa_real neg_nc4_x = -3.569490999313376*lam4_32 - 0.09675036990607108*(lam4_33 - lam4_22)
-        - (0.013124222729483126*lam4_21 - 0.20921122087079386*lam4_31) + 8.054835434921454*a3_y;
-    const iiwa_real nc4_y = 0.013124222729483126*(neg_lam4_11 + lam4_33) -
+    const iiwa_real neg_nc4_x = -3.569490999313376*lam4_32 - 0.09675036990607108*(neg_lam4_22 -
+        neg_lam4_33) - (0.013124222729483126*lam4_21 - 0.20921122087079386*lam4_31) +
+        8.054835434921454*a3_y;
+    const iiwa_real nc4_y = 0.013124222729483126*(neg_lam4_11 - neg_lam4_33) -
         0.24852411424661205*lam4_31 + (0.09675036990607108*lam4_12 + 0.20921122087079386*lam4_32) -
         0.5168019281781282*a3_y;
-    const iiwa_real t39 = 3.569490999313376*lam4_12 - 0.24852411424661205*lam4_21 +
-        0.20921122087079386*(neg_lam4_11 + lam4_22) + (0.013124222729483126*lam4_23 +
+    const iiwa_real t57 = 3.569490999313376*lam4_12 - 0.24852411424661205*lam4_21 +
+        0.20921122087079386*(neg_lam4_11 - neg_lam4_22) + (0.013124222729483126*lam4_23 +
         0.09675036990607108*lam4_13);
-    const iiwa_real neg_nc4_z = t39 + (0.5168019281781282*a4_y + 8.054835434921454*a4_x);
+    const iiwa_real neg_nc4_z = t57 + (0.5168019281781282*a4_y + 8.054835434921454*a4_x);
     /* link 5: force that moves the link [N] */
     const iiwa_real fc5_x = 0.25252954507510866*neg_lam5_11 + 0.4193059538543958*lam5_12;
     const iiwa_real fc5_y = -0.4193059538543958*neg_lam5_22 - 0.25252954507510866*lam5_21;
@@ -1538,25 +1548,25 @@ void iiwa_forward_dynamics(
     const iiwa_real nc5_y = 0.041147842218669614*(neg_lam5_11 - neg_lam5_33) -
         0.09474888781047501*lam5_31 + (0.03284626166448073*lam5_32 - 0.05680835589544868*lam5_12) +
         0.25252954507510866*a5_z;
-    const iiwa_real t40 = 0.09474888781047501*lam5_21 - 0.20655564034097101*lam5_12 -
+    const iiwa_real t58 = 0.09474888781047501*lam5_21 - 0.20655564034097101*lam5_12 -
         0.03284626166448073*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614*lam5_23 -
         0.05680835589544868*lam5_13);
-    const iiwa_real nc5_z = t40 - (0.25252954507510866*a5_y + 0.4193059538543958*a5_x);
+    const iiwa_real nc5_z = t58 - (0.25252954507510866*a5_y + 0.4193059538543958*a5_x);
     /* link 6: force that moves the link [N] */
     const iiwa_real fc6_x = 1.5656307599463828*neg_lam6_11 - 1.291128497815195*lam6_12;
     const iiwa_real fc6_y = 1.291128497815195*neg_lam6_22 - 1.5656307599463828*lam6_21;
     const iiwa_real fc6_z = -1.5656307599463828*lam6_31 - 1.291128497815195*lam6_32;
     /* link 6: moment that turns the link [N m] */
-    const iiwa_real neg_nc6_x = -2.0289563933923875*lam6_32 - 0.0870114460092663*(neg_lam6_22 -
-        neg_lam6_33) - (0.042925575293549574*lam6_21 - 0.36144292274665746*lam6_31) +
-        1.291128497815195*a5_y;
+    const iiwa_real nc6_x = -1.291128497815195*a5_y - (-2.0289563933923875*lam6_32 -
+        0.0870114460092663*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574*lam6_21 -
+        0.36144292274665746*lam6_31));
     const iiwa_real nc6_y = 0.042925575293549574*(neg_lam6_11 - neg_lam6_33) -
         0.4239952187044951*lam6_31 - (-0.0870114460092663*lam6_12 - 0.36144292274665746*lam6_32) +
         1.5656307599463828*a5_y;
-    const iiwa_real t41 = 0.4239952187044951*lam6_21 - 2.0289563933923875*lam6_12 -
+    const iiwa_real t59 = 0.4239952187044951*lam6_21 - 2.0289563933923875*lam6_12 -
         0.36144292274665746*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574*lam6_23 +
         0.0870114460092663*lam6_13);
-    const iiwa_real nc6_z = t41 - (1.5656307599463828*a6_y + 1.291128497815195*neg_a6_x);
+    const iiwa_real nc6_z = t59 - (1.5656307599463828*a6_y - 1.291128497815195*a6_x);
     /* link 7: force that moves the link [N] */
     const iiwa_real fc7_x = 0.708306797966195*lam7_12 - 0.9999503996366931*neg_lam7_11;
     const iiwa_real fc7_y = 0.9999503996366931*lam7_21 - 0.708306797966195*neg_lam7_22;
@@ -1568,24 +1578,24 @@ void iiwa_forward_dynamics(
     const iiwa_real nc7_y = -0.19090892097190032*lam7_31 - 0.2024621683128357*(neg_lam7_11 -
         neg_lam7_33) + (0.061680050398747424*lam7_12 - 0.2114247825686032*lam7_32) -
         0.9999503996366931*a7_z;
-    const iiwa_real t42 = 0.2922782720134952*lam7_12 - 0.19090892097190032*lam7_21 -
+    const iiwa_real t60 = 0.2922782720134952*lam7_12 - 0.19090892097190032*lam7_21 -
         0.2114247825686032*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357*lam7_23 -
         0.061680050398747424*lam7_13);
-    const iiwa_real nc7_z = 0.9999503996366931*a7_y - 0.708306797966195*a7_x - t42;
+    const iiwa_real nc7_z = 0.9999503996366931*a7_y - 0.708306797966195*a7_x - t60;
     /* link 7: force through the joint, along the axes that its turn starts from [N] */
     const iiwa_real f07_x = c7*fc7_x - s7*fc7_y;
-    const iiwa_real neg_f07_y = -s7*fc7_x - c7*fc7_y;
+    const iiwa_real f07_y = s7*fc7_x + c7*fc7_y;
     /* link 7: moment through the joint, along the axes that its turn starts from [N m] */
     const iiwa_real n07_x = c7*nc7_x - s7*nc7_y;
     const iiwa_real n07_y = s7*nc7_x + c7*nc7_y;
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n6_x = n07_x + (0.126*neg_f07_y - neg_nc6_x);
+    const iiwa_real n6_x = n07_x + (nc6_x - 0.126*f07_y);
     const iiwa_real n6_y = nc6_y - nc7_z;
     const iiwa_real n6_z = n07_y + (nc6_z + 0.126*f07_x);
     /* link 6: force through the joint [N] */
     const iiwa_real f6_x = fc6_x + f07_x;
     const iiwa_real f6_y = fc6_y - fc7_z;
-    const iiwa_real f6_z = fc6_z - neg_f07_y;
+    const iiwa_real f6_z = fc6_z + f07_y;
     /* link 6: force through the joint, along the axes that its turn starts from [N] */
     const iiwa_real f06_x = c6*f6_x - s6*f6_y;
     const iiwa_real f06_y = s6*f6_x + c6*f6_y;
@@ -1641,58 +1651,58 @@ void iiwa_forward_dynamics(
     /* link 1: forward substitution */
     const iiwa_real y1 = tau[0] + n02_y;
     /* factorisation M = L D L^T */
-    const iiwa_real ipivot1 = 1.0 / m1_1;
-    const iiwa_real l2_1 = nu1_z_6*ipivot1;
-    const iiwa_real l3_1 = nu1_z_5*ipivot1;
-    const iiwa_real l4_1 = nu1_z_4*ipivot1;
-    const iiwa_real l5_1 = nu1_z_3*ipivot1;
-    const iiwa_real l6_1 = nu1_z_2*ipivot1;
-    const iiwa_real l7_1 = nu1_z*ipivot1;
-    const iiwa_real pivot2 = m2_2 - nu1_z_6*l2_1;
+    const iiwa_real neg_ipivot1 = -1.0 / m1_1;
+    const iiwa_real l2_1 = -k2_yz*neg_ipivot1;
+    const iiwa_real l3_1 = nu2_y_5*neg_ipivot1;
+    const iiwa_real l4_1 = nu2_y_4*neg_ipivot1;
+    const iiwa_real l5_1 = nu2_y_3*neg_ipivot1;
+    const iiwa_real l6_1 = nu2_y_2*neg_ipivot1;
+    const iiwa_real l7_1 = nu2_y*neg_ipivot1;
+    const iiwa_real pivot2 = m2_2 - k2_yz*l2_1;
     const iiwa_real ipivot2 = 1.0 / pivot2;
-    const iiwa_real ld3_2 = nu2_z_5 - nu1_z_6*l3_1;
+    const iiwa_real ld3_2 = m2_3 - k2_yz*l3_1;
     const iiwa_real l3_2 = ipivot2*ld3_2;
-    const iiwa_real ld4_2 = nu2_z_4 - nu1_z_6*l4_1;
+    const iiwa_real ld4_2 = m2_4 - k2_yz*l4_1;
     const iiwa_real l4_2 = ipivot2*ld4_2;
-    const iiwa_real ld5_2 = nu2_z_3 - nu1_z_6*l5_1;
+    const iiwa_real ld5_2 = m2_5 - k2_yz*l5_1;
     const iiwa_real l5_2 = ipivot2*ld5_2;
-    const iiwa_real ld6_2 = nu2_z_2 - nu1_z_6*l6_1;
+    const iiwa_real ld6_2 = m2_6 - k2_yz*l6_1;
     const iiwa_real l6_2 = ipivot2*ld6_2;
-    const iiwa_real ld7_2 = nu2_z - nu1_z_6*l7_1;
+    const iiwa_real ld7_2 = m2_7 - k2_yz*l7_1;
     const iiwa_real l7_2 = ipivot2*ld7_2;
-    const iiwa_real pivot3 = m3_3 - nu1_z_5*l3_1 - ld3_2*l3_2;
+    const iiwa_real pivot3 = m3_3 + nu2_y_5*l3_1 - ld3_2*l3_2;
     const iiwa_real ipivot3 = 1.0 / pivot3;
-    const iiwa_real ld4_3 = nu3_z_4 - nu1_z_5*l4_1 - ld3_2*l4_2;
+    const iiwa_real ld4_3 = nu2_y_5*l4_1 - k4_yz - ld3_2*l4_2;
     const iiwa_real l4_3 = ipivot3*ld4_3;
-    const iiwa_real ld5_3 = nu3_z_3 - nu1_z_5*l5_1 - ld3_2*l5_2;
+    const iiwa_real ld5_3 = nu4_y_3 + nu2_y_5*l5_1 - ld3_2*l5_2;
     const iiwa_real l5_3 = ipivot3*ld5_3;
-    const iiwa_real ld6_3 = nu3_z_2 - nu1_z_5*l6_1 - ld3_2*l6_2;
+    const iiwa_real ld6_3 = nu4_y_2 + nu2_y_5*l6_1 - ld3_2*l6_2;
     const iiwa_real l6_3 = ipivot3*ld6_3;
-    const iiwa_real ld7_3 = nu3_z - nu1_z_5*l7_1 - ld3_2*l7_2;
+    const iiwa_real ld7_3 = nu4_y + nu2_y_5*l7_1 - ld3_2*l7_2;
     const iiwa_real l7_3 = ipivot3*ld7_3;
-    const iiwa_real pivot4 = m4_4 - nu1_z_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
+    const iiwa_real pivot4 = m4_4 + nu2_y_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
     const iiwa_real ipivot4 = 1.0 / pivot4;
-    const iiwa_real ld5_4 = nu4_z_3 - nu1_z_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
+    const iiwa_real ld5_4 = m4_5 + nu2_y_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
     const iiwa_real l5_4 = ipivot4*ld5_4;
-    const iiwa_real ld6_4 = -(nu1_z_4*l6_1 - nu4_z_2 + ld4_2*l6_2) - ld4_3*l6_3;
+    const iiwa_real ld6_4 = -ld4_3*l6_3 - (ld4_2*l6_2 - (m4_6 + nu2_y_4*l6_1));
     const iiwa_real l6_4 = ipivot4*ld6_4;
-    const iiwa_real ld7_4 = nu4_z - nu1_z_4*l7_1 - ld4_2*l7_2 - ld4_3*l7_3;
+    const iiwa_real ld7_4 = m4_7 + nu2_y_4*l7_1 - ld4_2*l7_2 - ld4_3*l7_3;
     const iiwa_real l7_4 = ipivot4*ld7_4;
-    const iiwa_real pivot5 = m5_5 - nu1_z_3*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
+    const iiwa_real pivot5 = m5_5 + nu2_y_3*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
     const iiwa_real ipivot5 = 1.0 / pivot5;
-    const iiwa_real ld6_5 = -ld5_4*l6_4 - (nu1_z_3*l6_1 - nu5_z_2 + ld5_2*l6_2 + ld5_3*l6_3);
+    const iiwa_real ld6_5 = -ld5_3*l6_3 - (ld5_2*l6_2 - (k6_yz + nu2_y_3*l6_1)) - ld5_4*l6_4;
     const iiwa_real l6_5 = ipivot5*ld6_5;
-    const iiwa_real ld7_5 = nu5_z - nu1_z_3*l7_1 - ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4;
+    const iiwa_real ld7_5 = nu2_y_3*l7_1 - nu6_y - ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4;
     const iiwa_real l7_5 = ipivot5*ld7_5;
-    const iiwa_real pivot6 = -(ld6_2*l6_2 - (m6_6 - nu1_z_2*l6_1) + ld6_3*l6_3 + ld6_4*l6_4) -
-        ld6_5*l6_5;
+    const iiwa_real pivot6 = -ld6_5*l6_5 - (ld6_2*l6_2 - (m6_6 + nu2_y_2*l6_1) + ld6_3*l6_3 +
+        ld6_4*l6_4);
     const iiwa_real ipivot6 = 1.0 / pivot6;
-    const iiwa_real ld7_6 = -ld6_5*l7_5 - (nu1_z_2*l7_1 - nu6_z + ld6_2*l7_2 + ld6_3*l7_3 +
-        ld6_4*l7_4);
+    const iiwa_real ld7_6 = -(ld6_2*l7_2 - (nu2_y_2*l7_1 - neg_m6_7) + ld6_3*l7_3 + ld6_4*l7_4) -
+        ld6_5*l7_5;
     const iiwa_real l7_6 = ipivot6*ld7_6;
-    const iiwa_real t43 = 0.48318719298539553 - nu1_z*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 -
+    const iiwa_real t61 = nu2_y*l7_1 + 0.48318719298539553 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 -
         ld7_5*l7_5;
-    const iiwa_real pivot7 = t43 - ld7_6*l7_6;
+    const iiwa_real pivot7 = t61 - ld7_6*l7_6;
     const iiwa_real ipivot7 = 1.0 / pivot7;
     /* link 2: forward substitution */
     const iiwa_real y2 = tau[1] - n2_z - y1*l2_1;
@@ -1704,9 +1714,9 @@ void iiwa_forward_dynamics(
     const iiwa_real y5 = tau[4] - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4;
     /* link 6: forward substitution */
     const iiwa_real y6 = tau[5] - n6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
-    const iiwa_real t44 = tau[6] - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5;
+    const iiwa_real t62 = tau[6] - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5;
     /* link 7: forward substitution */
-    const iiwa_real y7 = t44 - l7_6*y6;
+    const iiwa_real y7 = t62 - l7_6*y6;
     /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const iiwa_real qdd7 = ipivot7*y7;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
@@ -1716,13 +1726,14 @@ void iiwa_forward_dynamics(
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const iiwa_real qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6 - l7_4*qdd7;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd3 = -(l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6) - l7_3*qdd7;
-    const iiwa_real t45 = -(l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6);
+    const iiwa_real qdd3 = -l7_3*qdd7 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6);
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd2 = t45 - l7_2*qdd7;
-    const iiwa_real t46 = l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6;
+    const iiwa_real qdd2 = -l7_2*qdd7 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 +
+        l6_2*qdd6);
+    const iiwa_real t63 = y1*neg_ipivot1 + l2_1*qdd2 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 +
+        l6_1*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd1 = -l7_1*qdd7 - t46;
+    const iiwa_real qdd1 = -t63 - l7_1*qdd7;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

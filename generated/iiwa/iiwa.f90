@@ -16,11 +16,11 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine
-!   gravity: 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
-!   bias: 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
-!   mass_matrix: 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
-!   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12
+!   inverse_dynamics: 296 multiplications, 281 additions = 577; 6 unary minus; 12 sine/cosine
+!   gravity: 64 multiplications, 38 additions = 102; 2 unary minus; 12 sine/cosine
+!   bias: 288 multiplications, 262 additions = 550; 8 unary minus; 12 sine/cosine
+!   mass_matrix: 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
+!   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 17 unary minus; 12
 !       sine/cosine
 module iiwa_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -36,44 +36,36 @@ module iiwa_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine
+  ! 296 multiplications, 281 additions = 577; 6 unary minus; 12 sine/cosine
   pure subroutine iiwa_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="iiwa_inverse_dynamics_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(in) :: qdd(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, c7, s7, t1, w2_x, w2_y, a2_x
-    real(rk) :: a2_y, ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy
-    real(rk) :: ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23, lam2_31
-    real(rk) :: lam2_32, neg_lam2_33, a3_z, w3_x, w3_y, t2, t3, a3_x
-    real(rk) :: a3_y, alpha3_x, alpha3_y, alpha3_z, w3_z, ww3_yz, ww3_zx, ww3_xy
-    real(rk) :: ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22
-    real(rk) :: lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, w4_x, w4_y, a4_x, a4_y
-    real(rk) :: alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx
-    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, lam4_22, lam4_23
-    real(rk) :: lam4_31, lam4_32, lam4_33, a5_z, w5_x, t4, w5_y, t5
-    real(rk) :: t6, a5_x, a5_y, alpha5_x, alpha5_y, alpha5_z, w5_z, ww5_yz
-    real(rk) :: ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13
-    real(rk) :: lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, t7
-    real(rk) :: w6_y, neg_a6_x, a6_y, alpha6_x, alpha6_y, alpha6_z, w6_z, ww6_yz
-    real(rk) :: ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13
-    real(rk) :: lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33, a7_z, w7_x
-    real(rk) :: w7_y, t8, t9, a7_x, a7_y, alpha7_x, alpha7_y, alpha7_z
-    real(rk) :: w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, w2_x, w2_y, neg_a2_x, neg_a2_y
+    real(rk) :: ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: lam2_12, lam2_13, lam2_21, neg_lam2_22, neg_lam2_23, lam2_31, lam2_32, neg_lam2_33
+    real(rk) :: a3_z, w3_x, w3_y, t2, t3, a3_x, a3_y, alpha3_x, alpha3_y, alpha3_z, w3_z, ww3_yz
+    real(rk) :: ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21
+    real(rk) :: neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, w4_x, w4_y, a4_x, a4_y
+    real(rk) :: alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy, ww4_zz
+    real(rk) :: neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31, lam4_32
+    real(rk) :: neg_lam4_33, a5_z, w5_x, t4, w5_y, t5, t6, a5_x, a5_y, alpha5_x, alpha5_y, alpha5_z
+    real(rk) :: w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13
+    real(rk) :: lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, t7, w6_y, a6_x
+    real(rk) :: a6_y, alpha6_x, alpha6_y, alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy
+    real(rk) :: ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31
+    real(rk) :: lam6_32, neg_lam6_33, a7_z, w7_x, w7_y, t8, t9, a7_x, a7_y, alpha7_x, alpha7_y
+    real(rk) :: alpha7_z, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11
     real(rk) :: lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33
-    real(rk) :: nc1_z, nc2_x, nc2_y, t10, nc2_z, fc3_x, fc3_y, neg_nc3_x
-    real(rk) :: nc3_y, t11, nc3_z, fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y
-    real(rk) :: t12, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t13
-    real(rk) :: nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t14, nc6_z
-    real(rk) :: fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t15, nc7_z, neg_f07_x
-    real(rk) :: f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y
-    real(rk) :: f6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z
-    real(rk) :: f5_x, f5_y, f5_z, f05_x, f05_y, n05_x, n05_y, n4_x
-    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, n04_x, n04_y
-    real(rk) :: n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y, n03_x
-    real(rk) :: n03_y, n2_x, n2_y, n2_z, n02_y, n1_z
+    real(rk) :: nc1_z, nc2_x, nc2_y, t10, nc2_z, fc3_x, fc3_y, neg_nc3_x, nc3_y, t11, nc3_z, fc4_x
+    real(rk) :: fc4_y, fc4_z, neg_nc4_x, nc4_y, t12, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t13
+    real(rk) :: nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t14, nc6_z, fc7_x, fc7_y, fc7_z, nc7_x
+    real(rk) :: nc7_y, t15, nc7_z, f07_x, f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y, f6_z
+    real(rk) :: f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, f05_x, f05_y, n05_x
+    real(rk) :: n05_y, n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, n04_x, n04_y, n3_x, n3_y, n3_z
+    real(rk) :: f3_x, f3_y, f03_x, f03_y, n03_x, n03_y, n2_x, n2_y, n2_z, n02_y, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -93,8 +85,8 @@ contains
     w2_x = t1*s2
     w2_y = t1*c2
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    neg_a2_x = 9.81_rk*s2
+    neg_a2_y = 9.81_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
     ww2_yz = qd(2)*w2_y
     ww2_zx = qd(2)*w2_x
@@ -112,22 +104,22 @@ contains
     lam2_13 = ww2_zx - neg_alpha2_y
     lam2_21 = qdd(2) + ww2_xy
     neg_lam2_22 = ww2_xx + ww2_zz
-    lam2_23 = ww2_yz - alpha2_x
+    neg_lam2_23 = alpha2_x - ww2_yz
     lam2_31 = ww2_zx + neg_alpha2_y
     lam2_32 = ww2_yz + alpha2_x
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = -0.4_rk*neg_lam2_22 - a2_y
+    a3_z = neg_a2_y - 0.4_rk*neg_lam2_22
     ! link 3: angular velocity [rad/s]
     w3_x = c3*w2_x + qd(2)*s3
     w3_y = qd(2)*c3 - s3*w2_x
     t2 = -0.4_rk*lam2_32
-    t3 = 0.4_rk*lam2_12 - a2_x
+    t3 = neg_a2_x + 0.4_rk*lam2_12
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_x = s3*t2 - c3*t3
     a3_y = s3*t3 + c3*t2
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-c3*alpha2_x - qdd(2)*s3)
+    alpha3_x = qd(3)*w3_y - (-qdd(2)*s3 - c3*alpha2_x)
     alpha3_y = qdd(2)*c3 - s3*alpha2_x - qd(3)*w3_x
     alpha3_z = qdd(3) + neg_alpha2_y
     ! link 3: angular velocity [rad/s]
@@ -156,7 +148,7 @@ contains
     a4_x = c4*a3_x + s4*a3_z
     a4_y = c4*a3_z - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*alpha3_z)
+    alpha4_x = qd(4)*w4_y - (-s4*alpha3_z - c4*alpha3_x)
     alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
     alpha4_z = qdd(4) - alpha3_y
     ! link 4: angular velocity [rad/s]
@@ -165,7 +157,7 @@ contains
     ww4_yz = w4_y*w4_z
     ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
-    neg_ww4_xx = -w4_x*w4_x
+    ww4_xx = w4_x*w4_x
     ww4_yy = w4_y*w4_y
     ww4_zz = w4_z*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
@@ -173,17 +165,17 @@ contains
     lam4_12 = ww4_xy - alpha4_z
     lam4_13 = alpha4_y + ww4_zx
     lam4_21 = alpha4_z + ww4_xy
-    lam4_22 = neg_ww4_xx - ww4_zz
+    neg_lam4_22 = ww4_xx + ww4_zz
     lam4_23 = ww4_yz - alpha4_x
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
-    lam4_33 = neg_ww4_xx - ww4_yy
+    neg_lam4_33 = ww4_xx + ww4_yy
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y + 0.4_rk*lam4_22
+    a5_z = a4_y - 0.4_rk*neg_lam4_22
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t4 = -s5
-    w5_y = t4*w4_x - c5*w4_z
+    t4 = -c5
+    w5_y = t4*w4_z - s5*w4_x
     t5 = a3_y - 0.4_rk*lam4_32
     t6 = -0.4_rk*lam4_12 - a4_x
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
@@ -191,7 +183,7 @@ contains
     a5_y = s5*t6 + c5*t5
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = qd(5)*w5_y - (s5*alpha4_z - c5*alpha4_x)
-    alpha5_y = t4*alpha4_x - c5*alpha4_z - qd(5)*w5_x
+    alpha5_y = t4*alpha4_z - s5*alpha4_x - qd(5)*w5_x
     alpha5_z = qdd(5) + alpha4_y
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -214,14 +206,14 @@ contains
     neg_lam5_33 = ww5_xx + ww5_yy
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
-    t7 = -s6
-    w6_y = t7*w5_x - c6*w5_z
+    t7 = -c6
+    w6_y = t7*w5_z - s6*w5_x
     ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a6_x = s6*a5_z - c6*a5_x
-    a6_y = t7*a5_x - c6*a5_z
+    a6_x = c6*a5_x - s6*a5_z
+    a6_y = t7*a5_z - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (s6*alpha5_z - c6*alpha5_x)
-    alpha6_y = t7*alpha5_x - c6*alpha5_z - qd(6)*w6_x
+    alpha6_y = t7*alpha5_z - s6*alpha5_x - qd(6)*w6_x
     alpha6_z = qdd(6) + alpha5_y
     ! link 6: angular velocity [rad/s]
     w6_z = qd(6) + w5_y
@@ -248,12 +240,12 @@ contains
     w7_x = c7*w6_x + s7*w6_z
     w7_y = c7*w6_z - s7*w6_x
     t8 = a5_y - 0.126_rk*lam6_32
-    t9 = neg_a6_x + 0.126_rk*lam6_12
+    t9 = 0.126_rk*lam6_12 - a6_x
     ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
     a7_x = s7*t8 - c7*t9
     a7_y = s7*t9 + c7*t8
     ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha6_z)
+    alpha7_x = qd(7)*w7_y - (-s7*alpha6_z - c7*alpha6_x)
     alpha7_y = c7*alpha6_z - s7*alpha6_x - qd(7)*w7_x
     alpha7_z = qdd(7) - alpha6_y
     ! link 7: angular velocity [rad/s]
@@ -283,7 +275,7 @@ contains
     nc2_y = 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) - 0.5265869353045646_rk*lam2_31 - &
         (-0.26458063578324464_rk*lam2_12 - 0.5218524991029152_rk*lam2_32)
     t10 = 0.5265869353045646_rk*lam2_21 - 4.238401785575742_rk*lam2_12 - &
-        0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22) + (-0.20091837135316784_rk*lam2_23 - &
+        0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22) + (0.20091837135316784_rk*neg_lam2_23 - &
         0.26458063578324464_rk*lam2_13)
     nc2_z = t10 + (13.292379489096295_rk*c2 - 76.6738398539524_rk*s2)
     ! link 3: force that moves the link [N]
@@ -296,23 +288,23 @@ contains
     nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
         neg_lam3_33) + (0.1005265342798281_rk*lam3_32 - 0.06405373385272267_rk*lam3_12) + &
         1.0168650139155704_rk*a3_z
-    t11 = 0.20191091047133833_rk*lam3_21 - 0.45257769458388303_rk*lam3_12 - &
-        0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) + (0.16230144331072144_rk*lam3_23 + &
+    t11 = 0.20191091047133833_rk*lam3_21 - 0.45257769458388303_rk*lam3_12 + &
+        0.1005265342798281_rk*(neg_lam3_22 - neg_lam3_11) + (0.16230144331072144_rk*lam3_23 + &
         0.06405373385272267_rk*lam3_13)
     nc3_z = t11 - (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
     ! link 4: force that moves the link [N]
     fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
-    fc4_y = 8.054835434921454_rk*lam4_22 - 0.5168019281781282_rk*lam4_21
+    fc4_y = -8.054835434921454_rk*neg_lam4_22 - 0.5168019281781282_rk*lam4_21
     fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
     ! link 4: moment that turns the link [N m]
-    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(lam4_33 - lam4_22) - &
-        (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
+    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(neg_lam4_22 - neg_lam4_33) &
+        - (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
         8.054835434921454_rk*a3_y
-    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 + lam4_33) - 0.24852411424661205_rk*lam4_31 - &
+    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 - neg_lam4_33) - 0.24852411424661205_rk*lam4_31 - &
         (-0.09675036990607108_rk*lam4_12 - 0.20921122087079386_rk*lam4_32) - &
         0.5168019281781282_rk*a3_y
     t12 = 0.24852411424661205_rk*lam4_21 - 3.569490999313376_rk*lam4_12 - &
-        0.20921122087079386_rk*(neg_lam4_11 + lam4_22) - (0.013124222729483126_rk*lam4_23 + &
+        0.20921122087079386_rk*(neg_lam4_11 - neg_lam4_22) - (0.013124222729483126_rk*lam4_23 + &
         0.09675036990607108_rk*lam4_13)
     nc4_z = t12 - (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
     ! link 5: force that moves the link [N]
@@ -344,7 +336,7 @@ contains
     t14 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
         0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
         0.0870114460092663_rk*lam6_13)
-    nc6_z = t14 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
+    nc6_z = t14 - (1.5656307599463828_rk*a6_y - 1.291128497815195_rk*a6_x)
     ! link 7: force that moves the link [N]
     fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
     fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
@@ -361,7 +353,7 @@ contains
         0.061680050398747424_rk*lam7_13)
     nc7_z = t15 + (0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x)
     ! link 7: force through the joint, along the axes that its turn starts from [N]
-    neg_f07_x = s7*fc7_y - c7*fc7_x
+    f07_x = c7*fc7_x - s7*fc7_y
     f07_y = s7*fc7_x + c7*fc7_y
     ! link 7: moment through the joint, along the axes that its turn starts from [N m]
     n07_x = c7*nc7_x - s7*nc7_y
@@ -369,9 +361,9 @@ contains
     ! link 6: moment through the joint, about the frame's origin [N m]
     n6_x = n07_x + (nc6_x - 0.126_rk*f07_y)
     n6_y = nc6_y - nc7_z
-    n6_z = n07_y + (nc6_z - 0.126_rk*neg_f07_x)
+    n6_z = n07_y + (nc6_z + 0.126_rk*f07_x)
     ! link 6: force through the joint [N]
-    f6_x = fc6_x - neg_f07_x
+    f6_x = fc6_x + f07_x
     f6_y = fc6_y - fc7_z
     f6_z = fc6_z + f07_y
     ! link 6: force through the joint, along the axes that its turn starts from [N]
@@ -438,19 +430,17 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
+  ! 64 multiplications, 38 additions = 102; 2 unary minus; 12 sine/cosine
   pure subroutine iiwa_gravity(q, tau) &
       bind(c, name="iiwa_gravity_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, c7, s7, a2_x, a2_y, a3_x, a3_y
-    real(rk) :: a4_x, a4_y, a5_x, a5_y, a6_x, a6_y, a7_x, a7_y
-    real(rk) :: nc2_z, nc3_x, nc3_y, nc3_z, nc4_x, nc4_y, nc4_z, nc5_x
-    real(rk) :: nc5_y, nc5_z, nc6_x, nc6_y, nc6_z, nc7_x, nc7_y, nc7_z
-    real(rk) :: n07_x, n07_y, n6_x, n6_y, n6_z, n06_x, n06_y, n5_x
-    real(rk) :: n5_y, n5_z, n05_x, n05_y, n4_x, n4_y, n4_z, n04_x
-    real(rk) :: n04_y, n3_x, n3_y, n3_z, n03_x, n03_y, n2_z, neg_n02_y
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, neg_a2_x, neg_a2_y, a3_x, a3_y
+    real(rk) :: a4_x, a4_y, a5_x, a5_y, a6_x, a6_y, a7_x, a7_y, nc2_z, neg_nc3_x, nc3_y, nc3_z
+    real(rk) :: neg_nc4_x, neg_nc4_y, nc4_z, nc5_x, nc5_y, nc5_z, neg_nc6_x, nc6_y, nc6_z, nc7_x
+    real(rk) :: nc7_y, nc7_z, n07_x, n07_y, n6_x, n6_y, n6_z, n06_x, n06_y, n5_x, n5_y, n5_z, n05_x
+    real(rk) :: n05_y, n4_x, n4_y, n4_z, n04_x, n04_y, n3_x, n3_y, n3_z, n03_x, n03_y, n2_z
+    real(rk) :: neg_n02_y
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -466,39 +456,39 @@ contains
     c7 = cos(q(7))
     s7 = sin(q(7))
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    neg_a2_x = 9.81_rk*s2
+    neg_a2_y = 9.81_rk*c2
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = c3*a2_x
-    a3_y = -s3*a2_x
+    a3_x = -c3*neg_a2_x
+    a3_y = s3*neg_a2_x
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x - s4*a2_y
-    a4_y = -s4*a3_x - c4*a2_y
+    a4_x = c4*a3_x + s4*neg_a2_y
+    a4_y = c4*neg_a2_y - s4*a3_x
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
     a5_x = c5*a4_x + s5*a3_y
     a5_y = c5*a3_y - s5*a4_x
     ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
     a6_x = c6*a5_x - s6*a4_y
-    a6_y = -s6*a5_x - c6*a4_y
+    a6_y = -c6*a4_y - s6*a5_x
     ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
     a7_x = c7*a6_x + s7*a5_y
     a7_y = c7*a5_y - s7*a6_x
     ! link 2: moment that turns the link [N m]
     nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2
     ! link 3: moment that turns the link [N m]
-    nc3_x = -0.43062156604456925_rk*c2
+    neg_nc3_x = 0.43062156604456925_rk*c2
     nc3_y = 9.975445786511747_rk*c2
     nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y
     ! link 4: moment that turns the link [N m]
-    nc4_x = -8.054835434921454_rk*a3_y
-    nc4_y = -0.5168019281781282_rk*a3_y
+    neg_nc4_x = 8.054835434921454_rk*a3_y
+    neg_nc4_y = 0.5168019281781282_rk*a3_y
     nc4_z = -8.054835434921454_rk*a4_x - 0.5168019281781282_rk*a4_y
     ! link 5: moment that turns the link [N m]
     nc5_x = 0.4193059538543958_rk*a4_y
     nc5_y = 0.25252954507510866_rk*a4_y
     nc5_z = -0.4193059538543958_rk*a5_x - 0.25252954507510866_rk*a5_y
     ! link 6: moment that turns the link [N m]
-    nc6_x = -1.291128497815195_rk*a5_y
+    neg_nc6_x = 1.291128497815195_rk*a5_y
     nc6_y = 1.5656307599463828_rk*a5_y
     nc6_z = 1.291128497815195_rk*a6_x - 1.5656307599463828_rk*a6_y
     ! link 7: moment that turns the link [N m]
@@ -509,7 +499,7 @@ contains
     n07_x = c7*nc7_x - s7*nc7_y
     n07_y = s7*nc7_x + c7*nc7_y
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = nc6_x + n07_x
+    n6_x = n07_x - neg_nc6_x
     n6_y = nc6_y - nc7_z
     n6_z = nc6_z + n07_y
     ! link 6: moment through the joint, along the axes that its turn starts from [N m]
@@ -523,14 +513,14 @@ contains
     n05_x = c5*n5_x - s5*n5_y
     n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + n05_x
-    n4_y = nc4_y + n5_z
+    n4_x = n05_x - neg_nc4_x
+    n4_y = n5_z - neg_nc4_y
     n4_z = nc4_z - n05_y
     ! link 4: moment through the joint, along the axes that its turn starts from [N m]
     n04_x = c4*n4_x - s4*n4_y
     n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x + n04_x
+    n3_x = n04_x - neg_nc3_x
     n3_y = nc3_y - n4_z
     n3_z = nc3_z + n04_y
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
@@ -550,41 +540,34 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
+  ! 288 multiplications, 262 additions = 550; 8 unary minus; 12 sine/cosine
   pure subroutine iiwa_bias(q, qd, tau) &
       bind(c, name="iiwa_bias_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, c7, s7, t1, w2_x, w2_y, a2_x
-    real(rk) :: a2_y, alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
-    real(rk) :: neg_lam2_22, neg_lam2_33, a3_z, w3_x, w3_y, t2, t3, a3_x
-    real(rk) :: a3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx
-    real(rk) :: ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_23
-    real(rk) :: neg_lam3_31, lam3_32, neg_lam3_33, w4_x, w4_y, a4_x, a4_y, alpha4_x
-    real(rk) :: alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, neg_ww4_xx, ww4_yy, ww4_zz
-    real(rk) :: neg_lam4_11, lam4_12, lam4_13, lam4_21, lam4_22, lam4_23, lam4_31, lam4_32
-    real(rk) :: lam4_33, a5_z, w5_x, w5_y, t4, t5, a5_x, a5_y
-    real(rk) :: alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy
-    real(rk) :: ww5_zz, neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31
-    real(rk) :: lam5_32, neg_lam5_33, w6_x, t6, w6_y, neg_a6_x, a6_y, alpha6_x
-    real(rk) :: alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, w2_x, w2_y, neg_a2_x, neg_a2_y
+    real(rk) :: alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22
+    real(rk) :: neg_lam2_33, neg_a3_z, w3_x, w3_y, t2, t3, a3_x, a3_y, alpha3_x, alpha3_y, w3_z
+    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13
+    real(rk) :: lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, w4_x, w4_y
+    real(rk) :: neg_a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy
+    real(rk) :: ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31
+    real(rk) :: lam4_32, neg_lam4_33, a5_z, w5_x, w5_y, t4, t5, a5_x, a5_y, alpha5_x, alpha5_y
+    real(rk) :: w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13
+    real(rk) :: lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, t6, w6_y, a6_x
+    real(rk) :: a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
     real(rk) :: neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32
-    real(rk) :: neg_lam6_33, a7_z, w7_x, w7_y, t7, t8, a7_x, a7_y
-    real(rk) :: alpha7_x, alpha7_y, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy
-    real(rk) :: ww7_zz, neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31
-    real(rk) :: lam7_32, neg_lam7_33, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, neg_nc3_x
-    real(rk) :: nc3_y, t9, neg_nc3_z, fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y
-    real(rk) :: t10, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t11
-    real(rk) :: nc5_z, fc6_x, fc6_y, fc6_z, neg_nc6_x, nc6_y, t12, nc6_z
-    real(rk) :: fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t13, nc7_z, f07_x
-    real(rk) :: neg_f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y
-    real(rk) :: f6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z
-    real(rk) :: f5_x, f5_y, f5_z, f05_x, f05_y, n05_x, n05_y, n4_x
-    real(rk) :: n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, n04_x, n04_y
-    real(rk) :: n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y, n03_x
-    real(rk) :: n03_y, neg_n2_x, n2_y, n2_z, neg_n02_y
+    real(rk) :: neg_lam6_33, a7_z, w7_x, w7_y, t7, t8, a7_x, a7_y, alpha7_x, alpha7_y, w7_z, ww7_yz
+    real(rk) :: ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11, lam7_12, lam7_13, lam7_21
+    real(rk) :: neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33, nc2_x, nc2_y, nc2_z, fc3_x
+    real(rk) :: fc3_y, nc3_x, nc3_y, t9, neg_nc3_z, fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y, t10
+    real(rk) :: nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t11, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x
+    real(rk) :: nc6_y, t12, nc6_z, fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t13, nc7_z, f07_x, f07_y
+    real(rk) :: n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y, f6_z, f06_x, f06_y, n06_x, n06_y, n5_x
+    real(rk) :: n5_y, n5_z, f5_x, f5_y, f5_z, f05_x, f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f4_x
+    real(rk) :: f4_y, f4_z, f04_x, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y, n03_x
+    real(rk) :: n03_y, n2_x, neg_n2_y, n2_z, neg_n02_y
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -604,11 +587,11 @@ contains
     w2_x = t1*s2
     w2_y = t1*c2
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    neg_a2_x = 9.81_rk*s2
+    neg_a2_y = 9.81_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_y = qd(2)*w2_x
     ! link 2: products of the angular velocity [1/s^2]
     ww2_xy = w2_x*w2_y
     ww2_xx = w2_x*w2_x
@@ -619,18 +602,18 @@ contains
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = -0.4_rk*neg_lam2_22 - a2_y
+    neg_a3_z = 0.4_rk*neg_lam2_22 - neg_a2_y
     ! link 3: angular velocity [rad/s]
     w3_x = c3*w2_x + qd(2)*s3
     w3_y = qd(2)*c3 - s3*w2_x
     t2 = -0.8_rk*alpha2_x
-    t3 = 0.4_rk*ww2_xy - a2_x
+    t3 = neg_a2_x + 0.4_rk*ww2_xy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_x = s3*t2 - c3*t3
     a3_y = s3*t3 + c3*t2
     ! link 3: angular acceleration [rad/s^2]
     alpha3_x = c3*alpha2_x + qd(3)*w3_y
-    alpha3_y = -s3*alpha2_x - qd(3)*w3_x
+    alpha3_y = -qd(3)*w3_x - s3*alpha2_x
     ! link 3: angular velocity [rad/s]
     w3_z = qd(3) - w2_y
     ! link 3: products of the angular velocity [1/s^2]
@@ -642,9 +625,9 @@ contains
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = alpha2_y + ww3_xy
+    lam3_12 = ww3_xy - neg_alpha2_y
     lam3_13 = alpha3_y + ww3_zx
-    lam3_21 = ww3_xy - alpha2_y
+    lam3_21 = neg_alpha2_y + ww3_xy
     neg_lam3_22 = ww3_xx + ww3_zz
     lam3_23 = ww3_yz - alpha3_x
     neg_lam3_31 = alpha3_y - ww3_zx
@@ -654,18 +637,18 @@ contains
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_z
-    a4_y = c4*a3_z - s4*a3_x
+    neg_a4_x = s4*neg_a3_z - c4*a3_x
+    a4_y = -s4*a3_x - c4*neg_a3_z
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - (s4*alpha2_y - c4*alpha3_x)
-    alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd(4)*w4_x
+    alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*neg_alpha2_y)
+    alpha4_y = c4*neg_alpha2_y - s4*alpha3_x - qd(4)*w4_x
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w3_y
     ! link 4: products of the angular velocity [1/s^2]
     ww4_yz = w4_y*w4_z
     ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
-    neg_ww4_xx = -w4_x*w4_x
+    ww4_xx = w4_x*w4_x
     ww4_yy = w4_y*w4_y
     ww4_zz = w4_z*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
@@ -673,23 +656,23 @@ contains
     lam4_12 = alpha3_y + ww4_xy
     lam4_13 = alpha4_y + ww4_zx
     lam4_21 = ww4_xy - alpha3_y
-    lam4_22 = neg_ww4_xx - ww4_zz
+    neg_lam4_22 = ww4_xx + ww4_zz
     lam4_23 = ww4_yz - alpha4_x
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
-    lam4_33 = neg_ww4_xx - ww4_yy
+    neg_lam4_33 = ww4_xx + ww4_yy
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y + 0.4_rk*lam4_22
+    a5_z = a4_y - 0.4_rk*neg_lam4_22
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    w5_y = -s5*w4_x - c5*w4_z
+    w5_y = -c5*w4_z - s5*w4_x
     t4 = a3_y - 0.4_rk*lam4_32
-    t5 = -0.4_rk*lam4_12 - a4_x
+    t5 = neg_a4_x - 0.4_rk*lam4_12
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
     a5_x = s5*t4 - c5*t5
     a5_y = s5*t5 + c5*t4
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (-c5*alpha4_x - s5*alpha3_y)
+    alpha5_x = qd(5)*w5_y - (-s5*alpha3_y - c5*alpha4_x)
     alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -712,14 +695,14 @@ contains
     neg_lam5_33 = ww5_xx + ww5_yy
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
-    t6 = -s6
-    w6_y = t6*w5_x - c6*w5_z
+    t6 = -c6
+    w6_y = t6*w5_z - s6*w5_x
     ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a6_x = s6*a5_z - c6*a5_x
-    a6_y = t6*a5_x - c6*a5_z
+    a6_x = c6*a5_x - s6*a5_z
+    a6_y = t6*a5_z - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (s6*alpha4_y - c6*alpha5_x)
-    alpha6_y = t6*alpha5_x - c6*alpha4_y - qd(6)*w6_x
+    alpha6_y = t6*alpha4_y - s6*alpha5_x - qd(6)*w6_x
     ! link 6: angular velocity [rad/s]
     w6_z = qd(6) + w5_y
     ! link 6: products of the angular velocity [1/s^2]
@@ -745,12 +728,12 @@ contains
     w7_x = c7*w6_x + s7*w6_z
     w7_y = c7*w6_z - s7*w6_x
     t7 = a5_y - 0.126_rk*lam6_32
-    t8 = neg_a6_x + 0.126_rk*lam6_12
+    t8 = 0.126_rk*lam6_12 - a6_x
     ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
     a7_x = s7*t7 - c7*t8
     a7_y = s7*t8 + c7*t7
     ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha5_y)
+    alpha7_x = qd(7)*w7_y - (-s7*alpha5_y - c7*alpha6_x)
     alpha7_y = c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
     ! link 7: angular velocity [rad/s]
     w7_z = qd(7) - w6_y
@@ -772,41 +755,42 @@ contains
     lam7_32 = alpha7_x + ww7_yz
     neg_lam7_33 = ww7_xx + ww7_yy
     ! link 2: moment that turns the link [N m]
-    nc2_x = 1.0437049982058304_rk*alpha2_y + 0.20091837135316784_rk*ww2_xy - &
+    nc2_x = 0.20091837135316784_rk*ww2_xy - 1.0437049982058304_rk*neg_alpha2_y - &
         (-8.476803571151484_rk*alpha2_x - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
-    nc2_y = 1.0531738706091291_rk*alpha2_y + 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) + &
-        (0.26458063578324464_rk*ww2_xy + 1.0437049982058304_rk*alpha2_x)
+    nc2_y = 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) - &
+        1.0531738706091291_rk*neg_alpha2_y + (0.26458063578324464_rk*ww2_xy + &
+        1.0437049982058304_rk*alpha2_x)
     nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2 - (3.711814850271177_rk*ww2_xy + &
         0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22))
     ! link 3: force that moves the link [N]
     fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
     fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
     ! link 3: moment that turns the link [N m]
-    neg_nc3_x = 0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
-        0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
-        0.16230144331072144_rk*lam3_21) + 0.04389618410240257_rk*a3_z
+    nc3_x = 0.04389618410240257_rk*neg_a3_z - (0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) &
+        - 0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
+        0.16230144331072144_rk*lam3_21))
     nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
-        neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) + &
-        1.0168650139155704_rk*a3_z
+        neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) - &
+        1.0168650139155704_rk*neg_a3_z
     t9 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
         0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144_rk*lam3_23 + &
         0.06405373385272267_rk*lam3_13)
     neg_nc3_z = t9 + (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
     ! link 4: force that moves the link [N]
     fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
-    fc4_y = 8.054835434921454_rk*lam4_22 - 0.5168019281781282_rk*lam4_21
+    fc4_y = -8.054835434921454_rk*neg_lam4_22 - 0.5168019281781282_rk*lam4_21
     fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
     ! link 4: moment that turns the link [N m]
-    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(lam4_33 - lam4_22) - &
-        (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
+    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(neg_lam4_22 - neg_lam4_33) &
+        - (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
         8.054835434921454_rk*a3_y
-    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 + lam4_33) - 0.24852411424661205_rk*lam4_31 + &
+    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 - neg_lam4_33) - 0.24852411424661205_rk*lam4_31 + &
         (0.09675036990607108_rk*lam4_12 + 0.20921122087079386_rk*lam4_32) - &
         0.5168019281781282_rk*a3_y
     t10 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
-        0.20921122087079386_rk*(neg_lam4_11 + lam4_22) + (0.013124222729483126_rk*lam4_23 + &
+        0.20921122087079386_rk*(neg_lam4_11 - neg_lam4_22) + (0.013124222729483126_rk*lam4_23 + &
         0.09675036990607108_rk*lam4_13)
-    nc4_z = -8.054835434921454_rk*a4_x - 0.5168019281781282_rk*a4_y - t10
+    nc4_z = 8.054835434921454_rk*neg_a4_x - 0.5168019281781282_rk*a4_y - t10
     ! link 5: force that moves the link [N]
     fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
     fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
@@ -827,16 +811,16 @@ contains
     fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
     fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
     ! link 6: moment that turns the link [N m]
-    neg_nc6_x = -2.0289563933923875_rk*lam6_32 - 0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) &
-        - (0.042925575293549574_rk*lam6_21 - 0.36144292274665746_rk*lam6_31) + &
-        1.291128497815195_rk*a5_y
+    nc6_x = -1.291128497815195_rk*a5_y - (-2.0289563933923875_rk*lam6_32 - &
+        0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574_rk*lam6_21 - &
+        0.36144292274665746_rk*lam6_31))
     nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
         (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
         1.5656307599463828_rk*a5_y
     t12 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
         0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
         0.0870114460092663_rk*lam6_13)
-    nc6_z = t12 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
+    nc6_z = t12 - (1.5656307599463828_rk*a6_y - 1.291128497815195_rk*a6_x)
     ! link 7: force that moves the link [N]
     fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
     fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
@@ -854,18 +838,18 @@ contains
     nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t13
     ! link 7: force through the joint, along the axes that its turn starts from [N]
     f07_x = c7*fc7_x - s7*fc7_y
-    neg_f07_y = -s7*fc7_x - c7*fc7_y
+    f07_y = s7*fc7_x + c7*fc7_y
     ! link 7: moment through the joint, along the axes that its turn starts from [N m]
     n07_x = c7*nc7_x - s7*nc7_y
     n07_y = s7*nc7_x + c7*nc7_y
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = n07_x + (0.126_rk*neg_f07_y - neg_nc6_x)
+    n6_x = n07_x + (nc6_x - 0.126_rk*f07_y)
     n6_y = nc6_y - nc7_z
     n6_z = n07_y + (nc6_z + 0.126_rk*f07_x)
     ! link 6: force through the joint [N]
     f6_x = fc6_x + f07_x
     f6_y = fc6_y - fc7_z
-    f6_z = fc6_z - neg_f07_y
+    f6_z = fc6_z + f07_y
     ! link 6: force through the joint, along the axes that its turn starts from [N]
     f06_x = c6*f6_x - s6*f6_y
     f06_y = s6*f6_x + c6*f6_y
@@ -900,7 +884,7 @@ contains
     n04_x = c4*n4_x - s4*n4_y
     n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = n04_x - neg_nc3_x
+    n3_x = nc3_x + n04_x
     n3_y = nc3_y - n4_z
     n3_z = n04_y - neg_nc3_z
     ! link 3: force through the joint [N]
@@ -913,11 +897,11 @@ contains
     n03_x = c3*n3_x - s3*n3_y
     n03_y = s3*n3_x + c3*n3_y
     ! link 2: moment through the joint, about the frame's origin [N m]
-    neg_n2_x = 0.4_rk*f03_y - nc2_x - n03_x
-    n2_y = nc2_y - n3_z
+    n2_x = n03_x - (0.4_rk*f03_y - nc2_x)
+    neg_n2_y = n3_z - nc2_y
     n2_z = n03_y + (nc2_z + 0.4_rk*f03_x)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    neg_n02_y = s2*neg_n2_x - c2*n2_y
+    neg_n02_y = c2*neg_n2_y - s2*n2_x
     tau(1) = neg_n02_y
     tau(2) = n2_z
     tau(3) = n3_z
@@ -928,29 +912,24 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
+  ! 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
   pure subroutine iiwa_mass_matrix(q, M) &
       bind(c, name="iiwa_mass_matrix_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: M(49)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, c7, s7, neg_fu6_x, fu6_z, nu6_x, nu6_z
-    real(rk) :: neg_fu5_x, fu5_z, nu5_x, nu5_z, fu4_x, fu4_z, nu4_x, t1
-    real(rk) :: nu4_z, fu3_x, neg_nu3_x, nu3_z, fu2_x, neg_fu2_z, nu2_x, nu2_z
-    real(rk) :: nu1_z, h6_x, t2, t3, t4, k6_xx, k6_xy, k6_xz
-    real(rk) :: k6_yz, m6_6, fu5_x, fu5_z_2, nu5_x_2, nu5_z_2, fu4_x_2, fu4_z_2
-    real(rk) :: nu4_x_2, nu4_z_2, fu3_x_2, nu3_x, nu3_z_2, fu2_x_2, fu2_z, nu2_x_2
-    real(rk) :: nu2_z_2, nu1_z_2, t5, t6, t7, t8, k5_zz, h5_x
-    real(rk) :: h5_y, k5_xx, k5_yy, k5_xy, k5_xz, k5_yz, m5_5, neg_fu4_x
-    real(rk) :: fu4_z_3, nu4_x_3, nu4_z_3, t9, fu3_x_3, neg_nu3_x_2, nu3_z_3, fu2_x_3
-    real(rk) :: neg_fu2_z_2, nu2_x_3, nu2_z_3, nu1_z_3, t10, t11, t12, t13
-    real(rk) :: k4_zz, neg_h4_x, h4_y, t14, k4_xx, t15, k4_yy, k4_xy
-    real(rk) :: k4_xz, k4_yz, m4_4, fu3_x_4, fu3_z, nu3_x_2, nu3_z_4, fu2_x_4
-    real(rk) :: fu2_z_2, nu2_x_4, nu2_z_4, nu1_z_4, t16, t17, t18, t19
-    real(rk) :: k3_zz, h3_x, h3_y, t20, k3_xx, k3_yy, k3_xy, k3_xz
-    real(rk) :: k3_yz, m3_3, fu2_x_5, neg_fu2_z_3, nu2_x_5, nu2_z_5, nu1_z_5, t21
-    real(rk) :: t22, t23, t24, k2_zz, t25, k2_yy, k2_xy, k2_xz
-    real(rk) :: k2_yz, t26, m2_2, nu1_z_6, t27, m1_1
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, h7_x, neg_h7_y, t1, t2, k7_xy
+    real(rk) :: k7_xz, k7_yz, m6_7, fu6_x, fu6_y, t3, nu6_x, neg_nu6_y, fu5_x, fu5_y, nu5_x
+    real(rk) :: neg_nu5_y, m4_7, fu4_x, t4, nu4_x, nu4_y, fu3_x, fu3_y, nu3_x, nu3_y, m2_7
+    real(rk) :: neg_nu2_y, t5, m6_6, t6, h6_x, h6_y, t7, t8, t9, t10, t11, k6_yy, neg_k6_xy, t12
+    real(rk) :: t13, k6_xz, k6_yz, neg_fu5_x, t14, fu5_y_2, nu5_x_2, nu5_y, m4_6, fu4_x_2, t15
+    real(rk) :: nu4_x_2, nu4_y_2, fu3_x_2, fu3_y_2, nu3_x_2, nu3_y_2, m2_6, neg_nu2_y_2, m5_5, t16
+    real(rk) :: t17, h5_x, h5_y, t18, t19, t20, t21, t22, k5_xx, k5_yy, neg_k5_xy, t23, t24, k5_xz
+    real(rk) :: k5_yz, m4_5, fu4_x_3, t25, nu4_x_3, nu4_y_3, fu3_x_3, fu3_y_3, nu3_x_3, nu3_y_3
+    real(rk) :: m2_5, neg_nu2_y_3, t26, m4_4, t27, t28, h4_x, h4_y, t29, t30, t31, t32, t33, k4_xx
+    real(rk) :: k4_yy, k4_xy, t34, t35, k4_xz, neg_k4_yz, neg_fu3_x, neg_fu3_y, nu3_x_4, neg_nu3_y
+    real(rk) :: m2_4, neg_nu2_y_4, m3_3, t36, t37, h3_x, h3_y, t38, t39, t40, t41, t42, k3_xx
+    real(rk) :: k3_yy, k3_xy, t43, t44, k3_xz, k3_yz, m2_3, t45, neg_nu2_y_5, t46, m2_2, k2_xx
+    real(rk) :: k2_yz, m1_1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -965,304 +944,293 @@ contains
     s6 = sin(q(6))
     c7 = cos(q(7))
     s7 = sin(q(7))
-    ! link 6: force for a unit acceleration of a joint further out
-    neg_fu6_x = 0.708306797966195_rk*c7 + 0.9999503996366931_rk*s7
-    fu6_z = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
-    ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = -0.126_rk*fu6_z - (0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7)
-    nu6_z = -0.126_rk*neg_fu6_x - (0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7)
-    ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x = c6*neg_fu6_x
-    fu5_z = s6*neg_fu6_x
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = c6*nu6_x + 0.48318719298539553_rk*s6
-    nu5_z = 0.48318719298539553_rk*c6 - s6*nu6_x
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = -c5*neg_fu5_x - s5*fu6_z
-    fu4_z = s5*neg_fu5_x - c5*fu6_z
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = 0.4_rk*fu4_z - (s5*nu6_z - c5*nu5_x)
-    t1 = -s5
-    nu4_z = t1*nu5_x - c5*nu6_z - 0.4_rk*fu4_x
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c4*fu4_x - s4*fu5_z
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x = s4*nu5_z - c4*nu4_x
-    nu3_z = s4*nu4_x + c4*nu5_z
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c3*fu3_x + s3*fu4_z
-    neg_fu2_z = c3*fu4_z - s3*fu3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x = 0.4_rk*neg_fu2_z - (c3*neg_nu3_x - s3*nu4_z)
-    nu2_z = 0.4_rk*fu2_x - (s3*neg_nu3_x + c3*nu4_z)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z = c2*nu3_z - s2*nu2_x
-    ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = fu6_z - 1.5656307599463828_rk
-    t2 = c7*c7
-    t3 = c7*s7
-    t4 = 0.10136935104159488_rk*t2 + 0.4228495651372064_rk*t3
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_xx = 0.7162734907179903_rk - t4
-    k6_xy = nu6_x - 0.36144292274665746_rk
-    k6_xz = 0.2114247825686032_rk*(2.0_rk*t2 - 1.0_rk) - 0.10136935104159488_rk*t3 - &
-        0.042925575293549574_rk
-    k6_yz = nu6_z + 0.0870114460092663_rk
+    ! link 7: first moment of the composite body, about the frame's origin [kg m]
+    h7_x = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
+    neg_h7_y = -0.708306797966195_rk*c7 - 0.9999503996366931_rk*s7
+    t1 = c7*c7
+    t2 = c7*s7
+    ! link 7: second moment of the composite body [kg m^2]
+    k7_xy = 0.2114247825686032_rk*(2.0_rk*t1 - 1.0_rk) - 0.10136935104159488_rk*t2
+    k7_xz = 0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7
+    k7_yz = 0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7
     ! link 6: mass matrix, its row of this joint
-    m6_6 = 2.745229884110378_rk - t4
+    m6_7 = 0.126_rk*neg_h7_y - k7_yz
+    ! link 6: force for a unit acceleration of a joint further out
+    fu6_x = c6*neg_h7_y
+    fu6_y = s6*neg_h7_y
+    t3 = k7_xz + 0.126_rk*h7_x
+    ! link 6: moment for a unit acceleration of a joint further out
+    nu6_x = 0.48318719298539553_rk*s6 - c6*t3
+    neg_nu6_y = s6*t3 + 0.48318719298539553_rk*c6
     ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = 1.291128497815195_rk*c6 - s6*h6_x
-    fu5_z_2 = -c6*h6_x - 1.291128497815195_rk*s6
+    fu5_x = c5*fu6_x - s5*h7_x
+    fu5_y = s5*fu6_x + c5*h7_x
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x_2 = s6*k6_yz - c6*k6_xz
-    nu5_z_2 = s6*k6_xz + c6*k6_yz
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = c5*fu5_x
-    fu4_z_2 = t1*fu5_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c5*nu5_x_2 - s5*m6_6 + 0.4_rk*fu4_z_2
-    nu4_z_2 = -0.4_rk*fu4_x_2 - (s5*nu5_x_2 + c5*m6_6)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c4*fu4_x_2 - s4*fu5_z_2
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c4*nu4_x_2 - s4*nu5_z_2
-    nu3_z_2 = s4*nu4_x_2 + c4*nu5_z_2
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c3*fu3_x_2 + s3*fu4_z_2
-    fu2_z = s3*fu3_x_2 - c3*fu4_z_2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_2 = c3*nu3_x + s3*nu4_z_2 - 0.4_rk*fu2_z
-    nu2_z_2 = s3*nu3_x - c3*nu4_z_2 + 0.4_rk*fu2_x_2
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = c2*nu3_z_2 - s2*nu2_x_2
-    t5 = c6*c6
-    t6 = t4 + 1.3126829026743974_rk
-    t7 = c6*s6
-    t8 = t5*t6 + k6_xy*(2.0_rk*t7)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_zz = k6_xx + t8
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = -fu5_z_2 - 0.25252954507510866_rk
-    h5_y = neg_fu6_x + 0.4193059538543958_rk
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = 2.1237052812028625_rk - t8
-    k5_yy = t4 + 0.39746456131287133_rk
-    k5_xy = -nu5_x_2 - 0.03284626166448073_rk
-    k5_xz = t6*t7 + k6_xy*(1.0_rk - 2.0_rk*t5) - 0.041147842218669614_rk
-    k5_yz = -nu5_z_2 - 0.05680835589544868_rk
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t4 - t8 + 2.521169842515734_rk
-    ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x = c5*h5_y + s5*h5_x
-    fu4_z_3 = s5*h5_y - c5*h5_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_3 = 0.4_rk*fu4_z_3 - (c5*k5_xz - s5*k5_yz)
-    nu4_z_3 = s5*k5_xz + c5*k5_yz + 0.4_rk*neg_fu4_x
-    t9 = -c4
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_3 = t9*neg_fu4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x_2 = s4*m5_5 - c4*nu4_x_3
-    nu3_z_3 = s4*nu4_x_3 + c4*m5_5
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_3 = c3*fu3_x_3 + s3*fu4_z_3
-    neg_fu2_z_2 = c3*fu4_z_3 - s3*fu3_x_3
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_3 = 0.4_rk*neg_fu2_z_2 - (c3*neg_nu3_x_2 - s3*nu4_z_3)
-    nu2_z_3 = 0.4_rk*fu2_x_3 - (s3*neg_nu3_x_2 + c3*nu4_z_3)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_3 = c2*nu3_z_3 - s2*nu2_x_3
-    t10 = c5*c5
-    t11 = t4 + t8 - 1.7262407198899914_rk
-    t12 = c5*s5
-    t13 = t10*t11 + k5_xy*(2.0_rk*t12)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_zz = k5_xx + t13
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    neg_h4_x = fu4_z_3 + 0.5168019281781282_rk
-    h4_y = fu5_x + 8.054835434921454_rk
-    t14 = k5_yy - t13
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t14 + 0.24852411424661205_rk
-    t15 = k5_zz + 0.8_rk*fu5_x
-    k4_yy = t15 + 3.569490999313376_rk
-    k4_xy = -nu4_x_3 - 0.20921122087079386_rk
-    k4_xz = t11*t12 + k5_xy*(1.0_rk - 2.0_rk*t10) - 0.013124222729483126_rk
-    k4_yz = 0.09675036990607108_rk - nu4_z_3
+    nu5_x = c5*nu6_x - s5*m6_7
+    neg_nu5_y = -c5*m6_7 - s5*nu6_x
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t14 + t15 + 3.818015113559988_rk
+    m4_7 = neg_nu5_y - 0.4_rk*fu5_x
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = c4*fu5_x + s4*fu6_y
+    t4 = nu5_x - 0.4_rk*fu5_y
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = c4*t4 - s4*neg_nu6_y
+    nu4_y = s4*t4 + c4*neg_nu6_y
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_4 = s4*neg_h4_x - c4*h4_y
-    fu3_z = t9*neg_h4_x - s4*h4_y
+    fu3_x = c3*fu4_x - s3*fu5_y
+    fu3_y = s3*fu4_x + c3*fu5_y
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_2 = s4*k4_yz - c4*k4_xz
-    nu3_z_4 = t9*k4_yz - s4*k4_xz
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_4 = c3*fu3_x_4
-    fu2_z_2 = s3*fu3_x_4
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_4 = -0.4_rk*fu2_z_2 - (-c3*nu3_x_2 - s3*m4_4)
-    nu2_z_4 = 0.4_rk*fu2_x_4 - (c3*m4_4 - s3*nu3_x_2)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_4 = c2*nu3_z_4 - s2*nu2_x_4
-    t16 = c4*c4
-    t17 = t14 - t15 - 3.3209668850667637_rk
-    t18 = c4*s4
-    t19 = t16*t17 - k4_xy*(2.0_rk*t18)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_zz = k4_xx - t19
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = fu3_z - 1.0168650139155704_rk
-    h3_y = neg_fu4_x - 0.04389618410240257_rk
-    t20 = k4_yy + t19
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t20 + 0.20191091047133833_rk
-    k3_yy = k4_zz + 0.45257769458388303_rk
-    k3_xy = nu3_x_2 - 0.1005265342798281_rk
-    k3_xz = t17*t18 - k4_xy*(1.0_rk - 2.0_rk*t16) + 0.16230144331072144_rk
-    k3_yz = nu3_z_4 - 0.06405373385272267_rk
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = k4_zz + t20 + 0.6544886050552213_rk
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_5 = -s3*h3_x - c3*h3_y
-    neg_fu2_z_3 = s3*h3_y - c3*h3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_5 = 0.4_rk*neg_fu2_z_3 - (c3*k3_xz - s3*k3_yz)
-    nu2_z_5 = 0.4_rk*fu2_x_5 - (s3*k3_xz + c3*k3_yz)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_5 = c2*m3_3 - s2*nu2_x_5
-    t21 = c3*s3
-    t22 = c3*c3
-    t23 = t20 - k4_zz - 0.2506667841125447_rk
-    t24 = k3_xy*(2.0_rk*t21) - t22*t23
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = k3_xx + t24
-    t25 = k3_zz - 0.8_rk*fu3_x_4
-    k2_yy = t25 + 4.238401785575742_rk
-    k2_xy = nu2_x_5 - 0.5218524991029152_rk
-    k2_xz = t23*t21 - k3_xy*(1.0_rk - 2.0_rk*t22) - 0.20091837135316784_rk
-    k2_yz = nu2_z_5 + 0.26458063578324464_rk
-    t26 = t24 - k3_yy
+    nu3_x = c3*nu4_x + s3*m4_7
+    nu3_y = s3*nu4_x - c3*m4_7
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 4.764988720880306_rk - (t26 - t25)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_6 = s2*k2_xz + c2*k2_yz
-    t27 = k2_zz + (k2_yy - (c2*c2*(t26 + t25 + 3.711814850271177_rk) + k2_xy*(2.0_rk*(c2*s2))))
+    m2_7 = nu3_y + 0.4_rk*fu3_x
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = c2*nu4_y - s2*(nu3_x - 0.4_rk*fu3_y)
+    t5 = 0.10136935104159488_rk*t1 + 0.4228495651372064_rk*t2
+    ! link 6: mass matrix, its row of this joint
+    m6_6 = 2.745229884110378_rk - t5
+    t6 = h7_x - 1.5656307599463828_rk
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_x = c6*t6 + 1.291128497815195_rk*s6
+    h6_y = s6*t6 - 1.291128497815195_rk*c6
+    t7 = c6*c6
+    t8 = t5 + 1.3126829026743974_rk
+    t9 = t3 + 0.36144292274665746_rk
+    t10 = c6*s6
+    t11 = t7*t8 - t9*(2.0_rk*t10)
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_yy = t11 - (t5 - 0.7162734907179903_rk)
+    neg_k6_xy = t8*t10 - t9*(1.0_rk - 2.0_rk*t7)
+    t12 = k7_xy - 0.042925575293549574_rk
+    t13 = m6_7 + 0.0870114460092663_rk
+    k6_xz = c6*t12 - s6*t13
+    k6_yz = s6*t12 + c6*t13
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_x = c5*h6_y
+    t14 = -s5
+    fu5_y_2 = t14*h6_y
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x_2 = t14*m6_6 - c5*k6_xz
+    nu5_y = c5*m6_6 - s5*k6_xz
+    ! link 4: mass matrix, its row of this joint
+    m4_6 = 0.4_rk*neg_fu5_x - nu5_y
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x_2 = s4*h6_x - c4*neg_fu5_x
+    t15 = nu5_x_2 - 0.4_rk*fu5_y_2
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_2 = c4*t15 - s4*k6_yz
+    nu4_y_2 = s4*t15 + c4*k6_yz
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_2 = c3*fu4_x_2 - s3*fu5_y_2
+    fu3_y_2 = s3*fu4_x_2 + c3*fu5_y_2
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_2 = c3*nu4_x_2 + s3*m4_6
+    nu3_y_2 = s3*nu4_x_2 - c3*m4_6
+    ! link 2: mass matrix, its row of this joint
+    m2_6 = nu3_y_2 + 0.4_rk*fu3_x_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y_2 = c2*nu4_y_2 - s2*(nu3_x_2 - 0.4_rk*fu3_y_2)
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t5 - t11 + 2.521169842515734_rk
+    t16 = h6_x - 0.25252954507510866_rk
+    t17 = 0.4193059538543958_rk - neg_h7_y
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = c5*t16 - s5*t17
+    h5_y = s5*t16 + c5*t17
+    t18 = c5*c5
+    t19 = t5 + t11 - 1.7262407198899914_rk
+    t20 = 0.03284626166448073_rk - k6_xz
+    t21 = c5*s5
+    t22 = t18*t19 - t20*(2.0_rk*t21)
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xx = t5 + 0.39746456131287133_rk - t22
+    k5_yy = t22 - (t11 - 2.1237052812028625_rk)
+    neg_k5_xy = t19*t21 - t20*(1.0_rk - 2.0_rk*t18)
+    t23 = neg_k6_xy - 0.041147842218669614_rk
+    t24 = -k6_yz - 0.05680835589544868_rk
+    k5_xz = c5*t23 - s5*t24
+    k5_yz = s5*t23 + c5*t24
+    ! link 4: mass matrix, its row of this joint
+    m4_5 = k5_yz + 0.4_rk*h5_y
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x_3 = -c4*h5_y
+    t25 = k5_xz + 0.4_rk*h5_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_3 = -s4*m5_5 - c4*t25
+    nu4_y_3 = c4*m5_5 - s4*t25
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_3 = c3*fu4_x_3 - s3*h5_x
+    fu3_y_3 = s3*fu4_x_3 + c3*h5_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_3 = c3*nu4_x_3 + s3*m4_5
+    nu3_y_3 = s3*nu4_x_3 - c3*m4_5
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = nu3_y_3 + 0.4_rk*fu3_x_3
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y_3 = c2*nu4_y_3 - s2*(nu3_x_3 - 0.4_rk*fu3_y_3)
+    t26 = 0.8_rk*h6_y - k6_yy
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = k5_xx - t26 + 3.818015113559988_rk
+    t27 = h5_x - 0.5168019281781282_rk
+    t28 = h6_y - 8.054835434921454_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = c4*t27 + s4*t28
+    h4_y = s4*t27 - c4*t28
+    t29 = c4*c4
+    t30 = k5_xx + t26 - 3.3209668850667637_rk
+    t31 = t25 - 0.20921122087079386_rk
+    t32 = c4*s4
+    t33 = t29*t30 - t31*(2.0_rk*t32)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = t33 - (t26 - 3.569490999313376_rk)
+    k4_yy = k5_xx + 0.24852411424661205_rk - t33
+    k4_xy = t30*t32 - t31*(1.0_rk - 2.0_rk*t29)
+    t34 = neg_k5_xy - 0.013124222729483126_rk
+    t35 = m4_5 - 0.09675036990607108_rk
+    k4_xz = c4*t34 + s4*t35
+    neg_k4_yz = c4*t35 - s4*t34
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = c3*h4_y
+    neg_fu3_y = s3*h4_y
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_4 = s3*m4_4 - c3*k4_xz
+    neg_nu3_y = s3*k4_xz + c3*m4_4
+    ! link 2: mass matrix, its row of this joint
+    m2_4 = -0.4_rk*neg_fu3_x - neg_nu3_y
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.4_rk*neg_fu3_y)
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = k5_yy + k4_xx + 0.6544886050552213_rk
+    t36 = h4_x - 1.0168650139155704_rk
+    t37 = h5_y - 0.04389618410240257_rk
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = c3*t36 - s3*t37
+    h3_y = s3*t36 + c3*t37
+    t38 = c3*c3
+    t39 = k4_xx - k5_yy - 0.2506667841125447_rk
+    t40 = k4_xz + 0.1005265342798281_rk
+    t41 = c3*s3
+    t42 = t38*t39 + t40*(2.0_rk*t41)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = k5_yy + 0.45257769458388303_rk + t42
+    k3_yy = k4_xx + 0.20191091047133833_rk - t42
+    k3_xy = t39*t41 + t40*(1.0_rk - 2.0_rk*t38)
+    t43 = k4_xy + 0.16230144331072144_rk
+    t44 = 0.06405373385272267_rk - neg_k4_yz
+    k3_xz = c3*t43 + s3*t44
+    k3_yz = s3*t43 - c3*t44
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = -0.4_rk*h3_y - k3_yz
+    t45 = k3_xz + 0.4_rk*h3_x
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y_5 = s2*t45 + c2*m3_3
+    t46 = k4_yy + 0.8_rk*h4_y
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = k3_xx + t46 + 4.764988720880306_rk
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_xx = t46 + 4.238401785575742_rk - (c2*c2*(t46 - k3_xx + 3.711814850271177_rk) - (t45 + &
+        0.5218524991029152_rk)*(2.0_rk*(c2*s2)))
+    k2_yz = s2*(k3_xy - 0.20091837135316784_rk) + c2*(m2_3 + 0.26458063578324464_rk)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t27 + 0.8058116303302202_rk
+    m1_1 = k3_yy + k2_xx + 0.8058116303302202_rk
     M(1) = m1_1
-    M(2) = nu1_z_6
-    M(3) = nu1_z_5
-    M(4) = nu1_z_4
-    M(5) = nu1_z_3
-    M(6) = nu1_z_2
-    M(7) = nu1_z
-    M(8) = nu1_z_6
+    M(2) = k2_yz
+    M(3) = neg_nu2_y_5
+    M(4) = neg_nu2_y_4
+    M(5) = neg_nu2_y_3
+    M(6) = neg_nu2_y_2
+    M(7) = neg_nu2_y
+    M(8) = k2_yz
     M(9) = m2_2
-    M(10) = nu2_z_5
-    M(11) = nu2_z_4
-    M(12) = nu2_z_3
-    M(13) = nu2_z_2
-    M(14) = nu2_z
-    M(15) = nu1_z_5
-    M(16) = nu2_z_5
+    M(10) = m2_3
+    M(11) = m2_4
+    M(12) = m2_5
+    M(13) = m2_6
+    M(14) = m2_7
+    M(15) = neg_nu2_y_5
+    M(16) = m2_3
     M(17) = m3_3
-    M(18) = nu3_z_4
-    M(19) = nu3_z_3
-    M(20) = nu3_z_2
-    M(21) = nu3_z
-    M(22) = nu1_z_4
-    M(23) = nu2_z_4
-    M(24) = nu3_z_4
+    M(18) = neg_k4_yz
+    M(19) = nu4_y_3
+    M(20) = nu4_y_2
+    M(21) = nu4_y
+    M(22) = neg_nu2_y_4
+    M(23) = m2_4
+    M(24) = neg_k4_yz
     M(25) = m4_4
-    M(26) = nu4_z_3
-    M(27) = nu4_z_2
-    M(28) = nu4_z
-    M(29) = nu1_z_3
-    M(30) = nu2_z_3
-    M(31) = nu3_z_3
-    M(32) = nu4_z_3
+    M(26) = m4_5
+    M(27) = m4_6
+    M(28) = m4_7
+    M(29) = neg_nu2_y_3
+    M(30) = m2_5
+    M(31) = nu4_y_3
+    M(32) = m4_5
     M(33) = m5_5
-    M(34) = nu5_z_2
-    M(35) = nu5_z
-    M(36) = nu1_z_2
-    M(37) = nu2_z_2
-    M(38) = nu3_z_2
-    M(39) = nu4_z_2
-    M(40) = nu5_z_2
+    M(34) = k6_yz
+    M(35) = neg_nu6_y
+    M(36) = neg_nu2_y_2
+    M(37) = m2_6
+    M(38) = nu4_y_2
+    M(39) = m4_6
+    M(40) = k6_yz
     M(41) = m6_6
-    M(42) = nu6_z
-    M(43) = nu1_z
-    M(44) = nu2_z
-    M(45) = nu3_z
-    M(46) = nu4_z
-    M(47) = nu5_z
-    M(48) = nu6_z
+    M(42) = m6_7
+    M(43) = neg_nu2_y
+    M(44) = m2_7
+    M(45) = nu4_y
+    M(46) = m4_7
+    M(47) = neg_nu6_y
+    M(48) = m6_7
     M(49) = 0.48318719298539553_rk
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12 sine/cosine
+  ! 597 multiplications, 517 additions, 7 divisions = 1121; 17 unary minus; 12 sine/cosine
   pure subroutine iiwa_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="iiwa_forward_dynamics_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(in) :: tau(7)
     real(rk), intent(out) :: qdd(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, c7, s7, neg_fu6_x, fu6_z, nu6_x, nu6_z
-    real(rk) :: neg_fu5_x, fu5_z, nu5_x, nu5_z, t1, fu4_x, fu4_z, nu4_x
-    real(rk) :: t2, nu4_z, fu3_x, neg_nu3_x, nu3_z, fu2_x, neg_fu2_z, nu2_x
-    real(rk) :: nu2_z, nu1_z, h6_x, t3, t4, t5, k6_xx, k6_xy
-    real(rk) :: k6_xz, k6_yz, m6_6, fu5_x, fu5_z_2, nu5_x_2, nu5_z_2, fu4_x_2
-    real(rk) :: fu4_z_2, nu4_x_2, nu4_z_2, fu3_x_2, nu3_x, nu3_z_2, fu2_x_2, fu2_z
-    real(rk) :: nu2_x_2, nu2_z_2, nu1_z_2, t6, t7, t8, t9, k5_zz
-    real(rk) :: h5_x, h5_y, k5_xx, k5_yy, k5_xy, k5_xz, k5_yz, m5_5
-    real(rk) :: neg_fu4_x, fu4_z_3, nu4_x_3, nu4_z_3, t10, fu3_x_3, neg_nu3_x_2, nu3_z_3
-    real(rk) :: fu2_x_3, neg_fu2_z_2, nu2_x_3, nu2_z_3, nu1_z_3, t11, t12, t13
-    real(rk) :: t14, k4_zz, neg_h4_x, h4_y, t15, k4_xx, t16, k4_yy
-    real(rk) :: k4_xy, k4_xz, k4_yz, m4_4, fu3_x_4, fu3_z, nu3_x_2, nu3_z_4
-    real(rk) :: fu2_x_4, fu2_z_2, nu2_x_4, nu2_z_4, nu1_z_4, t17, t18, t19
-    real(rk) :: t20, k3_zz, h3_x, h3_y, t21, k3_xx, k3_yy, k3_xy
-    real(rk) :: k3_xz, k3_yz, m3_3, t22, fu2_x_5, neg_fu2_z_3, nu2_x_5, nu2_z_5
-    real(rk) :: nu1_z_5, t23, t24, t25, t26, k2_zz, t27, k2_yy
-    real(rk) :: k2_xy, k2_xz, k2_yz, t28, m2_2, nu1_z_6, t29, m1_1
-    real(rk) :: t30, w2_x, w2_y, a2_x, a2_y, alpha2_x, alpha2_y, ww2_xy
-    real(rk) :: ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, w3_x
-    real(rk) :: w3_y, t31, t32, a3_x, a3_y, alpha3_x, alpha3_y, w3_z
-    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12
-    real(rk) :: lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, w4_x
-    real(rk) :: w4_y, a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx
-    real(rk) :: ww4_xy, neg_ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21
-    real(rk) :: lam4_22, lam4_23, lam4_31, lam4_32, lam4_33, a5_z, w5_x, w5_y
-    real(rk) :: t33, t34, a5_x, a5_y, alpha5_x, alpha5_y, w5_z, ww5_yz
-    real(rk) :: ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13
-    real(rk) :: lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, t35
-    real(rk) :: w6_y, neg_a6_x, a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx
-    real(rk) :: ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21
-    real(rk) :: neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33, a7_z, w7_x, w7_y
-    real(rk) :: t36, t37, a7_x, a7_y, alpha7_x, alpha7_y, w7_z, ww7_yz
-    real(rk) :: ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11, lam7_12, lam7_13
-    real(rk) :: lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33, nc2_x, nc2_y
-    real(rk) :: nc2_z, fc3_x, fc3_y, neg_nc3_x, nc3_y, t38, neg_nc3_z, fc4_x
-    real(rk) :: fc4_y, fc4_z, neg_nc4_x, nc4_y, t39, neg_nc4_z, fc5_x, fc5_y
-    real(rk) :: fc5_z, nc5_x, nc5_y, t40, nc5_z, fc6_x, fc6_y, fc6_z
-    real(rk) :: neg_nc6_x, nc6_y, t41, nc6_z, fc7_x, fc7_y, fc7_z, nc7_x
-    real(rk) :: nc7_y, t42, nc7_z, f07_x, neg_f07_y, n07_x, n07_y, n6_x
-    real(rk) :: n6_y, n6_z, f6_x, f6_y, f6_z, f06_x, f06_y, n06_x
-    real(rk) :: n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, f05_x
-    real(rk) :: f05_y, n05_x, n05_y, n4_x, n4_y, neg_n4_z, f4_x, f4_y
-    real(rk) :: f4_z, f04_x, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x
-    real(rk) :: f3_y, f03_x, f03_y, n03_x, n03_y, n2_x, n2_y, n2_z
-    real(rk) :: n02_y, y1, ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1
-    real(rk) :: l7_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2
-    real(rk) :: l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3, ld4_3
-    real(rk) :: l4_3, ld5_3, l5_3, ld6_3, l6_3, ld7_3, l7_3, pivot4
-    real(rk) :: ipivot4, ld5_4, l5_4, ld6_4, l6_4, ld7_4, l7_4, pivot5
-    real(rk) :: ipivot5, ld6_5, l6_5, ld7_5, l7_5, pivot6, ipivot6, ld7_6
-    real(rk) :: l7_6, t43, pivot7, ipivot7, y2, y3, y4, y5
-    real(rk) :: y6, t44, y7, qdd7, qdd6, qdd5, qdd4, qdd3
-    real(rk) :: t45, qdd2, t46, qdd1
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, h7_x, neg_h7_y, t1, t2, k7_xy
+    real(rk) :: k7_xz, k7_yz, neg_m6_7, fu6_x, fu6_y, t3, nu6_x, nu6_y, fu5_x, fu5_y, nu5_x
+    real(rk) :: neg_nu5_y, m4_7, fu4_x, t4, nu4_x, nu4_y, fu3_x, fu3_y, nu3_x, nu3_y, m2_7, nu2_y
+    real(rk) :: t5, m6_6, t6, h6_x, h6_y, t7, t8, t9, t10, t11, k6_yy, neg_k6_xy, t12, t13, k6_xz
+    real(rk) :: k6_yz, neg_fu5_x, t14, fu5_y_2, nu5_x_2, nu5_y, m4_6, fu4_x_2, t15, nu4_x_2
+    real(rk) :: nu4_y_2, fu3_x_2, fu3_y_2, nu3_x_2, nu3_y_2, m2_6, nu2_y_2, m5_5, t16, t17, h5_x
+    real(rk) :: h5_y, t18, t19, t20, t21, t22, k5_xx, k5_yy, neg_k5_xy, t23, t24, k5_xz, k5_yz
+    real(rk) :: m4_5, t25, fu4_x_3, t26, nu4_x_3, nu4_y_3, fu3_x_3, fu3_y_3, nu3_x_3, nu3_y_3, m2_5
+    real(rk) :: nu2_y_3, t27, m4_4, t28, t29, h4_x, h4_y, t30, t31, t32, t33, t34, k4_xx, k4_yy
+    real(rk) :: k4_xy, t35, t36, k4_xz, k4_yz, neg_fu3_x, neg_fu3_y, nu3_x_4, neg_nu3_y, m2_4
+    real(rk) :: nu2_y_4, m3_3, t37, t38, neg_h3_x, h3_y, t39, t40, t41, t42, t43, k3_xx, k3_yy
+    real(rk) :: k3_xy, t44, t45, k3_xz, k3_yz, m2_3, t46, nu2_y_5, t47, m2_2, k2_xx, k2_yz, m1_1
+    real(rk) :: t48, w2_x, w2_y, neg_a2_x, neg_a2_y, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy
+    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, w3_x, w3_y, t49, t50, a3_x
+    real(rk) :: a3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz
+    real(rk) :: neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32
+    real(rk) :: neg_lam3_33, w4_x, w4_y, a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx
+    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22
+    real(rk) :: lam4_23, lam4_31, lam4_32, neg_lam4_33, a5_z, w5_x, w5_y, t51, t52, a5_x, a5_y
+    real(rk) :: alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz
+    real(rk) :: neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32
+    real(rk) :: neg_lam5_33, w6_x, t53, w6_y, a6_x, a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx
+    real(rk) :: ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22
+    real(rk) :: lam6_23, lam6_31, lam6_32, neg_lam6_33, a7_z, w7_x, w7_y, t54, t55, a7_x, a7_y
+    real(rk) :: alpha7_x, alpha7_y, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz
+    real(rk) :: neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32
+    real(rk) :: neg_lam7_33, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, neg_nc3_x, nc3_y, t56, neg_nc3_z
+    real(rk) :: fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y, t57, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x
+    real(rk) :: nc5_y, t58, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t59, nc6_z, fc7_x, fc7_y
+    real(rk) :: fc7_z, nc7_x, nc7_y, t60, nc7_z, f07_x, f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x
+    real(rk) :: f6_y, f6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, f05_x
+    real(rk) :: f05_y, n05_x, n05_y, n4_x, n4_y, neg_n4_z, f4_x, f4_y, f4_z, f04_x, n04_x, n04_y
+    real(rk) :: n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y, n03_x, n03_y, n2_x, n2_y, n2_z, n02_y
+    real(rk) :: y1, neg_ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1, l7_1, pivot2, ipivot2, ld3_2, l3_2
+    real(rk) :: ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3, ld4_3, l4_3
+    real(rk) :: ld5_3, l5_3, ld6_3, l6_3, ld7_3, l7_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4
+    real(rk) :: ld7_4, l7_4, pivot5, ipivot5, ld6_5, l6_5, ld7_5, l7_5, pivot6, ipivot6, ld7_6
+    real(rk) :: l7_6, t61, pivot7, ipivot7, y2, y3, y4, y5, y6, t62, y7, qdd7, qdd6, qdd5, qdd4
+    real(rk) :: qdd3, qdd2, t63, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -1277,203 +1245,206 @@ contains
     s6 = sin(q(6))
     c7 = cos(q(7))
     s7 = sin(q(7))
+    ! link 7: first moment of the composite body, about the frame's origin [kg m]
+    h7_x = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
+    neg_h7_y = -0.708306797966195_rk*c7 - 0.9999503996366931_rk*s7
+    t1 = c7*c7
+    t2 = c7*s7
+    ! link 7: second moment of the composite body [kg m^2]
+    k7_xy = 0.2114247825686032_rk*(2.0_rk*t1 - 1.0_rk) - 0.10136935104159488_rk*t2
+    k7_xz = 0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7
+    k7_yz = 0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7
+    ! link 6: mass matrix, its row of this joint
+    neg_m6_7 = k7_yz - 0.126_rk*neg_h7_y
     ! link 6: force for a unit acceleration of a joint further out
-    neg_fu6_x = 0.708306797966195_rk*c7 + 0.9999503996366931_rk*s7
-    fu6_z = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
+    fu6_x = c6*neg_h7_y
+    fu6_y = s6*neg_h7_y
+    t3 = k7_xz + 0.126_rk*h7_x
     ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = -0.126_rk*fu6_z - (0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7)
-    nu6_z = -0.126_rk*neg_fu6_x - (0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7)
+    nu6_x = 0.48318719298539553_rk*s6 - c6*t3
+    nu6_y = -0.48318719298539553_rk*c6 - s6*t3
     ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x = c6*neg_fu6_x
-    fu5_z = s6*neg_fu6_x
+    fu5_x = c5*fu6_x - s5*h7_x
+    fu5_y = s5*fu6_x + c5*h7_x
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = c6*nu6_x + 0.48318719298539553_rk*s6
-    nu5_z = 0.48318719298539553_rk*c6 - s6*nu6_x
-    t1 = -c5
+    nu5_x = c5*nu6_x + s5*neg_m6_7
+    neg_nu5_y = c5*neg_m6_7 - s5*nu6_x
+    ! link 4: mass matrix, its row of this joint
+    m4_7 = neg_nu5_y - 0.4_rk*fu5_x
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = t1*neg_fu5_x - s5*fu6_z
-    fu4_z = s5*neg_fu5_x - c5*fu6_z
+    fu4_x = c4*fu5_x + s4*fu6_y
+    t4 = nu5_x - 0.4_rk*fu5_y
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = 0.4_rk*fu4_z - (s5*nu6_z - c5*nu5_x)
-    t2 = -s5
-    nu4_z = t2*nu5_x - c5*nu6_z - 0.4_rk*fu4_x
+    nu4_x = c4*t4 + s4*nu6_y
+    nu4_y = s4*t4 - c4*nu6_y
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c4*fu4_x - s4*fu5_z
+    fu3_x = c3*fu4_x - s3*fu5_y
+    fu3_y = s3*fu4_x + c3*fu5_y
     ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x = s4*nu5_z - c4*nu4_x
-    nu3_z = s4*nu4_x + c4*nu5_z
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c3*fu3_x + s3*fu4_z
-    neg_fu2_z = c3*fu4_z - s3*fu3_x
+    nu3_x = c3*nu4_x + s3*m4_7
+    nu3_y = s3*nu4_x - c3*m4_7
+    ! link 2: mass matrix, its row of this joint
+    m2_7 = nu3_y + 0.4_rk*fu3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x = 0.4_rk*neg_fu2_z - (c3*neg_nu3_x - s3*nu4_z)
-    nu2_z = 0.4_rk*fu2_x - (s3*neg_nu3_x + c3*nu4_z)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z = c2*nu3_z - s2*nu2_x
-    ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = fu6_z - 1.5656307599463828_rk
-    t3 = c7*c7
-    t4 = c7*s7
-    t5 = 0.10136935104159488_rk*t3 + 0.4228495651372064_rk*t4
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_xx = 0.7162734907179903_rk - t5
-    k6_xy = nu6_x - 0.36144292274665746_rk
-    k6_xz = 0.2114247825686032_rk*(2.0_rk*t3 - 1.0_rk) - 0.10136935104159488_rk*t4 - &
-        0.042925575293549574_rk
-    k6_yz = nu6_z + 0.0870114460092663_rk
+    nu2_y = s2*(nu3_x - 0.4_rk*fu3_y) - c2*nu4_y
+    t5 = 0.10136935104159488_rk*t1 + 0.4228495651372064_rk*t2
     ! link 6: mass matrix, its row of this joint
     m6_6 = 2.745229884110378_rk - t5
+    t6 = h7_x - 1.5656307599463828_rk
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_x = c6*t6 + 1.291128497815195_rk*s6
+    h6_y = s6*t6 - 1.291128497815195_rk*c6
+    t7 = c6*c6
+    t8 = t5 + 1.3126829026743974_rk
+    t9 = t3 + 0.36144292274665746_rk
+    t10 = c6*s6
+    t11 = t7*t8 - t9*(2.0_rk*t10)
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_yy = t11 - (t5 - 0.7162734907179903_rk)
+    neg_k6_xy = t8*t10 - t9*(1.0_rk - 2.0_rk*t7)
+    t12 = k7_xy - 0.042925575293549574_rk
+    t13 = 0.0870114460092663_rk - neg_m6_7
+    k6_xz = c6*t12 - s6*t13
+    k6_yz = s6*t12 + c6*t13
     ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = 1.291128497815195_rk*c6 - s6*h6_x
-    fu5_z_2 = -c6*h6_x - 1.291128497815195_rk*s6
+    neg_fu5_x = c5*h6_y
+    t14 = -s5
+    fu5_y_2 = t14*h6_y
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x_2 = s6*k6_yz - c6*k6_xz
-    nu5_z_2 = s6*k6_xz + c6*k6_yz
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = c5*fu5_x
-    fu4_z_2 = t2*fu5_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c5*nu5_x_2 - s5*m6_6 + 0.4_rk*fu4_z_2
-    nu4_z_2 = -0.4_rk*fu4_x_2 - (s5*nu5_x_2 + c5*m6_6)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c4*fu4_x_2 - s4*fu5_z_2
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c4*nu4_x_2 - s4*nu5_z_2
-    nu3_z_2 = s4*nu4_x_2 + c4*nu5_z_2
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c3*fu3_x_2 + s3*fu4_z_2
-    fu2_z = s3*fu3_x_2 - c3*fu4_z_2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_2 = c3*nu3_x + s3*nu4_z_2 - 0.4_rk*fu2_z
-    nu2_z_2 = s3*nu3_x - c3*nu4_z_2 + 0.4_rk*fu2_x_2
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = c2*nu3_z_2 - s2*nu2_x_2
-    t6 = c6*c6
-    t7 = t5 + 1.3126829026743974_rk
-    t8 = c6*s6
-    t9 = t6*t7 + k6_xy*(2.0_rk*t8)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_zz = k6_xx + t9
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = -fu5_z_2 - 0.25252954507510866_rk
-    h5_y = neg_fu6_x + 0.4193059538543958_rk
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = 2.1237052812028625_rk - t9
-    k5_yy = t5 + 0.39746456131287133_rk
-    k5_xy = -nu5_x_2 - 0.03284626166448073_rk
-    k5_xz = t7*t8 + k6_xy*(1.0_rk - 2.0_rk*t6) - 0.041147842218669614_rk
-    k5_yz = -nu5_z_2 - 0.05680835589544868_rk
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t5 - t9 + 2.521169842515734_rk
-    ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x = c5*h5_y + s5*h5_x
-    fu4_z_3 = s5*h5_y - c5*h5_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_3 = 0.4_rk*fu4_z_3 - (c5*k5_xz - s5*k5_yz)
-    nu4_z_3 = s5*k5_xz + c5*k5_yz + 0.4_rk*neg_fu4_x
-    t10 = -c4
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_3 = t10*neg_fu4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x_2 = s4*m5_5 - c4*nu4_x_3
-    nu3_z_3 = s4*nu4_x_3 + c4*m5_5
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_3 = c3*fu3_x_3 + s3*fu4_z_3
-    neg_fu2_z_2 = c3*fu4_z_3 - s3*fu3_x_3
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_3 = 0.4_rk*neg_fu2_z_2 - (c3*neg_nu3_x_2 - s3*nu4_z_3)
-    nu2_z_3 = 0.4_rk*fu2_x_3 - (s3*neg_nu3_x_2 + c3*nu4_z_3)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_3 = c2*nu3_z_3 - s2*nu2_x_3
-    t11 = c5*c5
-    t12 = t5 + t9 - 1.7262407198899914_rk
-    t13 = c5*s5
-    t14 = t11*t12 + k5_xy*(2.0_rk*t13)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_zz = k5_xx + t14
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    neg_h4_x = fu4_z_3 + 0.5168019281781282_rk
-    h4_y = fu5_x + 8.054835434921454_rk
-    t15 = k5_yy - t14
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t15 + 0.24852411424661205_rk
-    t16 = k5_zz + 0.8_rk*fu5_x
-    k4_yy = t16 + 3.569490999313376_rk
-    k4_xy = -nu4_x_3 - 0.20921122087079386_rk
-    k4_xz = t12*t13 + k5_xy*(1.0_rk - 2.0_rk*t11) - 0.013124222729483126_rk
-    k4_yz = 0.09675036990607108_rk - nu4_z_3
+    nu5_x_2 = t14*m6_6 - c5*k6_xz
+    nu5_y = c5*m6_6 - s5*k6_xz
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t15 + t16 + 3.818015113559988_rk
+    m4_6 = 0.4_rk*neg_fu5_x - nu5_y
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x_2 = s4*h6_x - c4*neg_fu5_x
+    t15 = nu5_x_2 - 0.4_rk*fu5_y_2
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_2 = c4*t15 - s4*k6_yz
+    nu4_y_2 = s4*t15 + c4*k6_yz
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_4 = s4*neg_h4_x - c4*h4_y
-    fu3_z = t10*neg_h4_x - s4*h4_y
+    fu3_x_2 = c3*fu4_x_2 - s3*fu5_y_2
+    fu3_y_2 = s3*fu4_x_2 + c3*fu5_y_2
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_2 = s4*k4_yz - c4*k4_xz
-    nu3_z_4 = t10*k4_yz - s4*k4_xz
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_4 = c3*fu3_x_4
-    fu2_z_2 = s3*fu3_x_4
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_4 = -0.4_rk*fu2_z_2 - (-c3*nu3_x_2 - s3*m4_4)
-    nu2_z_4 = 0.4_rk*fu2_x_4 - (c3*m4_4 - s3*nu3_x_2)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_4 = c2*nu3_z_4 - s2*nu2_x_4
-    t17 = c4*c4
-    t18 = t15 - t16 - 3.3209668850667637_rk
-    t19 = c4*s4
-    t20 = t17*t18 - k4_xy*(2.0_rk*t19)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_zz = k4_xx - t20
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = fu3_z - 1.0168650139155704_rk
-    h3_y = neg_fu4_x - 0.04389618410240257_rk
-    t21 = k4_yy + t20
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t21 + 0.20191091047133833_rk
-    k3_yy = k4_zz + 0.45257769458388303_rk
-    k3_xy = nu3_x_2 - 0.1005265342798281_rk
-    k3_xz = t18*t19 - k4_xy*(1.0_rk - 2.0_rk*t17) + 0.16230144331072144_rk
-    k3_yz = nu3_z_4 - 0.06405373385272267_rk
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = k4_zz + t21 + 0.6544886050552213_rk
-    t22 = -s3
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_5 = t22*h3_x - c3*h3_y
-    neg_fu2_z_3 = s3*h3_y - c3*h3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_5 = 0.4_rk*neg_fu2_z_3 - (c3*k3_xz - s3*k3_yz)
-    nu2_z_5 = 0.4_rk*fu2_x_5 - (s3*k3_xz + c3*k3_yz)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_5 = c2*m3_3 - s2*nu2_x_5
-    t23 = c3*s3
-    t24 = c3*c3
-    t25 = t21 - k4_zz - 0.2506667841125447_rk
-    t26 = k3_xy*(2.0_rk*t23) - t24*t25
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = k3_xx + t26
-    t27 = k3_zz - 0.8_rk*fu3_x_4
-    k2_yy = t27 + 4.238401785575742_rk
-    k2_xy = nu2_x_5 - 0.5218524991029152_rk
-    k2_xz = t25*t23 - k3_xy*(1.0_rk - 2.0_rk*t24) - 0.20091837135316784_rk
-    k2_yz = nu2_z_5 + 0.26458063578324464_rk
-    t28 = t26 - k3_yy
+    nu3_x_2 = c3*nu4_x_2 + s3*m4_6
+    nu3_y_2 = s3*nu4_x_2 - c3*m4_6
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 4.764988720880306_rk - (t28 - t27)
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_6 = s2*k2_xz + c2*k2_yz
-    t29 = k2_zz + (k2_yy - (c2*c2*(t28 + t27 + 3.711814850271177_rk) + k2_xy*(2.0_rk*(c2*s2))))
+    m2_6 = nu3_y_2 + 0.4_rk*fu3_x_2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y_2 = s2*(nu3_x_2 - 0.4_rk*fu3_y_2) - c2*nu4_y_2
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t5 - t11 + 2.521169842515734_rk
+    t16 = h6_x - 0.25252954507510866_rk
+    t17 = 0.4193059538543958_rk - neg_h7_y
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = c5*t16 - s5*t17
+    h5_y = s5*t16 + c5*t17
+    t18 = c5*c5
+    t19 = t5 + t11 - 1.7262407198899914_rk
+    t20 = 0.03284626166448073_rk - k6_xz
+    t21 = c5*s5
+    t22 = t18*t19 - t20*(2.0_rk*t21)
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xx = t5 + 0.39746456131287133_rk - t22
+    k5_yy = t22 - (t11 - 2.1237052812028625_rk)
+    neg_k5_xy = t19*t21 - t20*(1.0_rk - 2.0_rk*t18)
+    t23 = neg_k6_xy - 0.041147842218669614_rk
+    t24 = -k6_yz - 0.05680835589544868_rk
+    k5_xz = c5*t23 - s5*t24
+    k5_yz = s5*t23 + c5*t24
+    ! link 4: mass matrix, its row of this joint
+    m4_5 = k5_yz + 0.4_rk*h5_y
+    t25 = -c4
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x_3 = t25*h5_y
+    t26 = k5_xz + 0.4_rk*h5_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x_3 = -s4*m5_5 - c4*t26
+    nu4_y_3 = c4*m5_5 - s4*t26
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x_3 = c3*fu4_x_3 - s3*h5_x
+    fu3_y_3 = s3*fu4_x_3 + c3*h5_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_3 = c3*nu4_x_3 + s3*m4_5
+    nu3_y_3 = s3*nu4_x_3 - c3*m4_5
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = nu3_y_3 + 0.4_rk*fu3_x_3
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y_3 = s2*(nu3_x_3 - 0.4_rk*fu3_y_3) - c2*nu4_y_3
+    t27 = 0.8_rk*h6_y - k6_yy
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = k5_xx - t27 + 3.818015113559988_rk
+    t28 = h5_x - 0.5168019281781282_rk
+    t29 = h6_y - 8.054835434921454_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = c4*t28 + s4*t29
+    h4_y = s4*t28 - c4*t29
+    t30 = c4*c4
+    t31 = k5_xx + t27 - 3.3209668850667637_rk
+    t32 = t26 - 0.20921122087079386_rk
+    t33 = c4*s4
+    t34 = t30*t31 - t32*(2.0_rk*t33)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = t34 - (t27 - 3.569490999313376_rk)
+    k4_yy = k5_xx + 0.24852411424661205_rk - t34
+    k4_xy = t31*t33 - t32*(1.0_rk - 2.0_rk*t30)
+    t35 = neg_k5_xy - 0.013124222729483126_rk
+    t36 = m4_5 - 0.09675036990607108_rk
+    k4_xz = c4*t35 + s4*t36
+    k4_yz = s4*t35 - c4*t36
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = c3*h4_y
+    neg_fu3_y = s3*h4_y
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x_4 = s3*m4_4 - c3*k4_xz
+    neg_nu3_y = s3*k4_xz + c3*m4_4
+    ! link 2: mass matrix, its row of this joint
+    m2_4 = -0.4_rk*neg_fu3_x - neg_nu3_y
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y_4 = s2*(nu3_x_4 + 0.4_rk*neg_fu3_y) + c2*k4_yz
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = k5_yy + k4_xx + 0.6544886050552213_rk
+    t37 = h5_y - 0.04389618410240257_rk
+    t38 = h4_x - 1.0168650139155704_rk
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    neg_h3_x = s3*t37 - c3*t38
+    h3_y = s3*t38 + c3*t37
+    t39 = c3*c3
+    t40 = k4_xx - k5_yy - 0.2506667841125447_rk
+    t41 = k4_xz + 0.1005265342798281_rk
+    t42 = c3*s3
+    t43 = t39*t40 + t41*(2.0_rk*t42)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = k5_yy + 0.45257769458388303_rk + t43
+    k3_yy = k4_xx + 0.20191091047133833_rk - t43
+    k3_xy = t40*t42 + t41*(1.0_rk - 2.0_rk*t39)
+    t44 = k4_xy + 0.16230144331072144_rk
+    t45 = k4_yz + 0.06405373385272267_rk
+    k3_xz = c3*t44 + s3*t45
+    k3_yz = s3*t44 - c3*t45
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = -0.4_rk*h3_y - k3_yz
+    t46 = 0.4_rk*neg_h3_x - k3_xz
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y_5 = s2*t46 - c2*m3_3
+    t47 = k4_yy + 0.8_rk*h4_y
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = k3_xx + t47 + 4.764988720880306_rk
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_xx = t47 + 4.238401785575742_rk - (c2*c2*(t47 - k3_xx + 3.711814850271177_rk) - &
+        (0.5218524991029152_rk - t46)*(2.0_rk*(c2*s2)))
+    k2_yz = s2*(k3_xy - 0.20091837135316784_rk) + c2*(m2_3 + 0.26458063578324464_rk)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = t29 + 0.8058116303302202_rk
-    t30 = -qd(1)
+    m1_1 = k3_yy + k2_xx + 0.8058116303302202_rk
+    t48 = -qd(1)
     ! link 2: angular velocity [rad/s]
-    w2_x = t30*s2
-    w2_y = t30*c2
+    w2_x = t48*s2
+    w2_y = t48*c2
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_x = -9.81_rk*s2
-    a2_y = -9.81_rk*c2
+    neg_a2_x = 9.81_rk*s2
+    neg_a2_y = 9.81_rk*c2
     ! link 2: angular acceleration [rad/s^2]
     alpha2_x = qd(2)*w2_y
-    alpha2_y = -qd(2)*w2_x
+    neg_alpha2_y = qd(2)*w2_x
     ! link 2: products of the angular velocity [1/s^2]
     ww2_xy = w2_x*w2_y
     ww2_xx = w2_x*w2_x
@@ -1484,18 +1455,18 @@ contains
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = -0.4_rk*neg_lam2_22 - a2_y
+    a3_z = neg_a2_y - 0.4_rk*neg_lam2_22
     ! link 3: angular velocity [rad/s]
     w3_x = c3*w2_x + qd(2)*s3
     w3_y = qd(2)*c3 - s3*w2_x
-    t31 = -0.8_rk*alpha2_x
-    t32 = 0.4_rk*ww2_xy - a2_x
+    t49 = -0.8_rk*alpha2_x
+    t50 = neg_a2_x + 0.4_rk*ww2_xy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = s3*t31 - c3*t32
-    a3_y = s3*t32 + c3*t31
+    a3_x = s3*t49 - c3*t50
+    a3_y = s3*t50 + c3*t49
     ! link 3: angular acceleration [rad/s^2]
     alpha3_x = c3*alpha2_x + qd(3)*w3_y
-    alpha3_y = t22*alpha2_x - qd(3)*w3_x
+    alpha3_y = -qd(3)*w3_x - s3*alpha2_x
     ! link 3: angular velocity [rad/s]
     w3_z = qd(3) - w2_y
     ! link 3: products of the angular velocity [1/s^2]
@@ -1507,9 +1478,9 @@ contains
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = alpha2_y + ww3_xy
+    lam3_12 = ww3_xy - neg_alpha2_y
     lam3_13 = alpha3_y + ww3_zx
-    lam3_21 = ww3_xy - alpha2_y
+    lam3_21 = neg_alpha2_y + ww3_xy
     neg_lam3_22 = ww3_xx + ww3_zz
     lam3_23 = ww3_yz - alpha3_x
     neg_lam3_31 = alpha3_y - ww3_zx
@@ -1522,15 +1493,15 @@ contains
     a4_x = c4*a3_x + s4*a3_z
     a4_y = c4*a3_z - s4*a3_x
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - (s4*alpha2_y - c4*alpha3_x)
-    alpha4_y = -s4*alpha3_x - c4*alpha2_y - qd(4)*w4_x
+    alpha4_x = qd(4)*w4_y - (t25*alpha3_x - s4*neg_alpha2_y)
+    alpha4_y = c4*neg_alpha2_y - s4*alpha3_x - qd(4)*w4_x
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w3_y
     ! link 4: products of the angular velocity [1/s^2]
     ww4_yz = w4_y*w4_z
     ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
-    neg_ww4_xx = -w4_x*w4_x
+    ww4_xx = w4_x*w4_x
     ww4_yy = w4_y*w4_y
     ww4_zz = w4_z*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
@@ -1538,23 +1509,23 @@ contains
     lam4_12 = alpha3_y + ww4_xy
     lam4_13 = alpha4_y + ww4_zx
     lam4_21 = ww4_xy - alpha3_y
-    lam4_22 = neg_ww4_xx - ww4_zz
+    neg_lam4_22 = ww4_xx + ww4_zz
     lam4_23 = ww4_yz - alpha4_x
     lam4_31 = ww4_zx - alpha4_y
     lam4_32 = alpha4_x + ww4_yz
-    lam4_33 = neg_ww4_xx - ww4_yy
+    neg_lam4_33 = ww4_xx + ww4_yy
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y + 0.4_rk*lam4_22
+    a5_z = a4_y - 0.4_rk*neg_lam4_22
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    w5_y = t2*w4_x - c5*w4_z
-    t33 = a3_y - 0.4_rk*lam4_32
-    t34 = -0.4_rk*lam4_12 - a4_x
+    w5_y = -c5*w4_z - s5*w4_x
+    t51 = a3_y - 0.4_rk*lam4_32
+    t52 = -0.4_rk*lam4_12 - a4_x
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*t33 - c5*t34
-    a5_y = s5*t34 + c5*t33
+    a5_x = s5*t51 - c5*t52
+    a5_y = s5*t52 + c5*t51
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (t1*alpha4_x - s5*alpha3_y)
+    alpha5_x = qd(5)*w5_y - (t14*alpha3_y - c5*alpha4_x)
     alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -1577,14 +1548,14 @@ contains
     neg_lam5_33 = ww5_xx + ww5_yy
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x - s6*w5_z
-    t35 = -s6
-    w6_y = t35*w5_x - c6*w5_z
+    t53 = -c6
+    w6_y = t53*w5_z - s6*w5_x
     ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a6_x = s6*a5_z - c6*a5_x
-    a6_y = t35*a5_x - c6*a5_z
+    a6_x = c6*a5_x - s6*a5_z
+    a6_y = t53*a5_z - s6*a5_x
     ! link 6: angular acceleration [rad/s^2]
     alpha6_x = qd(6)*w6_y - (s6*alpha4_y - c6*alpha5_x)
-    alpha6_y = t35*alpha5_x - c6*alpha4_y - qd(6)*w6_x
+    alpha6_y = t53*alpha4_y - s6*alpha5_x - qd(6)*w6_x
     ! link 6: angular velocity [rad/s]
     w6_z = qd(6) + w5_y
     ! link 6: products of the angular velocity [1/s^2]
@@ -1609,13 +1580,13 @@ contains
     ! link 7: angular velocity [rad/s]
     w7_x = c7*w6_x + s7*w6_z
     w7_y = c7*w6_z - s7*w6_x
-    t36 = a5_y - 0.126_rk*lam6_32
-    t37 = neg_a6_x + 0.126_rk*lam6_12
+    t54 = a5_y - 0.126_rk*lam6_32
+    t55 = 0.126_rk*lam6_12 - a6_x
     ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_x = s7*t36 - c7*t37
-    a7_y = s7*t37 + c7*t36
+    a7_x = s7*t54 - c7*t55
+    a7_y = s7*t55 + c7*t54
     ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (-c7*alpha6_x - s7*alpha5_y)
+    alpha7_x = qd(7)*w7_y - (-s7*alpha5_y - c7*alpha6_x)
     alpha7_y = c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
     ! link 7: angular velocity [rad/s]
     w7_z = qd(7) - w6_y
@@ -1637,10 +1608,11 @@ contains
     lam7_32 = alpha7_x + ww7_yz
     neg_lam7_33 = ww7_xx + ww7_yy
     ! link 2: moment that turns the link [N m]
-    nc2_x = 1.0437049982058304_rk*alpha2_y + 0.20091837135316784_rk*ww2_xy - &
+    nc2_x = 0.20091837135316784_rk*ww2_xy - 1.0437049982058304_rk*neg_alpha2_y - &
         (-8.476803571151484_rk*alpha2_x - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
-    nc2_y = 1.0531738706091291_rk*alpha2_y + 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) + &
-        (0.26458063578324464_rk*ww2_xy + 1.0437049982058304_rk*alpha2_x)
+    nc2_y = 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) - &
+        1.0531738706091291_rk*neg_alpha2_y + (0.26458063578324464_rk*ww2_xy + &
+        1.0437049982058304_rk*alpha2_x)
     nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2 - (3.711814850271177_rk*ww2_xy + &
         0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22))
     ! link 3: force that moves the link [N]
@@ -1653,25 +1625,25 @@ contains
     nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
         neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) + &
         1.0168650139155704_rk*a3_z
-    t38 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
+    t56 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
         0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144_rk*lam3_23 + &
         0.06405373385272267_rk*lam3_13)
-    neg_nc3_z = t38 + (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
+    neg_nc3_z = t56 + (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
     ! link 4: force that moves the link [N]
     fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
-    fc4_y = 8.054835434921454_rk*lam4_22 - 0.5168019281781282_rk*lam4_21
+    fc4_y = -8.054835434921454_rk*neg_lam4_22 - 0.5168019281781282_rk*lam4_21
     fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
     ! link 4: moment that turns the link [N m]
-    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(lam4_33 - lam4_22) - &
-        (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
+    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(neg_lam4_22 - neg_lam4_33) &
+        - (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
         8.054835434921454_rk*a3_y
-    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 + lam4_33) - 0.24852411424661205_rk*lam4_31 + &
+    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 - neg_lam4_33) - 0.24852411424661205_rk*lam4_31 + &
         (0.09675036990607108_rk*lam4_12 + 0.20921122087079386_rk*lam4_32) - &
         0.5168019281781282_rk*a3_y
-    t39 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
-        0.20921122087079386_rk*(neg_lam4_11 + lam4_22) + (0.013124222729483126_rk*lam4_23 + &
+    t57 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
+        0.20921122087079386_rk*(neg_lam4_11 - neg_lam4_22) + (0.013124222729483126_rk*lam4_23 + &
         0.09675036990607108_rk*lam4_13)
-    neg_nc4_z = t39 + (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
+    neg_nc4_z = t57 + (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
     ! link 5: force that moves the link [N]
     fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
     fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
@@ -1683,25 +1655,25 @@ contains
     nc5_y = 0.041147842218669614_rk*(neg_lam5_11 - neg_lam5_33) - 0.09474888781047501_rk*lam5_31 + &
         (0.03284626166448073_rk*lam5_32 - 0.05680835589544868_rk*lam5_12) + &
         0.25252954507510866_rk*a5_z
-    t40 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
+    t58 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
         0.03284626166448073_rk*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614_rk*lam5_23 - &
         0.05680835589544868_rk*lam5_13)
-    nc5_z = t40 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
+    nc5_z = t58 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
     ! link 6: force that moves the link [N]
     fc6_x = 1.5656307599463828_rk*neg_lam6_11 - 1.291128497815195_rk*lam6_12
     fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
     fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
     ! link 6: moment that turns the link [N m]
-    neg_nc6_x = -2.0289563933923875_rk*lam6_32 - 0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) &
-        - (0.042925575293549574_rk*lam6_21 - 0.36144292274665746_rk*lam6_31) + &
-        1.291128497815195_rk*a5_y
+    nc6_x = -1.291128497815195_rk*a5_y - (-2.0289563933923875_rk*lam6_32 - &
+        0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574_rk*lam6_21 - &
+        0.36144292274665746_rk*lam6_31))
     nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
         (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
         1.5656307599463828_rk*a5_y
-    t41 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
+    t59 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
         0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
         0.0870114460092663_rk*lam6_13)
-    nc6_z = t41 - (1.5656307599463828_rk*a6_y + 1.291128497815195_rk*neg_a6_x)
+    nc6_z = t59 - (1.5656307599463828_rk*a6_y - 1.291128497815195_rk*a6_x)
     ! link 7: force that moves the link [N]
     fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
     fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
@@ -1713,24 +1685,24 @@ contains
     nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) + &
         (0.061680050398747424_rk*lam7_12 - 0.2114247825686032_rk*lam7_32) - &
         0.9999503996366931_rk*a7_z
-    t42 = 0.2922782720134952_rk*lam7_12 - 0.19090892097190032_rk*lam7_21 - &
+    t60 = 0.2922782720134952_rk*lam7_12 - 0.19090892097190032_rk*lam7_21 - &
         0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357_rk*lam7_23 - &
         0.061680050398747424_rk*lam7_13)
-    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t42
+    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t60
     ! link 7: force through the joint, along the axes that its turn starts from [N]
     f07_x = c7*fc7_x - s7*fc7_y
-    neg_f07_y = -s7*fc7_x - c7*fc7_y
+    f07_y = s7*fc7_x + c7*fc7_y
     ! link 7: moment through the joint, along the axes that its turn starts from [N m]
     n07_x = c7*nc7_x - s7*nc7_y
     n07_y = s7*nc7_x + c7*nc7_y
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = n07_x + (0.126_rk*neg_f07_y - neg_nc6_x)
+    n6_x = n07_x + (nc6_x - 0.126_rk*f07_y)
     n6_y = nc6_y - nc7_z
     n6_z = n07_y + (nc6_z + 0.126_rk*f07_x)
     ! link 6: force through the joint [N]
     f6_x = fc6_x + f07_x
     f6_y = fc6_y - fc7_z
-    f6_z = fc6_z - neg_f07_y
+    f6_z = fc6_z + f07_y
     ! link 6: force through the joint, along the axes that its turn starts from [N]
     f06_x = c6*f6_x - s6*f6_y
     f06_y = s6*f6_x + c6*f6_y
@@ -1786,55 +1758,55 @@ contains
     ! link 1: forward substitution
     y1 = tau(1) + n02_y
     ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    l2_1 = nu1_z_6*ipivot1
-    l3_1 = nu1_z_5*ipivot1
-    l4_1 = nu1_z_4*ipivot1
-    l5_1 = nu1_z_3*ipivot1
-    l6_1 = nu1_z_2*ipivot1
-    l7_1 = nu1_z*ipivot1
-    pivot2 = m2_2 - nu1_z_6*l2_1
+    neg_ipivot1 = -1.0_rk / m1_1
+    l2_1 = -k2_yz*neg_ipivot1
+    l3_1 = nu2_y_5*neg_ipivot1
+    l4_1 = nu2_y_4*neg_ipivot1
+    l5_1 = nu2_y_3*neg_ipivot1
+    l6_1 = nu2_y_2*neg_ipivot1
+    l7_1 = nu2_y*neg_ipivot1
+    pivot2 = m2_2 - k2_yz*l2_1
     ipivot2 = 1.0_rk / pivot2
-    ld3_2 = nu2_z_5 - nu1_z_6*l3_1
+    ld3_2 = m2_3 - k2_yz*l3_1
     l3_2 = ipivot2*ld3_2
-    ld4_2 = nu2_z_4 - nu1_z_6*l4_1
+    ld4_2 = m2_4 - k2_yz*l4_1
     l4_2 = ipivot2*ld4_2
-    ld5_2 = nu2_z_3 - nu1_z_6*l5_1
+    ld5_2 = m2_5 - k2_yz*l5_1
     l5_2 = ipivot2*ld5_2
-    ld6_2 = nu2_z_2 - nu1_z_6*l6_1
+    ld6_2 = m2_6 - k2_yz*l6_1
     l6_2 = ipivot2*ld6_2
-    ld7_2 = nu2_z - nu1_z_6*l7_1
+    ld7_2 = m2_7 - k2_yz*l7_1
     l7_2 = ipivot2*ld7_2
-    pivot3 = m3_3 - nu1_z_5*l3_1 - ld3_2*l3_2
+    pivot3 = m3_3 + nu2_y_5*l3_1 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
-    ld4_3 = nu3_z_4 - nu1_z_5*l4_1 - ld3_2*l4_2
+    ld4_3 = nu2_y_5*l4_1 - k4_yz - ld3_2*l4_2
     l4_3 = ipivot3*ld4_3
-    ld5_3 = nu3_z_3 - nu1_z_5*l5_1 - ld3_2*l5_2
+    ld5_3 = nu4_y_3 + nu2_y_5*l5_1 - ld3_2*l5_2
     l5_3 = ipivot3*ld5_3
-    ld6_3 = nu3_z_2 - nu1_z_5*l6_1 - ld3_2*l6_2
+    ld6_3 = nu4_y_2 + nu2_y_5*l6_1 - ld3_2*l6_2
     l6_3 = ipivot3*ld6_3
-    ld7_3 = nu3_z - nu1_z_5*l7_1 - ld3_2*l7_2
+    ld7_3 = nu4_y + nu2_y_5*l7_1 - ld3_2*l7_2
     l7_3 = ipivot3*ld7_3
-    pivot4 = m4_4 - nu1_z_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    pivot4 = m4_4 + nu2_y_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    ld5_4 = nu4_z_3 - nu1_z_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
+    ld5_4 = m4_5 + nu2_y_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
     l5_4 = ipivot4*ld5_4
-    ld6_4 = -(nu1_z_4*l6_1 - nu4_z_2 + ld4_2*l6_2) - ld4_3*l6_3
+    ld6_4 = -ld4_3*l6_3 - (ld4_2*l6_2 - (m4_6 + nu2_y_4*l6_1))
     l6_4 = ipivot4*ld6_4
-    ld7_4 = nu4_z - nu1_z_4*l7_1 - ld4_2*l7_2 - ld4_3*l7_3
+    ld7_4 = m4_7 + nu2_y_4*l7_1 - ld4_2*l7_2 - ld4_3*l7_3
     l7_4 = ipivot4*ld7_4
-    pivot5 = m5_5 - nu1_z_3*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    pivot5 = m5_5 + nu2_y_3*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = -ld5_4*l6_4 - (nu1_z_3*l6_1 - nu5_z_2 + ld5_2*l6_2 + ld5_3*l6_3)
+    ld6_5 = -ld5_3*l6_3 - (ld5_2*l6_2 - (k6_yz + nu2_y_3*l6_1)) - ld5_4*l6_4
     l6_5 = ipivot5*ld6_5
-    ld7_5 = nu5_z - nu1_z_3*l7_1 - ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4
+    ld7_5 = nu2_y_3*l7_1 - nu6_y - ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4
     l7_5 = ipivot5*ld7_5
-    pivot6 = -(ld6_2*l6_2 - (m6_6 - nu1_z_2*l6_1) + ld6_3*l6_3 + ld6_4*l6_4) - ld6_5*l6_5
+    pivot6 = -ld6_5*l6_5 - (ld6_2*l6_2 - (m6_6 + nu2_y_2*l6_1) + ld6_3*l6_3 + ld6_4*l6_4)
     ipivot6 = 1.0_rk / pivot6
-    ld7_6 = -ld6_5*l7_5 - (nu1_z_2*l7_1 - nu6_z + ld6_2*l7_2 + ld6_3*l7_3 + ld6_4*l7_4)
+    ld7_6 = -(ld6_2*l7_2 - (nu2_y_2*l7_1 - neg_m6_7) + ld6_3*l7_3 + ld6_4*l7_4) - ld6_5*l7_5
     l7_6 = ipivot6*ld7_6
-    t43 = 0.48318719298539553_rk - nu1_z*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
-    pivot7 = t43 - ld7_6*l7_6
+    t61 = nu2_y*l7_1 + 0.48318719298539553_rk - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
+    pivot7 = t61 - ld7_6*l7_6
     ipivot7 = 1.0_rk / pivot7
     ! link 2: forward substitution
     y2 = tau(2) - n2_z - y1*l2_1
@@ -1846,9 +1818,9 @@ contains
     y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
     ! link 6: forward substitution
     y6 = tau(6) - n6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
-    t44 = tau(7) - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5
+    t62 = tau(7) - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5
     ! link 7: forward substitution
-    y7 = t44 - l7_6*y6
+    y7 = t62 - l7_6*y6
     ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd7 = ipivot7*y7
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
@@ -1858,13 +1830,12 @@ contains
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6 - l7_4*qdd7
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = -(l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6) - l7_3*qdd7
-    t45 = -(l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6)
+    qdd3 = -l7_3*qdd7 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6)
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = t45 - l7_2*qdd7
-    t46 = l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6
+    qdd2 = -l7_2*qdd7 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6)
+    t63 = y1*neg_ipivot1 + l2_1*qdd2 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -l7_1*qdd7 - t46
+    qdd1 = -t63 - l7_1*qdd7
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 296 multiplications, 281 additions = 577; 7 unary minus; 12 sine/cosine
- *   gravity: 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
- *   bias: 288 multiplications, 262 additions = 550; 10 unary minus; 12 sine/cosine
- *   mass_matrix: 183 multiplications, 150 additions = 333; 10 unary minus; 12 sine/cosine
- *   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 24 unary minus; 12
+ *   inverse_dynamics: 296 multiplications, 281 additions = 577; 6 unary minus; 12 sine/cosine
+ *   gravity: 64 multiplications, 38 additions = 102; 2 unary minus; 12 sine/cosine
+ *   bias: 288 multiplications, 262 additions = 550; 8 unary minus; 12 sine/cosine
+ *   mass_matrix: 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
+ *   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 17 unary minus; 12
  *       sine/cosine
  */
 #ifndef IIWA_H

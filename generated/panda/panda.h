@@ -18,11 +18,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 308 multiplications, 292 additions = 600; 11 unary minus; 12 sine/cosine
- *   gravity: 64 multiplications, 38 additions = 102; 3 unary minus; 12 sine/cosine
- *   bias: 300 multiplications, 273 additions = 573; 12 unary minus; 12 sine/cosine
+ *   inverse_dynamics: 308 multiplications, 292 additions = 600; 8 unary minus; 12 sine/cosine
+ *   gravity: 64 multiplications, 38 additions = 102; 1 unary minus; 12 sine/cosine
+ *   bias: 300 multiplications, 273 additions = 573; 8 unary minus; 12 sine/cosine
  *   mass_matrix: 203 multiplications, 173 additions = 376; 7 unary minus; 12 sine/cosine
- *   forward_dynamics: 629 multiplications, 551 additions, 7 divisions = 1187; 21 unary minus; 12
+ *   forward_dynamics: 629 multiplications, 551 additions, 7 divisions = 1187; 22 unary minus; 12
  *       sine/cosine
  */
 #ifndef PANDA_H

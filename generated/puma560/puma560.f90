@@ -15,11 +15,11 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 187 multiplications, 151 additions = 338; 4 unary minus; 10 sine/cosine
+!   inverse_dynamics: 187 multiplications, 151 additions = 338; 3 unary minus; 10 sine/cosine
 !   gravity: 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
-!   bias: 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
-!   mass_matrix: 103 multiplications, 85 additions = 188; 2 unary minus; 8 sine/cosine
-!   forward_dynamics: 354 multiplications, 270 additions, 6 divisions = 630; 16 unary minus; 12
+!   bias: 165 multiplications, 116 additions = 281; 0 unary minus; 10 sine/cosine
+!   mass_matrix: 84 multiplications, 71 additions = 155; 0 unary minus; 8 sine/cosine
+!   forward_dynamics: 333 multiplications, 255 additions, 6 divisions = 594; 15 unary minus; 10
 !       sine/cosine
 module puma560_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,33 +35,28 @@ module puma560_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 187 multiplications, 151 additions = 338; 4 unary minus; 10 sine/cosine
+  ! 187 multiplications, 151 additions = 338; 3 unary minus; 10 sine/cosine
   pure subroutine puma560_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="puma560_inverse_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: qdd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
-    real(rk) :: angle23, c23, s23, w3_z, alpha3_z, ww1_zz, a2_z, t1
-    real(rk) :: w2_x, w2_y, t2, neg_a2_x, a2_y, ww2_yz, ww2_zx, alpha2_x
-    real(rk) :: neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13
-    real(rk) :: lam2_21, neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33, a3_z, w3_x
-    real(rk) :: w3_y, t3, t4, t5, t6, neg_a3_x, a3_y, ww3_yz
-    real(rk) :: ww3_zx, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11
-    real(rk) :: lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_31, lam3_32, neg_lam3_33, a4_z
-    real(rk) :: w4_x, w4_y, t7, t8, a4_x, a4_y, alpha4_x, alpha4_y
-    real(rk) :: alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, w5_x, t9, w5_y
-    real(rk) :: a5_x, alpha5_y, alpha5_z, w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz
-    real(rk) :: lam5_12, lam5_21, neg_lam5_22, lam5_31, lam5_32, w6_x, w6_y, alpha6_z
-    real(rk) :: w6_z, ww6_yz, ww6_zx, fc2_x, fc2_y, neg_nc2_x, nc2_y, t10
-    real(rk) :: nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, nc4_y
-    real(rk) :: nc4_x, nc4_z, fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z
-    real(rk) :: nc6_x, nc6_y, nc6_z, n06_x, n06_y, tau6, n5_x, n5_y
-    real(rk) :: n5_z, f05_x, f05_y, n05_x, n05_y, tau5, n4_x, n4_y
-    real(rk) :: n4_z, f04_x, f04_y, n04_x, n04_y, tau4, n3_x, n3_y
-    real(rk) :: n3_z, f3_x, f3_y, f3_z, f03_x, f03_y, tau3, t11
-    real(rk) :: n02_z, f02_x, tau2, t12, tau1
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, w3_z, alpha3_z, ww1_zz, neg_a2_z
+    real(rk) :: t1, w2_x, w2_y, t2, neg_a2_x, a2_y, ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy
+    real(rk) :: ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21, neg_lam2_22
+    real(rk) :: lam2_23, lam2_31, lam2_32, neg_lam2_33, a3_z, w3_x, w3_y, t3, t4, t5, t6, neg_a3_x
+    real(rk) :: a3_y, ww3_yz, ww3_zx, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz
+    real(rk) :: neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_31, lam3_32, neg_lam3_33
+    real(rk) :: a4_z, w4_x, w4_y, t7, t8, a4_x, a4_y, alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz
+    real(rk) :: ww4_zx, ww4_xy, w5_x, t9, w5_y, a5_x, alpha5_y, alpha5_z, w5_z, ww5_zx, ww5_xy
+    real(rk) :: ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22, neg_lam5_31, lam5_32, w6_x, w6_y
+    real(rk) :: alpha6_z, w6_z, ww6_yz, ww6_zx, fc2_x, fc2_y, nc2_x, nc2_y, t10, nc2_z, fc3_x
+    real(rk) :: fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, neg_nc4_y, nc4_x, nc4_z, fc5_x, fc5_y, fc5_z
+    real(rk) :: nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z, n06_x, n06_y, tau6, n5_x, n5_y, n5_z
+    real(rk) :: f05_x, f05_y, n05_x, n05_y, tau5, n4_x, n4_y, n4_z, f04_x, f04_y, n04_x, n04_y
+    real(rk) :: tau4, n3_x, n3_y, n3_z, f3_x, f3_y, f3_z, f03_x, f03_y, tau3, t11, n02_z, f02_x
+    real(rk) :: tau2, t12, tau1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -82,7 +77,7 @@ contains
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1501_rk*ww1_zz
+    neg_a2_z = 0.1501_rk*ww1_zz
     t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
     w2_x = t1*s2
@@ -113,7 +108,7 @@ contains
     lam2_32 = ww2_yz + alpha2_x
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z + 0.4318_rk*lam2_31
+    a3_z = 0.4318_rk*lam2_31 - neg_a2_z
     ! link 3: angular velocity [rad/s]
     w3_x = t1*s23
     w3_y = t1*c23
@@ -149,13 +144,13 @@ contains
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
-    t7 = neg_a3_x + (0.4331_rk*lam3_12 - 0.0203_rk*neg_lam3_11)
-    t8 = 0.0203_rk*lam3_31 + 0.4331_rk*lam3_32 - a3_z
+    t7 = a3_z + (-0.0203_rk*lam3_31 - 0.4331_rk*lam3_32)
+    t8 = neg_a3_x + (0.4331_rk*lam3_12 - 0.0203_rk*neg_lam3_11)
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = -(c4*t7) - s4*t8
-    a4_y = s4*t7 - c4*t8
+    a4_x = s4*t7 - c4*t8
+    a4_y = s4*t8 + c4*t7
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*alpha3_z)
+    alpha4_x = qd(4)*w4_y - (-s4*alpha3_z - c4*alpha3_x)
     alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
     alpha4_z = qdd(4) + neg_alpha3_y
     ! link 4: angular velocity [rad/s]
@@ -166,12 +161,12 @@ contains
     ww4_xy = w4_x*w4_y
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    t9 = -s5
-    w5_y = t9*w4_x - c5*w4_z
+    t9 = -c5
+    w5_y = t9*w4_z - s5*w4_x
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
     a5_x = c5*a4_x - s5*a4_z
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_y = t9*alpha4_x - c5*alpha4_z - qd(5)*w5_x
+    alpha5_y = t9*alpha4_z - s5*alpha4_x - qd(5)*w5_x
     alpha5_z = qdd(5) + alpha4_y
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
@@ -184,7 +179,7 @@ contains
     lam5_12 = ww5_xy - alpha5_z
     lam5_21 = alpha5_z + ww5_xy
     neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_31 = ww5_zx - alpha5_y
+    neg_lam5_31 = alpha5_y - ww5_zx
     lam5_32 = w5_y*(qd(5) + w5_z) - (s5*alpha4_z - c5*alpha4_x)
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
@@ -200,8 +195,8 @@ contains
     fc2_x = 0.1044_rk*lam2_12 - 3.79559_rk*neg_lam2_11
     fc2_y = 3.79559_rk*lam2_21 - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
-    neg_nc2_x = -0.0731264_rk*lam2_32 - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
-        (0.12059664_rk*lam2_21 - 0.0070992_rk*lam2_31) + 0.01567044_rk*ww1_zz
+    nc2_x = -0.01567044_rk*ww1_zz - (-0.0731264_rk*lam2_32 - 0.00808056_rk*(neg_lam2_22 - &
+        neg_lam2_33) + (0.12059664_rk*lam2_21 - 0.0070992_rk*lam2_31))
     nc2_y = -1.674987602_rk*lam2_31 - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) - &
         (0.0070992_rk*lam2_32 - 0.00808056_rk*lam2_12) + 0.569718059_rk*ww1_zz
     t10 = 1.674987602_rk*lam2_21 - 0.0731264_rk*lam2_12 + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) &
@@ -219,7 +214,7 @@ contains
     nc3_z = 0.0167651125_rk*lam3_21 - 0.3163401365_rk*lam3_12 + 0.0106736385_rk*(neg_lam3_11 - &
         neg_lam3_22) + 0.004704_rk*lam3_13 - (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
     ! link 4: moment that turns the link [N m]
-    nc4_y = -0.0013_rk*ww4_zx
+    neg_nc4_y = 0.0013_rk*ww4_zx
     nc4_x = 0.0014_rk*ww4_yz + 0.0001_rk*alpha4_x
     nc4_z = 0.0014_rk*alpha4_z - 0.0001_rk*ww4_xy
     ! link 5: force that moves the link [N]
@@ -227,7 +222,7 @@ contains
     fc5_y = 0.00288_rk*neg_lam5_22
     fc5_z = -0.00288_rk*lam5_32
     ! link 5: moment that turns the link [N m]
-    nc5_y = -0.0002_rk*lam5_31
+    nc5_y = 0.0002_rk*neg_lam5_31
     nc5_x = 0.00044216_rk*lam5_32 - 0.00288_rk*a4_y
     nc5_z = 0.0002_rk*lam5_21 - 0.00044216_rk*lam5_12 + 0.00288_rk*a5_x
     ! link 6: moment that turns the link [N m]
@@ -253,7 +248,7 @@ contains
     tau5 = n5_z + 0.179_rk*qdd(5)
     ! link 4: moment through the joint, about the frame's origin [N m]
     n4_x = nc4_x + n05_x
-    n4_y = nc4_y + n5_z
+    n4_y = n5_z - neg_nc4_y
     n4_z = nc4_z - n05_y
     ! link 4: force through the joint, along the axes that its turn starts from [N]
     f04_x = c4*f05_x - s4*fc5_z
@@ -283,7 +278,7 @@ contains
     f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
     ! link 2: joint torque [N m], at a prismatic joint force [N]
     tau2 = n02_z + 4.71_rk*qdd(2)
-    t12 = 0.1501_rk*f02_x - (f3_z*t11 - (c2*nc2_y - (s2*neg_nc2_x - (s23*n3_x + c23*n3_y))))
+    t12 = 0.1501_rk*f02_x - (f3_z*t11 - (c2*nc2_y + (s2*nc2_x + (s23*n3_x + c23*n3_y))))
     ! link 1: joint torque [N m], at a prismatic joint force [N]
     tau1 = 2.6017295505_rk*qdd(1) - t12
     tau(1) = tau1
@@ -300,10 +295,8 @@ contains
       bind(c, name="puma560_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23
-    real(rk) :: s23, a3_x, a3_y, a4_x, neg_a4_y, a5_x, nc2_z, nc3_z
-    real(rk) :: nc5_x, nc5_z, n05_x, n05_y, neg_n04_x, n04_y, n3_z, neg_n03_y
-    real(rk) :: n02_z, t1
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, a3_x, a3_y, a4_x, neg_a4_y, a5_x, nc2_z
+    real(rk) :: nc3_z, nc5_x, nc5_z, n05_x, neg_n05_y, n04_x, n04_y, n3_z, neg_n03_y, n02_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -332,49 +325,44 @@ contains
     nc5_z = 0.00288_rk*a5_x
     ! link 5: moment through the joint, along the axes that its turn starts from [N m]
     n05_x = c5*nc5_x
-    n05_y = s5*nc5_x
+    neg_n05_y = -s5*nc5_x
     ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    neg_n04_x = s4*nc5_z - c4*n05_x
+    n04_x = c4*n05_x - s4*nc5_z
     n04_y = s4*n05_x + c4*nc5_z
     ! link 3: moment through the joint, about the frame's origin [N m]
     n3_z = nc3_z + n04_y
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    neg_n03_y = s23*neg_n04_x - c23*n05_y
+    neg_n03_y = c23*neg_n05_y - s23*n04_x
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
     n02_z = nc2_z + n3_z
-    t1 = -n05_y
     tau(1) = neg_n03_y
     tau(2) = n02_z
     tau(3) = n3_z
-    tau(4) = t1
+    tau(4) = neg_n05_y
     tau(5) = nc5_z
     tau(6) = 0.0_rk
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
+  ! 165 multiplications, 116 additions = 281; 0 unary minus; 10 sine/cosine
   pure subroutine puma560_bias(q, qd, tau) &
       bind(c, name="puma560_bias_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6
-    real(rk) :: angle23, c23, s23, w3_z, ww1_zz, a2_z, neg_w2_x, neg_w2_y
-    real(rk) :: neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22
-    real(rk) :: neg_lam2_33, a3_z, t1, w3_x, w3_y, t2, t3, t4
-    real(rk) :: t5, neg_a3_x, a3_y, alpha3_x, alpha3_y, ww3_xy, ww3_xx, ww3_yy
-    real(rk) :: ww3_zz, neg_lam3_11, neg_lam3_22, neg_lam3_33, a4_z, w4_x, w4_y, t6
-    real(rk) :: t7, a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx
-    real(rk) :: ww4_xy, w5_x, w5_y, a5_x, alpha5_y, w5_z, ww5_zx, ww5_xy
-    real(rk) :: ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22, lam5_31, lam5_32, w6_x
-    real(rk) :: w6_y, w6_z, ww6_yz, ww6_zx, fc2_x, fc2_y, neg_nc2_x, nc2_y
-    real(rk) :: nc2_z, fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, neg_nc3_z, nc4_y
-    real(rk) :: nc4_x, nc4_z, fc5_x, fc5_y, fc5_z, nc5_y, nc5_x, nc5_z
-    real(rk) :: nc6_x, nc6_y, nc6_z, n06_x, n06_y, n5_x, n5_y, n5_z
-    real(rk) :: f05_x, f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f04_x
-    real(rk) :: f04_y, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y
-    real(rk) :: f3_z, f03_x, f03_y, n03_y, t8, n02_y, n02_z, f02_x
-    real(rk) :: n1_z
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, w3_z, ww1_zz, a2_z, neg_w2_x
+    real(rk) :: neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: neg_lam2_22, neg_lam2_33, neg_a3_z, neg_w3_x, neg_w3_y, t1, t2, t3, t4, neg_a3_x
+    real(rk) :: a3_y, neg_alpha3_x, alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11
+    real(rk) :: neg_lam3_22, neg_lam3_33, neg_a4_z, neg_w4_x, w4_y, t5, t6, neg_a4_x, a4_y
+    real(rk) :: neg_alpha4_x, alpha4_y, w4_z, ww4_yz, neg_ww4_zx, neg_ww4_xy, neg_w5_x, w5_y, a5_x
+    real(rk) :: alpha5_y, w5_z, neg_ww5_zx, neg_ww5_xy, ww5_xx, ww5_zz, neg_lam5_12, lam5_21
+    real(rk) :: neg_lam5_22, neg_lam5_31, neg_lam5_32, neg_w6_x, w6_y, w6_z, ww6_yz, neg_ww6_zx
+    real(rk) :: neg_fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, neg_fc3_y, fc3_z, nc3_x, nc3_y
+    real(rk) :: neg_nc3_z, nc4_y, nc4_x, nc4_z, fc5_x, fc5_y, fc5_z, nc5_y, neg_nc5_x, nc5_z, nc6_x
+    real(rk) :: nc6_y, nc6_z, n06_x, n06_y, neg_n5_x, n5_y, n5_z, f05_x, f05_y, neg_n05_x, n05_y
+    real(rk) :: n4_x, n4_y, n4_z, f04_x, f04_y, n04_x, n04_y, n3_x, neg_n3_y, n3_z, f3_x, neg_f3_y
+    real(rk) :: f3_z, f03_x, f03_y, n03_y, t7, n02_y, n02_z, neg_f02_x, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -410,78 +398,77 @@ contains
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - 0.8636_rk*alpha2_y
-    t1 = -qd(1)
+    neg_a3_z = 0.8636_rk*alpha2_y - a2_z
     ! link 3: angular velocity [rad/s]
-    w3_x = t1*s23
-    w3_y = t1*c23
-    t2 = 0.4318_rk*neg_lam2_11
-    t3 = 0.4318_rk*ww2_xy
-    t4 = c2*t2 + s2*t3
-    t5 = s2*t2 - c2*t3 + 9.8_rk
+    neg_w3_x = qd(1)*s23
+    neg_w3_y = qd(1)*c23
+    t1 = 0.4318_rk*neg_lam2_11
+    t2 = 0.4318_rk*ww2_xy
+    t3 = c2*t1 + s2*t2
+    t4 = s2*t1 - c2*t2 + 9.8_rk
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*t4 + s23*t5
-    a3_y = s23*t4 - c23*t5
+    neg_a3_x = c23*t3 + s23*t4
+    a3_y = s23*t3 - c23*t4
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = w3_z*w3_y
-    alpha3_y = -w3_z*w3_x
+    neg_alpha3_x = w3_z*neg_w3_y
+    alpha3_y = w3_z*neg_w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
+    ww3_xy = neg_w3_x*neg_w3_y
+    ww3_xx = neg_w3_x*neg_w3_x
+    ww3_yy = neg_w3_y*neg_w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
     neg_lam3_22 = ww3_xx + ww3_zz
     neg_lam3_33 = ww3_xx + ww3_yy
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = 0.0203_rk*ww3_xy - 0.4331_rk*neg_lam3_22 - a3_y
+    neg_a4_z = a3_y - (0.0203_rk*ww3_xy - 0.4331_rk*neg_lam3_22)
     ! link 4: angular velocity [rad/s]
-    w4_x = c4*w3_x + s4*w3_z
-    w4_y = c4*w3_z - s4*w3_x
-    t6 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
-    t7 = 0.8662_rk*alpha3_x - 0.0406_rk*alpha3_y - a3_z
+    neg_w4_x = c4*neg_w3_x - s4*w3_z
+    w4_y = s4*neg_w3_x + c4*w3_z
+    t5 = neg_a3_x - (0.0203_rk*neg_lam3_11 - 0.4331_rk*ww3_xy)
+    t6 = neg_a3_z - (0.0406_rk*alpha3_y + 0.8662_rk*neg_alpha3_x)
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = -(c4*t6) - s4*t7
-    a4_y = s4*t6 - c4*t7
+    neg_a4_x = c4*t5 + s4*t6
+    a4_y = s4*t5 - c4*t6
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = c4*alpha3_x + qd(4)*w4_y
-    alpha4_y = -s4*alpha3_x - qd(4)*w4_x
+    neg_alpha4_x = c4*neg_alpha3_x - qd(4)*w4_y
+    alpha4_y = s4*neg_alpha3_x + qd(4)*neg_w4_x
     ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) - w3_y
+    w4_z = qd(4) + neg_w3_y
     ! link 4: products of the angular velocity [1/s^2]
     ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
-    ww4_xy = w4_x*w4_y
+    neg_ww4_zx = neg_w4_x*w4_z
+    neg_ww4_xy = neg_w4_x*w4_y
     ! link 5: angular velocity [rad/s]
-    w5_x = c5*w4_x - s5*w4_z
-    w5_y = -s5*w4_x - c5*w4_z
+    neg_w5_x = c5*neg_w4_x + s5*w4_z
+    w5_y = s5*neg_w4_x - c5*w4_z
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x - s5*a4_z
+    a5_x = s5*neg_a4_z - c5*neg_a4_x
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
+    alpha5_y = s5*neg_alpha4_x + c5*alpha3_y + qd(5)*neg_w5_x
     ! link 5: angular velocity [rad/s]
     w5_z = qd(5) + w4_y
     ! link 5: products of the angular velocity [1/s^2]
-    ww5_zx = w5_x*w5_z
-    ww5_xy = w5_x*w5_y
-    ww5_xx = w5_x*w5_x
+    neg_ww5_zx = neg_w5_x*w5_z
+    neg_ww5_xy = neg_w5_x*w5_y
+    ww5_xx = neg_w5_x*neg_w5_x
     ww5_zz = w5_z*w5_z
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_12 = ww5_xy - alpha4_y
-    lam5_21 = alpha4_y + ww5_xy
+    neg_lam5_12 = alpha4_y + neg_ww5_xy
+    lam5_21 = alpha4_y - neg_ww5_xy
     neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = w5_y*(qd(5) + w5_z) - (-c5*alpha4_x - s5*alpha3_y)
+    neg_lam5_31 = alpha5_y + neg_ww5_zx
+    neg_lam5_32 = c5*neg_alpha4_x - s5*alpha3_y - w5_y*(qd(5) + w5_z)
     ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x + s6*w5_z
-    w6_y = c6*w5_z - s6*w5_x
+    neg_w6_x = c6*neg_w5_x - s6*w5_z
+    w6_y = s6*neg_w5_x + c6*w5_z
     w6_z = qd(6) - w5_y
     ! link 6: products of the angular velocity [1/s^2]
     ww6_yz = w6_y*w6_z
-    ww6_zx = w6_x*w6_z
+    neg_ww6_zx = neg_w6_x*w6_z
     ! link 2: force that moves the link [N]
-    fc2_x = 0.1044_rk*ww2_xy - 3.79559_rk*neg_lam2_11
+    neg_fc2_x = 3.79559_rk*neg_lam2_11 - 0.1044_rk*ww2_xy
     fc2_y = 3.79559_rk*ww2_xy - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
     neg_nc2_x = 0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
@@ -492,46 +479,46 @@ contains
         1.02312_rk*s2)
     ! link 3: force that moves the link [N]
     fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*ww3_xy
-    fc3_y = 0.861795_rk*neg_lam3_22 - 0.025375_rk*ww3_xy
-    fc3_z = 0.05075_rk*alpha3_y - 1.72359_rk*alpha3_x
+    neg_fc3_y = 0.025375_rk*ww3_xy - 0.861795_rk*neg_lam3_22
+    fc3_z = 0.05075_rk*alpha3_y + 1.72359_rk*neg_alpha3_x
     ! link 3: moment that turns the link [N m]
-    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.632680273_rk*alpha3_x &
-        + 0.021347277_rk*alpha3_y)
-    nc3_y = 0.033530225_rk*alpha3_y - (0.004704_rk*ww3_xy + 0.021347277_rk*alpha3_x) + &
-        0.025375_rk*a3_z
+    nc3_x = 0.861795_rk*neg_a3_z - (0.632680273_rk*neg_alpha3_x + 0.004704_rk*(neg_lam3_22 - &
+        neg_lam3_33) + 0.021347277_rk*alpha3_y)
+    nc3_y = 0.033530225_rk*alpha3_y - (0.004704_rk*ww3_xy - 0.021347277_rk*neg_alpha3_x) - &
+        0.025375_rk*neg_a3_z
     neg_nc3_z = 0.299575024_rk*ww3_xy - 0.0106736385_rk*(neg_lam3_11 - neg_lam3_22) + &
         (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
     ! link 4: moment that turns the link [N m]
-    nc4_y = -0.0013_rk*ww4_zx
-    nc4_x = 0.0014_rk*ww4_yz + 0.0001_rk*alpha4_x
-    nc4_z = -0.0001_rk*ww4_xy - 0.0014_rk*alpha3_y
+    nc4_y = 0.0013_rk*neg_ww4_zx
+    nc4_x = 0.0014_rk*ww4_yz - 0.0001_rk*neg_alpha4_x
+    nc4_z = 0.0001_rk*neg_ww4_xy - 0.0014_rk*alpha3_y
     ! link 5: force that moves the link [N]
-    fc5_x = -0.00288_rk*lam5_12
+    fc5_x = 0.00288_rk*neg_lam5_12
     fc5_y = 0.00288_rk*neg_lam5_22
-    fc5_z = -0.00288_rk*lam5_32
+    fc5_z = 0.00288_rk*neg_lam5_32
     ! link 5: moment that turns the link [N m]
-    nc5_y = -0.0002_rk*lam5_31
-    nc5_x = 0.00044216_rk*lam5_32 - 0.00288_rk*a4_y
-    nc5_z = 0.0002_rk*lam5_21 - 0.00044216_rk*lam5_12 + 0.00288_rk*a5_x
+    nc5_y = 0.0002_rk*neg_lam5_31
+    neg_nc5_x = 0.00044216_rk*neg_lam5_32 + 0.00288_rk*a4_y
+    nc5_z = 0.0002_rk*lam5_21 + 0.00044216_rk*neg_lam5_12 + 0.00288_rk*a5_x
     ! link 6: moment that turns the link [N m]
     nc6_x = 4e-05_rk*ww6_yz
-    nc6_y = -4e-05_rk*ww6_zx
+    nc6_y = 4e-05_rk*neg_ww6_zx
     nc6_z = -4e-05_rk*alpha5_y
     ! link 6: moment through the joint, along the axes that its turn starts from [N m]
     n06_x = c6*nc6_x - s6*nc6_y
     n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
+    neg_n5_x = neg_nc5_x - n06_x
     n5_y = nc5_y - nc6_z
     n5_z = nc5_z + n06_y
     ! link 5: force through the joint, along the axes that its turn starts from [N]
     f05_x = c5*fc5_x - s5*fc5_y
     f05_y = s5*fc5_x + c5*fc5_y
     ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = c5*n5_x - s5*n5_y
-    n05_y = s5*n5_x + c5*n5_y
+    neg_n05_x = c5*neg_n5_x + s5*n5_y
+    n05_y = c5*n5_y - s5*neg_n5_x
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + n05_x
+    n4_x = nc4_x - neg_n05_x
     n4_y = nc4_y + n5_z
     n4_z = nc4_z - n05_y
     ! link 4: force through the joint, along the axes that its turn starts from [N]
@@ -542,25 +529,25 @@ contains
     n04_y = s4*n4_x + c4*n4_y
     ! link 3: moment through the joint, about the frame's origin [N m]
     n3_x = n04_x - (0.4331_rk*f04_y - nc3_x)
-    n3_y = nc3_y + 0.0203_rk*f04_y - n4_z
+    neg_n3_y = n4_z - (nc3_y + 0.0203_rk*f04_y)
     n3_z = n04_y - (neg_nc3_z + (0.0203_rk*f05_y - 0.4331_rk*f04_x))
     ! link 3: force through the joint [N]
     f3_x = fc3_x + f04_x
-    f3_y = fc3_y + f05_y
+    neg_f3_y = neg_fc3_y - f05_y
     f3_z = fc3_z + f04_y
     ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c23*f3_x - s23*f3_y
-    f03_y = s23*f3_x + c23*f3_y
+    f03_x = c23*f3_x + s23*neg_f3_y
+    f03_y = s23*f3_x - c23*neg_f3_y
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s23*n3_x + c23*n3_y
-    t8 = 0.4318_rk*c2
+    n03_y = s23*n3_x - c23*neg_n3_y
+    t7 = 0.4318_rk*c2
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t8)
-    n02_z = n3_z + (nc2_z + (f03_y*t8 - f03_x*(0.4318_rk*s2)))
+    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t7)
+    n02_z = n3_z + (nc2_z + (f03_y*t7 - f03_x*(0.4318_rk*s2)))
     ! link 2: force through the joint, along the axes that its turn starts from [N]
-    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
+    neg_f02_x = c2*neg_fc2_x + s2*fc2_y - f03_x
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = -0.1501_rk*f02_x - n02_y
+    n1_z = 0.1501_rk*neg_f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n02_z
     tau(3) = n3_z
@@ -570,360 +557,302 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 103 multiplications, 85 additions = 188; 2 unary minus; 8 sine/cosine
+  ! 84 multiplications, 71 additions = 155; 0 unary minus; 8 sine/cosine
   pure subroutine puma560_mass_matrix(q, M) &
       bind(c, name="puma560_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: nu4_x, nu4_z, nu3_x, nu3_z, nu2_x, nu2_y, nu1_z, fu4_x
-    real(rk) :: fu4_z, fu3_x, fu3_z, nu3_y, neg_nu3_x, nu3_z_2, fu2_x, fu2_y
-    real(rk) :: neg_nu2_x, nu2_y_2, nu2_z, fu1_x, nu1_z_2, t1, k4_zz, k4_xz
-    real(rk) :: k4_xx, m4_4, fu3_x_2, fu3_z_2, t2, t3, neg_nu3_x_2, nu3_y_2
-    real(rk) :: nu3_z_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_3, nu2_z_2, fu1_x_2, nu1_z_3
-    real(rk) :: t4, t5, k3_zz, neg_k3_xz, h3_x, neg_h3_y, t6, k3_xx
-    real(rk) :: t7, k3_yy, k3_xy, k3_yz, t8, m3_3, fu2_x_3, fu2_y_3
-    real(rk) :: nu2_x_2, nu2_y_4, nu2_z_3, fu1_x_3, nu1_z_4, t9, t10, t11
-    real(rk) :: t12, t13, t14, k2_zz, h2_x, neg_h2_y, t15, k2_yy
-    real(rk) :: k2_xy, neg_k2_xz, k2_yz, t16, m2_2, fu1_x_4, nu1_z_5, t17
-    real(rk) :: m1_1
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, nu5_x, neg_nu5_y, nu4_x, nu4_y
+    real(rk) :: neg_nu3_y, h5_x, neg_h5_y, t1, k5_yy, neg_k5_xy, fu4_x, fu4_y, neg_nu4_x, nu4_y_2
+    real(rk) :: m3_5, fu3_x, fu3_y, nu3_y, t2, nu2_y, t3, m2_5, m1_5, h4_x, h4_y, t4, t5, k4_xx
+    real(rk) :: k4_yy, neg_k4_xy, k4_xz, k4_yz, m4_4, m3_4, neg_fu3_x, neg_fu3_y, t6, nu3_y_2
+    real(rk) :: nu2_y_2, m2_4, m1_4, t7, t8, h3_x, h3_y, t9, t10, t11, k3_xx, k3_yy, neg_k3_yz, t12
+    real(rk) :: m3_3, m2_3, m1_3, t13, k2_zz, h2_y, t14, k2_xx, k2_yz, m2_2, m1_2, m1_1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x = 4e-05_rk*s5
+    neg_nu5_y = 4e-05_rk*c5
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = 4e-05_rk*s5
-    nu4_z = 4e-05_rk*c5
+    nu4_x = c4*nu5_x
+    nu4_y = s4*nu5_x
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c4*nu4_x
-    nu3_z = s4*nu4_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x = c3*nu3_x + s3*nu4_z
-    nu2_y = s3*nu3_x - c3*nu4_z
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z = -(s2*nu2_x) - c2*nu2_y
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = 0.00288_rk*c5
-    fu4_z = -0.00288_rk*s5
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c4*fu4_x
-    fu3_z = s4*fu4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = 0.0203_rk*fu3_z
-    neg_nu3_x = 0.00064216_rk*s4 + 0.4331_rk*fu3_z
-    nu3_z_2 = 0.00064216_rk*c4 - (5.8464e-05_rk*s5 - 0.4331_rk*fu3_x)
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c3*fu3_x + s3*fu4_z
-    fu2_y = s3*fu3_x - c3*fu4_z
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x = c3*neg_nu3_x + s3*nu3_y
-    nu2_y_2 = -0.4318_rk*fu3_z - (s3*neg_nu3_x - c3*nu3_y)
-    nu2_z = nu3_z_2 + 0.4318_rk*fu2_y
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x = c2*fu2_x - s2*fu2_y
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.1501_rk*fu1_x
+    neg_nu3_y = c23*neg_nu5_y - s23*nu4_x
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = 0.00288_rk*s5
+    neg_h5_y = 0.00288_rk*c5
     t1 = 0.00020216_rk*(c5*c5)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_zz = t1 + 0.00022_rk
-    k4_xz = 0.00020216_rk*(c5*s5)
-    k4_xx = 0.00107216_rk - t1
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.20184216_rk - t1
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yy = t1 + 0.00022_rk
+    neg_k5_xy = 0.00020216_rk*(c5*s5)
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = c4*neg_h5_y
+    fu4_y = s4*neg_h5_y
+    ! link 4: moment for a unit acceleration of a joint further out
+    neg_nu4_x = 0.00064216_rk*s4
+    nu4_y_2 = 0.00064216_rk*c4
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = nu4_y_2 - (5.8464e-05_rk*s5 - 0.4331_rk*fu4_x)
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = s4*fu4_z
-    fu3_z_2 = -c4*fu4_z
-    t2 = c4*k4_xz
-    t3 = 0.4331_rk*fu3_z_2
+    fu3_x = c23*fu4_x - s23*h5_x
+    fu3_y = s23*fu4_x + c23*h5_x
     ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x_2 = t2 + t3
-    nu3_y_2 = t1 - 0.00184216_rk + 0.0203_rk*fu3_z_2
-    nu3_z_3 = 0.4331_rk*fu3_x_2 - s4*k4_xz
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c3*fu3_x_2
-    fu2_y_2 = s3*fu3_x_2
+    nu3_y = c23*(0.0203_rk*fu4_y) - s23*(neg_nu4_x + 0.4331_rk*fu4_y)
+    t2 = 0.4318_rk*c2
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x_2 = c3*neg_nu3_x_2 + s3*nu3_y_2
-    nu2_y_3 = -0.4318_rk*fu3_z_2 - (s3*neg_nu3_x_2 - c3*nu3_y_2)
-    nu2_z_2 = nu3_z_3 + 0.4318_rk*fu2_y_2
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.1501_rk*fu1_x_2
+    nu2_y = nu3_y - t2*fu4_y
+    t3 = 0.4318_rk*s2
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x)
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = -0.1501_rk*fu3_x - nu2_y
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = c4*h5_x
+    h4_y = s4*h5_x
     t4 = t1 - 0.00030216_rk
     t5 = c4*c4*t4
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_zz = k4_xx + t5
-    neg_k3_xz = t4*(c4*s4) - 0.0203_rk*fu3_x_2
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = fu3_z_2 - 0.025375_rk
-    neg_h3_y = fu4_x + 0.861795_rk
-    t6 = 0.00077_rk - t5 - 0.0406_rk*fu3_z_2
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t6 + 0.0167651125_rk
-    t7 = k4_zz + 0.002494656_rk*c5
-    k3_yy = t7 + 0.3156901365_rk
-    k3_xy = 0.0106736385_rk - (t3 + (t2 - 5.8464e-05_rk*c5))
-    k3_yz = nu3_z_3 - 0.004704_rk
-    t8 = t6 + t7
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = 0.00077_rk - t5
+    k4_yy = t5 - (t1 - 0.00107216_rk)
+    neg_k4_xy = t4*(c4*s4)
+    k4_xz = c4*neg_k5_xy
+    k4_yz = s4*neg_k5_xy
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 0.20184216_rk - t1
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t8 + 1.162455249_rk
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_3 = c3*neg_h3_y - s3*h3_x
-    fu2_y_3 = s3*neg_h3_y + c3*h3_x
+    m3_4 = -0.4331_rk*h4_y - k4_yz
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = c23*h4_y
+    neg_fu3_y = s23*h4_y
+    t6 = 0.4331_rk*h4_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y_2 = c23*(t1 - 0.00184216_rk + 0.0203_rk*h4_x) - s23*(k4_xz + t6)
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_2 = c3*neg_k3_xz + s3*k3_yz
-    nu2_y_4 = s3*neg_k3_xz - c3*k3_yz
-    nu2_z_3 = t8 + 0.332455249_rk + 0.4318_rk*fu2_y_3
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_4 = -0.1501_rk*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4)
-    t9 = c3*c3
-    t10 = t6 - t7 - 0.298925024_rk
-    t11 = c3*s3
-    t12 = t9*t10 - k3_xy*(2.0_rk*t11)
-    t13 = k3_xx - t12
-    t14 = k3_zz - t13
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = t13 + t14
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_x = fu2_y_3 + 3.79559_rk
-    neg_h2_y = fu2_x_3 - 0.1044_rk
-    t15 = t14 - k3_zz
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_yy = 0.0731264_rk - t15
-    k2_xy = t10*t11 - k3_xy*(1.0_rk - 2.0_rk*t9) - 0.4318_rk*fu2_x_3 + 0.0070992_rk
-    neg_k2_xz = nu2_x_2 + 0.4318_rk*fu3_x_2 - 0.12059664_rk
-    k2_yz = 0.00808056_rk - nu2_y_4
-    t16 = k3_yy + t12 + 0.8636_rk*fu2_y_3
+    nu2_y_2 = nu3_y_2 - t2*h4_x
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.458114002_rk - (t15 - t16)
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_4 = c2*neg_h2_y - s2*h2_x
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_5 = -0.1501_rk*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz)
-    t17 = k2_xy*(2.0_rk*(c2*s2)) - c2*c2*(t15 + t16 + 1.601861202_rk) - k2_yy - (k2_zz - &
-        0.3002_rk*fu3_x_2)
+    m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = 2.6017295505_rk - t17
+    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_2
+    t7 = h4_x - 0.025375_rk
+    t8 = neg_h5_y + 0.861795_rk
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = c23*t7 + s23*t8
+    h3_y = s23*t7 - c23*t8
+    t9 = k5_yy + 0.002494656_rk*c5
+    t10 = k4_xx - 0.0406_rk*h4_x
+    t11 = c23*c23*(t10 - t9 - 0.298925024_rk) + (t6 + (k4_xz - 5.8464e-05_rk*c5) - &
+        0.0106736385_rk)*(2.0_rk*(c23*s23))
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = t9 + 0.3156901365_rk + t11
+    k3_yy = t10 + 0.0167651125_rk - t11
+    neg_k3_yz = s23*(neg_k4_xy + 0.0203_rk*h4_y) + c23*(0.004704_rk - m3_4)
+    t12 = t10 + t9
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t12 + 1.162455249_rk
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = t12 + 0.332455249_rk + (t2*h3_x + t3*h3_y)
+    ! link 1: mass matrix, its row of this joint
+    m1_3 = 0.1501_rk*h3_y - neg_k3_yz
+    t13 = k3_yy - k4_yy
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = k3_yy - t13
+    ! link 2: first moment of the composite body, about the frame's origin [kg m]
+    h2_y = h3_y + (3.79559_rk*s2 + 0.1044_rk*c2)
+    t14 = k3_xx + t2*(2.0_rk*h3_x)
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_xx = t14 + (1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
+    k2_yz = t3*h4_y - neg_k3_yz + (0.12059664_rk*s2 + 0.00808056_rk*c2)
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t14 - (t3*(-2.0_rk*h3_y) - (k4_yy + t13)) + 6.458114002_rk
+    ! link 1: mass matrix, its row of this joint
+    m1_2 = k2_yz + 0.1501_rk*h2_y
+    m1_1 = k2_xx + (k2_zz + 0.3002_rk*h4_y) + 2.6017295505_rk
     M(1) = m1_1
-    M(2) = nu1_z_5
-    M(3) = nu1_z_4
-    M(4) = nu1_z_3
-    M(5) = nu1_z_2
-    M(6) = nu1_z
-    M(7) = nu1_z_5
+    M(2) = m1_2
+    M(3) = m1_3
+    M(4) = m1_4
+    M(5) = m1_5
+    M(6) = neg_nu3_y
+    M(7) = m1_2
     M(8) = m2_2
-    M(9) = nu2_z_3
-    M(10) = nu2_z_2
-    M(11) = nu2_z
-    M(12) = nu3_z
-    M(13) = nu1_z_4
-    M(14) = nu2_z_3
+    M(9) = m2_3
+    M(10) = m2_4
+    M(11) = m2_5
+    M(12) = nu4_y
+    M(13) = m1_3
+    M(14) = m2_3
     M(15) = m3_3
-    M(16) = nu3_z_3
-    M(17) = nu3_z_2
-    M(18) = nu3_z
-    M(19) = nu1_z_3
-    M(20) = nu2_z_2
-    M(21) = nu3_z_3
+    M(16) = m3_4
+    M(17) = m3_5
+    M(18) = nu4_y
+    M(19) = m1_4
+    M(20) = m2_4
+    M(21) = m3_4
     M(22) = m4_4
     M(23) = 0.0_rk
-    M(24) = nu4_z
-    M(25) = nu1_z_2
-    M(26) = nu2_z
-    M(27) = nu3_z_2
+    M(24) = neg_nu5_y
+    M(25) = m1_5
+    M(26) = m2_5
+    M(27) = m3_5
     M(28) = 0.0_rk
     M(29) = 0.17964216_rk
     M(30) = 0.0_rk
-    M(31) = nu1_z
-    M(32) = nu3_z
-    M(33) = nu3_z
-    M(34) = nu4_z
+    M(31) = neg_nu3_y
+    M(32) = nu4_y
+    M(33) = nu4_y
+    M(34) = neg_nu5_y
     M(35) = 0.0_rk
     M(36) = 0.19304_rk
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 354 multiplications, 270 additions, 6 divisions = 630; 16 unary minus; 12 sine/cosine
+  ! 333 multiplications, 255 additions, 6 divisions = 594; 15 unary minus; 10 sine/cosine
   pure subroutine puma560_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: tau(6)
     real(rk), intent(out) :: qdd(6)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5
-    real(rk) :: c6, s6, nu4_x, nu4_z, nu3_x, nu3_z, nu2_x, nu2_y
-    real(rk) :: nu1_z, fu4_x, fu4_z, fu3_x, fu3_z, nu3_y, neg_nu3_x, nu3_z_2
-    real(rk) :: fu2_x, fu2_y, neg_nu2_x, nu2_y_2, nu2_z, fu1_x, nu1_z_2, t1
-    real(rk) :: k4_zz, k4_xz, k4_xx, m4_4, fu3_x_2, fu3_z_2, t2, t3
-    real(rk) :: neg_nu3_x_2, nu3_y_2, nu3_z_3, fu2_x_2, fu2_y_2, neg_nu2_x_2, nu2_y_3, nu2_z_2
-    real(rk) :: fu1_x_2, nu1_z_3, t4, t5, k3_zz, neg_k3_xz, h3_x, neg_h3_y
-    real(rk) :: t6, k3_xx, t7, k3_yy, k3_xy, k3_yz, t8, m3_3
-    real(rk) :: fu2_x_3, fu2_y_3, nu2_x_2, nu2_y_4, nu2_z_3, fu1_x_3, nu1_z_4, t9
-    real(rk) :: t10, t11, t12, t13, t14, k2_zz, h2_x, neg_h2_y
-    real(rk) :: t15, k2_yy, k2_xy, neg_k2_xz, k2_yz, t16, m2_2, fu1_x_4
-    real(rk) :: nu1_z_5, t17, m1_1, angle23, c23, s23, w3_z, ww1_zz
-    real(rk) :: a2_z, neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy
-    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, t18, w3_x, w3_y
-    real(rk) :: t19, t20, t21, t22, neg_a3_x, a3_y, alpha3_x, alpha3_y
-    real(rk) :: ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, neg_lam3_22, neg_lam3_33, a4_z
-    real(rk) :: w4_x, w4_y, t23, t24, a4_x, a4_y, alpha4_x, alpha4_y
-    real(rk) :: w4_z, ww4_yz, ww4_zx, ww4_xy, w5_x, w5_y, a5_x, alpha5_y
-    real(rk) :: w5_z, ww5_zx, ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22
-    real(rk) :: lam5_31, lam5_32, w6_x, w6_y, w6_z, ww6_yz, ww6_zx, fc2_x
-    real(rk) :: fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x
-    real(rk) :: nc3_y, neg_nc3_z, nc4_y, nc4_x, nc4_z, fc5_x, fc5_y, fc5_z
-    real(rk) :: nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z, n06_x, n06_y
-    real(rk) :: n5_x, n5_y, n5_z, f05_x, f05_y, n05_x, n05_y, n4_x
-    real(rk) :: n4_y, n4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y
-    real(rk) :: n3_z, f3_x, f3_y, f3_z, f03_x, f03_y, n03_y, t25
-    real(rk) :: n02_y, n02_z, f02_x, neg_n1_z, y1, ipivot1, l2_1, l3_1
-    real(rk) :: l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2
-    real(rk) :: l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3
-    real(rk) :: l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4
-    real(rk) :: l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6
-    real(rk) :: ipivot6, y2, y3, y4, y5, y6, qdd6, qdd5
-    real(rk) :: qdd4, qdd3, qdd2, t26, qdd1
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, nu5_x, nu5_y, nu4_x, nu4_y
+    real(rk) :: nu3_y, h5_x, neg_h5_y, t1, k5_yy, neg_k5_xy, fu4_x, fu4_y, neg_nu4_x, nu4_y_2, m3_5
+    real(rk) :: fu3_x, fu3_y, nu3_y_2, t2, nu2_y, t3, m2_5, m1_5, h4_x, h4_y, t4, t5, k4_xx, k4_yy
+    real(rk) :: neg_k4_xy, k4_xz, k4_yz, m4_4, m3_4, neg_fu3_x, neg_fu3_y, t6, nu3_y_3, nu2_y_2
+    real(rk) :: m2_4, m1_4, t7, t8, h3_x, h3_y, t9, t10, t11, k3_xx, k3_yy, neg_k3_yz, t12, m3_3
+    real(rk) :: m2_3, m1_3, t13, k2_zz, h2_y, t14, k2_xx, k2_yz, m2_2, m1_2, m1_1, w3_z, ww1_zz
+    real(rk) :: a2_z, neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz
+    real(rk) :: neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, t15, w3_x, w3_y, t16, t17, t18, t19
+    real(rk) :: neg_a3_x, a3_y, alpha3_x, alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11
+    real(rk) :: neg_lam3_22, neg_lam3_33, a4_z, w4_x, w4_y, t20, t21, a4_x, a4_y, alpha4_x
+    real(rk) :: alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, w5_x, w5_y, a5_x, alpha5_y, w5_z, ww5_zx
+    real(rk) :: ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22, lam5_31, lam5_32, w6_x, w6_y
+    real(rk) :: w6_z, ww6_yz, ww6_zx, fc2_x, fc2_y, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x
+    real(rk) :: nc3_y, neg_nc3_z, neg_nc4_y, nc4_x, nc4_z, fc5_x, fc5_y, fc5_z, neg_nc5_y, nc5_x
+    real(rk) :: nc5_z, nc6_x, nc6_y, neg_nc6_z, n06_x, n06_y, n5_x, n5_y, n5_z, f05_x, f05_y, n05_x
+    real(rk) :: n05_y, n4_x, n4_y, n4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y
+    real(rk) :: f3_z, f03_x, f03_y, n03_y, n02_y, n02_z, f02_x, neg_n1_z, y1, ipivot1, l2_1, l3_1
+    real(rk) :: l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2
+    real(rk) :: l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, t22, pivot4, ipivot4
+    real(rk) :: ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2, y3, y4
+    real(rk) :: y5, y6, qdd6, qdd5, qdd4, qdd3, qdd2, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
     c4 = cos(q(4))
     s4 = sin(q(4))
     c5 = cos(q(5))
     s5 = sin(q(5))
     c6 = cos(q(6))
     s6 = sin(q(6))
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = 4e-05_rk*s5
-    nu4_z = 4e-05_rk*c5
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c4*nu4_x
-    nu3_z = s4*nu4_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x = c3*nu3_x + s3*nu4_z
-    nu2_y = s3*nu3_x - c3*nu4_z
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z = -(s2*nu2_x) - c2*nu2_y
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = 0.00288_rk*c5
-    fu4_z = -0.00288_rk*s5
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c4*fu4_x
-    fu3_z = s4*fu4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = 0.0203_rk*fu3_z
-    neg_nu3_x = 0.00064216_rk*s4 + 0.4331_rk*fu3_z
-    nu3_z_2 = 0.00064216_rk*c4 - (5.8464e-05_rk*s5 - 0.4331_rk*fu3_x)
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c3*fu3_x + s3*fu4_z
-    fu2_y = s3*fu3_x - c3*fu4_z
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x = c3*neg_nu3_x + s3*nu3_y
-    nu2_y_2 = -0.4318_rk*fu3_z - (s3*neg_nu3_x - c3*nu3_y)
-    nu2_z = nu3_z_2 + 0.4318_rk*fu2_y
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x = c2*fu2_x - s2*fu2_y
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = s2*neg_nu2_x - c2*nu2_y_2 - 0.1501_rk*fu1_x
-    t1 = 0.00020216_rk*(c5*c5)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_zz = t1 + 0.00022_rk
-    k4_xz = 0.00020216_rk*(c5*s5)
-    k4_xx = 0.00107216_rk - t1
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.20184216_rk - t1
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = s4*fu4_z
-    fu3_z_2 = -c4*fu4_z
-    t2 = c4*k4_xz
-    t3 = 0.4331_rk*fu3_z_2
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x_2 = t2 + t3
-    nu3_y_2 = t1 - 0.00184216_rk + 0.0203_rk*fu3_z_2
-    nu3_z_3 = 0.4331_rk*fu3_x_2 - s4*k4_xz
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c3*fu3_x_2
-    fu2_y_2 = s3*fu3_x_2
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x_2 = c3*neg_nu3_x_2 + s3*nu3_y_2
-    nu2_y_3 = -0.4318_rk*fu3_z_2 - (s3*neg_nu3_x_2 - c3*nu3_y_2)
-    nu2_z_2 = nu3_z_3 + 0.4318_rk*fu2_y_2
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_2 = c2*fu2_x_2 - s2*fu2_y_2
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_3 = s2*neg_nu2_x_2 - c2*nu2_y_3 - 0.1501_rk*fu1_x_2
-    t4 = t1 - 0.00030216_rk
-    t5 = c4*c4*t4
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_zz = k4_xx + t5
-    neg_k3_xz = t4*(c4*s4) - 0.0203_rk*fu3_x_2
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = fu3_z_2 - 0.025375_rk
-    neg_h3_y = fu4_x + 0.861795_rk
-    t6 = t5 - 0.00077_rk + 0.0406_rk*fu3_z_2
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.0167651125_rk - t6
-    t7 = k4_zz + 0.002494656_rk*c5
-    k3_yy = t7 + 0.3156901365_rk
-    k3_xy = 0.0106736385_rk - (t3 + (t2 - 5.8464e-05_rk*c5))
-    k3_yz = nu3_z_3 - 0.004704_rk
-    t8 = t6 - t7
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = 1.162455249_rk - t8
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_3 = c3*neg_h3_y - s3*h3_x
-    fu2_y_3 = s3*neg_h3_y + c3*h3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_x_2 = c3*neg_k3_xz + s3*k3_yz
-    nu2_y_4 = s3*neg_k3_xz - c3*k3_yz
-    nu2_z_3 = 0.4318_rk*fu2_y_3 - (t8 - 0.332455249_rk)
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_3 = c2*fu2_x_3 - s2*fu2_y_3
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_4 = -0.1501_rk*fu1_x_3 - (s2*nu2_x_2 + c2*nu2_y_4)
-    t9 = c3*c3
-    t10 = t6 + t7 + 0.298925024_rk
-    t11 = c3*s3
-    t12 = t9*t10 + k3_xy*(2.0_rk*t11)
-    t13 = k3_xx + t12
-    t14 = k3_zz - t13
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = t13 + t14
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_x = fu2_y_3 + 3.79559_rk
-    neg_h2_y = fu2_x_3 - 0.1044_rk
-    t15 = t14 - k3_zz
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_yy = 0.0731264_rk - t15
-    k2_xy = 0.0070992_rk - (t10*t11 - k3_xy*(2.0_rk*t9 - 1.0_rk) + 0.4318_rk*fu2_x_3)
-    neg_k2_xz = nu2_x_2 + 0.4318_rk*fu3_x_2 - 0.12059664_rk
-    k2_yz = 0.00808056_rk - nu2_y_4
-    t16 = k3_yy - t12 + 0.8636_rk*fu2_y_3
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.458114002_rk - (t15 - t16)
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_4 = c2*neg_h2_y - s2*h2_x
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_5 = -0.1501_rk*fu1_x_4 - (s2*neg_k2_xz - c2*k2_yz)
-    t17 = k2_xy*(2.0_rk*(c2*s2)) - c2*c2*(t15 + t16 + 1.601861202_rk) - k2_yy - (k2_zz - &
-        0.3002_rk*fu3_x_2)
-    ! link 1: mass matrix, its row of this joint
-    m1_1 = 2.6017295505_rk - t17
-    ! sines and cosines of the joint angles
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x = 4e-05_rk*s5
+    nu5_y = -4e-05_rk*c5
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = c4*nu5_x
+    nu4_y = s4*nu5_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = s23*nu4_x + c23*nu5_y
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = 0.00288_rk*s5
+    neg_h5_y = 0.00288_rk*c5
+    t1 = 0.00020216_rk*(c5*c5)
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yy = t1 + 0.00022_rk
+    neg_k5_xy = 0.00020216_rk*(c5*s5)
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = c4*neg_h5_y
+    fu4_y = s4*neg_h5_y
+    ! link 4: moment for a unit acceleration of a joint further out
+    neg_nu4_x = 0.00064216_rk*s4
+    nu4_y_2 = 0.00064216_rk*c4
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = nu4_y_2 - (5.8464e-05_rk*s5 - 0.4331_rk*fu4_x)
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c23*fu4_x - s23*h5_x
+    fu3_y = s23*fu4_x + c23*h5_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y_2 = c23*(0.0203_rk*fu4_y) - s23*(neg_nu4_x + 0.4331_rk*fu4_y)
+    t2 = 0.4318_rk*c2
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = nu3_y_2 - t2*fu4_y
+    t3 = 0.4318_rk*s2
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x)
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = -0.1501_rk*fu3_x - nu2_y
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = c4*h5_x
+    h4_y = s4*h5_x
+    t4 = t1 - 0.00030216_rk
+    t5 = c4*c4*t4
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xx = 0.00077_rk - t5
+    k4_yy = t5 - (t1 - 0.00107216_rk)
+    neg_k4_xy = t4*(c4*s4)
+    k4_xz = c4*neg_k5_xy
+    k4_yz = s4*neg_k5_xy
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 0.20184216_rk - t1
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = -0.4331_rk*h4_y - k4_yz
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = c23*h4_y
+    neg_fu3_y = s23*h4_y
+    t6 = 0.4331_rk*h4_x
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y_3 = c23*(t1 - 0.00184216_rk + 0.0203_rk*h4_x) - s23*(k4_xz + t6)
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y_2 = nu3_y_3 - t2*h4_x
+    ! link 2: mass matrix, its row of this joint
+    m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x)
+    ! link 1: mass matrix, its row of this joint
+    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_2
+    t7 = h4_x - 0.025375_rk
+    t8 = neg_h5_y + 0.861795_rk
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = c23*t7 + s23*t8
+    h3_y = s23*t7 - c23*t8
+    t9 = k5_yy + 0.002494656_rk*c5
+    t10 = 0.0406_rk*h4_x - k4_xx
+    t11 = c23*c23*(t10 + t9 + 0.298925024_rk) - (t6 + (k4_xz - 5.8464e-05_rk*c5) - &
+        0.0106736385_rk)*(2.0_rk*(c23*s23))
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = t9 + 0.3156901365_rk - t11
+    k3_yy = t11 - (t10 - 0.0167651125_rk)
+    neg_k3_yz = s23*(neg_k4_xy + 0.0203_rk*h4_y) + c23*(0.004704_rk - m3_4)
+    t12 = t10 - t9
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = 1.162455249_rk - t12
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = t2*h3_x + t3*h3_y - (t12 - 0.332455249_rk)
+    ! link 1: mass matrix, its row of this joint
+    m1_3 = 0.1501_rk*h3_y - neg_k3_yz
+    t13 = k3_yy - k4_yy
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_zz = k3_yy - t13
+    ! link 2: first moment of the composite body, about the frame's origin [kg m]
+    h2_y = h3_y + (3.79559_rk*s2 + 0.1044_rk*c2)
+    t14 = k3_xx + t2*(2.0_rk*h3_x)
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_xx = t14 + (1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
+    k2_yz = t3*h4_y - neg_k3_yz + (0.12059664_rk*s2 + 0.00808056_rk*c2)
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t14 - (t3*(-2.0_rk*h3_y) - (k4_yy + t13)) + 6.458114002_rk
+    ! link 1: mass matrix, its row of this joint
+    m1_2 = k2_yz + 0.1501_rk*h2_y
+    m1_1 = k2_xx + (k2_zz + 0.3002_rk*h4_y) + 2.6017295505_rk
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
     ! link 1: products of the angular velocity [1/s^2]
@@ -947,17 +876,17 @@ contains
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_z = a2_z - 0.8636_rk*alpha2_y
-    t18 = -qd(1)
+    t15 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = t18*s23
-    w3_y = t18*c23
-    t19 = 0.4318_rk*neg_lam2_11
-    t20 = 0.4318_rk*ww2_xy
-    t21 = c2*t19 + s2*t20
-    t22 = s2*t19 - c2*t20 + 9.8_rk
+    w3_x = t15*s23
+    w3_y = t15*c23
+    t16 = 0.4318_rk*neg_lam2_11
+    t17 = 0.4318_rk*ww2_xy
+    t18 = c2*t16 + s2*t17
+    t19 = s2*t16 - c2*t17 + 9.8_rk
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*t21 + s23*t22
-    a3_y = s23*t21 - c23*t22
+    neg_a3_x = c23*t18 + s23*t19
+    a3_y = s23*t18 - c23*t19
     ! link 3: angular acceleration [rad/s^2]
     alpha3_x = w3_z*w3_y
     alpha3_y = -w3_z*w3_x
@@ -975,14 +904,14 @@ contains
     ! link 4: angular velocity [rad/s]
     w4_x = c4*w3_x + s4*w3_z
     w4_y = c4*w3_z - s4*w3_x
-    t23 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
-    t24 = 0.8662_rk*alpha3_x - 0.0406_rk*alpha3_y - a3_z
+    t20 = a3_z + (0.0406_rk*alpha3_y - 0.8662_rk*alpha3_x)
+    t21 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = -(c4*t23) - s4*t24
-    a4_y = s4*t23 - c4*t24
+    a4_x = s4*t20 - c4*t21
+    a4_y = s4*t21 + c4*t20
     ! link 4: angular acceleration [rad/s^2]
     alpha4_x = c4*alpha3_x + qd(4)*w4_y
-    alpha4_y = -s4*alpha3_x - qd(4)*w4_x
+    alpha4_y = -qd(4)*w4_x - s4*alpha3_x
     ! link 4: angular velocity [rad/s]
     w4_z = qd(4) - w3_y
     ! link 4: products of the angular velocity [1/s^2]
@@ -991,7 +920,7 @@ contains
     ww4_xy = w4_x*w4_y
     ! link 5: angular velocity [rad/s]
     w5_x = c5*w4_x - s5*w4_z
-    w5_y = -s5*w4_x - c5*w4_z
+    w5_y = -c5*w4_z - s5*w4_x
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
     a5_x = c5*a4_x - s5*a4_z
     ! link 5: angular acceleration [rad/s^2]
@@ -1008,7 +937,7 @@ contains
     lam5_21 = alpha4_y + ww5_xy
     neg_lam5_22 = ww5_xx + ww5_zz
     lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = w5_y*(qd(5) + w5_z) - (-c5*alpha4_x - s5*alpha3_y)
+    lam5_32 = w5_y*(qd(5) + w5_z) - (-s5*alpha3_y - c5*alpha4_x)
     ! link 6: angular velocity [rad/s]
     w6_x = c6*w5_x + s6*w5_z
     w6_y = c6*w5_z - s6*w5_x
@@ -1020,8 +949,8 @@ contains
     fc2_x = 0.1044_rk*ww2_xy - 3.79559_rk*neg_lam2_11
     fc2_y = 3.79559_rk*ww2_xy - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
-    neg_nc2_x = 0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
-        (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy) + 0.01567044_rk*ww1_zz
+    nc2_x = -0.01567044_rk*ww1_zz - (0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - &
+        neg_lam2_33) + (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy))
     nc2_y = 3.349975204_rk*alpha2_y - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) + &
         (0.00808056_rk*ww2_xy + 0.0141984_rk*neg_alpha2_x) + 0.569718059_rk*ww1_zz
     nc2_z = 1.601861202_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (37.196782_rk*c2 - &
@@ -1038,7 +967,7 @@ contains
     neg_nc3_z = 0.299575024_rk*ww3_xy - 0.0106736385_rk*(neg_lam3_11 - neg_lam3_22) + &
         (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
     ! link 4: moment that turns the link [N m]
-    nc4_y = -0.0013_rk*ww4_zx
+    neg_nc4_y = 0.0013_rk*ww4_zx
     nc4_x = 0.0014_rk*ww4_yz + 0.0001_rk*alpha4_x
     nc4_z = -0.0001_rk*ww4_xy - 0.0014_rk*alpha3_y
     ! link 5: force that moves the link [N]
@@ -1046,19 +975,19 @@ contains
     fc5_y = 0.00288_rk*neg_lam5_22
     fc5_z = -0.00288_rk*lam5_32
     ! link 5: moment that turns the link [N m]
-    nc5_y = -0.0002_rk*lam5_31
+    neg_nc5_y = 0.0002_rk*lam5_31
     nc5_x = 0.00044216_rk*lam5_32 - 0.00288_rk*a4_y
     nc5_z = 0.0002_rk*lam5_21 - 0.00044216_rk*lam5_12 + 0.00288_rk*a5_x
     ! link 6: moment that turns the link [N m]
     nc6_x = 4e-05_rk*ww6_yz
     nc6_y = -4e-05_rk*ww6_zx
-    nc6_z = -4e-05_rk*alpha5_y
+    neg_nc6_z = 4e-05_rk*alpha5_y
     ! link 6: moment through the joint, along the axes that its turn starts from [N m]
     n06_x = c6*nc6_x - s6*nc6_y
     n06_y = s6*nc6_x + c6*nc6_y
     ! link 5: moment through the joint, about the frame's origin [N m]
     n5_x = nc5_x + n06_x
-    n5_y = nc5_y - nc6_z
+    n5_y = neg_nc6_z - neg_nc5_y
     n5_z = nc5_z + n06_y
     ! link 5: force through the joint, along the axes that its turn starts from [N]
     f05_x = c5*fc5_x - s5*fc5_y
@@ -1068,7 +997,7 @@ contains
     n05_y = s5*n5_x + c5*n5_y
     ! link 4: moment through the joint, about the frame's origin [N m]
     n4_x = nc4_x + n05_x
-    n4_y = nc4_y + n5_z
+    n4_y = n5_z - neg_nc4_y
     n4_z = nc4_z - n05_y
     ! link 4: force through the joint, along the axes that its turn starts from [N]
     f04_x = c4*f05_x - s4*fc5_z
@@ -1089,10 +1018,9 @@ contains
     f03_y = s23*f3_x + c23*f3_y
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
     n03_y = s23*n3_x + c23*n3_y
-    t25 = 0.4318_rk*c2
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t25)
-    n02_z = n3_z + (nc2_z + (f03_y*t25 - f03_x*(0.4318_rk*s2)))
+    n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + t2*f3_z)
+    n02_z = n3_z + (nc2_z + (t2*f03_y - t3*f03_x))
     ! link 2: force through the joint, along the axes that its turn starts from [N]
     f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
     ! link 1: moment through the joint, about the frame's origin [N m]
@@ -1101,40 +1029,41 @@ contains
     y1 = tau(1) + neg_n1_z
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
-    l2_1 = nu1_z_5*ipivot1
-    l3_1 = nu1_z_4*ipivot1
-    l4_1 = nu1_z_3*ipivot1
-    l5_1 = nu1_z_2*ipivot1
-    l6_1 = nu1_z*ipivot1
-    pivot2 = m2_2 - nu1_z_5*l2_1
+    l2_1 = m1_2*ipivot1
+    l3_1 = m1_3*ipivot1
+    l4_1 = m1_4*ipivot1
+    l5_1 = m1_5*ipivot1
+    l6_1 = -nu3_y*ipivot1
+    pivot2 = m2_2 - m1_2*l2_1
     ipivot2 = 1.0_rk / pivot2
-    ld3_2 = nu2_z_3 - nu1_z_5*l3_1
+    ld3_2 = m2_3 - m1_2*l3_1
     l3_2 = ipivot2*ld3_2
-    ld4_2 = nu2_z_2 - nu1_z_5*l4_1
+    ld4_2 = m2_4 - m1_2*l4_1
     l4_2 = ipivot2*ld4_2
-    ld5_2 = nu2_z - nu1_z_5*l5_1
+    ld5_2 = m2_5 - m1_2*l5_1
     l5_2 = ipivot2*ld5_2
-    ld6_2 = nu3_z - nu1_z_5*l6_1
+    ld6_2 = nu4_y - m1_2*l6_1
     l6_2 = ipivot2*ld6_2
-    pivot3 = m3_3 - nu1_z_4*l3_1 - ld3_2*l3_2
+    pivot3 = -ld3_2*l3_2 - (m1_3*l3_1 - m3_3)
     ipivot3 = 1.0_rk / pivot3
-    ld4_3 = -ld3_2*l4_2 - (nu1_z_4*l4_1 - nu3_z_3)
+    ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2
     l4_3 = ipivot3*ld4_3
-    ld5_3 = nu3_z_2 - nu1_z_4*l5_1 - ld3_2*l5_2
+    ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2
     l5_3 = ipivot3*ld5_3
-    ld6_3 = nu3_z - nu1_z_4*l6_1 - ld3_2*l6_2
+    ld6_3 = nu4_y - m1_3*l6_1 - ld3_2*l6_2
     l6_3 = ipivot3*ld6_3
-    pivot4 = -ld4_3*l4_3 - (ld4_2*l4_2 - (m4_4 - nu1_z_3*l4_1))
+    t22 = -ld4_2
+    pivot4 = t22*l4_2 - (m1_4*l4_1 - m4_4) - ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    ld5_4 = -nu1_z_3*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
+    ld5_4 = -ld4_3*l5_3 - (m1_4*l5_1 + ld4_2*l5_2)
     l5_4 = ipivot4*ld5_4
-    ld6_4 = nu4_z - nu1_z_3*l6_1 - ld4_2*l6_2 - ld4_3*l6_3
+    ld6_4 = t22*l6_2 - (nu5_y + m1_4*l6_1) - ld4_3*l6_3
     l6_4 = ipivot4*ld6_4
-    pivot5 = 0.17964216_rk - nu1_z_2*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    pivot5 = -(m1_5*l5_1 - 0.17964216_rk + ld5_2*l5_2 + ld5_3*l5_3) - ld5_4*l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = -ld5_4*l6_4 - (nu1_z_2*l6_1 + ld5_2*l6_2 + ld5_3*l6_3)
+    ld6_5 = -ld5_2*l6_2 - m1_5*l6_1 - ld5_3*l6_3 - ld5_4*l6_4
     l6_5 = ipivot5*ld6_5
-    pivot6 = 0.19304_rk - nu1_z*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - ld6_5*l6_5
+    pivot6 = -(ld6_2*l6_2 - (nu3_y*l6_1 + 0.19304_rk) + ld6_3*l6_3 + ld6_4*l6_4) - ld6_5*l6_5
     ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
     y2 = tau(2) - n02_z - y1*l2_1
@@ -1145,7 +1074,7 @@ contains
     ! link 5: forward substitution
     y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
     ! link 6: forward substitution
-    y6 = tau(6) - nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
+    y6 = tau(6) + neg_nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd6 = ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
@@ -1155,10 +1084,9 @@ contains
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd3 = -l6_3*qdd6 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5)
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = -l6_2*qdd6 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5)
-    t26 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4)
+    qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = t26 - l6_1*qdd6
+    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 - l6_1*qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

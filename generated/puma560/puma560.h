@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 187 multiplications, 151 additions = 338; 4 unary minus; 10 sine/cosine
+ *   inverse_dynamics: 187 multiplications, 151 additions = 338; 3 unary minus; 10 sine/cosine
  *   gravity: 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
- *   bias: 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
- *   mass_matrix: 103 multiplications, 85 additions = 188; 2 unary minus; 8 sine/cosine
- *   forward_dynamics: 354 multiplications, 270 additions, 6 divisions = 630; 16 unary minus; 12
+ *   bias: 165 multiplications, 116 additions = 281; 0 unary minus; 10 sine/cosine
+ *   mass_matrix: 84 multiplications, 71 additions = 155; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 333 multiplications, 255 additions, 6 divisions = 594; 15 unary minus; 10
  *       sine/cosine
  */
 #ifndef PUMA560_H

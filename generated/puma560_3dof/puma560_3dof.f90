@@ -15,11 +15,11 @@
 !   makes no difference is moved to its parent.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 88 multiplications, 72 additions = 160; 1 unary minus; 4 sine/cosine
+!   inverse_dynamics: 88 multiplications, 72 additions = 160; 0 unary minus; 4 sine/cosine
 !   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
-!   bias: 71 multiplications, 45 additions = 116; 1 unary minus; 4 sine/cosine
-!   mass_matrix: 26 multiplications, 23 additions = 49; 0 unary minus; 4 sine/cosine
-!   forward_dynamics: 113 multiplications, 81 additions, 3 divisions = 197; 1 unary minus; 6
+!   bias: 71 multiplications, 45 additions = 116; 0 unary minus; 4 sine/cosine
+!   mass_matrix: 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
+!   forward_dynamics: 108 multiplications, 75 additions, 3 divisions = 186; 3 unary minus; 4
 !       sine/cosine
 module puma560_3dof_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,23 +35,21 @@ module puma560_3dof_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 88 multiplications, 72 additions = 160; 1 unary minus; 4 sine/cosine
+  ! 88 multiplications, 72 additions = 160; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="puma560_3dof_inverse_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: qdd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, angle23, c23, s23, w3_z, alpha3_z, ww1_zz
-    real(rk) :: a2_z, t1, w2_x, w2_y, t2, neg_a2_x, a2_y, ww2_yz
-    real(rk) :: ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
-    real(rk) :: lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33
-    real(rk) :: a3_z, w3_x, w3_y, t3, t4, neg_a3_x, ww3_yz, ww3_zx
-    real(rk) :: alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, lam3_12, lam3_13
-    real(rk) :: lam3_21, neg_lam3_22, lam3_31, lam3_32, neg_lam3_33, fc2_x, fc2_y, nc2_x
-    real(rk) :: nc2_y, t5, nc2_z, fc3_x, fc3_y, fc3_z, nc3_y, neg_nc3_x
-    real(rk) :: nc3_z, f03_x, f03_y, tau3, t6, n02_z, f02_x, tau2
-    real(rk) :: t7, tau1
+    real(rk) :: c2, s2, angle23, c23, s23, w3_z, alpha3_z, ww1_zz, a2_z, neg_w2_x, neg_w2_y, t1
+    real(rk) :: neg_a2_x, a2_y, neg_ww2_yz, neg_ww2_zx, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx
+    real(rk) :: ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23
+    real(rk) :: neg_lam2_31, neg_lam2_32, neg_lam2_33, a3_z, neg_w3_x, neg_w3_y, t2, t3, neg_a3_x
+    real(rk) :: neg_ww3_yz, neg_ww3_zx, neg_alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz
+    real(rk) :: neg_lam3_12, neg_lam3_13, lam3_21, neg_lam3_22, lam3_31, neg_lam3_32, neg_lam3_33
+    real(rk) :: neg_fc2_x, fc2_y, neg_nc2_x, nc2_y, t4, nc2_z, fc3_x, fc3_y, fc3_z, nc3_y
+    real(rk) :: neg_nc3_x, nc3_z, f03_x, f03_y, tau3, t5, n02_z, f02_x, tau2, t6, tau1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -67,97 +65,97 @@ contains
     ww1_zz = qd(1)*qd(1)
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
     a2_z = -0.1501_rk*ww1_zz
-    t1 = -qd(1)
     ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
-    t2 = 0.1501_rk*qdd(1)
+    neg_w2_x = qd(1)*s2
+    neg_w2_y = qd(1)*c2
+    t1 = 0.1501_rk*qdd(1)
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = c2*t2 + 9.8_rk*s2
-    a2_y = s2*t2 - 9.8_rk*c2
+    neg_a2_x = c2*t1 + 9.8_rk*s2
+    a2_y = s2*t1 - 9.8_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_yz = qd(2)*w2_y
-    ww2_zx = qd(2)*w2_x
+    neg_ww2_yz = qd(2)*neg_w2_y
+    neg_ww2_zx = qd(2)*neg_w2_x
     ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = ww2_yz - qdd(1)*s2
-    neg_alpha2_y = qdd(1)*c2 + ww2_zx
+    neg_alpha2_x = qdd(1)*s2 + neg_ww2_yz
+    alpha2_y = neg_ww2_zx - qdd(1)*c2
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
+    ww2_xy = neg_w2_x*neg_w2_y
+    ww2_xx = neg_w2_x*neg_w2_x
+    ww2_yy = neg_w2_y*neg_w2_y
     ww2_zz = qd(2)*qd(2)
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_11 = ww2_yy + ww2_zz
-    lam2_12 = ww2_xy - qdd(2)
-    lam2_13 = ww2_zx - neg_alpha2_y
+    neg_lam2_12 = qdd(2) - ww2_xy
+    lam2_13 = alpha2_y - neg_ww2_zx
     lam2_21 = qdd(2) + ww2_xy
     neg_lam2_22 = ww2_xx + ww2_zz
-    lam2_23 = ww2_yz - alpha2_x
-    lam2_31 = ww2_zx + neg_alpha2_y
-    lam2_32 = ww2_yz + alpha2_x
+    lam2_23 = neg_alpha2_x - neg_ww2_yz
+    neg_lam2_31 = neg_ww2_zx + alpha2_y
+    neg_lam2_32 = neg_ww2_yz + neg_alpha2_x
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z + 0.4318_rk*lam2_31
+    a3_z = a2_z - 0.4318_rk*neg_lam2_31
     ! link 3: angular velocity [rad/s]
-    w3_x = t1*s23
-    w3_y = t1*c23
-    t3 = 0.4318_rk*neg_lam2_11
-    t4 = 0.4318_rk*lam2_21
+    neg_w3_x = qd(1)*s23
+    neg_w3_y = qd(1)*c23
+    t2 = 0.4318_rk*neg_lam2_11
+    t3 = 0.4318_rk*lam2_21
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*(t2 + (c2*t3 + s2*t4)) + s23*(s2*t3 - c2*t4 + 9.8_rk)
+    neg_a3_x = c23*(t1 + (c2*t2 + s2*t3)) + s23*(s2*t2 - c2*t3 + 9.8_rk)
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_z*w3_y
-    ww3_zx = w3_z*w3_x
+    neg_ww3_yz = w3_z*neg_w3_y
+    neg_ww3_zx = w3_z*neg_w3_x
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = ww3_yz - qdd(1)*s23
-    neg_alpha3_y = qdd(1)*c23 + ww3_zx
+    neg_alpha3_x = qdd(1)*s23 + neg_ww3_yz
+    neg_alpha3_y = qdd(1)*c23 - neg_ww3_zx
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
+    ww3_xy = neg_w3_x*neg_w3_y
+    ww3_xx = neg_w3_x*neg_w3_x
+    ww3_yy = neg_w3_y*neg_w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam3_12 = ww3_xy - alpha3_z
-    lam3_13 = ww3_zx - neg_alpha3_y
+    neg_lam3_12 = alpha3_z - ww3_xy
+    neg_lam3_13 = neg_ww3_zx + neg_alpha3_y
     lam3_21 = alpha3_z + ww3_xy
     neg_lam3_22 = ww3_xx + ww3_zz
-    lam3_31 = ww3_zx + neg_alpha3_y
-    lam3_32 = ww3_yz + alpha3_x
+    lam3_31 = neg_alpha3_y - neg_ww3_zx
+    neg_lam3_32 = neg_ww3_yz + neg_alpha3_x
     neg_lam3_33 = ww3_xx + ww3_yy
     ! link 2: force that moves the link [N]
-    fc2_x = 0.1044_rk*lam2_12 - 3.25584_rk*neg_lam2_11
+    neg_fc2_x = 3.25584_rk*neg_lam2_11 + 0.1044_rk*neg_lam2_12
     fc2_y = 3.25584_rk*lam2_21 - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
-    nc2_x = -0.01567044_rk*ww1_zz - (-0.0731264_rk*lam2_32 - 0.00808056_rk*(neg_lam2_22 - &
-        neg_lam2_33) + (0.12059664_rk*lam2_21 - 0.0070992_rk*lam2_31))
-    nc2_y = -1.441923552_rk*lam2_31 - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) - &
-        (0.0070992_rk*lam2_32 - 0.00808056_rk*lam2_12) + 0.488701584_rk*ww1_zz
-    t5 = 1.441923552_rk*lam2_21 - 0.0731264_rk*lam2_12 + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) &
-        - (0.00808056_rk*lam2_13 - 0.12059664_rk*lam2_23)
-    nc2_z = t5 + (3.25584_rk*a2_y + 0.1044_rk*neg_a2_x)
+    neg_nc2_x = 0.0731264_rk*neg_lam2_32 - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
+        (0.0070992_rk*neg_lam2_31 + 0.12059664_rk*lam2_21) + 0.01567044_rk*ww1_zz
+    nc2_y = 1.441923552_rk*neg_lam2_31 - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) - &
+        (0.00808056_rk*neg_lam2_12 - 0.0070992_rk*neg_lam2_32) + 0.488701584_rk*ww1_zz
+    t4 = 1.441923552_rk*lam2_21 + 0.0731264_rk*neg_lam2_12 + 0.0070992_rk*(neg_lam2_11 - &
+        neg_lam2_22) - (0.00808056_rk*lam2_13 - 0.12059664_rk*lam2_23)
+    nc2_z = t4 + (3.25584_rk*a2_y + 0.1044_rk*neg_a2_x)
     ! link 3: force that moves the link [N]
-    fc3_x = -0.336_rk*lam3_12
+    fc3_x = 0.336_rk*neg_lam3_12
     fc3_y = 0.336_rk*neg_lam3_22
-    fc3_z = -0.336_rk*lam3_32
+    fc3_z = 0.336_rk*neg_lam3_32
     ! link 3: moment that turns the link [N m]
-    nc3_y = -0.01625_rk*lam3_31 - 0.004704_rk*lam3_12
-    neg_nc3_x = 0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.09327_rk*lam3_32 + 0.336_rk*a3_z
-    nc3_z = 0.01625_rk*lam3_21 - 0.09327_rk*lam3_12 + 0.004704_rk*lam3_13 - 0.336_rk*neg_a3_x
+    nc3_y = 0.004704_rk*neg_lam3_12 - 0.01625_rk*lam3_31
+    neg_nc3_x = 0.09327_rk*neg_lam3_32 + 0.004704_rk*(neg_lam3_22 - neg_lam3_33) + 0.336_rk*a3_z
+    nc3_z = 0.01625_rk*lam3_21 + 0.09327_rk*neg_lam3_12 - 0.004704_rk*neg_lam3_13 - &
+        0.336_rk*neg_a3_x
     ! link 3: force through the joint, along the axes that its turn starts from [N]
     f03_x = c23*fc3_x - s23*fc3_y
     f03_y = s23*fc3_x + c23*fc3_y
     ! link 3: joint torque [N m], at a prismatic joint force [N]
     tau3 = nc3_z + 0.83_rk*qdd(3)
-    t6 = 0.4318_rk*c2
+    t5 = 0.4318_rk*c2
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = nc3_z + (nc2_z + (f03_y*t6 - f03_x*(0.4318_rk*s2)))
+    n02_z = nc3_z + (nc2_z + (f03_y*t5 - f03_x*(0.4318_rk*s2)))
     ! link 2: force through the joint, along the axes that its turn starts from [N]
-    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
+    f02_x = f03_x - (c2*neg_fc2_x + s2*fc2_y)
     ! link 2: joint torque [N m], at a prismatic joint force [N]
     tau2 = n02_z + 4.71_rk*qdd(2)
-    t7 = 0.1501_rk*f02_x - (fc3_z*t6 - (c2*nc2_y - (s23*neg_nc3_x - c23*nc3_y - s2*nc2_x)))
+    t6 = 0.1501_rk*f02_x - (fc3_z*t5 - (c2*nc2_y - (s2*neg_nc2_x + (s23*neg_nc3_x - c23*nc3_y))))
     ! link 1: joint torque [N m], at a prismatic joint force [N]
-    tau1 = 2.573567038_rk*qdd(1) - t7
+    tau1 = 2.573567038_rk*qdd(1) - t6
     tau(1) = tau1
     tau(2) = tau2
     tau(3) = tau3
@@ -188,19 +186,18 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 71 multiplications, 45 additions = 116; 1 unary minus; 4 sine/cosine
+  ! 71 multiplications, 45 additions = 116; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_bias(q, qd, tau) &
       bind(c, name="puma560_3dof_bias_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, angle23, c23, s23, w3_z, ww1_zz, a2_z
-    real(rk) :: neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz
-    real(rk) :: neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, t1, w3_x, w3_y, t2
-    real(rk) :: t3, neg_a3_x, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz
-    real(rk) :: neg_lam3_22, neg_lam3_33, fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, fc3_z, nc3_y, nc3_x, nc3_z, f03_x, f03_y, n03_y
-    real(rk) :: t4, n02_y, n02_z, f02_x, n1_z
+    real(rk) :: c2, s2, angle23, c23, s23, w3_z, ww1_zz, a2_z, neg_w2_x, neg_w2_y, neg_alpha2_x
+    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33
+    real(rk) :: a3_z, neg_w3_x, neg_w3_y, t1, t2, neg_a3_x, neg_alpha3_x, alpha3_y, ww3_xy, ww3_xx
+    real(rk) :: ww3_yy, ww3_zz, neg_lam3_22, neg_lam3_33, neg_fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z
+    real(rk) :: neg_fc3_x, fc3_y, fc3_z, nc3_y, neg_nc3_x, nc3_z, neg_f03_x, neg_f03_y, n03_y, t3
+    real(rk) :: n02_y, n02_z, neg_f02_x, n1_z
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -231,27 +228,26 @@ contains
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_z = a2_z - 0.8636_rk*alpha2_y
-    t1 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = t1*s23
-    w3_y = t1*c23
-    t2 = 0.4318_rk*neg_lam2_11
-    t3 = 0.4318_rk*ww2_xy
+    neg_w3_x = qd(1)*s23
+    neg_w3_y = qd(1)*c23
+    t1 = 0.4318_rk*neg_lam2_11
+    t2 = 0.4318_rk*ww2_xy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*(c2*t2 + s2*t3) + s23*(s2*t2 - c2*t3 + 9.8_rk)
+    neg_a3_x = c23*(c2*t1 + s2*t2) + s23*(s2*t1 - c2*t2 + 9.8_rk)
     ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = w3_z*w3_y
-    neg_alpha3_y = w3_z*w3_x
+    neg_alpha3_x = w3_z*neg_w3_y
+    alpha3_y = w3_z*neg_w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
+    ww3_xy = neg_w3_x*neg_w3_y
+    ww3_xx = neg_w3_x*neg_w3_x
+    ww3_yy = neg_w3_y*neg_w3_y
     ww3_zz = w3_z*w3_z
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_22 = ww3_xx + ww3_zz
     neg_lam3_33 = ww3_xx + ww3_yy
     ! link 2: force that moves the link [N]
-    fc2_x = 0.1044_rk*ww2_xy - 3.25584_rk*neg_lam2_11
+    neg_fc2_x = 3.25584_rk*neg_lam2_11 - 0.1044_rk*ww2_xy
     fc2_y = 3.25584_rk*ww2_xy - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
     neg_nc2_x = 0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
@@ -261,151 +257,136 @@ contains
     nc2_z = 1.368797152_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (31.907232_rk*c2 - &
         1.02312_rk*s2)
     ! link 3: force that moves the link [N]
-    fc3_x = -0.336_rk*ww3_xy
+    neg_fc3_x = 0.336_rk*ww3_xy
     fc3_y = 0.336_rk*neg_lam3_22
-    fc3_z = -0.672_rk*alpha3_x
+    fc3_z = 0.672_rk*neg_alpha3_x
     ! link 3: moment that turns the link [N m]
-    nc3_y = -0.0325_rk*neg_alpha3_y - 0.004704_rk*ww3_xy
-    nc3_x = -0.336_rk*a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.18654_rk*alpha3_x)
+    nc3_y = 0.0325_rk*alpha3_y - 0.004704_rk*ww3_xy
+    neg_nc3_x = 0.18654_rk*neg_alpha3_x + 0.004704_rk*(neg_lam3_22 - neg_lam3_33) + 0.336_rk*a3_z
     nc3_z = -0.336_rk*neg_a3_x - 0.07702_rk*ww3_xy
     ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c23*fc3_x - s23*fc3_y
-    f03_y = s23*fc3_x + c23*fc3_y
+    neg_f03_x = c23*neg_fc3_x + s23*fc3_y
+    neg_f03_y = s23*neg_fc3_x - c23*fc3_y
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s23*nc3_x + c23*nc3_y
-    t4 = 0.4318_rk*c2
+    n03_y = c23*nc3_y - s23*neg_nc3_x
+    t3 = 0.4318_rk*c2
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t4)
-    n02_z = nc3_z + (nc2_z - (f03_x*(0.4318_rk*s2) - f03_y*t4))
+    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t3)
+    n02_z = nc3_z + (nc2_z - (neg_f03_y*t3 - neg_f03_x*(0.4318_rk*s2)))
     ! link 2: force through the joint, along the axes that its turn starts from [N]
-    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
+    neg_f02_x = neg_f03_x + (c2*neg_fc2_x + s2*fc2_y)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = -0.1501_rk*f02_x - n02_y
+    n1_z = 0.1501_rk*neg_f02_x - n02_y
     tau(1) = n1_z
     tau(2) = n02_z
     tau(3) = nc3_z
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 26 multiplications, 23 additions = 49; 0 unary minus; 4 sine/cosine
+  ! 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_mass_matrix(q, M) &
       bind(c, name="puma560_3dof_mass_matrix_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: M(9)
-    real(rk) :: c2, s2, c3, s3, fu2_x, fu2_y, neg_nu2_x, nu2_y
-    real(rk) :: nu2_z, fu1_x, nu1_z, h2_x, neg_h2_y, t1, k2_yy, k2_xy
-    real(rk) :: k2_xz, k2_yz, t2, m2_2, fu1_x_2, nu1_z_2, m1_1
+    real(rk) :: c2, s2, angle23, c23, s23, h3_x, h3_y, t1, k3_xx, k3_yy, neg_k3_yz, t2, t3, m2_3
+    real(rk) :: m1_3, h2_y, t4, k2_xx, k2_yz, m2_2, m1_2, m1_1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = 0.336_rk*c3
-    fu2_y = 0.336_rk*s3
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x = 0.004704_rk*s3
-    nu2_y = 0.004704_rk*c3
-    nu2_z = 0.1450848_rk*s3 + 0.10952_rk
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x = c2*fu2_x - s2*fu2_y
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z = s2*neg_nu2_x - c2*nu2_y - 0.1501_rk*fu1_x
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_x = fu2_y + 3.25584_rk
-    neg_h2_y = fu2_x - 0.1044_rk
-    t1 = 0.07702_rk*(c3*c3)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_yy = t1 + 0.0893764_rk
-    k2_xy = 0.0070992_rk - (0.07702_rk*(c3*s3) + 0.1450848_rk*c3)
-    k2_xz = neg_nu2_x + 0.12059664_rk
-    k2_yz = 0.00808056_rk - nu2_y
-    t2 = t1 - 0.09327_rk - 0.2901696_rk*s3
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    s23 = sin(angle23)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = 0.336_rk*s23
+    h3_y = -0.336_rk*c23
+    t1 = 0.07702_rk*(c23*c23)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = 0.09327_rk - t1
+    k3_yy = t1 + 0.01625_rk
+    neg_k3_yz = 0.004704_rk*c23
+    t2 = 0.4318_rk*c2
+    t3 = 0.4318_rk*s2
     ! link 2: mass matrix, its row of this joint
-    m2_2 = t1 - t2 + 6.241299952_rk
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_2 = c2*neg_h2_y - s2*h2_x
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = s2*k2_xz + c2*k2_yz - 0.1501_rk*fu1_x_2
+    m2_3 = t2*h3_x + t3*h3_y + 0.10952_rk
     ! link 1: mass matrix, its row of this joint
-    m1_1 = k2_yy - (c2*c2*(t1 + t2 - 1.352547152_rk) + k2_xy*(2.0_rk*(c2*s2))) + 2.573567038_rk
+    m1_3 = -0.0551376_rk*c23
+    ! link 2: first moment of the composite body, about the frame's origin [kg m]
+    h2_y = h3_y + (3.25584_rk*s2 + 0.1044_rk*c2)
+    t4 = k3_xx + t2*(0.672_rk*s23)
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_xx = t4 + (1.368797152_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
+    k2_yz = 0.12059664_rk*s2 + 0.00808056_rk*c2 - neg_k3_yz
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = 6.225049952_rk - (t3*(0.672_rk*c23) - k3_yy - t4)
+    ! link 1: mass matrix, its row of this joint
+    m1_2 = k2_yz + 0.1501_rk*h2_y
+    m1_1 = k2_xx + 2.573567038_rk
     M(1) = m1_1
-    M(2) = nu1_z_2
-    M(3) = nu1_z
-    M(4) = nu1_z_2
+    M(2) = m1_2
+    M(3) = m1_3
+    M(4) = m1_2
     M(5) = m2_2
-    M(6) = nu2_z
-    M(7) = nu1_z
-    M(8) = nu2_z
+    M(6) = m2_3
+    M(7) = m1_3
+    M(8) = m2_3
     M(9) = 0.93952_rk
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 113 multiplications, 81 additions, 3 divisions = 197; 1 unary minus; 6 sine/cosine
+  ! 108 multiplications, 75 additions, 3 divisions = 186; 3 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
-    real(rk) :: c2, s2, c3, s3, fu2_x, fu2_y, neg_nu2_x, nu2_y
-    real(rk) :: nu2_z, fu1_x, nu1_z, h2_x, neg_h2_y, t1, k2_yy, k2_xy
-    real(rk) :: k2_xz, k2_yz, t2, m2_2, fu1_x_2, nu1_z_2, m1_1, angle23
-    real(rk) :: c23, s23, w3_z, ww1_zz, a2_z, neg_w2_x, neg_w2_y, neg_alpha2_x
-    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33
-    real(rk) :: a3_z, t3, w3_x, w3_y, t4, t5, neg_a3_x, alpha3_x
+    real(rk) :: c2, s2, angle23, c23, s23, h3_x, h3_y, t1, k3_xx, k3_yy, neg_k3_yz, t2, t3, m2_3
+    real(rk) :: m1_3, h2_y, t4, k2_xx, k2_yz, m2_2, m1_2, m1_1, w3_z, ww1_zz, neg_a2_z, neg_w2_x
+    real(rk) :: neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
+    real(rk) :: neg_lam2_22, neg_lam2_33, neg_a3_z, t5, w3_x, w3_y, t6, t7, neg_a3_x, alpha3_x
     real(rk) :: neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_22, neg_lam3_33, fc2_x
-    real(rk) :: fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_y
-    real(rk) :: nc3_x, nc3_z, f03_x, f03_y, n03_y, t6, n02_y, n02_z
-    real(rk) :: f02_x, n1_z, y1, ipivot1, l2_1, l3_1, pivot2, ipivot2
-    real(rk) :: ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2
-    real(rk) :: qdd1
+    real(rk) :: fc2_y, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_y, nc3_x, nc3_z, f03_x, f03_y
+    real(rk) :: n03_y, n02_y, n02_z, neg_f02_x, n1_z, y1, ipivot1, l2_1, l3_1, pivot2, ipivot2
+    real(rk) :: ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = 0.336_rk*c3
-    fu2_y = 0.336_rk*s3
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_x = 0.004704_rk*s3
-    nu2_y = 0.004704_rk*c3
-    nu2_z = 0.1450848_rk*s3 + 0.10952_rk
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x = c2*fu2_x - s2*fu2_y
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z = s2*neg_nu2_x - c2*nu2_y - 0.1501_rk*fu1_x
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_x = fu2_y + 3.25584_rk
-    neg_h2_y = fu2_x - 0.1044_rk
-    t1 = 0.07702_rk*(c3*c3)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_yy = t1 + 0.0893764_rk
-    k2_xy = 0.0070992_rk - (0.07702_rk*(c3*s3) + 0.1450848_rk*c3)
-    k2_xz = neg_nu2_x + 0.12059664_rk
-    k2_yz = 0.00808056_rk - nu2_y
-    t2 = t1 - 0.09327_rk - 0.2901696_rk*s3
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = t1 - t2 + 6.241299952_rk
-    ! link 1: force for a unit acceleration of a joint further out
-    fu1_x_2 = c2*neg_h2_y - s2*h2_x
-    ! link 1: moment for a unit acceleration of a joint further out
-    nu1_z_2 = s2*k2_xz + c2*k2_yz - 0.1501_rk*fu1_x_2
-    ! link 1: mass matrix, its row of this joint
-    m1_1 = k2_yy - (c2*c2*(t1 + t2 - 1.352547152_rk) + k2_xy*(2.0_rk*(c2*s2))) + 2.573567038_rk
-    ! sines and cosines of the joint angles
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_x = 0.336_rk*s23
+    h3_y = -0.336_rk*c23
+    t1 = 0.07702_rk*(c23*c23)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xx = 0.09327_rk - t1
+    k3_yy = t1 + 0.01625_rk
+    neg_k3_yz = 0.004704_rk*c23
+    t2 = 0.4318_rk*c2
+    t3 = 0.4318_rk*s2
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = t2*h3_x + t3*h3_y + 0.10952_rk
+    ! link 1: mass matrix, its row of this joint
+    m1_3 = -0.0551376_rk*c23
+    ! link 2: first moment of the composite body, about the frame's origin [kg m]
+    h2_y = h3_y + (3.25584_rk*s2 + 0.1044_rk*c2)
+    t4 = k3_xx + t2*(0.672_rk*s23)
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_xx = t4 + (1.368797152_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
+    k2_yz = 0.12059664_rk*s2 + 0.00808056_rk*c2 - neg_k3_yz
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = 6.225049952_rk - (t3*(0.672_rk*c23) - k3_yy - t4)
+    ! link 1: mass matrix, its row of this joint
+    m1_2 = k2_yz + 0.1501_rk*h2_y
+    m1_1 = k2_xx + 2.573567038_rk
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1501_rk*ww1_zz
+    neg_a2_z = 0.1501_rk*ww1_zz
     ! link 2: angular velocity [rad/s]
     neg_w2_x = qd(1)*s2
     neg_w2_y = qd(1)*c2
@@ -422,15 +403,15 @@ contains
     neg_lam2_22 = ww2_xx + ww2_zz
     neg_lam2_33 = ww2_xx + ww2_yy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - 0.8636_rk*alpha2_y
-    t3 = -qd(1)
+    neg_a3_z = neg_a2_z + 0.8636_rk*alpha2_y
+    t5 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    w3_x = t3*s23
-    w3_y = t3*c23
-    t4 = 0.4318_rk*neg_lam2_11
-    t5 = 0.4318_rk*ww2_xy
+    w3_x = t5*s23
+    w3_y = t5*c23
+    t6 = 0.4318_rk*neg_lam2_11
+    t7 = 0.4318_rk*ww2_xy
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*(c2*t4 + s2*t5) + s23*(s2*t4 - c2*t5 + 9.8_rk)
+    neg_a3_x = c23*(c2*t6 + s2*t7) + s23*(s2*t6 - c2*t7 + 9.8_rk)
     ! link 3: angular acceleration [rad/s^2]
     alpha3_x = w3_z*w3_y
     neg_alpha3_y = w3_z*w3_x
@@ -446,8 +427,8 @@ contains
     fc2_x = 0.1044_rk*ww2_xy - 3.25584_rk*neg_lam2_11
     fc2_y = 3.25584_rk*ww2_xy - 0.1044_rk*neg_lam2_22
     ! link 2: moment that turns the link [N m]
-    neg_nc2_x = 0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
-        (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy) + 0.01567044_rk*ww1_zz
+    nc2_x = -0.01567044_rk*ww1_zz - (0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - &
+        neg_lam2_33) + (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy))
     nc2_y = 2.883847104_rk*alpha2_y - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) + &
         (0.00808056_rk*ww2_xy + 0.0141984_rk*neg_alpha2_x) + 0.488701584_rk*ww1_zz
     nc2_z = 1.368797152_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (31.907232_rk*c2 - &
@@ -458,32 +439,31 @@ contains
     fc3_z = -0.672_rk*alpha3_x
     ! link 3: moment that turns the link [N m]
     nc3_y = -0.0325_rk*neg_alpha3_y - 0.004704_rk*ww3_xy
-    nc3_x = -0.336_rk*a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.18654_rk*alpha3_x)
+    nc3_x = 0.336_rk*neg_a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.18654_rk*alpha3_x)
     nc3_z = -0.336_rk*neg_a3_x - 0.07702_rk*ww3_xy
     ! link 3: force through the joint, along the axes that its turn starts from [N]
     f03_x = c23*fc3_x - s23*fc3_y
     f03_y = s23*fc3_x + c23*fc3_y
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
     n03_y = s23*nc3_x + c23*nc3_y
-    t6 = 0.4318_rk*c2
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t6)
-    n02_z = nc3_z + (nc2_z - (f03_x*(0.4318_rk*s2) - f03_y*t6))
+    n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + t2*fc3_z)
+    n02_z = nc3_z + (nc2_z - (t3*f03_x - t2*f03_y))
     ! link 2: force through the joint, along the axes that its turn starts from [N]
-    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
+    neg_f02_x = s2*fc2_y - c2*fc2_x - f03_x
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = -0.1501_rk*f02_x - n02_y
+    n1_z = 0.1501_rk*neg_f02_x - n02_y
     ! link 1: forward substitution
     y1 = tau(1) - n1_z
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
-    l2_1 = nu1_z_2*ipivot1
-    l3_1 = nu1_z*ipivot1
-    pivot2 = m2_2 - nu1_z_2*l2_1
+    l2_1 = m1_2*ipivot1
+    l3_1 = m1_3*ipivot1
+    pivot2 = m2_2 - m1_2*l2_1
     ipivot2 = 1.0_rk / pivot2
-    ld3_2 = nu2_z - nu1_z_2*l3_1
+    ld3_2 = m2_3 - m1_2*l3_1
     l3_2 = ipivot2*ld3_2
-    pivot3 = 0.93952_rk - nu1_z*l3_1 - ld3_2*l3_2
+    pivot3 = 0.93952_rk - m1_3*l3_1 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
     ! link 2: forward substitution
     y2 = tau(2) - n02_z - y1*l2_1
@@ -494,7 +474,7 @@ contains
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = ipivot2*y2 - l3_2*qdd3
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3
+    qdd1 = -l3_1*qdd3 - (l2_1*qdd2 - y1*ipivot1)
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

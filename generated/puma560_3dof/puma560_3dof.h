@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 88 multiplications, 72 additions = 160; 1 unary minus; 4 sine/cosine
+ *   inverse_dynamics: 88 multiplications, 72 additions = 160; 0 unary minus; 4 sine/cosine
  *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
- *   bias: 71 multiplications, 45 additions = 116; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 26 multiplications, 23 additions = 49; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 113 multiplications, 81 additions, 3 divisions = 197; 1 unary minus; 6
+ *   bias: 71 multiplications, 45 additions = 116; 0 unary minus; 4 sine/cosine
+ *   mass_matrix: 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 108 multiplications, 75 additions, 3 divisions = 186; 3 unary minus; 4
  *       sine/cosine
  */
 #ifndef PUMA560_3DOF_H

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 70 multiplications, 49 additions = 119; 1 unary minus; 4 sine/cosine
+ *   inverse_dynamics: 70 multiplications, 49 additions = 119; 0 unary minus; 4 sine/cosine
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
- *   bias: 59 multiplications, 29 additions = 88; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 20 multiplications, 16 additions = 36; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 95 multiplications, 58 additions, 3 divisions = 156; 1 unary minus; 6
+ *   bias: 59 multiplications, 29 additions = 88; 0 unary minus; 4 sine/cosine
+ *   mass_matrix: 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 91 multiplications, 55 additions, 3 divisions = 149; 1 unary minus; 4
  *       sine/cosine
  */
 #ifndef PUMA560_3DOF_D3_H

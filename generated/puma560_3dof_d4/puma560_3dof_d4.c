@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 70 multiplications, 49 additions = 119; 1 unary minus; 4 sine/cosine
+ *   inverse_dynamics: 70 multiplications, 49 additions = 119; 0 unary minus; 4 sine/cosine
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
- *   bias: 59 multiplications, 29 additions = 88; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 20 multiplications, 16 additions = 36; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 95 multiplications, 58 additions, 3 divisions = 156; 1 unary minus; 6
+ *   bias: 59 multiplications, 29 additions = 88; 0 unary minus; 4 sine/cosine
+ *   mass_matrix: 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 91 multiplications, 55 additions, 3 divisions = 149; 3 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d4.h"
@@ -28,7 +28,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 70 multiplications, 49 additions = 119; 1 unary minus; 4 sine/cosine */
+ * 70 multiplications, 49 additions = 119; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d4_inverse_dynamics(
     const puma560_3dof_d4_real q[3],
     const puma560_3dof_d4_real qd[3],
@@ -52,87 +52,86 @@ void puma560_3dof_d4_inverse_dynamics(
     const puma560_3dof_d4_real ww1_zz = qd[0]*qd[0];
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const puma560_3dof_d4_real a2_z = -0.1501*ww1_zz;
-    const puma560_3dof_d4_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_d4_real w2_x = t1*s2;
-    const puma560_3dof_d4_real w2_y = t1*c2;
-    const puma560_3dof_d4_real t2 = 0.1501*qdd[0];
+    const puma560_3dof_d4_real neg_w2_x = qd[0]*s2;
+    const puma560_3dof_d4_real neg_w2_y = qd[0]*c2;
+    const puma560_3dof_d4_real t1 = 0.1501*qdd[0];
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d4_real a2_y = s2*t2 - 9.8*c2;
+    const puma560_3dof_d4_real a2_y = s2*t1 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d4_real ww2_yz = qd[1]*w2_y;
-    const puma560_3dof_d4_real ww2_zx = qd[1]*w2_x;
+    const puma560_3dof_d4_real neg_ww2_yz = qd[1]*neg_w2_y;
+    const puma560_3dof_d4_real neg_ww2_zx = qd[1]*neg_w2_x;
     /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_d4_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const puma560_3dof_d4_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
+    const puma560_3dof_d4_real neg_alpha2_x = qdd[0]*s2 + neg_ww2_yz;
+    const puma560_3dof_d4_real alpha2_y = neg_ww2_zx - qdd[0]*c2;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d4_real ww2_xy = w2_x*w2_y;
-    const puma560_3dof_d4_real ww2_xx = w2_x*w2_x;
-    const puma560_3dof_d4_real ww2_yy = w2_y*w2_y;
+    const puma560_3dof_d4_real ww2_xy = neg_w2_x*neg_w2_y;
+    const puma560_3dof_d4_real ww2_xx = neg_w2_x*neg_w2_x;
+    const puma560_3dof_d4_real ww2_yy = neg_w2_y*neg_w2_y;
     const puma560_3dof_d4_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_3dof_d4_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_3dof_d4_real lam2_12 = ww2_xy - qdd[1];
     const puma560_3dof_d4_real lam2_21 = qdd[1] + ww2_xy;
-    const puma560_3dof_d4_real lam2_23 = ww2_yz - alpha2_x;
-    const puma560_3dof_d4_real lam2_31 = ww2_zx + neg_alpha2_y;
-    const puma560_3dof_d4_real lam2_32 = ww2_yz + alpha2_x;
+    const puma560_3dof_d4_real lam2_23 = neg_alpha2_x - neg_ww2_yz;
+    const puma560_3dof_d4_real neg_lam2_31 = neg_ww2_zx + alpha2_y;
+    const puma560_3dof_d4_real neg_lam2_32 = neg_ww2_yz + neg_alpha2_x;
     const puma560_3dof_d4_real neg_lam2_33 = ww2_xx + ww2_yy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d4_real a3_z = a2_z + 0.4318*lam2_31;
+    const puma560_3dof_d4_real a3_z = a2_z - 0.4318*neg_lam2_31;
     /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_d4_real w3_x = t1*s23;
-    const puma560_3dof_d4_real w3_y = t1*c23;
-    const puma560_3dof_d4_real t3 = 0.4318*neg_lam2_11;
-    const puma560_3dof_d4_real t4 = 0.4318*lam2_21;
+    const puma560_3dof_d4_real neg_w3_x = qd[0]*s23;
+    const puma560_3dof_d4_real neg_w3_y = qd[0]*c23;
+    const puma560_3dof_d4_real t2 = 0.4318*neg_lam2_11;
+    const puma560_3dof_d4_real t3 = 0.4318*lam2_21;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d4_real neg_a3_x = c23*(t2 + (c2*t3 + s2*t4)) + s23*(s2*t3 - c2*t4 + 9.8);
+    const puma560_3dof_d4_real neg_a3_x = c23*(t1 + (c2*t2 + s2*t3)) + s23*(s2*t2 - c2*t3 + 9.8);
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d4_real ww3_yz = w3_z*w3_y;
-    const puma560_3dof_d4_real ww3_zx = w3_z*w3_x;
+    const puma560_3dof_d4_real neg_ww3_yz = w3_z*neg_w3_y;
+    const puma560_3dof_d4_real neg_ww3_zx = w3_z*neg_w3_x;
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_d4_real alpha3_x = ww3_yz - qdd[0]*s23;
-    const puma560_3dof_d4_real neg_alpha3_y = qdd[0]*c23 + ww3_zx;
+    const puma560_3dof_d4_real neg_alpha3_x = qdd[0]*s23 + neg_ww3_yz;
+    const puma560_3dof_d4_real neg_alpha3_y = qdd[0]*c23 - neg_ww3_zx;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d4_real ww3_xy = w3_x*w3_y;
-    const puma560_3dof_d4_real ww3_xx = w3_x*w3_x;
+    const puma560_3dof_d4_real ww3_xy = neg_w3_x*neg_w3_y;
+    const puma560_3dof_d4_real ww3_xx = neg_w3_x*neg_w3_x;
     const puma560_3dof_d4_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_d4_real lam3_12 = ww3_xy - alpha3_z;
+    const puma560_3dof_d4_real neg_lam3_12 = alpha3_z - ww3_xy;
     const puma560_3dof_d4_real lam3_21 = alpha3_z + ww3_xy;
     const puma560_3dof_d4_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_3dof_d4_real lam3_31 = ww3_zx + neg_alpha3_y;
-    const puma560_3dof_d4_real lam3_32 = ww3_yz + alpha3_x;
+    const puma560_3dof_d4_real lam3_31 = neg_alpha3_y - neg_ww3_zx;
+    const puma560_3dof_d4_real neg_lam3_32 = neg_ww3_yz + neg_alpha3_x;
     /* link 1: moment that turns the link [N m] */
     const puma560_3dof_d4_real nc1_z = 0.1684918105*qdd[0];
     /* link 2: force that moves the link [N] */
-    const puma560_3dof_d4_real fc2_x = -5.74719*neg_lam2_11;
+    const puma560_3dof_d4_real neg_fc2_x = 5.74719*neg_lam2_11;
     const puma560_3dof_d4_real fc2_y = 5.74719*lam2_21;
     /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_d4_real neg_nc2_x = -2.4275*lam2_32 - 0.11051088*lam2_21;
-    const puma560_3dof_d4_real nc2_y = 0.11051088*(neg_lam2_11 - neg_lam2_33) - 5.894500002*lam2_31
-        + 0.862653219*ww1_zz;
+    const puma560_3dof_d4_real neg_nc2_x = 2.4275*neg_lam2_32 - 0.11051088*lam2_21;
+    const puma560_3dof_d4_real nc2_y = 5.894500002*neg_lam2_31 + 0.11051088*(neg_lam2_11 -
+        neg_lam2_33) + 0.862653219*ww1_zz;
     const puma560_3dof_d4_real nc2_z = 5.894500002*lam2_21 - 2.4275*lam2_12 - 0.11051088*lam2_23 +
         5.74719*a2_y;
     /* link 3: force that moves the link [N] */
-    const puma560_3dof_d4_real fc3_x = -4.74117*lam3_12;
+    const puma560_3dof_d4_real fc3_x = 4.74117*neg_lam3_12;
     const puma560_3dof_d4_real fc3_y = 4.74117*neg_lam3_22;
-    const puma560_3dof_d4_real fc3_z = -4.74117*lam3_32;
+    const puma560_3dof_d4_real fc3_z = 4.74117*neg_lam3_32;
     /* link 3: moment that turns the link [N m] */
     const puma560_3dof_d4_real nc3_y = -0.4327*lam3_31;
-    const puma560_3dof_d4_real nc3_x = 3.874353618*lam3_32 - 4.74117*a3_z;
-    const puma560_3dof_d4_real nc3_z = 0.4327*lam3_21 - 3.874353618*lam3_12 - 4.74117*neg_a3_x;
+    const puma560_3dof_d4_real neg_nc3_x = 3.874353618*neg_lam3_32 + 4.74117*a3_z;
+    const puma560_3dof_d4_real nc3_z = 0.4327*lam3_21 + 3.874353618*neg_lam3_12 - 4.74117*neg_a3_x;
     /* link 3: force through the joint, along the axes that its turn starts from [N] */
     const puma560_3dof_d4_real f03_x = c23*fc3_x - s23*fc3_y;
     const puma560_3dof_d4_real f03_y = s23*fc3_x + c23*fc3_y;
     /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d4_real n03_y = s23*nc3_x + c23*nc3_y;
-    const puma560_3dof_d4_real t5 = 0.4318*c2;
+    const puma560_3dof_d4_real n03_y = c23*nc3_y - s23*neg_nc3_x;
+    const puma560_3dof_d4_real t4 = 0.4318*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d4_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t5);
-    const puma560_3dof_d4_real n02_z = nc3_z + (nc2_z + (f03_y*t5 - f03_x*(0.4318*s2)));
+    const puma560_3dof_d4_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t4);
+    const puma560_3dof_d4_real n02_z = nc3_z + (nc2_z + (f03_y*t4 - f03_x*(0.4318*s2)));
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d4_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
+    const puma560_3dof_d4_real f02_x = f03_x - (c2*neg_fc2_x + s2*fc2_y);
     /* link 1: moment through the joint, about the frame's origin [N m] */
     const puma560_3dof_d4_real n1_z = nc1_z - 0.1501*f02_x - n02_y;
     tau[0] = n1_z;
@@ -149,18 +148,18 @@ void puma560_3dof_d4_gravity(const puma560_3dof_d4_real q[3], puma560_3dof_d4_re
     const volatile puma560_3dof_d4_real angle23 = q[1] + q[2];
     const puma560_3dof_d4_real s23 = sin(angle23);
     /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_d4_real nc2_z = -56.322462*c2;
+    const puma560_3dof_d4_real neg_nc2_z = 56.322462*c2;
     /* link 3: moment that turns the link [N m] */
     const puma560_3dof_d4_real nc3_z = -46.463466*s23;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d4_real n02_z = nc2_z + nc3_z;
+    const puma560_3dof_d4_real n02_z = nc3_z - neg_nc2_z;
     tau[0] = 0.0;
     tau[1] = n02_z;
     tau[2] = nc3_z;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 59 multiplications, 29 additions = 88; 1 unary minus; 4 sine/cosine */
+ * 59 multiplications, 29 additions = 88; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d4_bias(
     const puma560_3dof_d4_real q[3],
     const puma560_3dof_d4_real qd[3],
@@ -197,25 +196,24 @@ void puma560_3dof_d4_bias(
     const puma560_3dof_d4_real neg_lam2_33 = ww2_xx + ww2_yy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const puma560_3dof_d4_real a3_z = a2_z - 0.8636*alpha2_y;
-    const puma560_3dof_d4_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_d4_real w3_x = t1*s23;
-    const puma560_3dof_d4_real w3_y = t1*c23;
-    const puma560_3dof_d4_real t2 = 0.4318*neg_lam2_11;
-    const puma560_3dof_d4_real t3 = 0.4318*ww2_xy;
+    const puma560_3dof_d4_real neg_w3_x = qd[0]*s23;
+    const puma560_3dof_d4_real neg_w3_y = qd[0]*c23;
+    const puma560_3dof_d4_real t1 = 0.4318*neg_lam2_11;
+    const puma560_3dof_d4_real t2 = 0.4318*ww2_xy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d4_real neg_a3_x = c23*(c2*t2 + s2*t3) + s23*(s2*t2 - c2*t3 + 9.8);
+    const puma560_3dof_d4_real neg_a3_x = c23*(c2*t1 + s2*t2) + s23*(s2*t1 - c2*t2 + 9.8);
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_d4_real alpha3_x = w3_z*w3_y;
-    const puma560_3dof_d4_real neg_alpha3_y = w3_z*w3_x;
+    const puma560_3dof_d4_real neg_alpha3_x = w3_z*neg_w3_y;
+    const puma560_3dof_d4_real alpha3_y = w3_z*neg_w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d4_real ww3_xy = w3_x*w3_y;
-    const puma560_3dof_d4_real ww3_xx = w3_x*w3_x;
+    const puma560_3dof_d4_real ww3_xy = neg_w3_x*neg_w3_y;
+    const puma560_3dof_d4_real ww3_xx = neg_w3_x*neg_w3_x;
     const puma560_3dof_d4_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_3dof_d4_real neg_lam3_22 = ww3_xx + ww3_zz;
     /* link 2: force that moves the link [N] */
-    const puma560_3dof_d4_real fc2_x = -5.74719*neg_lam2_11;
+    const puma560_3dof_d4_real neg_fc2_x = 5.74719*neg_lam2_11;
     const puma560_3dof_d4_real fc2_y = 5.74719*ww2_xy;
     /* link 2: moment that turns the link [N m] */
     const puma560_3dof_d4_real neg_nc2_x = 4.855*neg_alpha2_x - 0.11051088*ww2_xy;
@@ -223,33 +221,33 @@ void puma560_3dof_d4_bias(
         neg_lam2_33) + 0.862653219*ww1_zz;
     const puma560_3dof_d4_real nc2_z = 3.467000002*ww2_xy - 56.322462*c2;
     /* link 3: force that moves the link [N] */
-    const puma560_3dof_d4_real fc3_x = -4.74117*ww3_xy;
+    const puma560_3dof_d4_real neg_fc3_x = 4.74117*ww3_xy;
     const puma560_3dof_d4_real fc3_y = 4.74117*neg_lam3_22;
-    const puma560_3dof_d4_real fc3_z = -9.48234*alpha3_x;
+    const puma560_3dof_d4_real fc3_z = 9.48234*neg_alpha3_x;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_d4_real nc3_y = -0.8654*neg_alpha3_y;
-    const puma560_3dof_d4_real nc3_x = 7.748707236*alpha3_x - 4.74117*a3_z;
+    const puma560_3dof_d4_real nc3_y = 0.8654*alpha3_y;
+    const puma560_3dof_d4_real neg_nc3_x = 7.748707236*neg_alpha3_x + 4.74117*a3_z;
     const puma560_3dof_d4_real nc3_z = -4.74117*neg_a3_x - 3.441653618*ww3_xy;
     /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d4_real f03_x = c23*fc3_x - s23*fc3_y;
-    const puma560_3dof_d4_real f03_y = s23*fc3_x + c23*fc3_y;
+    const puma560_3dof_d4_real neg_f03_x = c23*neg_fc3_x + s23*fc3_y;
+    const puma560_3dof_d4_real neg_f03_y = s23*neg_fc3_x - c23*fc3_y;
     /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d4_real n03_y = s23*nc3_x + c23*nc3_y;
-    const puma560_3dof_d4_real t4 = 0.4318*c2;
+    const puma560_3dof_d4_real n03_y = c23*nc3_y - s23*neg_nc3_x;
+    const puma560_3dof_d4_real t3 = 0.4318*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d4_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t4);
-    const puma560_3dof_d4_real n02_z = nc3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t4));
+    const puma560_3dof_d4_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t3);
+    const puma560_3dof_d4_real n02_z = nc3_z + (nc2_z - (neg_f03_y*t3 - neg_f03_x*(0.4318*s2)));
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d4_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
+    const puma560_3dof_d4_real neg_f02_x = neg_f03_x + (c2*neg_fc2_x + s2*fc2_y);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_d4_real n1_z = -0.1501*f02_x - n02_y;
+    const puma560_3dof_d4_real n1_z = 0.1501*neg_f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = nc3_z;
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 20 multiplications, 16 additions = 36; 0 unary minus; 4 sine/cosine */
+ * 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d4_mass_matrix(const puma560_3dof_d4_real q[3], puma560_3dof_d4_real M[9])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -258,48 +256,47 @@ void puma560_3dof_d4_mass_matrix(const puma560_3dof_d4_real q[3], puma560_3dof_d
     /* sines and cosines of the joint angles */
     const puma560_3dof_d4_real c2 = cos(q[1]);
     const puma560_3dof_d4_real s2 = sin(again[1]);
-    const puma560_3dof_d4_real c3 = cos(q[2]);
-    const puma560_3dof_d4_real s3 = sin(again[2]);
-    /* link 2: force for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real fu2_x = 4.74117*c3;
-    const puma560_3dof_d4_real fu2_y = 4.74117*s3;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real nu2_z = 2.047237206*s3 + 4.307053618;
-    const puma560_3dof_d4_real t1 = c2*fu2_x;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real fu1_x = t1 - s2*fu2_y;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real nu1_z = -0.1501*fu1_x;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real k2_xy = -2.047237206*c3 - 3.441653618*(c3*s3);
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d4_real h2_x = fu2_y + 5.74719;
-    const puma560_3dof_d4_real t2 = 3.441653618*(c3*c3);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real k2_yy = t2 + 2.8602;
-    const puma560_3dof_d4_real t3 = t2 - 3.874353618 - 4.094474412*s3;
+    const volatile puma560_3dof_d4_real angle23 = q[1] + q[2];
+    const puma560_3dof_d4_real c23 = cos(angle23);
+    const puma560_3dof_d4_real s23 = sin(angle23);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_3dof_d4_real h3_x = 4.74117*s23;
+    const puma560_3dof_d4_real h3_y = -4.74117*c23;
+    const puma560_3dof_d4_real t1 = 3.441653618*(c23*c23);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const puma560_3dof_d4_real k3_xx = 3.874353618 - t1;
+    const puma560_3dof_d4_real k3_yy = t1 + 0.4327;
+    const puma560_3dof_d4_real t2 = 0.4318*c2;
+    const puma560_3dof_d4_real t3 = 0.4318*s2;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m2_2 = t2 - t3 + 8.754700002;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real fu1_x_2 = t1 - s2*h2_x;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real nu1_z_2 = -0.1501*fu1_x_2 - 0.11051088*s2;
+    const puma560_3dof_d4_real m2_3 = t2*h3_x + t3*h3_y + 4.307053618;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m1_1 = k2_yy - (c2*c2*(t2 + t3 - 3.034300002) + k2_xy*(2.0*(c2*s2)))
-        + 0.1684918105;
+    const puma560_3dof_d4_real m1_3 = -0.711649617*c23;
+    const puma560_3dof_d4_real t4 = k3_xx + t2*(9.48234*s23);
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_3dof_d4_real m2_2 = 8.322000002 - (t3*(9.48234*c23) - k3_yy - t4);
+    /* link 2: second moment of the composite body [kg m^2] */
+    const puma560_3dof_d4_real neg_k2_yz = 0.11051088*s2;
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_3dof_d4_real h2_y = h3_y + 5.74719*s2;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const puma560_3dof_d4_real k2_xx = t4 + (3.467000002*(c2*c2) + 2.4275);
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_3dof_d4_real m1_2 = 0.1501*h2_y - neg_k2_yz;
+    const puma560_3dof_d4_real m1_1 = k2_xx + 0.1684918105;
     M[0] = m1_1;
-    M[1] = nu1_z_2;
-    M[2] = nu1_z;
-    M[3] = nu1_z_2;
+    M[1] = m1_2;
+    M[2] = m1_3;
+    M[3] = m1_2;
     M[4] = m2_2;
-    M[5] = nu2_z;
-    M[6] = nu1_z;
-    M[7] = nu2_z;
+    M[5] = m2_3;
+    M[6] = m1_3;
+    M[7] = m2_3;
     M[8] = 4.307053618;
 }
 
 /* accelerations that the torques tau give
- * 95 multiplications, 58 additions, 3 divisions = 156; 1 unary minus; 6 sine/cosine */
+ * 91 multiplications, 55 additions, 3 divisions = 149; 3 unary minus; 4 sine/cosine */
 void puma560_3dof_d4_forward_dynamics(
     const puma560_3dof_d4_real q[3],
     const puma560_3dof_d4_real qd[3],
@@ -312,69 +309,64 @@ void puma560_3dof_d4_forward_dynamics(
     /* sines and cosines of the joint angles */
     const puma560_3dof_d4_real c2 = cos(q[1]);
     const puma560_3dof_d4_real s2 = sin(again[1]);
-    const puma560_3dof_d4_real c3 = cos(q[2]);
-    const puma560_3dof_d4_real s3 = sin(again[2]);
-    /* link 2: force for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real fu2_x = 4.74117*c3;
-    const puma560_3dof_d4_real fu2_y = 4.74117*s3;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real nu2_z = 2.047237206*s3 + 4.307053618;
-    const puma560_3dof_d4_real t1 = c2*fu2_x;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real fu1_x = t1 - s2*fu2_y;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real nu1_z = -0.1501*fu1_x;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real k2_xy = -2.047237206*c3 - 3.441653618*(c3*s3);
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d4_real h2_x = fu2_y + 5.74719;
-    const puma560_3dof_d4_real t2 = 3.441653618*(c3*c3);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real k2_yy = t2 + 2.8602;
-    const puma560_3dof_d4_real t3 = t2 - 3.874353618 - 4.094474412*s3;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m2_2 = t2 - t3 + 8.754700002;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real fu1_x_2 = t1 - s2*h2_x;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const puma560_3dof_d4_real nu1_z_2 = -0.1501*fu1_x_2 - 0.11051088*s2;
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m1_1 = k2_yy - (c2*c2*(t2 + t3 - 3.034300002) + k2_xy*(2.0*(c2*s2)))
-        + 0.1684918105;
-    /* sines and cosines of the joint angles */
     const volatile puma560_3dof_d4_real angle23 = q[1] + q[2];
     const puma560_3dof_d4_real c23 = cos(angle23);
     const puma560_3dof_d4_real s23 = sin(angle23);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_3dof_d4_real h3_x = 4.74117*s23;
+    const puma560_3dof_d4_real h3_y = -4.74117*c23;
+    const puma560_3dof_d4_real t1 = 3.441653618*(c23*c23);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const puma560_3dof_d4_real k3_xx = 3.874353618 - t1;
+    const puma560_3dof_d4_real k3_yy = t1 + 0.4327;
+    const puma560_3dof_d4_real t2 = 0.4318*c2;
+    const puma560_3dof_d4_real t3 = 0.4318*s2;
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_3dof_d4_real m2_3 = t2*h3_x + t3*h3_y + 4.307053618;
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_3dof_d4_real m1_3 = -0.711649617*c23;
+    const puma560_3dof_d4_real t4 = k3_xx + t2*(9.48234*s23);
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_3dof_d4_real m2_2 = 8.322000002 - (t3*(9.48234*c23) - k3_yy - t4);
+    /* link 2: second moment of the composite body [kg m^2] */
+    const puma560_3dof_d4_real neg_k2_yz = 0.11051088*s2;
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_3dof_d4_real h2_y = h3_y + 5.74719*s2;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const puma560_3dof_d4_real k2_xx = t4 + (3.467000002*(c2*c2) + 2.4275);
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_3dof_d4_real m1_2 = 0.1501*h2_y - neg_k2_yz;
+    const puma560_3dof_d4_real m1_1 = k2_xx + 0.1684918105;
     /* link 3: angular velocity [rad/s] */
     const puma560_3dof_d4_real w3_z = qd[1] + qd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_3dof_d4_real ww1_zz = qd[0]*qd[0];
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d4_real a2_z = -0.1501*ww1_zz;
+    const puma560_3dof_d4_real neg_a2_z = 0.1501*ww1_zz;
+    const puma560_3dof_d4_real t5 = -qd[0];
     /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_d4_real neg_w2_x = qd[0]*s2;
-    const puma560_3dof_d4_real neg_w2_y = qd[0]*c2;
+    const puma560_3dof_d4_real w2_x = t5*s2;
+    const puma560_3dof_d4_real w2_y = t5*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_d4_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_3dof_d4_real alpha2_y = qd[1]*neg_w2_x;
+    const puma560_3dof_d4_real alpha2_x = qd[1]*w2_y;
+    const puma560_3dof_d4_real neg_alpha2_y = qd[1]*w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d4_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_3dof_d4_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_3dof_d4_real ww2_yy = neg_w2_y*neg_w2_y;
+    const puma560_3dof_d4_real ww2_xy = w2_x*w2_y;
+    const puma560_3dof_d4_real ww2_xx = w2_x*w2_x;
+    const puma560_3dof_d4_real ww2_yy = w2_y*w2_y;
     const puma560_3dof_d4_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_3dof_d4_real neg_lam2_11 = ww2_yy + ww2_zz;
     const puma560_3dof_d4_real neg_lam2_33 = ww2_xx + ww2_yy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d4_real a3_z = a2_z - 0.8636*alpha2_y;
-    const puma560_3dof_d4_real t4 = -qd[0];
+    const puma560_3dof_d4_real a3_z = 0.8636*neg_alpha2_y - neg_a2_z;
     /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_d4_real w3_x = t4*s23;
-    const puma560_3dof_d4_real w3_y = t4*c23;
-    const puma560_3dof_d4_real t5 = 0.4318*neg_lam2_11;
-    const puma560_3dof_d4_real t6 = 0.4318*ww2_xy;
+    const puma560_3dof_d4_real w3_x = t5*s23;
+    const puma560_3dof_d4_real w3_y = t5*c23;
+    const puma560_3dof_d4_real t6 = 0.4318*neg_lam2_11;
+    const puma560_3dof_d4_real t7 = 0.4318*ww2_xy;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d4_real neg_a3_x = c23*(c2*t5 + s2*t6) + s23*(s2*t5 - c2*t6 + 9.8);
+    const puma560_3dof_d4_real neg_a3_x = c23*(c2*t6 + s2*t7) + s23*(s2*t6 - c2*t7 + 9.8);
     /* link 3: angular acceleration [rad/s^2] */
     const puma560_3dof_d4_real alpha3_x = w3_z*w3_y;
     const puma560_3dof_d4_real neg_alpha3_y = w3_z*w3_x;
@@ -388,9 +380,9 @@ void puma560_3dof_d4_forward_dynamics(
     const puma560_3dof_d4_real fc2_x = -5.74719*neg_lam2_11;
     const puma560_3dof_d4_real fc2_y = 5.74719*ww2_xy;
     /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_d4_real neg_nc2_x = 4.855*neg_alpha2_x - 0.11051088*ww2_xy;
-    const puma560_3dof_d4_real nc2_y = 11.789000004*alpha2_y + 0.11051088*(neg_lam2_11 -
-        neg_lam2_33) + 0.862653219*ww1_zz;
+    const puma560_3dof_d4_real nc2_x = 4.855*alpha2_x + 0.11051088*ww2_xy;
+    const puma560_3dof_d4_real nc2_y = 0.11051088*(neg_lam2_11 - neg_lam2_33) -
+        11.789000004*neg_alpha2_y + 0.862653219*ww1_zz;
     const puma560_3dof_d4_real nc2_z = 3.467000002*ww2_xy - 56.322462*c2;
     /* link 3: force that moves the link [N] */
     const puma560_3dof_d4_real fc3_x = -4.74117*ww3_xy;
@@ -405,25 +397,24 @@ void puma560_3dof_d4_forward_dynamics(
     const puma560_3dof_d4_real f03_y = s23*fc3_x + c23*fc3_y;
     /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
     const puma560_3dof_d4_real n03_y = s23*nc3_x + c23*nc3_y;
-    const puma560_3dof_d4_real t7 = 0.4318*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d4_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t7);
-    const puma560_3dof_d4_real n02_z = nc3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t7));
+    const puma560_3dof_d4_real n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + t2*fc3_z);
+    const puma560_3dof_d4_real n02_z = nc3_z + (nc2_z - (t3*f03_x - t2*f03_y));
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d4_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
+    const puma560_3dof_d4_real neg_f02_x = s2*fc2_y - c2*fc2_x - f03_x;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_d4_real n1_z = -0.1501*f02_x - n02_y;
+    const puma560_3dof_d4_real n1_z = 0.1501*neg_f02_x - n02_y;
     /* link 1: forward substitution */
     const puma560_3dof_d4_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
     const puma560_3dof_d4_real ipivot1 = 1.0 / m1_1;
-    const puma560_3dof_d4_real l2_1 = nu1_z_2*ipivot1;
-    const puma560_3dof_d4_real l3_1 = nu1_z*ipivot1;
-    const puma560_3dof_d4_real pivot2 = m2_2 - nu1_z_2*l2_1;
+    const puma560_3dof_d4_real l2_1 = m1_2*ipivot1;
+    const puma560_3dof_d4_real l3_1 = m1_3*ipivot1;
+    const puma560_3dof_d4_real pivot2 = m2_2 - m1_2*l2_1;
     const puma560_3dof_d4_real ipivot2 = 1.0 / pivot2;
-    const puma560_3dof_d4_real ld3_2 = nu2_z - nu1_z_2*l3_1;
+    const puma560_3dof_d4_real ld3_2 = m2_3 - m1_2*l3_1;
     const puma560_3dof_d4_real l3_2 = ipivot2*ld3_2;
-    const puma560_3dof_d4_real pivot3 = 4.307053618 - nu1_z*l3_1 - ld3_2*l3_2;
+    const puma560_3dof_d4_real pivot3 = 4.307053618 - m1_3*l3_1 - ld3_2*l3_2;
     const puma560_3dof_d4_real ipivot3 = 1.0 / pivot3;
     /* link 2: forward substitution */
     const puma560_3dof_d4_real y2 = tau[1] - n02_z - y1*l2_1;
@@ -434,7 +425,7 @@ void puma560_3dof_d4_forward_dynamics(
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_d4_real qdd2 = ipivot2*y2 - l3_2*qdd3;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d4_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3;
+    const puma560_3dof_d4_real qdd1 = -l3_1*qdd3 - (l2_1*qdd2 - y1*ipivot1);
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 167 multiplications, 125 additions = 292; 4 unary minus; 10 sine/cosine
+ *   inverse_dynamics: 167 multiplications, 125 additions = 292; 5 unary minus; 10 sine/cosine
  *   gravity: 19 multiplications, 8 additions = 27; 1 unary minus; 7 sine/cosine
- *   bias: 154 multiplications, 100 additions = 254; 6 unary minus; 10 sine/cosine
- *   mass_matrix: 101 multiplications, 79 additions = 180; 3 unary minus; 8 sine/cosine
- *   forward_dynamics: 341 multiplications, 248 additions, 6 divisions = 595; 13 unary minus; 12
+ *   bias: 154 multiplications, 100 additions = 254; 0 unary minus; 10 sine/cosine
+ *   mass_matrix: 80 multiplications, 65 additions = 145; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 318 multiplications, 233 additions, 6 divisions = 557; 1 unary minus; 10
  *       sine/cosine
  */
 #ifndef PUMA560_D2_H

@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 262 multiplications, 243 additions = 505; 7 unary minus; 10 sine/cosine
- *   gravity: 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine
- *   bias: 244 multiplications, 211 additions = 455; 7 unary minus; 10 sine/cosine
- *   mass_matrix: 161 multiplications, 139 additions = 300; 6 unary minus; 10 sine/cosine
- *   forward_dynamics: 491 multiplications, 421 additions, 6 divisions = 918; 14 unary minus; 12
+ *   inverse_dynamics: 262 multiplications, 243 additions = 505; 5 unary minus; 10 sine/cosine
+ *   gravity: 42 multiplications, 25 additions = 67; 0 unary minus; 10 sine/cosine
+ *   bias: 244 multiplications, 211 additions = 455; 8 unary minus; 10 sine/cosine
+ *   mass_matrix: 141 multiplications, 125 additions = 266; 3 unary minus; 10 sine/cosine
+ *   forward_dynamics: 469 multiplications, 406 additions, 6 divisions = 881; 15 unary minus; 10
  *       sine/cosine
  */
 #ifndef PUMA560_FULL_H

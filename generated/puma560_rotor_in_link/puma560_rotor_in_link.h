@@ -18,9 +18,9 @@
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 182 multiplications, 146 additions = 328; 4 unary minus; 10 sine/cosine
  *   gravity: 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
- *   bias: 165 multiplications, 116 additions = 281; 6 unary minus; 10 sine/cosine
- *   mass_matrix: 103 multiplications, 83 additions = 186; 3 unary minus; 8 sine/cosine
- *   forward_dynamics: 354 multiplications, 268 additions, 6 divisions = 628; 13 unary minus; 12
+ *   bias: 165 multiplications, 116 additions = 281; 0 unary minus; 10 sine/cosine
+ *   mass_matrix: 84 multiplications, 69 additions = 153; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 333 multiplications, 253 additions, 6 divisions = 592; 12 unary minus; 10
  *       sine/cosine
  */
 #ifndef PUMA560_ROTOR_IN_LINK_H

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 240 multiplications, 227 additions = 467; 4 unary minus; 10 sine/cosine
+ *   inverse_dynamics: 240 multiplications, 227 additions = 467; 3 unary minus; 10 sine/cosine
  *   gravity: 42 multiplications, 25 additions = 67; 1 unary minus; 10 sine/cosine
- *   bias: 227 multiplications, 198 additions = 425; 7 unary minus; 10 sine/cosine
- *   mass_matrix: 128 multiplications, 115 additions = 243; 7 unary minus; 10 sine/cosine
- *   forward_dynamics: 441 multiplications, 384 additions, 6 divisions = 831; 18 unary minus; 12
+ *   bias: 227 multiplications, 198 additions = 425; 6 unary minus; 10 sine/cosine
+ *   mass_matrix: 125 multiplications, 108 additions = 233; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 436 multiplications, 376 additions, 6 divisions = 818; 12 unary minus; 10
  *       sine/cosine
  */
 #ifndef RX90_H

@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 131 multiplications, 98 additions = 229; 4 unary minus; 8 sine/cosine
+ *   inverse_dynamics: 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine
  *   gravity: 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine
- *   bias: 118 multiplications, 77 additions = 195; 7 unary minus; 8 sine/cosine
- *   mass_matrix: 56 multiplications, 45 additions = 101; 1 unary minus; 6 sine/cosine
- *   forward_dynamics: 260 multiplications, 189 additions, 6 divisions = 455; 14 unary minus; 8
+ *   bias: 118 multiplications, 77 additions = 195; 6 unary minus; 8 sine/cosine
+ *   mass_matrix: 56 multiplications, 45 additions = 101; 3 unary minus; 6 sine/cosine
+ *   forward_dynamics: 260 multiplications, 189 additions, 6 divisions = 455; 15 unary minus; 8
  *       sine/cosine
  */
 #include "stanford.h"
@@ -28,7 +28,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 131 multiplications, 98 additions = 229; 4 unary minus; 8 sine/cosine */
+ * 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine */
 void stanford_inverse_dynamics(
     const stanford_real q[6],
     const stanford_real qd[6],
@@ -64,7 +64,7 @@ void stanford_inverse_dynamics(
     const stanford_real ww2_zx = qd[1]*w2_x;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const stanford_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
+    const stanford_real alpha2_y = -qdd[0]*c2 - ww2_zx;
     /* link 2: products of the angular velocity [1/s^2] */
     const stanford_real ww2_xy = w2_x*w2_y;
     const stanford_real ww2_xx = w2_x*w2_x;
@@ -73,7 +73,7 @@ void stanford_inverse_dynamics(
     const stanford_real lam2_12 = ww2_xy - qdd[1];
     const stanford_real lam2_21 = qdd[1] + ww2_xy;
     const stanford_real lam2_22 = -ww2_xx - ww2_zz;
-    const stanford_real lam2_31 = ww2_zx + neg_alpha2_y;
+    const stanford_real neg_lam2_31 = alpha2_y - ww2_zx;
     const stanford_real lam2_32 = ww2_yz + alpha2_x;
     const stanford_real t3 = 2.0*qd[2];
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
@@ -87,9 +87,9 @@ void stanford_inverse_dynamics(
     const stanford_real a4_x = c4*a3_x + s4*a3_y;
     const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
-    const stanford_real alpha4_x = qd[3]*w4_y - (-c4*alpha2_x - qdd[1]*s4);
+    const stanford_real alpha4_x = qd[3]*w4_y - (-qdd[1]*s4 - c4*alpha2_x);
     const stanford_real alpha4_y = qdd[1]*c4 - s4*alpha2_x - qd[3]*w4_x;
-    const stanford_real alpha4_z = qdd[3] + neg_alpha2_y;
+    const stanford_real alpha4_z = qdd[3] - alpha2_y;
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_z = qd[3] - w2_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -107,12 +107,12 @@ void stanford_inverse_dynamics(
     const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_real t4 = -s5;
-    const stanford_real w5_y = t4*w4_x - c5*w4_z;
+    const stanford_real t4 = -c5;
+    const stanford_real w5_y = t4*w4_z - s5*w4_x;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
+    const stanford_real a5_x = c5*a4_x - s5*a3_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const stanford_real alpha5_y = t4*alpha4_x - c5*alpha4_z - qd[4]*w5_x;
+    const stanford_real alpha5_y = t4*alpha4_z - s5*alpha4_x - qd[4]*w5_x;
     const stanford_real alpha5_z = qdd[4] + alpha4_y;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_z = qd[4] + w4_y;
@@ -125,7 +125,7 @@ void stanford_inverse_dynamics(
     const stanford_real lam5_12 = ww5_xy - alpha5_z;
     const stanford_real lam5_21 = alpha5_z + ww5_xy;
     const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const stanford_real lam5_31 = ww5_zx - alpha5_y;
+    const stanford_real neg_lam5_31 = alpha5_y - ww5_zx;
     const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*alpha4_z - c5*alpha4_x);
     /* link 6: angular velocity [rad/s] */
     const stanford_real w6_x = c6*w5_x + s6*w5_z;
@@ -139,17 +139,17 @@ void stanford_inverse_dynamics(
     const stanford_real ww6_zx = w6_x*w6_z;
     /* link 2: moment that turns the link [N m] */
     const stanford_real nc2_x = 4.2875532937*lam2_32;
-    const stanford_real nc2_y = -0.008*lam2_31;
+    const stanford_real nc2_y = 0.008*neg_lam2_31;
     const stanford_real nc2_z = 0.008*lam2_21 - 4.2875532937*lam2_12;
     /* link 3: force that moves the link [N] */
     const stanford_real fc3_x = 6.47*a3_x - 2.730039*lam2_12;
     const stanford_real fc3_y = 6.47*a3_y - 2.730039*lam2_32;
     const stanford_real fc3_z = 6.47*a3_z + 2.730039*lam2_22;
     /* link 3: moment that turns the link [N m] */
-    const stanford_real nc3_x = -2.730039*a3_y;
+    const stanford_real neg_nc3_x = 2.730039*a3_y;
     const stanford_real nc3_y = 2.730039*a3_x;
     /* link 4: force that moves the link [N] */
-    const stanford_real fc4_x = -0.005832*lam4_12;
+    const stanford_real neg_fc4_x = 0.005832*lam4_12;
     const stanford_real fc4_y = 0.005832*neg_lam4_22;
     const stanford_real fc4_z = -0.005832*lam4_32;
     /* link 4: moment that turns the link [N m] */
@@ -160,11 +160,11 @@ void stanford_inverse_dynamics(
     /* link 5: force that moves the link [N] */
     const stanford_real fc5_x = -0.114912*lam5_12;
     const stanford_real fc5_y = 0.114912*neg_lam5_22;
-    const stanford_real fc5_z = -0.114912*lam5_32;
+    const stanford_real neg_fc5_z = 0.114912*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const stanford_real nc5_y = -0.0002*lam5_31;
+    const stanford_real nc5_y = 0.0002*neg_lam5_31;
     const stanford_real nc5_x = 0.0301343144*lam5_32 - 0.114912*a4_y;
-    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 - 0.114912*neg_a5_x;
+    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 + 0.114912*a5_x;
     /* link 6: moment that turns the link [N m] */
     const stanford_real nc6_x = 0.0003*ww6_yz;
     const stanford_real nc6_y = -0.0003*ww6_zx;
@@ -191,8 +191,8 @@ void stanford_inverse_dynamics(
     const stanford_real n4_y = nc4_y + n5_z;
     const stanford_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_real f4_x = fc4_x + f05_x;
-    const stanford_real f4_y = fc4_y + fc5_z;
+    const stanford_real f4_x = f05_x - neg_fc4_x;
+    const stanford_real f4_y = fc4_y - neg_fc5_z;
     const stanford_real f4_z = fc4_z - f05_y;
     /* link 4: force through the joint, along the axes that its turn starts from [N] */
     const stanford_real f04_x = c4*f4_x - s4*f4_y;
@@ -203,7 +203,7 @@ void stanford_inverse_dynamics(
     /* link 4: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau4 = n4_z + 0.106*qdd[3];
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = nc3_x + n04_x;
+    const stanford_real n3_x = n04_x - neg_nc3_x;
     const stanford_real n3_y = nc3_y + n04_y;
     /* link 3: force through the joint [N] */
     const stanford_real f3_x = fc3_x + f04_x;
@@ -216,11 +216,11 @@ void stanford_inverse_dynamics(
     const stanford_real n2_y = nc2_y - n4_z;
     const stanford_real n2_z = n3_y + (nc2_z + q[2]*f3_x);
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f02_x = c2*f3_x + s2*f3_z;
+    const stanford_real neg_f02_x = -s2*f3_z - c2*f3_x;
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau2 = n2_z + 2.193*qdd[1];
     /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_real tau1 = -0.1524*f02_x - (s2*n2_x + c2*n2_y) + 1.4431532925*qdd[0];
+    const stanford_real tau1 = 0.1524*neg_f02_x - (s2*n2_x + c2*n2_y) + 1.4431532925*qdd[0];
     tau[0] = tau1;
     tau[1] = tau2;
     tau[2] = tau3;
@@ -255,9 +255,9 @@ void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
     const stanford_real fc3_x = -63.406*s2;
     const stanford_real fc3_z = 63.406*c2;
     /* link 3: moment that turns the link [N m] */
-    const stanford_real nc3_y = -26.7543822*s2;
+    const stanford_real neg_nc3_y = 26.7543822*s2;
     /* link 4: moment that turns the link [N m] */
-    const stanford_real nc4_x = -0.0571536*c2;
+    const stanford_real neg_nc4_x = 0.0571536*c2;
     const stanford_real nc4_z = 0.005832*a4_x;
     /* link 5: moment that turns the link [N m] */
     const stanford_real nc5_x = 0.114912*neg_a4_y;
@@ -266,21 +266,21 @@ void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
     const stanford_real n05_x = c5*nc5_x;
     const stanford_real n05_y = s5*nc5_x;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = nc4_x + n05_x;
+    const stanford_real n4_x = n05_x - neg_nc4_x;
     const stanford_real n4_z = nc4_z - n05_y;
     /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
     const stanford_real n04_x = c4*n4_x - s4*nc5_z;
     const stanford_real n04_y = s4*n4_x + c4*nc5_z;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_y = nc3_y + n04_y;
+    const stanford_real n3_y = n04_y - neg_nc3_y;
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_real n2_z = n3_y + q[2]*fc3_x;
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
     const stanford_real f02_x = c2*fc3_x + s2*fc3_z;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n02_y = s2*n04_x - c2*n4_z;
+    const stanford_real neg_n02_y = c2*n4_z - s2*n04_x;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = -0.1524*f02_x - n02_y;
+    const stanford_real n1_z = neg_n02_y - 0.1524*f02_x;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -290,7 +290,7 @@ void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 118 multiplications, 77 additions = 195; 7 unary minus; 8 sine/cosine */
+ * 118 multiplications, 77 additions = 195; 6 unary minus; 8 sine/cosine */
 void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -314,11 +314,11 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real w2_x = t1*s2;
     const stanford_real w2_y = t1*c2;
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_x = -9.8*s2;
-    const stanford_real a2_y = -9.8*c2;
+    const stanford_real neg_a2_x = 9.8*s2;
+    const stanford_real neg_a2_y = 9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_real alpha2_x = qd[1]*w2_y;
-    const stanford_real alpha2_y = -qd[1]*w2_x;
+    const stanford_real neg_alpha2_y = qd[1]*w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
     const stanford_real ww2_xy = w2_x*w2_y;
     const stanford_real ww2_xx = w2_x*w2_x;
@@ -327,9 +327,9 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_real lam2_32 = 2.0*alpha2_x;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a3_z = q[2]*lam2_22 - a2_y;
+    const stanford_real a3_z = neg_a2_y + q[2]*lam2_22;
     const stanford_real t2 = 2.0*qd[2];
-    const stanford_real a3_x = qd[1]*t2 - (q[2]*ww2_xy - a2_x);
+    const stanford_real a3_x = qd[1]*t2 - (neg_a2_x + q[2]*ww2_xy);
     const stanford_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t2;
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_x = c4*w2_x + qd[1]*s4;
@@ -339,7 +339,7 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const stanford_real alpha4_x = c4*alpha2_x + qd[3]*w4_y;
-    const stanford_real alpha4_y = -s4*alpha2_x - qd[3]*w4_x;
+    const stanford_real alpha4_y = -qd[3]*w4_x - s4*alpha2_x;
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_z = qd[3] - w2_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -350,18 +350,18 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real ww4_yy = w4_y*w4_y;
     const stanford_real ww4_zz = w4_z*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam4_12 = alpha2_y + ww4_xy;
+    const stanford_real lam4_12 = ww4_xy - neg_alpha2_y;
     const stanford_real lam4_13 = alpha4_y + ww4_zx;
     const stanford_real neg_lam4_22 = ww4_xx + ww4_zz;
     const stanford_real lam4_32 = alpha4_x + ww4_yz;
     const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_real w5_y = -s5*w4_x - c5*w4_z;
+    const stanford_real w5_y = -c5*w4_z - s5*w4_x;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
+    const stanford_real a5_x = c5*a4_x - s5*a3_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const stanford_real alpha5_y = c5*alpha2_y - s5*alpha4_x - qd[4]*w5_x;
+    const stanford_real alpha5_y = -s5*alpha4_x - c5*neg_alpha2_y - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_z = qd[4] + w4_y;
     /* link 5: products of the angular velocity [1/s^2] */
@@ -373,8 +373,8 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real lam5_12 = ww5_xy - alpha4_y;
     const stanford_real lam5_21 = alpha4_y + ww5_xy;
     const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const stanford_real lam5_31 = ww5_zx - alpha5_y;
-    const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (-c5*alpha4_x - s5*alpha2_y);
+    const stanford_real neg_lam5_31 = alpha5_y - ww5_zx;
+    const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*neg_alpha2_y - c5*alpha4_x);
     /* link 6: angular velocity [rad/s] */
     const stanford_real w6_x = c6*w5_x + s6*w5_z;
     const stanford_real w6_y = c6*w5_z - s6*w5_x;
@@ -384,17 +384,17 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real ww6_zx = w6_x*w6_z;
     /* link 2: moment that turns the link [N m] */
     const stanford_real nc2_x = 8.5751065874*alpha2_x;
-    const stanford_real nc2_y = 0.016*alpha2_y;
-    const stanford_real nc2_z = -4.2795532937*ww2_xy;
+    const stanford_real nc2_y = -0.016*neg_alpha2_y;
+    const stanford_real neg_nc2_z = 4.2795532937*ww2_xy;
     /* link 3: force that moves the link [N] */
     const stanford_real fc3_x = 6.47*a3_x - 2.730039*ww2_xy;
     const stanford_real fc3_y = 6.47*a3_y - 5.460078*alpha2_x;
     const stanford_real fc3_z = 6.47*a3_z + 2.730039*lam2_22;
     /* link 3: moment that turns the link [N m] */
-    const stanford_real nc3_x = -2.730039*a3_y;
+    const stanford_real neg_nc3_x = 2.730039*a3_y;
     const stanford_real nc3_y = 2.730039*a3_x;
     /* link 4: force that moves the link [N] */
-    const stanford_real fc4_x = -0.005832*lam4_12;
+    const stanford_real neg_fc4_x = 0.005832*lam4_12;
     const stanford_real fc4_y = 0.005832*neg_lam4_22;
     const stanford_real fc4_z = -0.005832*lam4_32;
     /* link 4: moment that turns the link [N m] */
@@ -405,11 +405,11 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     /* link 5: force that moves the link [N] */
     const stanford_real fc5_x = -0.114912*lam5_12;
     const stanford_real fc5_y = 0.114912*neg_lam5_22;
-    const stanford_real fc5_z = -0.114912*lam5_32;
+    const stanford_real neg_fc5_z = 0.114912*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const stanford_real nc5_y = -0.0002*lam5_31;
+    const stanford_real nc5_y = 0.0002*neg_lam5_31;
     const stanford_real nc5_x = 0.0301343144*lam5_32 - 0.114912*a4_y;
-    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 - 0.114912*neg_a5_x;
+    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 + 0.114912*a5_x;
     /* link 6: moment that turns the link [N m] */
     const stanford_real nc6_x = 0.0003*ww6_yz;
     const stanford_real nc6_y = -0.0003*ww6_zx;
@@ -432,8 +432,8 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real n4_y = nc4_y + n5_z;
     const stanford_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_real f4_x = fc4_x + f05_x;
-    const stanford_real f4_y = fc4_y + fc5_z;
+    const stanford_real f4_x = f05_x - neg_fc4_x;
+    const stanford_real f4_y = fc4_y - neg_fc5_z;
     const stanford_real f4_z = fc4_z - f05_y;
     /* link 4: force through the joint, along the axes that its turn starts from [N] */
     const stanford_real f04_x = c4*f4_x - s4*f4_y;
@@ -442,7 +442,7 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real n04_x = c4*n4_x - s4*n4_y;
     const stanford_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = nc3_x + n04_x;
+    const stanford_real n3_x = n04_x - neg_nc3_x;
     const stanford_real n3_y = nc3_y + n04_y;
     /* link 3: force through the joint [N] */
     const stanford_real f3_x = fc3_x + f04_x;
@@ -451,13 +451,13 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
     const stanford_real n2_y = nc2_y - n4_z;
-    const stanford_real n2_z = n3_y - (-q[2]*f3_x - nc2_z);
+    const stanford_real n2_z = n3_y + (q[2]*f3_x - neg_nc2_z);
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f02_x = c2*f3_x + s2*f3_z;
+    const stanford_real neg_f02_x = -s2*f3_z - c2*f3_x;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const stanford_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = -0.1524*f02_x - n02_y;
+    const stanford_real n1_z = 0.1524*neg_f02_x - n02_y;
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = f3_z;
@@ -467,7 +467,7 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 56 multiplications, 45 additions = 101; 1 unary minus; 6 sine/cosine */
+ * 56 multiplications, 45 additions = 101; 3 unary minus; 6 sine/cosine */
 void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -480,126 +480,127 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
     const stanford_real s4 = sin(again[3]);
     const stanford_real c5 = cos(q[4]);
     const stanford_real s5 = sin(again[4]);
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const stanford_real nu5_x = 0.0003*s5;
+    const stanford_real neg_nu5_y = 0.0003*c5;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_real nu4_x = 0.0003*s5;
-    const stanford_real nu4_z = 0.0003*c5;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real nu3_x = c4*nu4_x;
-    const stanford_real nu3_y = s4*nu4_x;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z = c2*nu4_z - s2*nu3_x;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_real fu4_x = 0.114912*c5;
-    const stanford_real fu4_z = -0.114912*s5;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const stanford_real fu3_x = c4*fu4_x;
-    const stanford_real fu3_y = s4*fu4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real nu3_x_2 = -0.0303343144*s4;
-    const stanford_real nu3_y_2 = 0.0303343144*c4;
+    const stanford_real nu4_x = c4*nu5_x;
+    const stanford_real nu4_y = s4*nu5_x;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_x = q[2]*fu3_y - nu3_x_2;
-    const stanford_real nu2_z = nu3_y_2 + q[2]*fu3_x;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const stanford_real fu1_x = c2*fu3_x + s2*fu4_z;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z_2 = s2*neg_nu2_x - 0.1524*fu1_x;
+    const stanford_real neg_nu2_y = c2*neg_nu5_y - s2*nu4_x;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real h5_x = 0.114912*s5;
+    const stanford_real neg_h5_y = 0.114912*c5;
     const stanford_real t1 = 0.0296343144*(c5*c5);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_real k4_xx = 0.0299843144 - t1;
-    const stanford_real k4_zz = t1 + 0.00035;
-    const stanford_real k4_xz = 0.0296343144*(c5*s5);
+    /* link 5: second moment of the composite body [kg m^2] */
+    const stanford_real k5_xx = 0.0299843144 - t1;
+    const stanford_real k5_yy = t1 + 0.00035;
+    const stanford_real k5_xy = -0.0296343144*(c5*s5);
+    /* link 4: force for a unit acceleration of a joint further out */
+    const stanford_real fu4_x = c4*neg_h5_y;
+    const stanford_real fu4_y = s4*neg_h5_y;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const stanford_real neg_nu4_x = 0.0303343144*s4;
+    const stanford_real nu4_y_2 = 0.0303343144*c4;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_real m2_5 = nu4_y_2 + q[2]*fu4_x;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_real fu2_x = c2*fu4_x - s2*h5_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_real neg_nu2_y_2 = s2*(neg_nu4_x + q[2]*fu4_y);
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_5 = neg_nu2_y_2 - 0.1524*fu2_x;
     /* link 3: moment for a unit acceleration of a joint further out */
     const stanford_real nu3_z = 0.0313658072 - t1;
-    /* link 4: mass matrix, its row of this joint */
-    const stanford_real m4_4 = 0.1373658072 - t1;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const stanford_real fu3_x_2 = 0.005832*c4 + s4*fu4_z;
-    const stanford_real fu3_y_2 = 0.005832*s4 - c4*fu4_z;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real nu3_x_3 = 5.36544e-05*s4 - c4*k4_xz;
-    const stanford_real neg_nu3_y = s4*k4_xz + 5.36544e-05*c4;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real nu2_x = nu3_x_3 - q[2]*fu3_y_2;
-    const stanford_real nu2_z_2 = q[2]*fu3_x_2 - neg_nu3_y;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const stanford_real fu1_x_2 = c2*fu3_x_2;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z_3 = c2*nu3_z - s2*nu2_x - 0.1524*fu1_x_2;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real h4_x = c4*h5_x + 0.005832*s4;
+    const stanford_real neg_h4_y = 0.005832*c4 - s4*h5_x;
     const stanford_real t2 = t1 - 0.0286028216;
     const stanford_real t3 = c4*c4*t2;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const stanford_real k3_xx = 0.0013814928 - t3;
-    const stanford_real neg_k3_xy = t2*(c4*s4);
-    const stanford_real t4 = k4_xx + t3;
-    const stanford_real t5 = k4_zz - t4;
-    const stanford_real k3_yy = k4_zz - t5;
-    const stanford_real k3_zz = t4 + t5;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h3_z = fu4_x + 2.730039;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z_4 = s2*(fu3_x_2 - 0.986028);
-    const stanford_real t6 = k3_yy - k3_xx;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_real k2_zz = k3_xx + t6;
-    const stanford_real t7 = 6.47*q[2];
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real neg_h2_y = h3_z + t7;
-    const stanford_real t8 = k3_zz + q[2]*(t7 + 2.0*h3_z);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_real k2_yy = t8 + 4.2875532937;
-    const stanford_real t9 = k3_yy - t6;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const stanford_real k4_xx = 0.0013814928 - t3;
+    const stanford_real k4_yy = k5_xx + t3;
+    const stanford_real k4_xy = t2*(-c4*s4);
+    const stanford_real k4_xz = -5.36544e-05*s4 - c4*k5_xy;
+    const stanford_real k4_yz = 5.36544e-05*c4 - s4*k5_xy;
+    /* link 4: mass matrix, its row of this joint */
+    const stanford_real m4_4 = 0.1373658072 - t1;
     /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_2 = t9 + t8 + 6.4885532937;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const stanford_real fu1_x_3 = c2*neg_h2_y - s2*fu3_y_2;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z_5 = -0.1524*fu1_x_3 - (s2*neg_k3_xy - c2*nu2_z_2);
-    const stanford_real t10 = 0.1524*(2.0*fu3_x_2 - 0.986028) - k2_zz - (k2_yy + (c2*c2*(t9 - t8 -
-        4.2795532937) - nu2_x*(2.0*(c2*s2))));
+    const stanford_real m2_4 = q[2]*neg_h4_y - k4_yz;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_real fu2_x_2 = c2*neg_h4_y;
+    const stanford_real t4 = k4_xz + q[2]*h4_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_real neg_nu2_y_3 = s2*t4 + c2*nu3_z;
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_1 = 1.4431532925 - t10;
-    const stanford_real t11 = -fu3_y_2;
+    const stanford_real m1_4 = neg_nu2_y_3 - 0.1524*fu2_x_2;
+    const stanford_real t5 = k5_yy - k4_yy;
+    /* link 3: second moment of the composite body [kg m^2] */
+    const stanford_real k3_zz = k4_yy + t5;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real h3_z = neg_h5_y + 2.730039;
+    const stanford_real t6 = k5_yy - t5;
+    const stanford_real t7 = t6 - k4_xx;
+    /* link 3: second moment of the composite body [kg m^2] */
+    const stanford_real k3_xx = t6 - t7;
+    const stanford_real k3_yy = k4_xx + t7;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_3 = s2*(neg_h4_y - 0.986028);
+    const stanford_real t8 = 6.47*q[2];
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real h2_y = s2*h4_x - c2*(h3_z + t8);
+    const stanford_real t9 = k3_zz + q[2]*(t8 + 2.0*h3_z);
+    /* link 2: second moment of the composite body [kg m^2] */
+    const stanford_real k2_xx = t9 + 4.2875532937 + (c2*c2*(k3_xx - t9 - 4.2795532937) +
+        t4*(2.0*(c2*s2)));
+    const stanford_real k2_yz = s2*k4_xy + c2*m2_4;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_real m2_2 = k3_xx + t9 + 6.4885532937;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_2 = k2_yz + 0.1524*h2_y;
+    const stanford_real m1_1 = k2_xx + (k3_yy + 0.1524*(0.986028 - 2.0*neg_h4_y)) + 1.4431532925;
+    const stanford_real t10 = -h4_x;
+    const stanford_real t11 = -h5_x;
     M[0] = m1_1;
-    M[1] = nu1_z_5;
-    M[2] = nu1_z_4;
-    M[3] = nu1_z_3;
-    M[4] = nu1_z_2;
-    M[5] = nu1_z;
-    M[6] = nu1_z_5;
+    M[1] = m1_2;
+    M[2] = m1_3;
+    M[3] = m1_4;
+    M[4] = m1_5;
+    M[5] = neg_nu2_y;
+    M[6] = m1_2;
     M[7] = m2_2;
-    M[8] = t11;
-    M[9] = nu2_z_2;
-    M[10] = nu2_z;
-    M[11] = nu3_y;
-    M[12] = nu1_z_4;
-    M[13] = t11;
+    M[8] = t10;
+    M[9] = m2_4;
+    M[10] = m2_5;
+    M[11] = nu4_y;
+    M[12] = m1_3;
+    M[13] = t10;
     M[14] = 7.252;
     M[15] = 0.0;
-    M[16] = fu4_z;
+    M[16] = t11;
     M[17] = 0.0;
-    M[18] = nu1_z_3;
-    M[19] = nu2_z_2;
+    M[18] = m1_4;
+    M[19] = m2_4;
     M[20] = 0.0;
     M[21] = m4_4;
     M[22] = 0.0;
-    M[23] = nu4_z;
-    M[24] = nu1_z_2;
-    M[25] = nu2_z;
-    M[26] = fu4_z;
+    M[23] = neg_nu5_y;
+    M[24] = m1_5;
+    M[25] = m2_5;
+    M[26] = t11;
     M[27] = 0.0;
     M[28] = 0.1273343144;
     M[29] = 0.0;
-    M[30] = nu1_z;
-    M[31] = nu3_y;
+    M[30] = neg_nu2_y;
+    M[31] = nu4_y;
     M[32] = 0.0;
-    M[33] = nu4_z;
+    M[33] = neg_nu5_y;
     M[34] = 0.0;
     M[35] = 0.0203;
 }
 
 /* accelerations that the torques tau give
- * 260 multiplications, 189 additions, 6 divisions = 455; 14 unary minus; 8 sine/cosine */
+ * 260 multiplications, 189 additions, 6 divisions = 455; 15 unary minus; 8 sine/cosine */
 void stanford_forward_dynamics(
     const stanford_real q[6],
     const stanford_real qd[6],
@@ -618,99 +619,99 @@ void stanford_forward_dynamics(
     const stanford_real s5 = sin(again[4]);
     const stanford_real c6 = cos(q[5]);
     const stanford_real s6 = sin(again[5]);
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const stanford_real nu5_x = 0.0003*s5;
+    const stanford_real nu5_y = -0.0003*c5;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_real nu4_x = 0.0003*s5;
-    const stanford_real nu4_z = 0.0003*c5;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real nu3_x = c4*nu4_x;
-    const stanford_real nu3_y = s4*nu4_x;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z = c2*nu4_z - s2*nu3_x;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_real fu4_x = 0.114912*c5;
-    const stanford_real fu4_z = -0.114912*s5;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const stanford_real fu3_x = c4*fu4_x;
-    const stanford_real fu3_y = s4*fu4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real nu3_x_2 = -0.0303343144*s4;
-    const stanford_real nu3_y_2 = 0.0303343144*c4;
+    const stanford_real nu4_x = c4*nu5_x;
+    const stanford_real nu4_y = s4*nu5_x;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_x = q[2]*fu3_y - nu3_x_2;
-    const stanford_real nu2_z = nu3_y_2 + q[2]*fu3_x;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const stanford_real fu1_x = c2*fu3_x + s2*fu4_z;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z_2 = s2*neg_nu2_x - 0.1524*fu1_x;
+    const stanford_real nu2_y = s2*nu4_x + c2*nu5_y;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real h5_x = 0.114912*s5;
+    const stanford_real neg_h5_y = 0.114912*c5;
     const stanford_real t1 = 0.0296343144*(c5*c5);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_real k4_xx = 0.0299843144 - t1;
-    const stanford_real k4_zz = t1 + 0.00035;
-    const stanford_real k4_xz = 0.0296343144*(c5*s5);
+    /* link 5: second moment of the composite body [kg m^2] */
+    const stanford_real k5_xx = 0.0299843144 - t1;
+    const stanford_real k5_yy = t1 + 0.00035;
+    const stanford_real k5_xy = -0.0296343144*(c5*s5);
+    /* link 4: force for a unit acceleration of a joint further out */
+    const stanford_real fu4_x = c4*neg_h5_y;
+    const stanford_real fu4_y = s4*neg_h5_y;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const stanford_real neg_nu4_x = 0.0303343144*s4;
+    const stanford_real nu4_y_2 = 0.0303343144*c4;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_real m2_5 = nu4_y_2 + q[2]*fu4_x;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_real fu2_x = c2*fu4_x - s2*h5_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_real neg_nu2_y = s2*(neg_nu4_x + q[2]*fu4_y);
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_5 = neg_nu2_y - 0.1524*fu2_x;
     /* link 3: moment for a unit acceleration of a joint further out */
     const stanford_real nu3_z = 0.0313658072 - t1;
-    /* link 4: mass matrix, its row of this joint */
-    const stanford_real m4_4 = 0.1373658072 - t1;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const stanford_real fu3_x_2 = 0.005832*c4 + s4*fu4_z;
-    const stanford_real fu3_y_2 = 0.005832*s4 - c4*fu4_z;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real nu3_x_3 = 5.36544e-05*s4 - c4*k4_xz;
-    const stanford_real neg_nu3_y = s4*k4_xz + 5.36544e-05*c4;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real nu2_x = nu3_x_3 - q[2]*fu3_y_2;
-    const stanford_real nu2_z_2 = q[2]*fu3_x_2 - neg_nu3_y;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const stanford_real fu1_x_2 = c2*fu3_x_2;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z_3 = c2*nu3_z - s2*nu2_x - 0.1524*fu1_x_2;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real h4_x = c4*h5_x + 0.005832*s4;
+    const stanford_real neg_h4_y = 0.005832*c4 - s4*h5_x;
     const stanford_real t2 = t1 - 0.0286028216;
     const stanford_real t3 = c4*c4*t2;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const stanford_real k3_xx = 0.0013814928 - t3;
-    const stanford_real neg_k3_xy = t2*(c4*s4);
-    const stanford_real t4 = k4_xx + t3;
-    const stanford_real t5 = k4_zz - t4;
-    const stanford_real k3_yy = k4_zz - t5;
-    const stanford_real k3_zz = t4 + t5;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h3_z = fu4_x + 2.730039;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z_4 = s2*(fu3_x_2 - 0.986028);
-    const stanford_real t6 = k3_yy - k3_xx;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_real k2_zz = k3_xx + t6;
-    const stanford_real t7 = 6.47*q[2];
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real neg_h2_y = h3_z + t7;
-    const stanford_real t8 = k3_zz + q[2]*(t7 + 2.0*h3_z);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_real k2_yy = t8 + 4.2875532937;
-    const stanford_real t9 = k3_yy - t6;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const stanford_real k4_xx = 0.0013814928 - t3;
+    const stanford_real k4_yy = k5_xx + t3;
+    const stanford_real k4_xy = t2*(-c4*s4);
+    const stanford_real k4_xz = -5.36544e-05*s4 - c4*k5_xy;
+    const stanford_real k4_yz = 5.36544e-05*c4 - s4*k5_xy;
+    /* link 4: mass matrix, its row of this joint */
+    const stanford_real m4_4 = 0.1373658072 - t1;
     /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_2 = t9 + t8 + 6.4885532937;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const stanford_real fu1_x_3 = c2*neg_h2_y - s2*fu3_y_2;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_real nu1_z_5 = -0.1524*fu1_x_3 - (s2*neg_k3_xy - c2*nu2_z_2);
-    const stanford_real t10 = 0.1524*(2.0*fu3_x_2 - 0.986028) - k2_zz - (k2_yy + (c2*c2*(t9 - t8 -
-        4.2795532937) - nu2_x*(2.0*(c2*s2))));
+    const stanford_real m2_4 = q[2]*neg_h4_y - k4_yz;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_real fu2_x_2 = c2*neg_h4_y;
+    const stanford_real t4 = k4_xz + q[2]*h4_x;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_real neg_nu2_y_2 = s2*t4 + c2*nu3_z;
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_1 = 1.4431532925 - t10;
+    const stanford_real m1_4 = neg_nu2_y_2 - 0.1524*fu2_x_2;
+    const stanford_real t5 = k5_yy - k4_yy;
+    /* link 3: second moment of the composite body [kg m^2] */
+    const stanford_real k3_zz = k4_yy + t5;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real h3_z = neg_h5_y + 2.730039;
+    const stanford_real t6 = k5_yy - t5;
+    const stanford_real t7 = t6 - k4_xx;
+    /* link 3: second moment of the composite body [kg m^2] */
+    const stanford_real k3_xx = t6 - t7;
+    const stanford_real k3_yy = k4_xx + t7;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_3 = s2*(neg_h4_y - 0.986028);
+    const stanford_real t8 = 6.47*q[2];
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real h2_y = s2*h4_x - c2*(h3_z + t8);
+    const stanford_real t9 = k3_zz + q[2]*(t8 + 2.0*h3_z);
+    /* link 2: second moment of the composite body [kg m^2] */
+    const stanford_real k2_xx = t9 + 4.2875532937 + (c2*c2*(k3_xx - t9 - 4.2795532937) +
+        t4*(2.0*(c2*s2)));
+    const stanford_real k2_yz = s2*k4_xy + c2*m2_4;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_real m2_2 = k3_xx + t9 + 6.4885532937;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_2 = k2_yz + 0.1524*h2_y;
+    const stanford_real m1_1 = k2_xx + (k3_yy + 0.1524*(0.986028 - 2.0*neg_h4_y)) + 1.4431532925;
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_real ww1_zz = qd[0]*qd[0];
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_real a2_z = -0.1524*ww1_zz;
-    const stanford_real t11 = -qd[0];
+    const stanford_real t10 = -qd[0];
     /* link 2: angular velocity [rad/s] */
-    const stanford_real w2_x = t11*s2;
-    const stanford_real w2_y = t11*c2;
+    const stanford_real w2_x = t10*s2;
+    const stanford_real w2_y = t10*c2;
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_x = -9.8*s2;
-    const stanford_real a2_y = -9.8*c2;
+    const stanford_real neg_a2_x = 9.8*s2;
+    const stanford_real neg_a2_y = 9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_real alpha2_x = qd[1]*w2_y;
-    const stanford_real alpha2_y = -qd[1]*w2_x;
+    const stanford_real neg_alpha2_y = qd[1]*w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
     const stanford_real ww2_xy = w2_x*w2_y;
     const stanford_real ww2_xx = w2_x*w2_x;
@@ -719,10 +720,10 @@ void stanford_forward_dynamics(
     const stanford_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_real lam2_32 = 2.0*alpha2_x;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a3_z = q[2]*lam2_22 - a2_y;
-    const stanford_real t12 = 2.0*qd[2];
-    const stanford_real a3_x = qd[1]*t12 - (q[2]*ww2_xy - a2_x);
-    const stanford_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t12;
+    const stanford_real a3_z = neg_a2_y + q[2]*lam2_22;
+    const stanford_real t11 = 2.0*qd[2];
+    const stanford_real a3_x = qd[1]*t11 - (neg_a2_x + q[2]*ww2_xy);
+    const stanford_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t11;
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_x = c4*w2_x + qd[1]*s4;
     const stanford_real w4_y = qd[1]*c4 - s4*w2_x;
@@ -731,7 +732,7 @@ void stanford_forward_dynamics(
     const stanford_real a4_y = c4*a3_y - s4*a3_x;
     /* link 4: angular acceleration [rad/s^2] */
     const stanford_real alpha4_x = c4*alpha2_x + qd[3]*w4_y;
-    const stanford_real alpha4_y = -s4*alpha2_x - qd[3]*w4_x;
+    const stanford_real alpha4_y = -qd[3]*w4_x - s4*alpha2_x;
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_z = qd[3] - w2_y;
     /* link 4: products of the angular velocity [1/s^2] */
@@ -742,18 +743,18 @@ void stanford_forward_dynamics(
     const stanford_real ww4_yy = w4_y*w4_y;
     const stanford_real ww4_zz = w4_z*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam4_12 = alpha2_y + ww4_xy;
+    const stanford_real lam4_12 = ww4_xy - neg_alpha2_y;
     const stanford_real lam4_13 = alpha4_y + ww4_zx;
     const stanford_real neg_lam4_22 = ww4_xx + ww4_zz;
     const stanford_real lam4_32 = alpha4_x + ww4_yz;
     const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_real w5_y = -s5*w4_x - c5*w4_z;
+    const stanford_real w5_y = -c5*w4_z - s5*w4_x;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real neg_a5_x = s5*a3_z - c5*a4_x;
+    const stanford_real a5_x = c5*a4_x - s5*a3_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const stanford_real alpha5_y = c5*alpha2_y - s5*alpha4_x - qd[4]*w5_x;
+    const stanford_real alpha5_y = -s5*alpha4_x - c5*neg_alpha2_y - qd[4]*w5_x;
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_z = qd[4] + w4_y;
     /* link 5: products of the angular velocity [1/s^2] */
@@ -766,7 +767,7 @@ void stanford_forward_dynamics(
     const stanford_real lam5_21 = alpha4_y + ww5_xy;
     const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
     const stanford_real lam5_31 = ww5_zx - alpha5_y;
-    const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (-c5*alpha4_x - s5*alpha2_y);
+    const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*neg_alpha2_y - c5*alpha4_x);
     /* link 6: angular velocity [rad/s] */
     const stanford_real w6_x = c6*w5_x + s6*w5_z;
     const stanford_real w6_y = c6*w5_z - s6*w5_x;
@@ -776,17 +777,17 @@ void stanford_forward_dynamics(
     const stanford_real ww6_zx = w6_x*w6_z;
     /* link 2: moment that turns the link [N m] */
     const stanford_real nc2_x = 8.5751065874*alpha2_x;
-    const stanford_real nc2_y = 0.016*alpha2_y;
-    const stanford_real nc2_z = -4.2795532937*ww2_xy;
+    const stanford_real nc2_y = -0.016*neg_alpha2_y;
+    const stanford_real neg_nc2_z = 4.2795532937*ww2_xy;
     /* link 3: force that moves the link [N] */
     const stanford_real fc3_x = 6.47*a3_x - 2.730039*ww2_xy;
     const stanford_real fc3_y = 6.47*a3_y - 5.460078*alpha2_x;
     const stanford_real fc3_z = 6.47*a3_z + 2.730039*lam2_22;
     /* link 3: moment that turns the link [N m] */
-    const stanford_real nc3_x = -2.730039*a3_y;
+    const stanford_real neg_nc3_x = 2.730039*a3_y;
     const stanford_real nc3_y = 2.730039*a3_x;
     /* link 4: force that moves the link [N] */
-    const stanford_real fc4_x = -0.005832*lam4_12;
+    const stanford_real neg_fc4_x = 0.005832*lam4_12;
     const stanford_real fc4_y = 0.005832*neg_lam4_22;
     const stanford_real fc4_z = -0.005832*lam4_32;
     /* link 4: moment that turns the link [N m] */
@@ -797,21 +798,21 @@ void stanford_forward_dynamics(
     /* link 5: force that moves the link [N] */
     const stanford_real fc5_x = -0.114912*lam5_12;
     const stanford_real fc5_y = 0.114912*neg_lam5_22;
-    const stanford_real fc5_z = -0.114912*lam5_32;
+    const stanford_real neg_fc5_z = 0.114912*lam5_32;
     /* link 5: moment that turns the link [N m] */
-    const stanford_real nc5_y = -0.0002*lam5_31;
+    const stanford_real neg_nc5_y = 0.0002*lam5_31;
     const stanford_real nc5_x = 0.0301343144*lam5_32 - 0.114912*a4_y;
-    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 - 0.114912*neg_a5_x;
+    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 + 0.114912*a5_x;
     /* link 6: moment that turns the link [N m] */
     const stanford_real nc6_x = 0.0003*ww6_yz;
     const stanford_real nc6_y = -0.0003*ww6_zx;
-    const stanford_real nc6_z = -0.0003*alpha5_y;
+    const stanford_real neg_nc6_z = 0.0003*alpha5_y;
     /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
     const stanford_real n06_x = c6*nc6_x - s6*nc6_y;
     const stanford_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
     const stanford_real n5_x = nc5_x + n06_x;
-    const stanford_real n5_y = nc5_y - nc6_z;
+    const stanford_real n5_y = neg_nc6_z - neg_nc5_y;
     const stanford_real n5_z = nc5_z + n06_y;
     /* link 5: force through the joint, along the axes that its turn starts from [N] */
     const stanford_real f05_x = c5*fc5_x - s5*fc5_y;
@@ -824,8 +825,8 @@ void stanford_forward_dynamics(
     const stanford_real n4_y = nc4_y + n5_z;
     const stanford_real n4_z = nc4_z - n05_y;
     /* link 4: force through the joint [N] */
-    const stanford_real f4_x = fc4_x + f05_x;
-    const stanford_real f4_y = fc4_y + fc5_z;
+    const stanford_real f4_x = f05_x - neg_fc4_x;
+    const stanford_real f4_y = fc4_y - neg_fc5_z;
     const stanford_real f4_z = fc4_z - f05_y;
     /* link 4: force through the joint, along the axes that its turn starts from [N] */
     const stanford_real f04_x = c4*f4_x - s4*f4_y;
@@ -834,7 +835,7 @@ void stanford_forward_dynamics(
     const stanford_real n04_x = c4*n4_x - s4*n4_y;
     const stanford_real n04_y = s4*n4_x + c4*n4_y;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = nc3_x + n04_x;
+    const stanford_real n3_x = n04_x - neg_nc3_x;
     const stanford_real n3_y = nc3_y + n04_y;
     /* link 3: force through the joint [N] */
     const stanford_real f3_x = fc3_x + f04_x;
@@ -843,51 +844,53 @@ void stanford_forward_dynamics(
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
     const stanford_real n2_y = nc2_y - n4_z;
-    const stanford_real n2_z = n3_y - (-q[2]*f3_x - nc2_z);
+    const stanford_real n2_z = n3_y + (q[2]*f3_x - neg_nc2_z);
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f02_x = c2*f3_x + s2*f3_z;
+    const stanford_real neg_f02_x = -s2*f3_z - c2*f3_x;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const stanford_real n02_y = s2*n2_x + c2*n2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = -0.1524*f02_x - n02_y;
+    const stanford_real n1_z = 0.1524*neg_f02_x - n02_y;
     /* link 1: forward substitution */
     const stanford_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
     const stanford_real ipivot1 = 1.0 / m1_1;
-    const stanford_real l2_1 = nu1_z_5*ipivot1;
-    const stanford_real l3_1 = nu1_z_4*ipivot1;
-    const stanford_real l4_1 = nu1_z_3*ipivot1;
-    const stanford_real l5_1 = nu1_z_2*ipivot1;
-    const stanford_real l6_1 = nu1_z*ipivot1;
-    const stanford_real pivot2 = m2_2 - nu1_z_5*l2_1;
+    const stanford_real l2_1 = m1_2*ipivot1;
+    const stanford_real l3_1 = m1_3*ipivot1;
+    const stanford_real l4_1 = m1_4*ipivot1;
+    const stanford_real l5_1 = m1_5*ipivot1;
+    const stanford_real l6_1 = -nu2_y*ipivot1;
+    const stanford_real pivot2 = m2_2 - m1_2*l2_1;
     const stanford_real ipivot2 = 1.0 / pivot2;
-    const stanford_real ld3_2 = -fu3_y_2 - nu1_z_5*l3_1;
+    const stanford_real ld3_2 = -h4_x - m1_2*l3_1;
     const stanford_real l3_2 = ipivot2*ld3_2;
-    const stanford_real ld4_2 = nu2_z_2 - nu1_z_5*l4_1;
+    const stanford_real ld4_2 = m2_4 - m1_2*l4_1;
     const stanford_real l4_2 = ipivot2*ld4_2;
-    const stanford_real ld5_2 = nu2_z - nu1_z_5*l5_1;
+    const stanford_real ld5_2 = m2_5 - m1_2*l5_1;
     const stanford_real l5_2 = ipivot2*ld5_2;
-    const stanford_real ld6_2 = nu3_y - nu1_z_5*l6_1;
+    const stanford_real ld6_2 = nu4_y - m1_2*l6_1;
     const stanford_real l6_2 = ipivot2*ld6_2;
-    const stanford_real pivot3 = 7.252 - nu1_z_4*l3_1 - ld3_2*l3_2;
+    const stanford_real pivot3 = 7.252 - m1_3*l3_1 - ld3_2*l3_2;
     const stanford_real ipivot3 = 1.0 / pivot3;
-    const stanford_real ld4_3 = -nu1_z_4*l4_1 - ld3_2*l4_2;
+    const stanford_real t12 = -ld3_2;
+    const stanford_real ld4_3 = t12*l4_2 - m1_3*l4_1;
     const stanford_real l4_3 = ipivot3*ld4_3;
-    const stanford_real ld5_3 = fu4_z - nu1_z_4*l5_1 - ld3_2*l5_2;
+    const stanford_real ld5_3 = -m1_3*l5_1 - h5_x - ld3_2*l5_2;
     const stanford_real l5_3 = ipivot3*ld5_3;
-    const stanford_real ld6_3 = -ld3_2*l6_2 - nu1_z_4*l6_1;
+    const stanford_real ld6_3 = t12*l6_2 - m1_3*l6_1;
     const stanford_real l6_3 = ipivot3*ld6_3;
-    const stanford_real pivot4 = m4_4 - nu1_z_3*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
+    const stanford_real pivot4 = -ld4_3*l4_3 - (ld4_2*l4_2 - (m4_4 - m1_4*l4_1));
     const stanford_real ipivot4 = 1.0 / pivot4;
-    const stanford_real ld5_4 = -nu1_z_3*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
+    const stanford_real t13 = -ld4_2;
+    const stanford_real ld5_4 = t13*l5_2 - m1_4*l5_1 - ld4_3*l5_3;
     const stanford_real l5_4 = ipivot4*ld5_4;
-    const stanford_real ld6_4 = nu4_z - nu1_z_3*l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
+    const stanford_real ld6_4 = t13*l6_2 - (nu5_y + m1_4*l6_1) - ld4_3*l6_3;
     const stanford_real l6_4 = ipivot4*ld6_4;
-    const stanford_real pivot5 = 0.1273343144 - nu1_z_2*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
+    const stanford_real pivot5 = 0.1273343144 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
     const stanford_real ipivot5 = 1.0 / pivot5;
-    const stanford_real ld6_5 = -ld5_4*l6_4 - (nu1_z_2*l6_1 + ld5_2*l6_2 + ld5_3*l6_3);
+    const stanford_real ld6_5 = -(m1_5*l6_1 + ld5_2*l6_2 + ld5_3*l6_3) - ld5_4*l6_4;
     const stanford_real l6_5 = ipivot5*ld6_5;
-    const stanford_real pivot6 = 0.0203 - nu1_z*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 -
+    const stanford_real pivot6 = nu2_y*l6_1 + 0.0203 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 -
         ld6_5*l6_5;
     const stanford_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
@@ -899,20 +902,20 @@ void stanford_forward_dynamics(
     /* link 5: forward substitution */
     const stanford_real y5 = tau[4] - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4;
     /* link 6: forward substitution */
-    const stanford_real y6 = tau[5] - nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
+    const stanford_real y6 = tau[5] + neg_nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_real qdd6 = ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_real qdd5 = ipivot5*y5 - l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd4 = -l6_4*qdd6 - (l5_4*qdd5 - ipivot4*y4);
+    const stanford_real qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6;
-    const stanford_real t13 = -l5_1*qdd5 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd1 = t13 - l6_1*qdd6;
+    const stanford_real qdd1 = -l6_1*qdd6 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 +
+        l5_1*qdd5);
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

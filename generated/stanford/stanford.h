@@ -16,11 +16,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 131 multiplications, 98 additions = 229; 4 unary minus; 8 sine/cosine
+ *   inverse_dynamics: 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine
  *   gravity: 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine
- *   bias: 118 multiplications, 77 additions = 195; 7 unary minus; 8 sine/cosine
- *   mass_matrix: 56 multiplications, 45 additions = 101; 1 unary minus; 6 sine/cosine
- *   forward_dynamics: 260 multiplications, 189 additions, 6 divisions = 455; 14 unary minus; 8
+ *   bias: 118 multiplications, 77 additions = 195; 6 unary minus; 8 sine/cosine
+ *   mass_matrix: 56 multiplications, 45 additions = 101; 3 unary minus; 6 sine/cosine
+ *   forward_dynamics: 260 multiplications, 189 additions, 6 divisions = 455; 15 unary minus; 8
  *       sine/cosine
  */
 #ifndef STANFORD_H

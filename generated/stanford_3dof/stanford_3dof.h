@@ -19,7 +19,7 @@
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 44 multiplications, 29 additions = 73; 2 unary minus; 2 sine/cosine
  *   gravity: 7 multiplications, 2 additions = 9; 0 unary minus; 2 sine/cosine
- *   bias: 36 multiplications, 16 additions = 52; 2 unary minus; 2 sine/cosine
+ *   bias: 36 multiplications, 16 additions = 52; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
  *   forward_dynamics: 59 multiplications, 35 additions, 3 divisions = 97; 3 unary minus; 2
  *       sine/cosine

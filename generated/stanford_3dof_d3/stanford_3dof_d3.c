@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 42 multiplications, 27 additions = 69; 2 unary minus; 2 sine/cosine
+ *   inverse_dynamics: 42 multiplications, 27 additions = 69; 0 unary minus; 2 sine/cosine
  *   gravity: 7 multiplications, 2 additions = 9; 0 unary minus; 2 sine/cosine
- *   bias: 36 multiplications, 16 additions = 52; 3 unary minus; 2 sine/cosine
+ *   bias: 36 multiplications, 16 additions = 52; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 59 multiplications, 35 additions, 3 divisions = 97; 4 unary minus; 2
+ *   forward_dynamics: 59 multiplications, 35 additions, 3 divisions = 97; 3 unary minus; 2
  *       sine/cosine
  */
 #include "stanford_3dof_d3.h"
@@ -29,7 +29,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 42 multiplications, 27 additions = 69; 2 unary minus; 2 sine/cosine */
+ * 42 multiplications, 27 additions = 69; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_inverse_dynamics(
     const stanford_3dof_d3_real q[3],
     const stanford_3dof_d3_real qd[3],
@@ -45,56 +45,55 @@ void stanford_3dof_d3_inverse_dynamics(
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_d3_real t1 = -qd[0];
+    const stanford_3dof_d3_real neg_a2_z = 0.1524*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const stanford_3dof_d3_real w2_x = t1*s2;
-    const stanford_3dof_d3_real w2_y = t1*c2;
-    const stanford_3dof_d3_real t2 = 0.1524*qdd[0];
+    const stanford_3dof_d3_real neg_w2_x = qd[0]*s2;
+    const stanford_3dof_d3_real neg_w2_y = qd[0]*c2;
+    const stanford_3dof_d3_real t1 = 0.1524*qdd[0];
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_x = -9.8*s2 - c2*t2;
-    const stanford_3dof_d3_real a2_y = s2*t2 - 9.8*c2;
+    const stanford_3dof_d3_real neg_a2_x = c2*t1 + 9.8*s2;
+    const stanford_3dof_d3_real a2_y = s2*t1 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww2_yz = qd[1]*w2_y;
-    const stanford_3dof_d3_real ww2_zx = qd[1]*w2_x;
+    const stanford_3dof_d3_real neg_ww2_yz = qd[1]*neg_w2_y;
+    const stanford_3dof_d3_real neg_ww2_zx = qd[1]*neg_w2_x;
     /* link 2: angular acceleration [rad/s^2] */
-    const stanford_3dof_d3_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const stanford_3dof_d3_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
+    const stanford_3dof_d3_real neg_alpha2_x = qdd[0]*s2 + neg_ww2_yz;
+    const stanford_3dof_d3_real neg_alpha2_y = qdd[0]*c2 - neg_ww2_zx;
     /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww2_xy = w2_x*w2_y;
-    const stanford_3dof_d3_real ww2_xx = w2_x*w2_x;
+    const stanford_3dof_d3_real ww2_xy = neg_w2_x*neg_w2_y;
+    const stanford_3dof_d3_real ww2_xx = neg_w2_x*neg_w2_x;
     const stanford_3dof_d3_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_3dof_d3_real lam2_12 = ww2_xy - qdd[1];
+    const stanford_3dof_d3_real neg_lam2_12 = qdd[1] - ww2_xy;
     const stanford_3dof_d3_real lam2_21 = qdd[1] + ww2_xy;
-    const stanford_3dof_d3_real lam2_22 = -ww2_xx - ww2_zz;
-    const stanford_3dof_d3_real lam2_31 = ww2_zx + neg_alpha2_y;
-    const stanford_3dof_d3_real lam2_32 = ww2_yz + alpha2_x;
-    const stanford_3dof_d3_real t3 = 2.0*qd[2];
+    const stanford_3dof_d3_real neg_lam2_22 = ww2_xx + ww2_zz;
+    const stanford_3dof_d3_real lam2_31 = neg_alpha2_y - neg_ww2_zx;
+    const stanford_3dof_d3_real neg_lam2_32 = neg_ww2_yz + neg_alpha2_x;
+    const stanford_3dof_d3_real t2 = 2.0*qd[2];
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a3_x = a2_x - q[2]*lam2_12 + qd[1]*t3;
-    const stanford_3dof_d3_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t3;
-    const stanford_3dof_d3_real a3_z = qdd[2] - (a2_y - q[2]*lam2_22);
+    const stanford_3dof_d3_real neg_a3_x = neg_a2_x - q[2]*neg_lam2_12 - qd[1]*t2;
+    const stanford_3dof_d3_real a3_y = neg_w2_x*t2 - (neg_a2_z - q[2]*neg_lam2_32);
+    const stanford_3dof_d3_real a3_z = qdd[2] - (a2_y + q[2]*neg_lam2_22);
     /* link 1: moment that turns the link [N m] */
     const stanford_3dof_d3_real nc1_z = 0.3436532925*qdd[0];
     /* link 2: moment that turns the link [N m] */
-    const stanford_3dof_d3_real nc2_x = 6.3086784423*lam2_32;
+    const stanford_3dof_d3_real neg_nc2_x = 6.3086784423*neg_lam2_32;
     const stanford_3dof_d3_real nc2_y = -1.1015*lam2_31;
-    const stanford_3dof_d3_real nc2_z = 1.1015*lam2_21 - 6.3086784423*lam2_12;
+    const stanford_3dof_d3_real nc2_z = 1.1015*lam2_21 + 6.3086784423*neg_lam2_12;
     /* link 3: force that moves the link [N] */
-    const stanford_3dof_d3_real fc3_x = 6.47*a3_x + 4.171209*lam2_12;
-    const stanford_3dof_d3_real fc3_y = 6.47*a3_y + 4.171209*lam2_32;
-    const stanford_3dof_d3_real fc3_z = 6.47*a3_z - 4.171209*lam2_22;
+    const stanford_3dof_d3_real neg_fc3_x = 6.47*neg_a3_x + 4.171209*neg_lam2_12;
+    const stanford_3dof_d3_real neg_fc3_y = 4.171209*neg_lam2_32 - 6.47*a3_y;
+    const stanford_3dof_d3_real fc3_z = 6.47*a3_z + 4.171209*neg_lam2_22;
     /* link 3: moment that turns the link [N m] */
     const stanford_3dof_d3_real nc3_x = 4.171209*a3_y;
-    const stanford_3dof_d3_real nc3_y = -4.171209*a3_x;
+    const stanford_3dof_d3_real nc3_y = 4.171209*neg_a3_x;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
-    const stanford_3dof_d3_real n2_z = nc3_y + (nc2_z + q[2]*fc3_x);
+    const stanford_3dof_d3_real neg_n2_x = neg_nc2_x - q[2]*neg_fc3_y - nc3_x;
+    const stanford_3dof_d3_real n2_z = nc3_y + (nc2_z - q[2]*neg_fc3_x);
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_3dof_d3_real f02_x = c2*fc3_x + s2*fc3_z;
+    const stanford_3dof_d3_real f02_x = s2*fc3_z - c2*neg_fc3_x;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_3dof_d3_real n02_y = s2*n2_x + c2*nc2_y;
+    const stanford_3dof_d3_real n02_y = c2*nc2_y - s2*neg_n2_x;
     /* link 1: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_d3_real n1_z = nc1_z - 0.1524*f02_x - n02_y;
     tau[0] = n1_z;
@@ -113,14 +112,14 @@ void stanford_3dof_d3_gravity(const stanford_3dof_d3_real q[3], stanford_3dof_d3
     const stanford_3dof_d3_real c2 = cos(q[1]);
     const stanford_3dof_d3_real s2 = sin(again[1]);
     /* link 3: force that moves the link [N] */
-    const stanford_3dof_d3_real fc3_x = -63.406*s2;
+    const stanford_3dof_d3_real neg_fc3_x = 63.406*s2;
     const stanford_3dof_d3_real fc3_z = 63.406*c2;
     /* link 3: moment that turns the link [N m] */
     const stanford_3dof_d3_real nc3_y = 40.8778482*s2;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n2_z = nc3_y + q[2]*fc3_x;
+    const stanford_3dof_d3_real n2_z = nc3_y - q[2]*neg_fc3_x;
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_3dof_d3_real f02_x = c2*fc3_x + s2*fc3_z;
+    const stanford_3dof_d3_real f02_x = s2*fc3_z - c2*neg_fc3_x;
     /* link 1: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_d3_real n1_z = -0.1524*f02_x;
     tau[0] = n1_z;
@@ -129,7 +128,7 @@ void stanford_3dof_d3_gravity(const stanford_3dof_d3_real q[3], stanford_3dof_d3
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 36 multiplications, 16 additions = 52; 3 unary minus; 2 sine/cosine */
+ * 36 multiplications, 16 additions = 52; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_bias(
     const stanford_3dof_d3_real q[3],
     const stanford_3dof_d3_real qd[3],
@@ -144,47 +143,46 @@ void stanford_3dof_d3_bias(
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_d3_real t1 = -qd[0];
+    const stanford_3dof_d3_real neg_a2_z = 0.1524*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const stanford_3dof_d3_real w2_x = t1*s2;
-    const stanford_3dof_d3_real w2_y = t1*c2;
+    const stanford_3dof_d3_real neg_w2_x = qd[0]*s2;
+    const stanford_3dof_d3_real neg_w2_y = qd[0]*c2;
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_3dof_d3_real a2_x = -9.8*s2;
-    const stanford_3dof_d3_real a2_y = -9.8*c2;
+    const stanford_3dof_d3_real neg_a2_y = 9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
-    const stanford_3dof_d3_real alpha2_x = qd[1]*w2_y;
-    const stanford_3dof_d3_real neg_alpha2_y = qd[1]*w2_x;
+    const stanford_3dof_d3_real neg_alpha2_x = qd[1]*neg_w2_y;
+    const stanford_3dof_d3_real alpha2_y = qd[1]*neg_w2_x;
     /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww2_xy = w2_x*w2_y;
-    const stanford_3dof_d3_real ww2_xx = w2_x*w2_x;
+    const stanford_3dof_d3_real ww2_xy = neg_w2_x*neg_w2_y;
+    const stanford_3dof_d3_real ww2_xx = neg_w2_x*neg_w2_x;
     const stanford_3dof_d3_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_3dof_d3_real lam2_22 = -ww2_xx - ww2_zz;
-    const stanford_3dof_d3_real lam2_32 = 2.0*alpha2_x;
+    const stanford_3dof_d3_real neg_lam2_22 = ww2_xx + ww2_zz;
+    const stanford_3dof_d3_real neg_lam2_32 = 2.0*neg_alpha2_x;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a3_z = q[2]*lam2_22 - a2_y;
-    const stanford_3dof_d3_real t2 = 2.0*qd[2];
-    const stanford_3dof_d3_real a3_x = qd[1]*t2 - (q[2]*ww2_xy - a2_x);
-    const stanford_3dof_d3_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t2;
+    const stanford_3dof_d3_real a3_z = neg_a2_y - q[2]*neg_lam2_22;
+    const stanford_3dof_d3_real t1 = 2.0*qd[2];
+    const stanford_3dof_d3_real neg_a3_x = q[2]*ww2_xy - a2_x - qd[1]*t1;
+    const stanford_3dof_d3_real a3_y = neg_w2_x*t1 - (neg_a2_z - q[2]*neg_lam2_32);
     /* link 2: moment that turns the link [N m] */
-    const stanford_3dof_d3_real nc2_x = 12.6173568846*alpha2_x;
-    const stanford_3dof_d3_real nc2_y = -2.203*neg_alpha2_y;
+    const stanford_3dof_d3_real neg_nc2_x = 12.6173568846*neg_alpha2_x;
+    const stanford_3dof_d3_real nc2_y = 2.203*alpha2_y;
     const stanford_3dof_d3_real nc2_z = -5.2071784423*ww2_xy;
     /* link 3: force that moves the link [N] */
-    const stanford_3dof_d3_real fc3_x = 6.47*a3_x + 4.171209*ww2_xy;
-    const stanford_3dof_d3_real fc3_y = 6.47*a3_y + 8.342418*alpha2_x;
-    const stanford_3dof_d3_real fc3_z = 6.47*a3_z - 4.171209*lam2_22;
+    const stanford_3dof_d3_real neg_fc3_x = 6.47*neg_a3_x - 4.171209*ww2_xy;
+    const stanford_3dof_d3_real neg_fc3_y = 8.342418*neg_alpha2_x - 6.47*a3_y;
+    const stanford_3dof_d3_real fc3_z = 6.47*a3_z + 4.171209*neg_lam2_22;
     /* link 3: moment that turns the link [N m] */
     const stanford_3dof_d3_real nc3_x = 4.171209*a3_y;
-    const stanford_3dof_d3_real nc3_y = -4.171209*a3_x;
+    const stanford_3dof_d3_real nc3_y = 4.171209*neg_a3_x;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
-    const stanford_3dof_d3_real n2_z = nc3_y - (-q[2]*fc3_x - nc2_z);
+    const stanford_3dof_d3_real neg_n2_x = neg_nc2_x - q[2]*neg_fc3_y - nc3_x;
+    const stanford_3dof_d3_real n2_z = nc3_y - (q[2]*neg_fc3_x - nc2_z);
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_3dof_d3_real f02_x = c2*fc3_x + s2*fc3_z;
+    const stanford_3dof_d3_real f02_x = s2*fc3_z - c2*neg_fc3_x;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_3dof_d3_real n02_y = s2*n2_x + c2*nc2_y;
+    const stanford_3dof_d3_real n02_y = c2*nc2_y - s2*neg_n2_x;
     /* link 1: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_d3_real n1_z = -0.1524*f02_x - n02_y;
     tau[0] = n1_z;
@@ -202,35 +200,32 @@ void stanford_3dof_d3_mass_matrix(const stanford_3dof_d3_real q[3], stanford_3do
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real c2 = cos(q[1]);
     const stanford_3dof_d3_real s2 = sin(again[1]);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_3dof_d3_real nu1_z = -0.986028*s2;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_3dof_d3_real m1_3 = -0.986028*s2;
     const stanford_3dof_d3_real t1 = 6.47*q[2];
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_3dof_d3_real h2_y = 4.171209 - t1;
     const stanford_3dof_d3_real t2 = q[2]*(t1 - 8.342418);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_3dof_d3_real k2_yy = t2 + 6.3086784423;
     /* link 2: mass matrix, its row of this joint */
     const stanford_3dof_d3_real m2_2 = t2 + 7.4101784423;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const stanford_3dof_d3_real neg_fu1_x = c2*h2_y;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_3dof_d3_real nu1_z_2 = 0.1524*neg_fu1_x;
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_3dof_d3_real neg_h2_y = c2*(t1 - 4.171209);
+    /* link 2: second moment of the composite body [kg m^2] */
+    const stanford_3dof_d3_real k2_xx = t2 + 6.3086784423 - c2*c2*(t2 + 5.2071784423);
     /* link 1: mass matrix, its row of this joint */
-    const stanford_3dof_d3_real m1_1 = k2_yy - c2*c2*(t2 + 5.2071784423) + 0.4939239597;
+    const stanford_3dof_d3_real m1_2 = -0.1524*neg_h2_y;
+    const stanford_3dof_d3_real m1_1 = k2_xx + 0.4939239597;
     M[0] = m1_1;
-    M[1] = nu1_z_2;
-    M[2] = nu1_z;
-    M[3] = nu1_z_2;
+    M[1] = m1_2;
+    M[2] = m1_3;
+    M[3] = m1_2;
     M[4] = m2_2;
     M[5] = 0.0;
-    M[6] = nu1_z;
+    M[6] = m1_3;
     M[7] = 0.0;
     M[8] = 6.47;
 }
 
 /* accelerations that the torques tau give
- * 59 multiplications, 35 additions, 3 divisions = 97; 4 unary minus; 2 sine/cosine */
+ * 59 multiplications, 35 additions, 3 divisions = 97; 3 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real q[3],
     const stanford_3dof_d3_real qd[3],
@@ -243,22 +238,19 @@ void stanford_3dof_d3_forward_dynamics(
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real c2 = cos(q[1]);
     const stanford_3dof_d3_real s2 = sin(again[1]);
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_3dof_d3_real nu1_z = -0.986028*s2;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_3dof_d3_real m1_3 = -0.986028*s2;
     const stanford_3dof_d3_real t1 = 6.47*q[2];
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_3dof_d3_real h2_y = 4.171209 - t1;
     const stanford_3dof_d3_real t2 = q[2]*(t1 - 8.342418);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_3dof_d3_real k2_yy = t2 + 6.3086784423;
     /* link 2: mass matrix, its row of this joint */
     const stanford_3dof_d3_real m2_2 = t2 + 7.4101784423;
-    /* link 1: force for a unit acceleration of a joint further out */
-    const stanford_3dof_d3_real neg_fu1_x = c2*h2_y;
-    /* link 1: moment for a unit acceleration of a joint further out */
-    const stanford_3dof_d3_real nu1_z_2 = 0.1524*neg_fu1_x;
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_3dof_d3_real neg_h2_y = c2*(t1 - 4.171209);
+    /* link 2: second moment of the composite body [kg m^2] */
+    const stanford_3dof_d3_real k2_xx = t2 + 6.3086784423 - c2*c2*(t2 + 5.2071784423);
     /* link 1: mass matrix, its row of this joint */
-    const stanford_3dof_d3_real m1_1 = k2_yy - c2*c2*(t2 + 5.2071784423) + 0.4939239597;
+    const stanford_3dof_d3_real m1_2 = -0.1524*neg_h2_y;
+    const stanford_3dof_d3_real m1_1 = k2_xx + 0.4939239597;
     /* link 1: products of the angular velocity [1/s^2] */
     const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
@@ -268,8 +260,8 @@ void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real w2_x = t3*s2;
     const stanford_3dof_d3_real w2_y = t3*c2;
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_x = -9.8*s2;
-    const stanford_3dof_d3_real a2_y = -9.8*c2;
+    const stanford_3dof_d3_real neg_a2_x = 9.8*s2;
+    const stanford_3dof_d3_real neg_a2_y = 9.8*c2;
     /* link 2: angular acceleration [rad/s^2] */
     const stanford_3dof_d3_real alpha2_x = qd[1]*w2_y;
     const stanford_3dof_d3_real neg_alpha2_y = qd[1]*w2_x;
@@ -281,46 +273,46 @@ void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real lam2_22 = -ww2_xx - ww2_zz;
     const stanford_3dof_d3_real lam2_32 = 2.0*alpha2_x;
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a3_z = q[2]*lam2_22 - a2_y;
+    const stanford_3dof_d3_real a3_z = neg_a2_y + q[2]*lam2_22;
     const stanford_3dof_d3_real t4 = 2.0*qd[2];
-    const stanford_3dof_d3_real a3_x = qd[1]*t4 - (q[2]*ww2_xy - a2_x);
-    const stanford_3dof_d3_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t4;
+    const stanford_3dof_d3_real a3_x = qd[1]*t4 - (neg_a2_x + q[2]*ww2_xy);
+    const stanford_3dof_d3_real neg_a3_y = w2_x*t4 - (a2_z - q[2]*lam2_32);
     /* link 2: moment that turns the link [N m] */
     const stanford_3dof_d3_real nc2_x = 12.6173568846*alpha2_x;
     const stanford_3dof_d3_real nc2_y = -2.203*neg_alpha2_y;
-    const stanford_3dof_d3_real nc2_z = -5.2071784423*ww2_xy;
+    const stanford_3dof_d3_real neg_nc2_z = 5.2071784423*ww2_xy;
     /* link 3: force that moves the link [N] */
     const stanford_3dof_d3_real fc3_x = 6.47*a3_x + 4.171209*ww2_xy;
-    const stanford_3dof_d3_real fc3_y = 6.47*a3_y + 8.342418*alpha2_x;
-    const stanford_3dof_d3_real fc3_z = 6.47*a3_z - 4.171209*lam2_22;
+    const stanford_3dof_d3_real fc3_y = 8.342418*alpha2_x - 6.47*neg_a3_y;
+    const stanford_3dof_d3_real neg_fc3_z = 4.171209*lam2_22 - 6.47*a3_z;
     /* link 3: moment that turns the link [N m] */
-    const stanford_3dof_d3_real nc3_x = 4.171209*a3_y;
-    const stanford_3dof_d3_real nc3_y = -4.171209*a3_x;
+    const stanford_3dof_d3_real neg_nc3_x = 4.171209*neg_a3_y;
+    const stanford_3dof_d3_real neg_nc3_y = 4.171209*a3_x;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n2_x = nc3_x + (nc2_x - q[2]*fc3_y);
-    const stanford_3dof_d3_real n2_z = nc3_y - (-q[2]*fc3_x - nc2_z);
+    const stanford_3dof_d3_real n2_x = nc2_x - q[2]*fc3_y - neg_nc3_x;
+    const stanford_3dof_d3_real n2_z = q[2]*fc3_x - neg_nc2_z - neg_nc3_y;
     /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_3dof_d3_real f02_x = c2*fc3_x + s2*fc3_z;
+    const stanford_3dof_d3_real neg_f02_x = s2*neg_fc3_z - c2*fc3_x;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const stanford_3dof_d3_real n02_y = s2*n2_x + c2*nc2_y;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = -0.1524*f02_x - n02_y;
+    const stanford_3dof_d3_real n1_z = 0.1524*neg_f02_x - n02_y;
     /* link 1: forward substitution */
     const stanford_3dof_d3_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
     const stanford_3dof_d3_real ipivot1 = 1.0 / m1_1;
-    const stanford_3dof_d3_real l2_1 = nu1_z_2*ipivot1;
-    const stanford_3dof_d3_real l3_1 = nu1_z*ipivot1;
-    const stanford_3dof_d3_real pivot2 = m2_2 - nu1_z_2*l2_1;
+    const stanford_3dof_d3_real l2_1 = m1_2*ipivot1;
+    const stanford_3dof_d3_real l3_1 = m1_3*ipivot1;
+    const stanford_3dof_d3_real pivot2 = m2_2 - m1_2*l2_1;
     const stanford_3dof_d3_real ipivot2 = 1.0 / pivot2;
-    const stanford_3dof_d3_real ld3_2 = -nu1_z_2*l3_1;
-    const stanford_3dof_d3_real l3_2 = ipivot2*ld3_2;
-    const stanford_3dof_d3_real pivot3 = 6.47 - nu1_z*l3_1 - ld3_2*l3_2;
+    const stanford_3dof_d3_real neg_ld3_2 = m1_2*l3_1;
+    const stanford_3dof_d3_real l3_2 = -ipivot2*neg_ld3_2;
+    const stanford_3dof_d3_real pivot3 = neg_ld3_2*l3_2 - (m1_3*l3_1 - 6.47);
     const stanford_3dof_d3_real ipivot3 = 1.0 / pivot3;
     /* link 2: forward substitution */
     const stanford_3dof_d3_real y2 = tau[1] - n2_z - y1*l2_1;
     /* link 3: forward substitution */
-    const stanford_3dof_d3_real y3 = tau[2] - fc3_z - y1*l3_1 - l3_2*y2;
+    const stanford_3dof_d3_real y3 = tau[2] + neg_fc3_z - y1*l3_1 - l3_2*y2;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_3dof_d3_real qdd3 = ipivot3*y3;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */

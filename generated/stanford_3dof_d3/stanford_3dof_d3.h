@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 42 multiplications, 27 additions = 69; 2 unary minus; 2 sine/cosine
+ *   inverse_dynamics: 42 multiplications, 27 additions = 69; 0 unary minus; 2 sine/cosine
  *   gravity: 7 multiplications, 2 additions = 9; 0 unary minus; 2 sine/cosine
- *   bias: 36 multiplications, 16 additions = 52; 3 unary minus; 2 sine/cosine
+ *   bias: 36 multiplications, 16 additions = 52; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 59 multiplications, 35 additions, 3 divisions = 97; 4 unary minus; 2
+ *   forward_dynamics: 59 multiplications, 35 additions, 3 divisions = 97; 3 unary minus; 2
  *       sine/cosine
  */
 #ifndef STANFORD_3DOF_D3_H

@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 128 multiplications, 97 additions = 225; 4 unary minus; 8 sine/cosine
+ *   inverse_dynamics: 128 multiplications, 97 additions = 225; 5 unary minus; 8 sine/cosine
  *   gravity: 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine
- *   bias: 120 multiplications, 81 additions = 201; 7 unary minus; 8 sine/cosine
- *   mass_matrix: 56 multiplications, 44 additions = 100; 1 unary minus; 6 sine/cosine
- *   forward_dynamics: 262 multiplications, 192 additions, 6 divisions = 460; 14 unary minus; 8
+ *   bias: 120 multiplications, 81 additions = 201; 6 unary minus; 8 sine/cosine
+ *   mass_matrix: 56 multiplications, 44 additions = 100; 3 unary minus; 6 sine/cosine
+ *   forward_dynamics: 262 multiplications, 192 additions, 6 divisions = 460; 15 unary minus; 8
  *       sine/cosine
  */
 #ifndef STANFORD_D3_H

@@ -17,10 +17,10 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 223 multiplications, 208 additions = 431; 6 unary minus; 8 sine/cosine
- *   gravity: 48 multiplications, 27 additions = 75; 2 unary minus; 8 sine/cosine
- *   bias: 211 multiplications, 186 additions = 397; 8 unary minus; 8 sine/cosine
- *   mass_matrix: 105 multiplications, 98 additions = 203; 8 unary minus; 8 sine/cosine
- *   forward_dynamics: 402 multiplications, 354 additions, 6 divisions = 762; 19 unary minus; 8
+ *   gravity: 48 multiplications, 27 additions = 75; 1 unary minus; 8 sine/cosine
+ *   bias: 211 multiplications, 186 additions = 397; 7 unary minus; 8 sine/cosine
+ *   mass_matrix: 105 multiplications, 98 additions = 203; 9 unary minus; 8 sine/cosine
+ *   forward_dynamics: 402 multiplications, 354 additions, 6 divisions = 762; 20 unary minus; 8
  *       sine/cosine
  */
 #ifndef STANFORD_FULL_H

@@ -17,10 +17,10 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 194 multiplications, 182 additions = 376; 6 unary minus; 8 sine/cosine
+ *   inverse_dynamics: 194 multiplications, 182 additions = 376; 4 unary minus; 8 sine/cosine
  *   gravity: 30 multiplications, 17 additions = 47; 0 unary minus; 8 sine/cosine
  *   bias: 179 multiplications, 152 additions = 331; 6 unary minus; 8 sine/cosine
- *   mass_matrix: 97 multiplications, 91 additions = 188; 6 unary minus; 8 sine/cosine
+ *   mass_matrix: 88 multiplications, 80 additions = 168; 0 unary minus; 8 sine/cosine
  */
 #ifndef TX40_H
 #define TX40_H

@@ -17,11 +17,11 @@
  *   makes no difference is moved to its parent.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 153 multiplications, 113 additions = 266; 3 unary minus; 10 sine/cosine
+ *   inverse_dynamics: 153 multiplications, 113 additions = 266; 0 unary minus; 10 sine/cosine
  *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
- *   bias: 136 multiplications, 79 additions = 215; 4 unary minus; 10 sine/cosine
- *   mass_matrix: 89 multiplications, 79 additions = 168; 3 unary minus; 10 sine/cosine
- *   forward_dynamics: 311 multiplications, 228 additions, 6 divisions = 545; 11 unary minus; 14
+ *   bias: 136 multiplications, 79 additions = 215; 5 unary minus; 10 sine/cosine
+ *   mass_matrix: 54 multiplications, 53 additions = 107; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 272 multiplications, 200 additions, 6 divisions = 478; 15 unary minus; 10
  *       sine/cosine
  */
 #ifndef UR10_H

@@ -58,7 +58,9 @@ class State:
 
     def numbers(self) -> dict[Input, Fraction]:
         """Values of the inputs in this state, for a program."""
-        return {Input(name, i): Fraction(x) for name, values in self.given.items() for i, x in enumerate(values)}
+        return {
+            Input(name, i): Fraction(x) for name, values in self.given.items() for i, x in enumerate(values)
+        }
 
 
 class Recorder:
@@ -97,7 +99,8 @@ def with_named_numbers(robot: Robot, chosen: Callable[[str], bool] = lambda name
             for key in ("a", "d", "motor_inertia", "viscous", "coulomb")
         }
         entries = {
-            key: name(f"i{key}_{i}", getattr(link.inertia, key)) for key in ("xx", "yy", "zz", "xy", "xz", "yz")
+            key: name(f"i{key}_{i}", getattr(link.inertia, key))
+            for key in ("xx", "yy", "zz", "xy", "xz", "yz")
         }
         x, y, z = (name(f"com_{axis}_{i}", value) for axis, value in zip("xyz", link.com, strict=True))
         links.append(

@@ -29,7 +29,9 @@ def driven(robot: Robot, joint: int, **numbers: Fraction) -> Robot:
     return replace(robot, links=tuple(links), torque_side="motor")
 
 
-def torque(robot: Robot, at: Point, options: Options | None = None, **given: list[Fraction]) -> list[Fraction]:
+def torque(
+    robot: Robot, at: Point, options: Options | None = None, **given: list[Fraction]
+) -> list[Fraction]:
     numbers = {Input(name, i): x for name, array in given.items() for i, x in enumerate(array)}
     return exactly(program(robot, "inverse_dynamics", options), at, numbers)["tau"]
 
@@ -142,7 +144,9 @@ def test_smooth_friction_is_a_tanh_of_the_velocity() -> None:
         found, without = (evaluate(arm, inputs)["tau"] for arm in (made, bare))
         added = float(COULOMB) * math.tanh(speed / float(rest)) + float(VISCOUS) * speed
         assert math.isclose(found[0] - without[0], added, rel_tol=1e-9, abs_tol=1e-9)
-        assert found[1:] == without[1:] or [round(a - b, 12) for a, b in zip(found[1:], without[1:], strict=True)] == [0, 0]
+        assert found[1:] == without[1:] or [
+            round(a - b, 12) for a, b in zip(found[1:], without[1:], strict=True)
+        ] == [0, 0]
 
 
 def test_smooth_friction_where_nothing_moves() -> None:

@@ -70,7 +70,9 @@ def test_arithmetic_with_names() -> None:
 
 @settings(deadline=None, max_examples=15)
 @given(st.integers(0, 10**6), st.integers(1, 4), st.integers(1, 2**32), st.sampled_from(sorted(FUNCTIONS)))
-def test_any_choice_of_names_gives_what_the_numbers_give(seed: int, n: int, which: int, function: str) -> None:
+def test_any_choice_of_names_gives_what_the_numbers_give(
+    seed: int, n: int, which: int, function: str
+) -> None:
     robot = exact_arm(seed, joints=n, motors=1)
     named = with_named_numbers(robot, lambda name: bool(hash_of(name) & which))
     numbers = values_of(named, robot)

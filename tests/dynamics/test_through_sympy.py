@@ -39,7 +39,9 @@ def rational(x: Fraction) -> sympy.Rational:
 def angle_point(expression: sympy.Expr, at: Point) -> tuple[Fraction, Fraction]:
     """Cosine and sine of a sum of joint angles and a constant, at a rational point."""
     constant, rest = expression.as_coeff_Add()
-    c, s = circle_point(Fraction(int(constant.p), int(constant.q))) if constant else (Fraction(1), Fraction(0))
+    c, s = (
+        circle_point(Fraction(int(constant.p), int(constant.q))) if constant else (Fraction(1), Fraction(0))
+    )
     for term in sympy.Add.make_args(rest):
         multiple, symbol = term.as_coeff_Mul()
         cosine, sine = at.circle(Input("q", int(symbol.name[1:]) - 1))
@@ -133,10 +135,14 @@ def test_functions_and_formulations_must_be_known() -> None:
 # --- the engine -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["puma560", "puma560_3dof", "stanford", "ur5", "stanford_3dof", "named", "sliding"])
+@pytest.mark.parametrize(
+    "name", ["puma560", "puma560_3dof", "stanford", "ur5", "stanford_3dof", "named", "sliding"]
+)
 def test_through_sympy_comes_the_same_program(name: str) -> None:
     if name == "named":
-        robot = with_named_numbers(exact_arm(57, joints=3), lambda n: n.startswith(("mass", "coulomb", "ixx", "a_")))
+        robot = with_named_numbers(
+            exact_arm(57, joints=3), lambda n: n.startswith(("mass", "coulomb", "ixx", "a_"))
+        )
     elif name == "sliding":
         robot = replace(exact_arm(58, joints=4, friction=1, prismatic=0.5), rest_velocity=Fraction(1, 100))
     else:

@@ -132,7 +132,12 @@ def together(sources: Sequence[str], folder: Path, name: str) -> str:
 def complaints(tool: str, flags: Sequence[str], sources: Sequence[str], folder: Path) -> str:
     """What a compiler says of ``sources``, "" if it is content."""
     done = subprocess.run(
-        [tool, *flags, "-c", *sources], cwd=folder, capture_output=True, text=True, errors="replace", check=False
+        [tool, *flags, "-c", *sources],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        check=False,
     )
     said = done.stdout + done.stderr
     return said or ("" if done.returncode == 0 else f"exit status {done.returncode}")

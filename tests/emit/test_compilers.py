@@ -151,7 +151,11 @@ LINKED = ("stanford_3dof", "puma560_3dof", "ur5", "smooth", "tool", "ghosts", "l
 
 def undefined(object_file: Path) -> set[str]:
     done = subprocess.run(
-        [require_tool("nm"), "-u", object_file.name], cwd=object_file.parent, capture_output=True, text=True, check=True
+        [require_tool("nm"), "-u", object_file.name],
+        cwd=object_file.parent,
+        capture_output=True,
+        text=True,
+        check=True,
     )
     return set(re.findall(r"\bU (\w+)", done.stdout))
 
@@ -169,7 +173,9 @@ def test_nothing_is_missing_but_sine_and_cosine(
     """At no level of optimisation: not sincos either, which not every libm has."""
     tool = require_tool(compiler)
     for folder in (double, single):
-        names = [name for name in LINKED if (folder / f"{name}.c").exists() and (level == "-O2" or name != "ur5")]
+        names = [
+            name for name in LINKED if (folder / f"{name}.c").exists() and (level == "-O2" or name != "ur5")
+        ]
         files = [str(folder / f"{name}.c") for name in names]
         assert complaints(tool, ("-std=c99", level), files, tmp_path) == ""
         for name in names:
@@ -179,7 +185,9 @@ def test_nothing_is_missing_but_sine_and_cosine(
 def test_smooth_friction_alone_asks_for_tanh() -> None:
     assert expected("smooth", False) == {"sin", "cos", "tanh"}
     assert expected("rubbing", False) == set()
-    assert all(expected(name, False) <= {"sin", "cos"} for name in robots() if robots()[name].rest_velocity is None)
+    assert all(
+        expected(name, False) <= {"sin", "cos"} for name in robots() if robots()[name].rest_velocity is None
+    )
 
 
 def test_given_sines_need_no_library_at_all(given: Path, tmp_path: Path) -> None:
@@ -195,7 +203,11 @@ def test_nothing_but_code_is_in_the_objects(double: Path, tmp_path: Path) -> Non
     assert complaints(require_tool("gcc"), ("-std=c99", "-O2"), names, tmp_path) == ""
     for name in LINKED:
         done = subprocess.run(
-            [require_tool("nm"), "--defined-only", f"{name}.o"], cwd=tmp_path, capture_output=True, text=True, check=True
+            [require_tool("nm"), "--defined-only", f"{name}.o"],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=True,
         )
         symbols = {(line.split()[1], line.split()[2]) for line in done.stdout.splitlines()}
         assert {kind for kind, _ in symbols} <= {"T", "r"}
@@ -208,7 +220,10 @@ def test_c_and_fortran_of_one_robot_stand_in_one_program(double: Path, tmp_path:
     other = made("stanford_3dof")
     named = replace(robots()["stanford_3dof"], name="other")
     functions = tuple((replace(s, robot="other"), p) for s, p in other.unit.functions)
-    write(tmp_path, in_single(replace(other, unit=replace(other.unit, robot=named, functions=functions))).files(("c",)))
+    write(
+        tmp_path,
+        in_single(replace(other, unit=replace(other.unit, robot=named, functions=functions))).files(("c",)),
+    )
     write(
         tmp_path,
         {
@@ -236,9 +251,20 @@ int main() {
         (require_tool("g++"), ("-std=c++17", "-Wall", "-Werror", "-I", str(double)), "main.cpp"),
     ):
         target = f"{Path(file).suffix[1:]}_{Path(file).stem}.o"
-        done = subprocess.run([tool, *flags, "-c", file, "-o", target], cwd=tmp_path, capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [tool, *flags, "-c", file, "-o", target],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         assert done.returncode == 0, done.stderr
     objects = [path.name for path in tmp_path.glob("*.o")]
     assert len(objects) == 4
-    subprocess.run([require_tool("g++"), *objects, "-lgfortran", "-lm", "-o", "main"], cwd=tmp_path, check=True, capture_output=True)
+    subprocess.run(
+        [require_tool("g++"), *objects, "-lgfortran", "-lm", "-o", "main"],
+        cwd=tmp_path,
+        check=True,
+        capture_output=True,
+    )
     assert subprocess.run([tmp_path / "main"], check=False).returncode == 0

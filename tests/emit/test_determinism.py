@@ -91,7 +91,9 @@ def interpreters() -> list[str]:
     for python in filter(None, found):
         ask = "import sys; print(sys.version if sys.version_info >= (3, 11) else '')"
         try:
-            done = subprocess.run([python, "-c", ask], capture_output=True, text=True, check=False, timeout=20)
+            done = subprocess.run(
+                [python, "-c", ask], capture_output=True, text=True, check=False, timeout=20
+            )
         except (OSError, subprocess.TimeoutExpired):
             continue
         version = done.stdout.strip()

@@ -124,7 +124,13 @@ def structure(files: dict[str, str]) -> str:
 
 
 @pytest.mark.parametrize(
-    ("name", "trig"), [(name, trig) for name in robots() for trig in ("libm", "given") if not (name in RANDOM and trig == "given")]
+    ("name", "trig"),
+    [
+        (name, trig)
+        for name in robots()
+        for trig in ("libm", "given")
+        if not (name in RANDOM and trig == "given")
+    ],
 )
 def test_the_text_has_the_operations_that_are_counted(name: str, trig: str) -> None:
     generated = made(name, trig)
@@ -174,6 +180,10 @@ def test_a_changed_text_is_noticed(old: str, new: str) -> None:
     generated = made("stanford_3dof")
     files = generated.files(("c",))
     lines = files["stanford_3dof.c"].splitlines()
-    at = next(k for k, line in enumerate(lines) if re.match(r"    const \w+ \w+ = [a-z].*[a-z]", line) and old in line)
+    at = next(
+        k
+        for k, line in enumerate(lines)
+        if re.match(r"    const \w+ \w+ = [a-z].*[a-z]", line) and old in line
+    )
     lines[at] = lines[at].replace(old, new, 1)
     assert counted({**files, "stanford_3dof.c": "\n".join(lines)}, single=False) != by_symbol(generated)

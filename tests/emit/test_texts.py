@@ -123,13 +123,20 @@ def test_compilers_accept_any_text(tmp_path: Path) -> None:
         flags = (*flags, "-Wcomment", "-Wtrigraphs", "-fsyntax-only")
         assert complaints(require_tool(tool), flags, names, tmp_path) == ""
     fortran = [name.replace(".c", ".f90") for name in names]
-    assert complaints(require_tool("gfortran"), (*STRICT_FORTRAN, "-fopenmp", "-fsyntax-only"), fortran, tmp_path) == ""
+    assert (
+        complaints(
+            require_tool("gfortran"), (*STRICT_FORTRAN, "-fopenmp", "-fsyntax-only"), fortran, tmp_path
+        )
+        == ""
+    )
 
 
 def test_the_head_tells_what_a_reader_needs() -> None:
     """Counts are looked at in test_parsed_counts."""
     for name, text in made("tool").files().items():
-        head = text.split("#include" if name.endswith(".c") else "module" if name.endswith("90") else "#ifndef")[0]
+        head = text.split(
+            "#include" if name.endswith(".c") else "module" if name.endswith("90") else "#ifndef"
+        )[0]
         for needed in (
             "tool: ",
             "1 revolute, 2 revolute, 3 prismatic",
@@ -280,7 +287,9 @@ def nearest_float(x: Fraction) -> Fraction:
 
 @settings(deadline=None, max_examples=200)
 @given(st.fractions(min_value=1, max_value=10**6, max_denominator=10**30))
-@example(1 + Fraction(1, 2**24) + Fraction(1, 2**60))  # above the middle of two floats, by less than a double tells
+@example(
+    1 + Fraction(1, 2**24) + Fraction(1, 2**60)
+)  # above the middle of two floats, by less than a double tells
 @example(1 + Fraction(3, 2**24) - Fraction(1, 2**60))
 def test_a_number_is_rounded_to_float_once(x: Fraction) -> None:
     text = shortest(x, single=True)
@@ -344,7 +353,9 @@ def test_constants_that_do_not_fit_are_bad_input(mass: str, scalar: str) -> None
         f"inertia: {{zz: 1}}}}]\ngravity: [0, {'-' * mass.startswith('-')}9.81, 0]",
         warn=lambda _: None,
     )
-    with pytest.raises(InputError, match=f"a constant of the model does not fit into a {scalar}; found about 1e"):
+    with pytest.raises(
+        InputError, match=f"a constant of the model does not fit into a {scalar}; found about 1e"
+    ):
         generate(robot, Options(scalar=scalar)).files()  # type: ignore[arg-type]
     if scalar == "float":
         assert generate(robot).files()
@@ -355,7 +366,10 @@ def test_constants_that_do_not_fit_are_bad_input(mass: str, scalar: str) -> None
 def test_options_and_languages_must_be_known() -> None:
     for wrong, message in (
         ({"scalar": "single"}, "unknown scalar 'single'"),
-        ({"optimize": "fst"}, "unknown level of optimisation 'fst'; expected one of none, fast.*; did you mean 'fast'"),
+        (
+            {"optimize": "fst"},
+            "unknown level of optimisation 'fst'; expected one of none, fast.*; did you mean 'fast'",
+        ),
         ({"trig": "given_"}, "did you mean 'given'"),
         ({"engine": "graphs"}, "did you mean 'graph'"),
         ({"formulation": "newton_euler_"}, "did you mean"),

@@ -104,9 +104,7 @@ _CONSTANTS = st.one_of(
 
 
 @st.composite
-def programs(
-    draw: st.DrawFn, ops: tuple[str, ...] = EXACT, most: int = 14, labels: bool = True
-) -> Program:
+def programs(draw: st.DrawFn, ops: tuple[str, ...] = EXACT, most: int = 14, labels: bool = True) -> Program:
     """Straight-line programs: with dead code, repeated and trivial operations, constants among themselves.
 
     The argument of a sine is a sum of joint angles, each once, and constants, as it is in a recursion.
@@ -146,7 +144,11 @@ def programs(
             sign = -1 if op in ("sub", "neg") else 1
             if len(args) == 2 and form(args[0]).keys() & form(args[1]).keys():
                 args = (args[0], draw(_CONSTANTS))
-            linear[i] = {x: (sign if k == len(args) - 1 else 1) * m for k, a in enumerate(args) for x, m in form(a).items()}
+            linear[i] = {
+                x: (sign if k == len(args) - 1 else 1) * m
+                for k, a in enumerate(args)
+                for x, m in form(a).items()
+            }
         elif op in ("sin", "cos"):
             args = (angle(),)
         elif op in ("tanh", "sign"):

@@ -242,7 +242,9 @@ def test_a_multiple_of_an_angle_is_an_angle(argument: str) -> None:
     """``q + q`` folds to ``2 q``: its sine must still be one that can be evaluated and checked."""
     graph = Graph()
     q = graph.input("q", 0)
-    angle: Any = {"q + q": q + q, "2 (q + q)": (q + q) + (q + q), "-q - q": -q - q, "3 q - q": q + q + q - q}[argument]
+    angle: Any = {"q + q": q + q, "2 (q + q)": (q + q) + (q + q), "-q - q": -q - q, "3 q - q": q + q + q - q}[
+        argument
+    ]
     multiple = {"q + q": 2, "2 (q + q)": 4, "-q - q": -2, "3 q - q": 2}[argument]
     cosine, sine = Point(3).circle(Input("q", 0))
     c, s = Fraction(1), Fraction(0)

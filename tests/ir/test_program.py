@@ -225,7 +225,9 @@ def test_turning() -> None:
 
 
 def test_a_constant_angle_has_its_own_point() -> None:
-    made = Program((Operation("cos", (Fraction(1, 2),)), Operation("sin", (Fraction(1, 2),))), (("t", (0, 1)),))
+    made = Program(
+        (Operation("cos", (Fraction(1, 2),)), Operation("sin", (Fraction(1, 2),))), (("t", (0, 1)),)
+    )
     found = evaluate_exact(made, {}, {}, circle_point)["t"]
     assert tuple(found) == circle_point(Fraction(1, 2))
     assert [float(x) for x in found] == [math.cos(0.5), math.sin(0.5)]
@@ -270,7 +272,9 @@ def test_fingerprints_differ_exactly_where_values_do(made: Program, at: Point, s
             if a != b:
                 assert one != other
             elif one != other and not signs:
-                assert any(results(made, Point(k))[i] != results(made, Point(k))[exact.index(b)] for k in range(5))
+                assert any(
+                    results(made, Point(k))[i] != results(made, Point(k))[exact.index(b)] for k in range(5)
+                )
 
 
 def mutations(made: Program) -> list[Program]:
@@ -322,7 +326,14 @@ def test_a_changed_program_has_another_fingerprint() -> None:
 def test_fingerprints_of_functions_without_theorems() -> None:
     graph = Graph()
     x, y = graph.input("x"), graph.input("y")
-    values = [graph.tanh(x - y), graph.tanh(y - x), graph.sign(x - y), graph.sign(y - x), graph.sqrt(x), graph.sqrt(y)]
+    values = [
+        graph.tanh(x - y),
+        graph.tanh(y - x),
+        graph.sign(x - y),
+        graph.sign(y - x),
+        graph.sqrt(x),
+        graph.sqrt(y),
+    ]
     a, minus_a, b, minus_b, c, d = fingerprint(lower(graph, [("t", values)]), 1, circle_point)
     assert (a + minus_a) % PRIME == 0
     assert (b + minus_b) % PRIME == 0
@@ -337,7 +348,9 @@ def test_an_odd_function_is_zero_at_zero(op: str) -> None:
 
 
 def test_a_parameter_is_not_the_joint_variable_that_is_called_like_it() -> None:
-    by_parameter, by_joint = (Program((Operation("neg", (x,)),), (("t", (0,)),)) for x in (Input("q1", None), Q1))
+    by_parameter, by_joint = (
+        Program((Operation("neg", (x,)),), (("t", (0,)),)) for x in (Input("q1", None), Q1)
+    )
     assert fingerprint(by_parameter, 1, circle_point) != fingerprint(by_joint, 1, circle_point)
 
 

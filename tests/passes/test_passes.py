@@ -145,7 +145,9 @@ def test_labels_stay_on_their_values(
         operations[i] = operations[i]._replace(label=Label(k + 1, "w", "x"))
     named = dataclasses.replace(made, operations=tuple(operations), origin=None)
     try:
-        true = {op.label: x for op, x in zip(named.operations, every_value(named, at), strict=True) if op.label}
+        true = {
+            op.label: x for op, x in zip(named.operations, every_value(named, at), strict=True) if op.label
+        }
     except ZeroDivisionError:
         reject()
     after = step(named)
@@ -289,9 +291,7 @@ def test_constants_fold() -> None:
         ),
         (("t", (6, 2)),),
     )
-    assert fold(made) == Program(
-        (Operation("add", (Y, Fraction(1))),), (("t", (0, Fraction(0))),)
-    )
+    assert fold(made) == Program((Operation("add", (Y, Fraction(1))),), (("t", (0, Fraction(0))),))
 
 
 FACTORED: dict[str, tuple[Callable[..., list[Any]], dict[str, int]]] = {
@@ -466,7 +466,9 @@ def with_given(made: Program, at: Point) -> list[Fraction]:
         operations.append(Operation("add", (angle, constant)))
         if kind != "q":
             operations.append(Operation(kind, (len(operations) - 1,)))
-        (numbers[Input("sc", k)],) = results(Program(tuple(operations), (("sc", (len(operations) - 1,)),)), at)
+        (numbers[Input("sc", k)],) = results(
+            Program(tuple(operations), (("sc", (len(operations) - 1,)),)), at
+        )
     after = trig_given(made, layout)
     assert not {"sin", "cos"} & ops(after).keys()
     assert not [x for x in after.inputs() if x.array == "q"]

@@ -8,8 +8,9 @@ convention, that of Luh, Walker and Paul 1980 and Hollerbach 1980 as far as thei
   about the frame's origin; so are sines and cosines, and changes of sign;
 * operations with the 0s and 1s that the formulation itself writes (a base at rest, a unit vector) are free,
   any other number is a constant of the model: ``2 * x`` is a multiplication;
-* ``dense=True`` takes the structure away from what the formulation marks, the last row ``0 0 0 1`` of a 4x4
-  transform among it: then a 4x4 product is 64 multiplications and 48 additions, as the 1980 tables count it;
+* ``dense=True`` forgets of whatever the formulation marks that it is 0, 1 or constant, the last row
+  ``0 0 0 1`` of a 4x4 transform for instance: then a product of two of them is 64 multiplications and 48
+  additions, as the tables of 1980 count it;
 * no rotor, no friction.
 """
 
@@ -82,7 +83,7 @@ def general_count(
     arm, motion = general_arm(n, prismatic, lambda fixed: Tally(ledger, fixed))
 
     def filled(value: Any, label: Label) -> Any:
-        return value if isinstance(value, Tally) else Tally(ledger)
+        return Tally(ledger)
 
     formulation(arm, motion, filled if dense else unmarked)
     return Count(**ledger)

@@ -1,4 +1,22 @@
-"""x"""
+"""Lagrange's equations in closed form, over any scalar.
+
+``tau_i = sum_j D_ij qdd_j + sum_jk D_ijk qd_j qd_k + D_i``, each a sum over the links p that all its joints
+carry,
+
+    D_ij  = tr(dW_p/dq_i J_p (dW_p/dq_j)^T),
+    D_ijk = tr(dW_p/dq_i J_p (d2W_p/dq_j dq_k)^T),
+    D_i   = -m_p g^T dW_p/dq_i r_p,
+
+``W_p`` the 4x4 transform from link p's frame to the base, ``J_p`` its pseudo-inertia. Sources: J. J. Uicker
+1965, On the Dynamic Analysis of Spatial Linkages Using 4x4 Matrices; M. E. Kahn 1969, The Near-Minimum-Time
+Control of Open-Loop Articulated Kinematic Chains; in this notation R. P. Paul, Robot Manipulators (1981),
+chapter 6. None of them was at hand: the equations are those that every later text quotes.
+
+The operations grow with n^4. ``D_ij = D_ji`` is used; each ``D_ijk`` is formed for itself, product by
+product, as the counts of 1980 have it. (In a graph ``D_ijk`` and ``D_ikj`` are one value, and what two traces
+have in common is there once.)
+"""
+
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -26,87 +44,88 @@ from robodyn.ir.program import Label
 
 @dataclass(frozen=True, slots=True)
 class Slopes:
+    """Derivatives of a link's transform ``W`` [4, 4] with respect to the joints up to its own."""
+
     first: tuple[Matrix, ...]
-    second: tuple[tuple[Matrix, ...], ...]
+    """``dW/dq_j`` at ``[j]``."""
+    half: tuple[tuple[Matrix, ...], ...]
+    """``d2W/dq_j dq_k`` at ``[j][k]`` for ``k <= j``."""
+
+    def second(self, j: int, k: int) -> Matrix:
+        """``d2W/dq_j dq_k``."""
+        return self.half[max(j, k)][min(j, k)]
 
 
 def transform_slopes(arm: Arm, motion: Motion, mark: Mark) -> list[Slopes]:
+    """The derivatives of every link's transform; a joint's own are ``A Q`` and ``A Q Q``."""
     W = IDENTITY_4
-    U: list[Matrix] = []
-    V: list[list[Matrix]] = []
+    first: list[Matrix] = []
+    half: list[list[Matrix]] = []
     links = []
-    for i, body in enumerate(arm.bodies):
-        A = marked(mark, transform(body, motion.c[i], motion.s[i], motion.d[i]), i + 1, "A")
-        dA = marked(mark, product(A, joint_operator(body)), i + 1, "dA")
-        ddA = marked(mark, product(dA, joint_operator(body)), i + 1, "ddA")
-        V = [[product(x, A) for x in row] for row in V]
-        V.append([*(product(x, dA) for x in U), product(W, ddA)])
-        U = [*(product(x, A) for x in U), product(W, dA)]
-        W = product(W, A)
-        V = [[marked(mark, x, i + 1, "ddW", f"{j}{k}_") for k, x in enumerate(row, 1)] for j, row in enumerate(V, 1)]
-        U = [marked(mark, x, i + 1, "dW", f"{j}_") for j, x in enumerate(U, 1)]
-        W = marked(mark, W, i + 1, "W")
-        links.append(Slopes(tuple(U), tuple(map(tuple, V))))
+    for p, body in enumerate(arm.bodies, 1):
+        Q = joint_operator(body)
+        A = marked(mark, transform(body, motion.c[p - 1], motion.s[p - 1], motion.d[p - 1]), p, "A")
+        dA = marked(mark, product(A, Q), p, "dA")
+        ddA = marked(mark, product(dA, Q), p, "ddA")
+        half = [[product(x, A) for x in row] for row in half]
+        half.append([*(product(x, dA) for x in first), product(W, ddA)])
+        first = [*(product(x, A) for x in first), product(W, dA)]
+        W = marked(mark, product(W, A), p, "W")
+        first = [marked(mark, x, p, "dW", f"{j}_") for j, x in enumerate(first, 1)]
+        half = [
+            [marked(mark, x, p, "ddW", f"{j}_{k}_") for k, x in enumerate(row, 1)]
+            for j, row in enumerate(half, 1)
+        ]
+        links.append(Slopes(tuple(first), tuple(map(tuple, half))))
     return links
 
 
-def triple(X: Matrix, J: Matrix, Y: Matrix) -> Any:
+def lagrange(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
+    """Joint torques [n] (N m; N at prismatic joints) of ``arm`` in ``motion``."""
+    joints = range(len(arm.bodies))
+    links = transform_slopes(arm, motion, mark)
+    J = [pseudo_inertia(body) for body in arm.bodies]
+    g = tuple(mark(x, Label(0, "g", str(k))) for k, x in enumerate((*arm.gravity, 0), 1))
+
+    def inertial(i: int, j: int) -> Any:
+        carried = range(max(i, j), len(joints))
+        terms = [weighed(links[p].first[i], J[p], links[p].first[j]) for p in carried]
+        return mark(added(terms), Label(i + 1, "m", str(j + 1)))
+
+    def centrifugal(i: int, j: int, k: int) -> Any:
+        carried = range(max(i, j, k), len(joints))
+        terms = [weighed(links[p].first[i], J[p], links[p].second(j, k)) for p in carried]
+        return mark(added(terms), Label(i + 1, "v", f"{j + 1}_{k + 1}"))
+
+    def gravitational(i: int) -> Any:
+        terms = []
+        for p in joints[i:]:
+            at = zip(homogeneous(arm.bodies[p].com), "1234", strict=True)
+            r = tuple(mark(x, Label(p + 1, "r", axis)) for x, axis in at)
+            terms.append(arm.bodies[p].mass * inner(g, applied(links[p].first[i], r)))
+        return mark(-added(terms), Label(i + 1, "tg", ""))
+
+    D: list[list[Any]] = [[0] * len(joints) for _ in joints]
+    for i in joints:
+        for j in joints[i:]:
+            D[i][j] = D[j][i] = inertial(i, j)
+    torques = []
+    for i in joints:
+        accelerating = [D[i][j] * motion.qdd[j] for j in joints]
+        moving = [centrifugal(i, j, k) * (motion.qd[j] * motion.qd[k]) for j in joints for k in joints]
+        torque = added([*accelerating, *moving, gravitational(i)])
+        torques.append(joint_torque(arm, i, motion, torque, mark))
+    return torques
+
+
+def weighed(X: Matrix, J: Matrix, Y: Matrix) -> Any:
+    """``tr(X J Y^T)``."""
     return trace(product(product(X, J), transposed(Y)))
 
 
-def lagrange(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
-    n = len(arm.bodies)
-    links = transform_slopes(arm, motion, mark)
-    J = [pseudo_inertia(b) for b in arm.bodies]
-    qd, qdd = motion.qd, motion.qdd
-    g = tuple(mark(x, Label(0, "g", str(k))) for k, x in enumerate((*arm.gravity, 0), 1))
-    def inertia(i: int, j: int) -> Any:
-        total: Any = 0
-        for p in range(max(i, j), n):
-            total = total + triple(links[p].first[i], J[p], links[p].first[j])
-        return mark(total, Label(i + 1, "m", str(j + 1)))
-    def velocity(i: int, j: int, k: int) -> Any:
-        total: Any = 0
-        for p in range(max(i, j, k), n):
-            total = total + triple(links[p].first[i], J[p], links[p].second[max(j, k)][min(j, k)])
-        return mark(total, Label(i + 1, "v", f"{j+1}{k+1}"))
-    M = [[0] * n for _ in range(n)]
-    for i in range(n):
-        for j in range(i, n):
-            M[i][j] = M[j][i] = inertia(i, j)
-    torques = []
-    for i in range(n):
-        total: Any = 0
-        for j in range(n):
-            total = total + M[i][j] * qdd[j]
-        for j in range(n):
-            for k in range(n):
-                total = total + velocity(i, j, k) * (qd[j] * qd[k])
-        for p in range(i, n):
-            r = tuple(mark(x, Label(p+1, "r", str(m))) for m, x in enumerate(homogeneous(arm.bodies[p].com),1))
-            total = total - arm.bodies[p].mass * inner(g, applied(links[p].first[i], r))
-        torques.append(joint_torque(arm, i, motion, total, mark))
-    return torques
-
-
-def expanded(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
-    n = len(arm.bodies)
-    links = transform_slopes(arm, motion, mark)
-    J = [pseudo_inertia(b) for b in arm.bodies]
-    qd, qdd = motion.qd, motion.qdd
-    g = tuple(mark(x, Label(0, "g", str(k))) for k, x in enumerate((*arm.gravity, 0), 1))
-    torques = []
-    for i in range(n):
-        total: Any = 0
-        for p in range(i, n):
-            U = links[p].first
-            V = links[p].second
-            for j in range(p + 1):
-                total = total + triple(U[i], J[p], U[j]) * qdd[j]
-            for j in range(p + 1):
-                for k in range(p + 1):
-                    total = total + triple(U[i], J[p], V[max(j, k)][min(j, k)]) * qd[j] * qd[k]
-            r = tuple(mark(x, Label(p+1, "r", str(m))) for m, x in enumerate(homogeneous(arm.bodies[p].com),1))
-            total = total - arm.bodies[p].mass * inner(g, applied(U[i], r))
-        torques.append(joint_torque(arm, i, motion, total, mark))
-    return torques
+def added(terms: list[Any]) -> Any:
+    """Sum from left to right."""
+    total = terms[0]
+    for term in terms[1:]:
+        total = total + term
+    return total

@@ -1,13 +1,21 @@
 """The recursive Lagrangian with 3x3 rotations and position vectors, over any scalar.
 
-``tau_i = tr(dW_i/dq_i D_i) - g^T dW_i/dq_i h_i`` at a revolute joint, with rotations ``W_i`` and
-accelerations ``pdd_i`` of the origins from base to tip, and ``D_i``, ``e_i``, ``h_i`` (the paper's ``c_i``)
-from tip to base. Source: J. M. Hollerbach, A Recursive Lagrangian Formulation of Manipulator Dynamics, IEEE
-Trans. SMC-10 (11), 1980, whose joints are revolute; a prismatic joint's force is ``dp_i/dq_i`` times the
-force ``e_i - m g`` of what it carries.
+The rotations ``W_i`` from link i's axes to the base's and their derivatives as in :mod:`.lagrange_4x4`;
+besides, with ``p_i`` the origin of frame i in frame i - 1, its acceleration ``pdd_i`` along the base's axes,
+``n_i = m_i r_i``, and ``J_i`` the second moment of mass, all about the frame's origin:
 
-In these frames ``p_i``, the origin of frame i, does not turn with joint i: the velocity of frame i - 1
-carries it. Written as the paper has it: ``W_{i-1} dR_i/dq_i`` stands three times; in a graph it is one value.
+    pdd_i = pdd_{i-1} + Wdd_{i-1} p_i,
+    D_i   = R_{i+1} D_{i+1} + p_{i+1} e_{i+1}^T + n_i pdd_i^T + J_i Wdd_i^T,
+    e_i   = e_{i+1} + m_i pdd_i + Wdd_i n_i,      h_i = n_i + R_{i+1} h_{i+1} + (m_{i+1} + ... + m_n) p_{i+1},
+    tau_i = tr(dW_i/dq_i D_i) - g^T dW_i/dq_i h_i.
+
+Source: J. M. Hollerbach 1980, A Recursive Lagrangian Formulation of Manipulator Dynamics and a Comparative
+Study of Dynamics Formulation Complexity, IEEE Trans. SMC-10 (11), where ``h`` is ``c``, joints are revolute
+and origins turn with their own joint, which in these frames they do not. It was not at hand: the equations
+are those that later texts quote. A prismatic joint's force is ``dp_i/dq_i . (e_i - m g)``, ``m`` the mass
+that it carries.
+
+``W_{i-1} dR_i/dq_i`` stands three times, as it was counted; in a graph it is one value.
 """
 
 from __future__ import annotations

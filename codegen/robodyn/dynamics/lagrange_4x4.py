@@ -1,12 +1,18 @@
 """The recursive Lagrangian with 4x4 transforms, over any scalar.
 
-``tau_i = tr(dW_i/dq_i D_i) - g^T dW_i/dq_i h_i`` with velocities and accelerations of the transforms
-``W_i`` from base to tip and ``D_i``, ``h_i`` (the paper's ``c_i``) from tip to base. Source: J. M. Hollerbach,
-A Recursive Lagrangian Formulation of Manipulator Dynamics, IEEE Trans. SMC-10 (11), 1980; the forward
-recursion is R. C. Waters's (1979).
+With ``W_i`` the transform from link i's frame to the base and ``W_i = W_{i-1} A_i``:
 
-Written as the paper has it: ``W_{i-1} dA_i/dq_i`` stands three times, as it was counted. In a graph it is
-one value.
+    Wd_i  = Wd_{i-1} A_i + W_{i-1} dA_i/dq_i qd_i,
+    Wdd_i = Wdd_{i-1} A_i + 2 Wd_{i-1} dA_i/dq_i qd_i + W_{i-1} d2A_i/dq_i^2 qd_i^2 + W_{i-1} dA_i/dq_i qdd_i,
+    D_i   = J_i Wdd_i^T + A_{i+1} D_{i+1},        h_i = m_i r_i + A_{i+1} h_{i+1},
+    tau_i = tr(dW_i/dq_i D_i) - g^T dW_i/dq_i h_i.
+
+Source: J. M. Hollerbach 1980, A Recursive Lagrangian Formulation of Manipulator Dynamics and a Comparative
+Study of Dynamics Formulation Complexity, IEEE Trans. SMC-10 (11), where ``h`` is ``c``; the forward recursion
+is R. C. Waters's (1979). Neither was at hand: the equations are those that later texts quote.
+
+Written term by term as there: ``W_{i-1} dA_i/dq_i`` stands three times, as it was counted (see the test of
+the general counts). In a graph it is one value.
 """
 
 from __future__ import annotations

@@ -1,0 +1,32 @@
+"""The README shows what the commands print, and the commands that it names exist."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from robodyn_cli.main import COMMANDS, main
+
+README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_counts_are_those_that_gen_prints(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["gen", "puma560", "-o", str(tmp_path)]) == 0
+    printed = capsys.readouterr().out.splitlines()[1:7]
+    assert "\n".join(printed) in README
+
+
+def test_every_command_named_exists_and_every_command_is_named() -> None:
+    shell = "".join(re.findall(r"```sh\n(.*?)```", README, flags=re.DOTALL))
+    named = set(re.findall(r"^robodyn (\w+)", shell, flags=re.MULTILINE))
+    assert named == set(COMMANDS)
+
+
+def test_the_example_is_a_robot() -> None:
+    from robodyn.robot import read_text
+
+    (example,) = re.findall(r"```yaml\n(.*?)```", README, flags=re.DOTALL)
+    robot = read_text(example)
+    assert robot.parameters == ("m_load",)

@@ -1,0 +1,90 @@
+"""What a command pays for before it works: nothing is imported that it does not use."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HEAVY = {"numpy", "sympy", "scipy", "matplotlib", "cffi", "pycparser", "hypothesis", "pytest"}
+
+
+def loaded(code: str, folder: Path) -> set[str]:
+    """The top-level modules that a fresh interpreter has loaded after ``code``, run in ``folder``."""
+    script = f"import sys\n{code}\nprint(*sys.modules, file=sys.stderr)"
+    done = subprocess.run(
+        [sys.executable, "-c", script], cwd=folder, capture_output=True, text=True, check=True
+    )
+    return {name.partition(".")[0] for name in done.stderr.splitlines()[-1].split()}
+
+
+def command(*arguments: str) -> str:
+    return f"from robodyn_cli.main import main\nassert main({list(arguments)!r}) == 0"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("gen", "puma560"),
+        ("gen", "stanford", "--scalar", "float", "--trig", "given", "--lang", "c"),
+        ("gen", "stanford", "--json"),
+        ("gen", "tx40", "--no-regroup", "--formulation", "newton_euler"),
+        ("flops", "puma560", "--function", "all", "--budget", "total=9999"),
+        ("flops", "stanford", "--json"),
+    ],
+    ids=" ".join,
+)
+def test_counting_and_writing_take_neither_numpy_nor_sympy(
+    arguments: tuple[str, ...], tmp_path: Path
+) -> None:
+    found = loaded(command(*arguments), tmp_path)
+    assert not found & HEAVY
+    assert "robodyn" in found
+    if arguments[0] == "gen":
+        assert list(tmp_path.rglob("*.c"))
+    else:
+        assert "jinja2" not in found
+
+
+def test_checking_a_folder_takes_no_more(tmp_path: Path) -> None:
+    code = command("gen", "stanford_3dof") + "\n" + command("gen", "stanford_3dof", "--check")
+    assert not loaded(code, tmp_path) & HEAVY
+
+
+def test_the_library_itself_is_light(tmp_path: Path) -> None:
+    found = loaded("import robodyn\nrobodyn.load('stanford')\nrobodyn.program", tmp_path)
+    assert not found & (HEAVY | {"click", "jinja2"})
+
+
+def test_sympy_comes_when_it_is_asked_for(tmp_path: Path) -> None:
+    assert "sympy" in loaded(command("flops", "stanford_3dof", "--engine", "sympy"), tmp_path)
+
+
+FACADE = """
+import robodyn
+first = robodyn.{first}
+assert callable(robodyn.generate), "robodyn.generate is the function, not the module of its name"
+robot = robodyn.load("stanford_3dof")
+assert robodyn.generate(robot, robodyn.Options(functions=("gravity",))).counts["gravity"].total
+"""
+
+
+@pytest.mark.parametrize(
+    "first", ["load", "generate", "Options", "Generated", "program", "compile", "symbolic"]
+)
+def test_the_names_of_the_library_are_what_they_say_in_any_order(first: str, tmp_path: Path) -> None:
+    """``robodyn.generate`` is a function and a module; whatever was asked for first, it is the function."""
+    loaded(FACADE.format(first=first), tmp_path)
+
+
+def test_a_module_imported_first_does_not_take_the_place_of_a_function(tmp_path: Path) -> None:
+    loaded("import robodyn.generate\n" + FACADE.format(first="load"), tmp_path)
+    loaded("from robodyn.generate import Options\n" + FACADE.format(first="load"), tmp_path)
+
+
+def test_every_name_of_the_library_is_there(tmp_path: Path) -> None:
+    code = "import robodyn\nfor name in robodyn.__all__: assert getattr(robodyn, name).__name__ == name, name"
+    loaded(code, tmp_path)
+    loaded("from robodyn import *\nassert callable(compile) and callable(generate)", tmp_path)
