@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1] / "codegen"
 ROOMS = """
-    errors resources units ir robot effects dynamics passes counts schedule emit generate build verify simulate
+    errors resources units ir robot effects dynamics passes counts schedule emit generation build verify simulate
     diagnose report
 """.split()  # noqa: SIM905 (it reads as the list that it is)
 LATE = {"sympy", "numpy", "scipy", "matplotlib"}

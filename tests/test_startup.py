@@ -75,16 +75,29 @@ assert robodyn.generate(robot, robodyn.Options(functions=("gravity",))).counts["
     "first", ["load", "generate", "Options", "Generated", "program", "compile", "symbolic"]
 )
 def test_the_names_of_the_library_are_what_they_say_in_any_order(first: str, tmp_path: Path) -> None:
-    """``robodyn.generate`` is a function and a module; whatever was asked for first, it is the function."""
+    """Whatever was asked for first, ``robodyn.generate`` is the function."""
     loaded(FACADE.format(first=first), tmp_path)
 
 
 def test_a_module_imported_first_does_not_take_the_place_of_a_function(tmp_path: Path) -> None:
-    loaded("import robodyn.generate\n" + FACADE.format(first="load"), tmp_path)
-    loaded("from robodyn.generate import Options\n" + FACADE.format(first="load"), tmp_path)
+    loaded("import robodyn.generation\n" + FACADE.format(first="load"), tmp_path)
+    loaded("from robodyn.generation import Options\n" + FACADE.format(first="load"), tmp_path)
 
 
 def test_every_name_of_the_library_is_there(tmp_path: Path) -> None:
     code = "import robodyn\nfor name in robodyn.__all__: assert getattr(robodyn, name).__name__ == name, name"
     loaded(code, tmp_path)
     loaded("from robodyn import *\nassert callable(compile) and callable(generate)", tmp_path)
+
+
+def test_the_benchmark_of_generation_measures(tmp_path: Path) -> None:
+    """Its figures are not looked at here: a machine that is busy with tests proves nothing."""
+    script = Path(__file__).parents[1] / "benchmarks" / "generation.py"
+    run = [sys.executable, str(script), "stanford_3dof", "-n", "1"]
+    done = subprocess.run(run, cwd=tmp_path, capture_output=True, text=True, check=True)
+    rows = [line.split("  ") for line in done.stdout.splitlines()]
+    assert rows[1][0] == "robodyn gen stanford_3dof, the whole process"
+    assert len(rows) == 6
+    assert list(tmp_path.iterdir()) == []
+    done = subprocess.run([*run, "--runs", "0"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 2

@@ -37,7 +37,7 @@ def command(
     from robodyn.counts import Count, count, parse_budget
     from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS
     from robodyn.errors import CheckError
-    from robodyn.generate import Options, SingularArm, program
+    from robodyn.generation import Options, SingularArm, program
 
     limit = None if budget is None else parse_budget(budget)
     functions = tuple(FUNCTIONS) if function == "all" else (function,)

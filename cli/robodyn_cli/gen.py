@@ -12,7 +12,7 @@ from robodyn_cli.counted import lines, record
 from robodyn_cli.options import listed, load, model_options
 
 if TYPE_CHECKING:
-    from robodyn.generate import Generated
+    from robodyn.generation import Generated
 
 
 @click.command()
@@ -51,7 +51,7 @@ def command(
     forward_dynamics. The same input gives the same bytes, on any machine.
     """
     from robodyn.errors import CheckError, InputError
-    from robodyn.generate import Options, generate
+    from robodyn.generation import Options, generate
 
     options = Options(
         functions=None if functions is None else listed(functions),

@@ -11,7 +11,7 @@ from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.options import load, model_options
 
 if TYPE_CHECKING:
-    from robodyn.generate import Generated
+    from robodyn.generation import Generated
 
 
 @click.command()
@@ -47,7 +47,7 @@ def command(
     """
     from robodyn.build import load as load_kernel
     from robodyn.errors import CheckError, InputError
-    from robodyn.generate import Options, generate
+    from robodyn.generation import Options, generate
     from robodyn.verify import verify
 
     if lang not in ("c", "fortran"):

@@ -19,21 +19,21 @@ if TYPE_CHECKING:
     from robodyn.build.robot_kernel import compile
     from robodyn.dynamics.through_sympy import symbolic
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
-    from robodyn.generate import Generated, Options, generate, program
+    from robodyn.generation import Generated, Options, generate, program
     from robodyn.robot import Robot, load
 
 _HOMES = {
     "CheckError": "robodyn.errors",
-    "Generated": "robodyn.generate",
+    "Generated": "robodyn.generation",
     "InputError": "robodyn.errors",
-    "Options": "robodyn.generate",
+    "Options": "robodyn.generation",
     "RobodynError": "robodyn.errors",
     "Robot": "robodyn.robot",
     "ToolError": "robodyn.errors",
     "compile": "robodyn.build.robot_kernel",
-    "generate": "robodyn.generate",
+    "generate": "robodyn.generation",
     "load": "robodyn.robot",
-    "program": "robodyn.generate",
+    "program": "robodyn.generation",
     "symbolic": "robodyn.dynamics.through_sympy",
 }
 

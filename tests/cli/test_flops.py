@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from robodyn.dynamics.functions import FORMULATIONS
-from robodyn.generate import generate
+from robodyn.generation import generate
 from robodyn.robot import bundled_names, load
 from robodyn_cli.main import main
 

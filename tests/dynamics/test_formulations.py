@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from dynamics.direct import Recorder, State, exact_arm
 from ir.programs import Point, every_value, exactly
 from robodyn import Options, load, program
-from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS, Choice, build, signature
+from robodyn.dynamics.functions import FUNCTIONS, Choice, build, signature
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.regroup import lumps_of, regrouped
@@ -25,7 +25,7 @@ from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.verify.exact import exact_torque
 
-ARMS = [exact_arm(seed, joints=1 + seed % 9) for seed in range(18)]
+ARMS = [exact_arm(seed, joints=1 + seed % 9) for seed in range(14)]
 FORMS = ("inertia", "second_moment")
 CHOICES = {
     "newton_euler": Choice("newton_euler", regroup=False, chains=False),
@@ -34,10 +34,11 @@ CHOICES = {
     "base-chains": Choice(),
 }
 WAYS = [
-    Options(formulation=formulation, regroup=regroup, optimize=level)
-    for formulation in FORMULATIONS
-    for regroup in (False, True)
-    for level in ("none", "fast")
+    Options(formulation="newton_euler", optimize="none"),
+    Options(formulation="newton_euler"),
+    Options(optimize="none"),
+    Options(regroup=False),
+    Options(),
 ]
 
 
@@ -48,7 +49,7 @@ def ids(robot: Robot) -> str:
 def test_the_arms_have_both_kinds_of_joints_and_every_number_of_them() -> None:
     assert {robot.n for robot in ARMS} == set(range(1, 10))
     kinds = [link.joint.kind for robot in ARMS for link in robot.links]
-    assert min(kinds.count("revolute"), kinds.count("prismatic")) > 20
+    assert min(kinds.count("revolute"), kinds.count("prismatic")) > 10
     assert any(link.joint.theta.quarter is None for robot in ARMS for link in robot.links)
 
 

@@ -11,7 +11,7 @@ from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import InputError, Options, load, program
 from robodyn.dynamics.mass_matrix import solve_symmetric
-from robodyn.generate import SingularArm, generate
+from robodyn.generation import SingularArm, generate
 from robodyn.ir import Graph, Input
 from robodyn.robot import Robot, read_text
 

@@ -202,7 +202,8 @@ def polynomial(n: int, *coefficients: str) -> Fraction:
 def test_table_1_1_of_closed_form_lagrange_is_the_sum_of_its_parts_one_of_them_halved(n: int) -> None:
     """The printed polynomials, part by part: each trace two full 4x4 products (128 and 96 + 3) and a sum, two
     rates with it in D_ijk; n^2 - 2 + sum of i <= j <= p transforms; gravity. The inertial traces are counted
-    n (n + 1) (n + 2) / 12 times, half of i <= j <= p: not an integer at n = 1. 1/6 n is left of the additions."""
+    n (n + 1) (n + 2) / 12 times, half of i <= j <= p: not an integer at n = 1. Of the additions 2 1/6 n are
+    left, where 2 n would join the three sums."""
     printed_mul = polynomial(n, "65/2", "1037/12", "685/4", "160/3", "-128")
     printed_add = polynomial(n, "25", "199/3", "259/2", "127/3", "-96")
     halved = Fraction(triples(n), 2)
@@ -214,8 +215,8 @@ def test_table_1_1_of_closed_form_lagrange_is_the_sum_of_its_parts_one_of_them_h
 
 @pytest.mark.parametrize("n", SIZES)
 def test_general_count_of_closed_form_lagrange(n: int) -> None:
-    """Beside the table: two rates for a D_ijk, not for each of its traces; a qdd for a D_ij; an inertial trace
-    for each i <= j <= p; (n - 1)(n - 2) / 2 transforms fewer; the entries of A (4 n); sums over links."""
+    """Beside the table: two rates for a D_ijk, not for each of its traces; a qdd for a D_ij; inertial traces
+    for all i <= j <= p; (n - 1)(n - 2) / 2 transforms fewer; the entries of A (4 n); sums over links."""
     products = 2 * quadruples(n) + 2 * triples(n) + (triples(n) + pairs(n) + n - 3)
     traces = 4 * quadruples(n) + 4 * triples(n) - pairs(n)
     assert general_count(lagrange, n, dense=True) == Count(

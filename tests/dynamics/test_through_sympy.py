@@ -14,7 +14,7 @@ from ir.programs import Point, exactly
 from robodyn import InputError, Options, load, program, symbolic
 from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS, Choice
-from robodyn.generate import generate
+from robodyn.generation import generate
 from robodyn.ir import Input
 from robodyn.ir.evaluate import angle_form, fingerprint
 from robodyn.robot import Robot

@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Final
 
-from robodyn.generate import Generated, Options, generate
+from robodyn.generation import Generated, Options, generate
 from robodyn.robot import Robot, bundled_names, load, read_text
 from robodyn_testing.random_robots import random_robot
 
@@ -90,7 +90,9 @@ def _odd(name: str, text: str) -> Robot:
 
 
 ODD: Final = tuple(_ODD)
-RANDOM: Final = tuple(f"random_{seed}" for seed in range(60, 70))
+#: Random arms by name, with their numbers of joints.
+_JOINTS: Final = dict(enumerate((3, 5, 9, 1, 2, 3, 4, 2, 6, 1), start=60))
+RANDOM: Final = tuple(f"random_{seed}" for seed in _JOINTS)
 
 
 @cache
@@ -98,7 +100,7 @@ def robots() -> dict[str, Robot]:
     """All of them by name."""
     found = {name: load(name, warn=lambda _: None) for name in bundled_names()}
     found |= {name: _odd(name, text) for name, text in _ODD.items()}
-    found |= {name: random_robot(int(name[7:]), joints=1 + int(name[7:]) % 9) for name in RANDOM}
+    found |= {f"random_{seed}": random_robot(seed, joints=n) for seed, n in _JOINTS.items()}
     return found
 
 

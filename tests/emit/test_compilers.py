@@ -25,7 +25,9 @@ from emit.kernels import (
 from robodyn_testing import require_tool
 
 #: A choice for what every robot need not be tried in.
-SOME = (*ODD, "puma560", "stanford", "tx40", *RANDOM[:3])
+SOME = (*ODD, "puma560", "stanford", *RANDOM[3:7])
+
+pytestmark = pytest.mark.xdist_group("emitted")  # one worker: the files are written once
 
 
 @pytest.fixture(scope="module")

@@ -18,10 +18,10 @@ from emit.kernels import in_single, made, robots
 from robodyn.robot import bundled_names, to_yaml
 
 ROOT = Path(__file__).parents[2]
-NAMES = ("puma560", "stanford_3dof", "ur5", "tool", "smooth", "random_62", "random_68")
+NAMES = ("puma560", "stanford_3dof", "tool", "smooth", "random_65")
 SCRIPT = """
 import hashlib, json, sys
-from robodyn.generate import Options, generate
+from robodyn.generation import Options, generate
 from robodyn.robot import read_text
 robots = json.load(sys.stdin)
 found = {}
@@ -64,15 +64,15 @@ def hashes(python: str, **environment: str) -> dict[str, str]:
     return found
 
 
-@pytest.mark.parametrize("seed", ["0", "1", "4242"])
+@pytest.mark.parametrize("seed", ["0", "4242"])
 def test_hash_seeds_make_no_difference(seed: str, tmp_path: Path) -> None:
     """Nor does the locale, the time zone, or the folder."""
-    other = {"LC_ALL": "C", "TZ": "Pacific/Auckland", "HOME": str(tmp_path)} if seed == "1" else {}
+    other = {"LC_ALL": "C", "TZ": "Pacific/Auckland", "HOME": str(tmp_path)} if seed == "0" else {}
     assert hashes(sys.executable, PYTHONHASHSEED=seed, **other) == expected()
 
 
 def test_a_second_run_in_one_process_makes_no_difference() -> None:
-    from robodyn.generate import Options, generate
+    from robodyn.generation import Options, generate
 
     for name in ("puma560", "tool"):
         again = generate(robots()[name], Options(scalar="float"))

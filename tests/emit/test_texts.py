@@ -17,7 +17,7 @@ from emit.kernels import STRICT, STRICT_CPP, STRICT_FORTRAN, complaints, in_sing
 from robodyn import InputError, Options, load
 from robodyn.emit.spelling import c_spelling, fortran_spelling, shortest
 from robodyn.emit.statements import Apply, statements
-from robodyn.generate import generate
+from robodyn.generation import generate
 from robodyn.ir import Input, Label, Operation, Program
 from robodyn.robot import Robot, read_text
 from robodyn_testing import require_tool

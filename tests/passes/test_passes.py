@@ -18,7 +18,7 @@ from ir.programs import EVERYTHING, EXACT, Point, every_value, exactly, points, 
 from robodyn import load
 from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS, Choice, build
-from robodyn.generate import SingularArm
+from robodyn.generation import SingularArm
 from robodyn.ir import Graph, Input, Label, Operand, Operation, Program
 from robodyn.ir.evaluate import fingerprint
 from robodyn.ir.graph import lower

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from robodyn.build.kernel import Kernel, load
-from robodyn.generate import Options, generate
+from robodyn.generation import Options, generate
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def compile(
     """Generate the kernels of ``robot``, compile and load them.
 
     ``functions`` (default: all that the robot has) to ``engine`` are those of
-    :class:`~robodyn.generate.Options`; ``build`` goes to :func:`robodyn.build.load` (``cc``, ``flags``,
+    :class:`~robodyn.generation.Options`; ``build`` goes to :func:`robodyn.build.load` (``cc``, ``flags``,
     ``cache``, ``mode``).
 
     Raises

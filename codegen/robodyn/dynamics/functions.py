@@ -5,18 +5,15 @@ Here a robot becomes a graph: the recursions of this room run on nodes.
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion
-from robodyn.dynamics.balafoutis import balafoutis
 from robodyn.dynamics.base_parameters import base_newton_euler
-from robodyn.dynamics.kane import kane
 from robodyn.dynamics.mass_matrix import mass_matrix, solve_symmetric
-from robodyn.dynamics.modified_newton_euler import modified_newton_euler
-from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.parallel import chain_turns, chained, single_turns
 from robodyn.dynamics.regroup import MomentForm, lumps_of, regrouped, suited_forms
 from robodyn.dynamics.slide import slid
@@ -37,13 +34,15 @@ FUNCTIONS: dict[str, tuple[tuple[str, ...], str]] = {
 }
 
 #: Formulations of the inverse dynamics, from the description as it stands.
-RECURSIONS: dict[str, Callable[[Arm, Motion, Mark], list[Any]]] = {
-    "modified_newton_euler": modified_newton_euler,
-    "newton_euler": newton_euler,
-    "balafoutis": balafoutis,
-    "kane": kane,
-}
-FORMULATIONS = tuple(RECURSIONS)
+FORMULATIONS = (
+    "modified_newton_euler",
+    "newton_euler",
+    "balafoutis",
+    "kane",
+    "lagrange_3x3",
+    "lagrange_4x4",
+    "lagrange",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,13 +160,15 @@ def exact(x: Fraction) -> Fraction | int:
 def _inverse_dynamics(
     arm: Arm, choice: Choice, trigonometry: Trigonometry
 ) -> Callable[[Motion, Mark], list[Any]]:
-    if choice.formulation not in RECURSIONS:
+    if choice.formulation not in FORMULATIONS:
         raise InputError(
             f"unknown formulation {choice.formulation!r}", expected=f"one of {', '.join(FORMULATIONS)}"
         )
     if choice.formulation != "modified_newton_euler" or not choice.regroup:
-        book = RECURSIONS[choice.formulation]
-        return lambda motion, mark: book(arm, motion, mark)
+        # A module and its function bear the formulation's name; only the one asked for is imported.
+        home = importlib.import_module(f"robodyn.dynamics.{choice.formulation}")
+        book = getattr(home, choice.formulation)
+        return lambda motion, mark: list(book(arm, motion, mark))
     forms = choice.forms or suited_forms(arm)
     lumps = regrouped(arm, forms)
 

@@ -50,7 +50,8 @@ def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
     n = len(arm.bodies)
     W, Wd, Wdd = IDENTITY_3, ZERO_3, ZERO_3
     pdd: Vector = ZERO
-    rotations, origins, slopes, turns, slides = [], [], [], [], []
+    rotations, origins, turns, slides = [], [], [], []
+    slopes: list[Matrix] = []  # dW/dq; at a prismatic joint dp/dq, a row
     for i, body in enumerate(arm.bodies):
         qd, qdd = motion.qd[i], motion.qdd[i]
         R = marked(mark, rotation(body, motion.c[i], motion.s[i]), i + 1, "R")
@@ -66,17 +67,17 @@ def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
                 times(qdd, product(W, dR)),
             )
             Wd = summed(product(Wd, R), times(qd, product(W, dR)))
-            slopes.append(marked(mark, product(W, dR), i + 1, "dW"))
+            slope = product(W, dR)
         else:
             axis: Vector = (0, -body.sin_alpha, body.cos_alpha)  # dp/dq
-            along_base = named(mark, along(W, axis), i + 1, "dp")
-            pdd = plus(pdd, scaled(2 * qd, along(Wd, axis)), scaled(qdd, along_base))
+            slope = (along(W, axis),)
+            pdd = plus(pdd, scaled(2 * qd, along(Wd, axis)), scaled(qdd, along(W, axis)))
             Wd, Wdd = product(Wd, R), product(Wdd, R)
-            slopes.append((along_base,))
         W = marked(mark, product(W, R), i + 1, "W")
         Wd = marked(mark, Wd, i + 1, "Wd")
         Wdd = marked(mark, Wdd, i + 1, "Wdd")
         pdd = named(mark, pdd, i + 1, "pdd")
+        slopes.append(marked(mark, slope, i + 1, "dW" if body.revolute else "dp"))
         rotations.append(R)
         origins.append(p)
         turns.append(Wdd)
@@ -100,7 +101,8 @@ def lagrange_3x3(arm: Arm, motion: Motion, mark: Mark = unmarked) -> list[Any]:
         if body.revolute:
             torque = trace(product(slopes[i], D)) - inner(arm.gravity, along(slopes[i], h))
         else:
-            torque = inner(slopes[i][0], plus(e, scaled(-mass, arm.gravity)))
+            (axis,) = slopes[i]
+            torque = inner(axis, plus(e, scaled(-mass, arm.gravity)))
         torques[i] = joint_torque(arm, i, motion, torque, mark)
     return torques
 

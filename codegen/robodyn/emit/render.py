@@ -151,10 +151,11 @@ def _comment(text: str) -> str:
     """``text`` from a file, made harmless inside a comment of C, C++ or Fortran: ASCII, one line, no
     comment marks, no trigraphs, no line splice."""
     text = "".join(ch if " " <= ch <= "~" else ("?" if ch > " " else " ") for ch in text)
+    text = text.replace("\\", "|")
     for mark in ("*/", "/*", "//", "??"):
         while mark in text:
             text = text.replace(mark, f"{mark[0]} {mark[1]}")
-    return text.replace("\\", "/")
+    return text
 
 
 def _c_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:

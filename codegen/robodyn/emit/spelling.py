@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -83,10 +82,9 @@ class Spelling:
 def shortest(value: Fraction, *, single: bool) -> str:
     """The shortest decimal that reads back as ``value`` rounded to double or float."""
     try:
-        double = float(value)
         if not single:
-            return repr(double)
-        (rounded,) = struct.unpack("f", struct.pack("f", double))
+            return repr(float(value))
+        rounded = nearest_float(value)
     except OverflowError:
         kind = "float" if single else "double"
         raise InputError(
@@ -96,9 +94,27 @@ def shortest(value: Fraction, *, single: bool) -> str:
         ) from None
     for digits in range(1, 10):
         text = f"{rounded:.{digits}g}"
-        if struct.unpack("f", struct.pack("f", float(text)))[0] == rounded:
-            return repr(float(text))
+        try:
+            if nearest_float(Fraction(text)) == rounded:
+                return repr(float(text))
+        except OverflowError:  # fewer digits may lie beyond the largest float
+            continue
     return repr(rounded)
+
+
+def nearest_float(value: Fraction) -> float:
+    """``value`` rounded once to IEEE single precision, ties to even; :class:`OverflowError` beyond it."""
+    if not value:
+        return 0.0
+    size = abs(value)
+    exponent = size.numerator.bit_length() - size.denominator.bit_length()  # size is near 2**exponent
+    if size < Fraction(2) ** exponent:
+        exponent -= 1
+    step = Fraction(2) ** (max(exponent, -126) - 23)  # of the 24 digits, or of the subnormal numbers
+    rounded = round(size / step) * step  # Python rounds halves to even
+    if rounded >= Fraction(2) ** 128:
+        raise OverflowError("beyond the largest float")
+    return float(rounded if value > 0 else -rounded)
 
 
 def c_spelling(*, single: bool, parameters: str = "p->") -> Spelling:

@@ -184,16 +184,18 @@ def generate(robot: Robot, options: Options | None = None) -> Generated:
                 raise
     interfaces = {f: signature(robot, f, options.scalar) for f in programs}
     described: tuple[str, ...] = ()
+    no_angle = False
     if options.trig == "given":
         layout = given_layout(list(programs.values()))
-        described = tuple(describe(given) for given in layout) or ("0, not read: there is no angle",)
+        no_angle = not layout  # C has no array of no elements: sc has one then
+        described = tuple(describe(given) for given in layout)
         programs = {f: trig_given(p, layout) for f, p in programs.items()}
-        interfaces = {f: _with_sc(interface, len(described)) for f, interface in interfaces.items()}
+        interfaces = {f: _with_sc(interface, max(1, len(layout))) for f, interface in interfaces.items()}
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),
         sc=described,
-        notes=_notes(drafts.choice),
+        notes=_notes(drafts.choice) + (("sc is not read: there is no angle.",) if no_angle else ()),
     )
     return Generated(unit, options, {f: count(p) for f, p in programs.items()})
 
@@ -210,6 +212,9 @@ _TITLES = {
     "newton_euler": "Newton-Euler",
     "balafoutis": "Balafoutis's tensor recursion",
     "kane": "Kane's equations",
+    "lagrange": "closed-form Lagrange (Uicker, Kahn)",
+    "lagrange_4x4": "recursive Lagrange with 4x4 matrices (Hollerbach)",
+    "lagrange_3x3": "recursive Lagrange with 3x3 matrices (Hollerbach)",
 }
 
 
