@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeVar
+from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
 
 import click
 
@@ -35,8 +38,46 @@ def echo_json(obj: object) -> None:
 
 
 def talk(text: str) -> None:
-    """Print `text` on stderr: for the person who watches, not for the program that reads stdout."""
-    click.echo(text, err=True)
+    """Print `text` on stderr: for the person who watches, not for the program that reads stdout.
+
+    Where stderr cannot be written, nobody watches: that is no error.
+    """
+    try:
+        click.echo(text, err=True)
+    except OSError:
+        drop(sys.stderr)
+
+
+def drop(stream: IO[str] | None) -> None:
+    """Send what `stream` still holds nowhere, lest the interpreter complain of it on its way out."""
+    if stream is None:
+        return
+    with contextlib.suppress(OSError, ValueError):  # it has no descriptor: a stand-in, of a test perhaps
+        number = stream.fileno()
+        null = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(null, number)
+        os.close(null)
+
+
+def printable(path: Path | str) -> str:
+    """`path` for a message: itself, or quoted and escaped if it holds a control character."""
+    from robodyn.robot.names import shown
+
+    text = str(path)
+    quoted = shown(text, len(text))
+    return text if quoted == f"'{text}'" else quoted
+
+
+def output_folder(text: str) -> Path:
+    """The place that the option ``-o`` names, a folder or a file.
+
+    Raises
+    ------
+    InputError: the name is empty, as that of an unset variable is.
+    """
+    if not text:
+        raise InputError("the place given with -o has an empty name", remedy="write -o . for this folder")
+    return Path(text)
 
 
 def load_robot(robot: str, *, strict: bool = False) -> Robot:
@@ -56,36 +97,54 @@ def write_files(folder: Path, files: Mapping[str, str]) -> list[Path]:
 
     All are written under temporary names beside their places first, and take their names only when all of
     them are there. On an error the temporary files, and the folders made for them, are removed again.
+    Where a symbolic link stands, the file that it leads to is written, and the link stays.
 
     Raises
     ------
     InputError: the system refused, or something that is not a file is in the way.
     """
     targets = [folder / name for name in files]
-    new_folders = _missing_folders(target.parent for target in targets)
+    ends: list[Path] = []
+    new_folders: list[Path] = []
     temporary: list[Path] = []
     path = folder
     try:
-        for path, text in zip(targets, files.values(), strict=True):
-            if path.exists() and not path.is_file():
+        for path in targets:
+            ends.append(_end_of_links(path))
+        path = folder
+        new_folders = _missing_folders(end.parent for end in ends)
+        for path, end, text in zip(targets, ends, files.values(), strict=True):
+            if end.exists() and not end.is_file():
                 raise InputError(
-                    f"cannot write {path}", found="something that is not a file there", remedy=_ELSEWHERE
+                    f"cannot write {printable(path)}",
+                    found="something that is not a file there",
+                    remedy=_ELSEWHERE,
                 )
-            path.parent.mkdir(parents=True, exist_ok=True)
-            temporary.append(path.with_name(f".{path.name}.{os.getpid()}.tmp"))
+            end.parent.mkdir(parents=True, exist_ok=True)
+            temporary.append(end.parent / f".robodyn.{os.getpid()}.{len(temporary)}.tmp")
             temporary[-1].write_text(text, encoding="utf-8", newline="\n")
-        for path, source in zip(targets, temporary, strict=True):
-            source.replace(path)
+        for path, end, source in zip(targets, ends, temporary, strict=True):  # noqa: B007 (the error names it)
+            source.replace(end)
     except BaseException as error:
         _remove(temporary, new_folders)
         if isinstance(error, OSError):
             reason = error.strerror or str(error)
-            raise InputError(f"cannot write {path}: {reason}", remedy=_ELSEWHERE) from error
+            raise InputError(f"cannot write {printable(path)}: {reason}", remedy=_ELSEWHERE) from error
         raise
     return targets
 
 
 _ELSEWHERE: Final = "choose another place with -o, or make room there"
+
+
+def _end_of_links(path: Path) -> Path:
+    """`path`, or what it leads to if it is a symbolic link, whether or not there is anything."""
+    if not path.is_symlink():
+        return path
+    end = Path(os.path.realpath(path))
+    if end.is_symlink():
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
+    return end
 
 
 def _missing_folders(folders: Iterable[Path]) -> list[Path]:
@@ -96,10 +155,12 @@ def _missing_folders(folders: Iterable[Path]) -> list[Path]:
 
 def _remove(temporary: list[Path], folders: list[Path]) -> None:
     for path in temporary:
-        path.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):  # the error that brought us here is the one to tell
+            path.unlink(missing_ok=True)
     for folder in folders:
-        if folder.is_dir() and not any(folder.iterdir()):
-            folder.rmdir()
+        with contextlib.suppress(OSError):
+            if folder.is_dir() and not any(folder.iterdir()):
+                folder.rmdir()
 
 
 def compare_files(folder: Path, files: Mapping[str, str]) -> list[str]:

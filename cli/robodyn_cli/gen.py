@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from robodyn_cli.common import compare_files, echo_json, json_option, robot_argument, talk, write_files
+from robodyn_cli.common import (
+    compare_files,
+    echo_json,
+    json_option,
+    output_folder,
+    printable,
+    robot_argument,
+    talk,
+    write_files,
+)
 from robodyn_cli.counted import lines, record
 from robodyn_cli.options import listed, load, model_options
 
 if TYPE_CHECKING:
     from robodyn.generation import Generated
+    from robodyn.robot import Robot
 
 
 @click.command()
@@ -65,8 +77,10 @@ def command(
     languages = listed(lang)
     if not languages:
         raise InputError("no language asked for", expected="c, fortran or both")
+    if len(set(languages)) != len(languages):
+        raise InputError("a language is asked for twice", found=lang)
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    made = generate(described, options)
+    made = generate(described, options, progress=_told(described))
     for function in made.left_out:
         talk(f"robodyn: note: {described.name} has no {function}: a joint moves without inertia")
     files = made.files(languages)
@@ -77,18 +91,18 @@ def command(
         files[f"{described.name}.tex"] = symbolic(
             described, choice=Choice(formulation, regroup=False)
         ).latex()
-    folder = Path(output) if output is not None else Path("generated") / described.name
+    folder = output_folder(output) if output is not None else Path("generated") / described.name
     if check:
         different = compare_files(folder, files)
         if different:
             raise CheckError(
-                f"{', '.join(str(folder / name) for name in different)}: not what robodyn generates",
+                f"{', '.join(printable(folder / name) for name in different)}: not what robodyn generates",
                 remedy="run the same command without --check",
             )
         if as_json:
             echo_json({"robot": described.name, "checked": [str(folder / name) for name in files]})
         else:
-            click.echo(f"{described.name}: {len(files)} files in {folder} are up to date")
+            click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
     built = _compiled(made, languages, explicit=lang != "c,fortran") if compile_ else None
     write_files(folder, files)
@@ -102,7 +116,7 @@ def command(
             }
         )
         return
-    click.echo(f"{described.name}: wrote {', '.join(str(folder / name) for name in files)}")
+    click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
     for line in lines(described, [(f, f, c) for f, c in made.counts.items()]):
         click.echo(line)
     for language, text in (built or {}).items():
@@ -112,7 +126,7 @@ def command(
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool) -> dict[str, Any]:
     """Build and load each language; where both are there, compare them bit by bit."""
     from robodyn.build import load as load_kernel
-    from robodyn.errors import ToolError
+    from robodyn.errors import CheckError, ToolError
 
     kernels: dict[str, Any] = {}
     said: dict[str, Any] = {}
@@ -127,9 +141,24 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool) ->
         kernels[language] = kernel
         said[language] = f"compiled with {kernel.compiler}, loaded"
     if len(kernels) == 2:
-        same = _same_bits(made, *kernels.values())
-        said["c and fortran"] = "the same bits on 100 states" if same else "DIFFERENT bits"
+        if not _same_bits(made, *kernels.values()):
+            raise CheckError(
+                "the compiled C and Fortran give different bits",
+                remedy="compile both without contraction and -ffast-math (CC, FC), or one of them (--lang)",
+            )
+        said["c and fortran"] = "the same bits on 100 states"
     return said
+
+
+#: From so many joints on a function takes long enough to be announced.
+_MANY = 12
+
+
+def _told(robot: Robot) -> Callable[[str], None] | None:
+    """What announces the functions of a long arm on a terminal; nothing in a pipe."""
+    if robot.n < _MANY or not sys.stderr.isatty():
+        return None
+    return lambda function: talk(f"robodyn: {function} of {robot.n} joints ...")
 
 
 def _same_bits(made: Generated, one: Any, other: Any) -> bool:

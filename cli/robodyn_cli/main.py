@@ -2,7 +2,7 @@
 
 A command's module is imported when the command runs, and not before: ``robodyn gen`` must not pay for what
 ``robodyn verify`` needs. Hence the table :data:`COMMANDS`, whose short helps are all that ``robodyn --help``
-reads, and hence nothing but click is imported here.
+reads, and hence nothing but click and light modules is imported here.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from typing import Final
 
 import click
 
-from robodyn.errors import InputError, RobodynError
+from robodyn.errors import RobodynError
+from robodyn_cli.common import drop, talk
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the C and Fortran of a robot's dynamics, and print the counts."),
@@ -29,6 +30,7 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
 
 HELP: Final = {"help_option_names": ["-h", "--help"]}
 INTERNAL_ERROR: Final = 70  # EX_SOFTWARE: robodyn itself is at fault
+IO_ERROR: Final = 74  # EX_IOERR: the system refused, as a full disk under stdout does
 INTERRUPTED: Final = 130  # 128 + SIGINT, what a shell reports
 PIPE_CLOSED: Final = 141  # 128 + SIGPIPE
 
@@ -95,11 +97,22 @@ def cli() -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return the exit code; `arguments` default to those of the process."""
+    _open_what_is_closed()
     if "_ROBODYN_COMPLETE" in os.environ:  # a shell asks what could follow on its command line
         from click.shell_completion import shell_complete
 
         return shell_complete(cli, {}, "robodyn", "_ROBODYN_COMPLETE", os.environ["_ROBODYN_COMPLETE"])
     return guard(lambda: _run(list(sys.argv[1:] if arguments is None else arguments)))
+
+
+def _open_what_is_closed() -> None:
+    """Let a stdout or stderr that was closed before the start (``>&-``) lead nowhere.
+
+    Else it is None, and the first file that is opened gets its descriptor.
+    """
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_WRONLY), "w", encoding="utf-8"))
 
 
 def _run(arguments: list[str]) -> None:
@@ -116,8 +129,8 @@ def guard(run: Callable[[], None]) -> int:
         run()
     except click.exceptions.Exit as leave:
         return leave.exit_code
-    except click.ClickException as error:  # wrong usage: click's own words, exit code 2
-        error.show()
+    except click.ClickException as error:  # wrong usage, exit code 2
+        _complain_of_usage(error)
         return error.exit_code
     except RobodynError as error:
         _complain(f"error: {error}")
@@ -126,17 +139,17 @@ def guard(run: Callable[[], None]) -> int:
         _complain("interrupted")
         return INTERRUPTED
     except BrokenPipeError:  # the reader, `head` perhaps, has had enough
-        _drop_stdout()
+        drop(sys.stdout)
         return PIPE_CLOSED
     except Exception as error:
         if os.environ.get("ROBODYN_DEBUG") == "1":
             import traceback
 
-            traceback.print_exc()
+            talk(traceback.format_exc().rstrip("\n"))
         if isinstance(error, OSError):  # a full disk and its like
-            _drop_stdout()
+            drop(sys.stdout)
             _complain(f"error: the system refused: {error}")
-            return InputError.exit_code
+            return IO_ERROR
         _complain(
             f"internal error: {type(error).__name__}: {error}; this is a bug in robodyn: please report "
             "it with the command, the robot file and what the command prints with ROBODYN_DEBUG=1 set"
@@ -145,13 +158,17 @@ def guard(run: Callable[[], None]) -> int:
     return 0
 
 
-def _drop_stdout() -> None:
-    """Send what stdout still holds nowhere, lest the interpreter complain of it on its way out."""
-    null = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(null, sys.stdout.fileno())
-    os.close(null)
+def _complain_of_usage(error: click.ClickException) -> None:
+    """Say what click found wrong, and where help is; ``robodyn`` alone gets the help itself."""
+    context = error.ctx if isinstance(error, click.UsageError) else None
+    if isinstance(error, getattr(click.exceptions, "NoArgsIsHelpError", ())):  # click 8.1 has none
+        talk(error.format_message())
+        return
+    command = context.command_path if context is not None else "robodyn"
+    _complain(f"error: {error.format_message().rstrip('.')} (see {command} --help)")
 
 
 def _complain(text: str) -> None:
-    """Say `text` on stderr as one line."""
-    click.echo(" ".join(f"robodyn: {text}".split()), err=True)
+    """Say `text` on stderr as one line, control characters escaped."""
+    line = " ".join(f"robodyn: {text}".split())
+    talk("".join(c if c.isprintable() else ascii(c)[1:-1] for c in line))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import click
 
 from robodyn.errors import InputError
-from robodyn_cli.common import echo_json, json_option, talk, write_files
+from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
 
 
 @click.command()
@@ -15,16 +16,10 @@ from robodyn_cli.common import echo_json, json_option, talk, write_files
 @click.option(
     "--joints", type=click.IntRange(min=1), default=6, show_default=True, metavar="N", help="How many joints."
 )
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path),
-    metavar="FILE",
-    help="Where to write it, - for stdout.  [default: NAME.yaml]",
-)
+@click.option("-o", "--output", metavar="FILE", help="Where to write it, - for stdout.  [default: NAME.yaml]")
 @click.option("--force", is_flag=True, help="Write over a file that is there already.")
 @json_option
-def command(name: str, joints: int, output: Path | None, force: bool, as_json: bool) -> None:
+def command(name: str, joints: int, output: str | None, force: bool, as_json: bool) -> None:
     """Write a commented starter file to fill in.
 
     NAME is the robot's name [default: my_robot], a C identifier: it will begin the name of every function
@@ -33,18 +28,20 @@ def command(name: str, joints: int, output: Path | None, force: bool, as_json: b
     import robodyn.robot
 
     text = robodyn.robot.starter(name, joints)
-    if output == Path("-"):
+    if output == "-":
         if as_json:
             echo_json({"name": name, "joints": joints, "text": text})
         else:
             click.echo(text, nl=False)
         return
-    path = output or Path(f"{name}.yaml")
-    if path.exists() and not force:
+    path = Path(f"{name}.yaml") if output is None else output_folder(output)
+    if os.path.lexists(path) and not force:  # a link that leads nowhere is something, too
         raise InputError(
-            f"{path} is there already", remedy="choose another place with -o, or write over it with --force"
+            f"{printable(path)} is there already",
+            remedy="choose another place with -o, or write over it with --force",
         )
     write_files(path.parent, {path.name: text})
     if as_json:
         echo_json({"name": name, "joints": joints, "path": str(path)})
-    talk(f"{path} is written: fill it in, then: robodyn gen {path}")
+    said = printable(path)
+    talk(f"{said} is written: fill it in, then: robodyn gen {said}")

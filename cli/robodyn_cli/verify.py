@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 @click.option(
     "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Sample size."
 )
-@click.option("--seed", type=int, default=0, show_default=True, help="Seed of the sample.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the sample.")
 @click.option("--scalar", default="double", show_default=True, help="double or float.")
 @click.option("--lang", default="c", show_default=True, help="c or fortran.")
 @model_options
@@ -97,7 +97,7 @@ class _Bar:
     """A progress bar on a terminal, nothing in a pipe."""
 
     def __enter__(self) -> Any:
-        if not sys.stderr.isatty():
+        if sys.stderr is None or not sys.stderr.isatty():
             return None
         self.bar: Any = None
 

@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -166,8 +166,10 @@ def program(
         ) from None
 
 
-def generate(robot: Robot, options: Options | None = None) -> Generated:
-    """The kernels of ``robot``.
+def generate(
+    robot: Robot, options: Options | None = None, *, progress: Callable[[str], None] | None = None
+) -> Generated:
+    """The kernels of ``robot``; ``progress`` is told each function before it is built.
 
     Raises
     ------
@@ -177,6 +179,8 @@ def generate(robot: Robot, options: Options | None = None) -> Generated:
     drafts = Drafts(robot, options)
     programs: dict[str, Program] = {}
     for function in options.functions or FUNCTIONS:
+        if progress is not None:
+            progress(function)
         try:
             programs[function] = program(robot, function, options, drafts)
         except SingularArm:

@@ -211,6 +211,30 @@ def test_where_the_cache_lies(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     assert default_root() == tmp_path / ".cache" / "robodyn"
 
 
+def test_a_cache_in_the_home_of_nobody(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setenv("ROBODYN_CACHE", "~no-such-user/x")
+    assert default_root() is None
+    cache = Cache()
+    assert "compiled kernels are not kept: ROBODYN_CACHE=~no-such-user/x" in caplog.text
+    assert cache.fetch("nobody", build_text).is_file()
+
+
+def test_a_relative_cache_in_a_folder_that_is_gone(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def gone() -> str:
+        raise FileNotFoundError(2, "No such file or directory")
+
+    monkeypatch.setenv("ROBODYN_CACHE", "relative")
+    monkeypatch.setattr(os, "getcwd", gone)
+    assert default_root() is None
+    cache = Cache()
+    assert "ROBODYN_CACHE=relative is relative to a folder that is gone (No such" in caplog.text
+    assert cache.fetch("gone", build_text).is_file()
+
+
 def test_a_new_folder_is_private(tmp_path: Path) -> None:
     Cache(tmp_path / "new").fetch("k", build_text)
     assert (tmp_path / "new").stat().st_mode & 0o777 == 0o700

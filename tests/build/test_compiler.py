@@ -119,6 +119,20 @@ def test_a_compiler_that_cannot_be_started(tmp_path: Path) -> None:
         find_c(str(broken))
 
 
+@pytest.mark.parametrize("until", ["toy.c", "_robodyn_"])
+def test_a_compiler_that_writes_nothing(until: str, toy: Callable[..., Any], tmp_path: Path) -> None:
+    """As /bin/true: it has a version, is content with everything, and there is no file."""
+    gcc = require_tool("gcc")
+    idle = script(
+        tmp_path, "idle", f'case "$*" in --version) echo idle 1;; *{until}*) ;; *) exec {gcc} "$@";; esac'
+    )
+    arm = toy()
+    with pytest.raises(ToolError, match=rf"compiler {idle} wrote no file at {until}.*expected {until}") as e:
+        load(arm.signatures, arm.files, cc=str(idle), mode="abi")
+    assert e.value.exit_code == 3
+    assert "\n" not in str(e.value)
+
+
 def test_broken_c_is_reported_with_place_and_reason(toy: Callable[..., Any]) -> None:
     arm = toy()
     arm.files["toy.c"] = arm.files["toy.c"].replace("tau[1] =", "tau[1] = nosuch *", 1)

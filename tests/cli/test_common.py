@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from robodyn.errors import InputError
-from robodyn_cli.common import compare_files, echo_json, load_robot, write_files
+from robodyn_cli.common import compare_files, echo_json, load_robot, output_folder, printable, write_files
 
 FILES = {"a.c": "int a;\n", "sub/b.h": "/* \u03c4 */\n"}
 
@@ -46,6 +46,38 @@ def test_folder_under_a_file(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot write"):
         write_files(tmp_path, FILES)
     assert everything(tmp_path) == {"sub": b"a file"}
+
+
+def test_a_link_stays_and_its_end_is_written(tmp_path: Path) -> None:
+    (tmp_path / "end.c").write_text("old")
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "a.c").symlink_to("../end.c")
+    assert write_files(tmp_path / "out", FILES)[0] == tmp_path / "out" / "a.c"
+    assert (tmp_path / "out" / "a.c").is_symlink()
+    assert (tmp_path / "end.c").read_text() == FILES["a.c"]
+    assert {path.name for path in tmp_path.rglob("*")} == {"end.c", "out", "a.c", "sub", "b.h"}
+
+
+def test_links_in_a_circle(tmp_path: Path) -> None:
+    (tmp_path / "a.c").symlink_to("a.c")
+    with pytest.raises(InputError, match=r"cannot write .*a\.c: Too many levels"):
+        write_files(tmp_path, FILES)
+    assert everything(tmp_path) == {}
+    assert (tmp_path / "a.c").is_symlink()
+
+
+def test_a_folder_whose_name_is_too_long(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"cannot write .*: File name too long; choose another place"):
+        write_files(tmp_path / "new" / ("x" * 300), FILES)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_names_of_places() -> None:
+    assert output_folder("some/place") == Path("some/place")
+    with pytest.raises(InputError, match="empty name"):
+        output_folder("")
+    assert printable(Path("some/place it's")) == "some/place it's"
+    assert printable("a\x1bb\n") == "'a\\x1bb\\n'"
 
 
 def test_an_error_on_the_way_leaves_nothing(tmp_path: Path) -> None:

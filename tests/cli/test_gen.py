@@ -195,7 +195,8 @@ def test_json(elsewhere: Path, capsys: Capture) -> None:
     )
     for record in found["functions"]:
         assert record.keys() >= {
-            "robot", "function", "formulation", "mul", "add", "div", "sqrt", "neg", "sincos", "total", "thesis",
+            "robot", "function", "formulation", "mul", "add", "div", "sqrt", "neg", "sincos", "total",
+            "thesis",
         }  # fmt: skip
     assert found["functions"][0]["thesis"]["mul"] == 208
     assert err == ""
@@ -450,3 +451,22 @@ def test_without_compile_no_compiler_is_looked_for(capsys: Capture, monkeypatch:
     monkeypatch.setenv("FC", "/nonexistent")
     monkeypatch.setenv("PATH", "")
     gen(capsys, "stanford_3dof")
+
+
+def test_no_name_is_no_folder(elsewhere: Path, capsys: Capture) -> None:
+    _, err = gen(capsys, "stanford_3dof", "-o", "", code=2)
+    assert "empty name" in err
+    assert list(elsewhere.iterdir()) == []
+
+
+def test_different_bits_are_a_failed_check(
+    elsewhere: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A compiler that was told to be fast and not exact: nothing is written."""
+    require_tool("gfortran")
+    import robodyn_cli.gen
+
+    monkeypatch.setattr(robodyn_cli.gen, "_same_bits", lambda *_: False)
+    _, err = gen(capsys, "stanford_3dof", "-o", "out", "--compile", code=1)
+    assert "different bits" in err
+    assert not (elsewhere / "out").exists()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import subprocess
 import sys
 from importlib import import_module
@@ -32,6 +33,12 @@ def robodyn(*arguments: str, stdout: IO[str] | int = subprocess.PIPE) -> subproc
     return subprocess.run(command, stdout=stdout, stderr=subprocess.PIPE, text=True, check=False)
 
 
+def shell(command: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run `command`, redirections and all, with DIR standing for `folder`."""
+    text = f"{shlex.quote(sys.executable)} -m robodyn {command.replace('DIR', shlex.quote(str(folder)))}"
+    return subprocess.run(["sh", "-c", text], capture_output=True, text=True, check=False)
+
+
 class TestGuard:
     @pytest.mark.parametrize(
         ("error", "code", "text"),
@@ -45,7 +52,7 @@ class TestGuard:
             (ToolError("no C compiler"), 3, "robodyn: error: no C compiler\n"),
             (KeyboardInterrupt(), 130, "robodyn: interrupted\n"),
             (click.Abort(), 130, "robodyn: interrupted\n"),
-            (click.UsageError("no such option"), 2, "Error: no such option\n"),
+            (click.UsageError("no such option"), 2, "robodyn: error: no such option (see robodyn --help)\n"),
             (click.exceptions.Exit(4), 4, ""),
         ],
         ids=lambda value: type(value).__name__ if isinstance(value, BaseException) else None,
@@ -94,8 +101,20 @@ class TestProcess:
         run = robodyn(*arguments.split())
         assert run.returncode == 2
         assert run.stdout == ""
-        assert "Error:" in run.stderr
-        assert "Traceback" not in run.stderr
+        assert run.stderr.startswith("robodyn: error: ")
+        command = "robodyn robots" if arguments.startswith("robots") else "robodyn"
+        assert run.stderr.endswith(f" (see {command} --help)\n")
+        assert len(run.stderr.splitlines()) == 1
+
+    def test_wrong_usage_is_escaped(self, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main(["robots", "a\x1b[31mb\nc"]) == 2
+        expected = "Got unexpected extra argument (a\\x1b[31mb c) (see robodyn robots --help)"
+        assert capsys.readouterr().err == f"robodyn: error: {expected}\n"
+
+    def test_no_command_gets_the_help(self) -> None:
+        run = robodyn()
+        assert "Commands:" in run.stdout + run.stderr
+        assert "robodyn: error" not in run.stderr
 
     def test_misspelt_command_gets_a_suggestion(self) -> None:
         assert "did you mean 'verify'?" in robodyn("verfy").stderr
@@ -112,9 +131,48 @@ class TestProcess:
     def test_full_disk_is_one_line(self) -> None:
         with Path("/dev/full").open("w") as full:
             run = robodyn("schema", stdout=full)
-        assert run.returncode == 2
+        assert run.returncode == 74
         assert len(run.stderr.splitlines()) == 1
         assert "No space left" in run.stderr
+
+    @pytest.mark.skipif(not Path("/dev/full").exists(), reason="missing: /dev/full; only Linux has it")
+    @pytest.mark.parametrize(
+        ("command", "code"),
+        [
+            ("gen stanford_3dof -o DIR >/dev/full", 74),
+            ("--help >/dev/full", 74),
+            ("robots >/dev/full 2>/dev/full", 74),
+            ("robots 2>/dev/full", 0),
+            ("gen nosuch 2>/dev/full", 2),
+            ("robots --nonsense 2>/dev/full", 2),
+            ("new arm -o DIR/arm.yaml 2>/dev/full", 0),
+        ],
+    )
+    def test_full_devices_keep_the_exit_code(self, command: str, code: int, tmp_path: Path) -> None:
+        assert shell(command, tmp_path).returncode == code
+
+    @pytest.mark.parametrize(
+        ("command", "code"),
+        [
+            ("robots >&-", 0),
+            ("schema >&- 2>&-", 0),
+            ("--version <&- >&- 2>&-", 0),
+            ("gen stanford_3dof -o DIR >&- 2>&-", 0),
+            ("verify stanford_3dof --seed -1 >&- 2>&-", 2),
+            ("gen nosuch 2>&-", 2),
+        ],
+    )
+    def test_closed_streams_are_quiet(self, command: str, code: int, tmp_path: Path) -> None:
+        run = shell(command, tmp_path)
+        assert (run.returncode, run.stdout, run.stderr) == (code, "", "")
+
+    def test_guard_bears_closed_streams(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        def run() -> None:
+            raise BrokenPipeError
+
+        monkeypatch.setattr(sys, "stdout", None)
+        monkeypatch.setattr(sys, "stderr", None)
+        assert guard(run) == 141
 
 
 class TestLaziness:
@@ -157,7 +215,8 @@ class TestHelp:
 
     def test_no_command_file_is_forgotten(self) -> None:
         folder = Path(frame.__file__).parent
-        files = {path.stem for path in folder.glob("*.py")} - {"__init__", "__main__", "main", "common", "counted", "options"}
+        shared = {"__init__", "__main__", "main", "common", "counted", "options"}
+        files = {path.stem for path in folder.glob("*.py")} - shared
         assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}
 
 
@@ -229,3 +288,48 @@ class TestNew:
         monkeypatch.chdir(tmp_path)
         assert main(["new", *arguments]) == 2
         assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize("force", [False, True])
+    def test_a_link_that_leads_nowhere_is_something(self, force: bool, tmp_path: Path) -> None:
+        link, end = tmp_path / "link.yaml", tmp_path / "end.yaml"
+        link.symlink_to(end)
+        assert main(["new", "arm", "-o", str(link), *["--force"] * force]) == (0 if force else 2)
+        assert link.is_symlink()
+        assert end.exists() is force
+
+    def test_refuses_an_empty_place(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        monkeypatch.chdir(tmp_path)
+        for force in ([], ["--force"]):
+            assert main(["new", "arm", "-o", "", *force]) == 2
+            err = capsys.readouterr().err
+            assert "empty name" in err
+            assert len(err.splitlines()) == 1
+        assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize("length", [250, 300])
+    def test_a_name_that_is_too_long(
+        self, length: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        path = tmp_path / ("x" * length)
+        assert main(["new", "arm", "-o", str(path)]) == (0 if length < 256 else 2)
+        said = f"robodyn: error: cannot write {path}: File name too long; choose another place with -o"
+        assert capsys.readouterr().err.startswith(said) is (length > 255)
+
+    def test_the_name_of_a_file_is_escaped(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        path = tmp_path / "a\x1b[31m\nb.yaml"
+        for code in (0, 2):
+            assert main(["new", "arm", "-o", str(path)]) == code
+            err = capsys.readouterr().err
+            assert "a\\x1b[31m\\nb.yaml" in err
+            assert "\x1b" not in err
+            assert len(err.splitlines()) == 1
+
+
+class TestVerify:
+    def test_a_negative_seed_is_bad_input(self, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main(["verify", "puma560_3dof", "--seed", "-1"]) == 2
+        err = capsys.readouterr().err
+        assert "--seed" in err
+        assert len(err.splitlines()) == 1

@@ -74,11 +74,11 @@ def test_a_budget_holds_up_to_its_limit() -> None:
     "text",
     [
         "", ",", "mul", "mul=", "=3", "mul=-1", "mul=1.5", "mul=1e3", "mul=ten", "multiplications=3", "mul=3,",
-        "mul=3 add=4", "mul=3;add=4", "mul==3", "mul=３", "mul=1_000", "mul=99999999999999999999", "Mul=3",
+        "mul=3 add=4", "mul=3;add=4", "mul==3", "mul=３", "mul=1_000", "mul=99999999999999999", "Mul=3",
     ],
 )  # fmt: skip
 def test_what_is_no_budget(text: str) -> None:
-    with pytest.raises(InputError, match="not a budget; found .*; expected KIND=NUMBER") as caught:
+    with pytest.raises(InputError, match=r"not a budget; found .*; expected KIND=NUMBER") as caught:
         parse_budget(text)
     assert "mul=208,add=152,total=360" in str(caught.value)
 

@@ -94,7 +94,7 @@ def with_named_numbers(robot: Robot, chosen: Callable[[str], bool] = lambda name
     links = []
     for i, link in enumerate(robot.links, 1):
         joint = link.joint
-        given = {
+        given: dict[str, Any] = {
             key: name(f"{key}_{i}", getattr(joint, key))
             for key in ("a", "d", "motor_inertia", "viscous", "coulomb")
         }

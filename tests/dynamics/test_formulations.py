@@ -15,18 +15,18 @@ from robodyn import Options, load, program
 from robodyn.dynamics.functions import FUNCTIONS, Choice, build, signature
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.regroup import lumps_of, regrouped
+from robodyn.dynamics.regroup import MomentForm, lumps_of, regrouped
 from robodyn.dynamics.slide import slid
 from robodyn.errors import InputError
 from robodyn.ir import Input
-from robodyn.ir.evaluate import evaluate_exact
+from robodyn.ir.evaluate import angle_form, evaluate_exact
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.verify.exact import exact_torque
 
 ARMS = [exact_arm(seed, joints=1 + seed % 9) for seed in range(14)]
-FORMS = ("inertia", "second_moment")
+FORMS: tuple[MomentForm, ...] = ("inertia", "second_moment")
 CHOICES = {
     "newton_euler": Choice("newton_euler", regroup=False, chains=False),
     "modified": Choice(regroup=False, chains=False),
@@ -180,6 +180,37 @@ def test_every_named_value_is_the_quantity_of_that_name(choice: str, function: s
                 assert (-value if label.negative else value) in known, (robot.name, str(label))
                 seen += 1
         assert seen >= robot.n - 1
+
+
+@pytest.mark.parametrize("choice", [name for name in CHOICES if name != "newton_euler"])
+def test_quantities_of_motion_mean_the_same_in_every_formulation(choice: str) -> None:
+    """``w``, ``alpha`` and ``a`` of a link: along its own axes, of its own origin, whoever computes them."""
+    for robot in [*ARMS[3:9], bundled("ur5"), bundled("stanford")]:
+        state = State(robot, Point(5))
+        arm = slid(state.arm) if CHOICES[choice].regroup else state.arm
+        plain, other = Recorder(), Recorder()
+        newton_euler(arm, state.motion(arm), plain.mark)
+        state.outputs("inverse_dynamics", CHOICES[choice], other.mark, arm)
+        for label, found in other.values.items():
+            if label.quantity in ("w", "alpha", "a", "tau"):
+                assert found == plain.values[label], (robot.name, str(label))
+        assert {label.quantity for label in other.values} >= {"w", "alpha", "a"}
+
+
+def test_sines_and_cosines_are_called_by_their_joints() -> None:
+    """``c23`` is the cosine of q2 + q3; of a longer chain ``c2to4``."""
+    seen = set()
+    for name in ("puma560", "ur5", "stanford"):
+        made = program(bundled(name), "inverse_dynamics")
+        for op, args, label in made.operations:
+            if op in ("sin", "cos"):
+                assert label is not None
+                terms, _ = angle_form(made, args[0])
+                first, *_, last = [f"{x.index + 1}" for x, _ in terms] * 2  # type: ignore[operator]
+                joints = {1: first, 2: first + last}.get(len(terms), f"{first}to{last}")
+                assert str(label) == op[0] + joints
+                seen.add(str(label))
+    assert seen >= {"c2", "c23", "s2to4", "s6"}
 
 
 def test_a_formulation_or_function_must_be_known() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
@@ -12,17 +13,19 @@ from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import Options, program
 from robodyn.dynamics.functions import FUNCTIONS
-from robodyn.ir import Input
+from robodyn.dynamics.joints import smoothed_sign
+from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate, fingerprint
 from robodyn.robot import Robot, fold_rotor, read_text
 from robodyn.robot.values import circle_point
 
 ARMS = [exact_arm(seed, joints=3, motors=0, friction=0) for seed in range(40, 44)]
 MOTOR, VISCOUS, COULOMB = (Fraction(x) for x in ("1.7", "0.9", "2.3"))
+SIGN = Program((Operation("sign", (Input("x", None),)),), (("t", (0,)),))
 WAYS = (Options(), Options(regroup=False, optimize="none"), Options(formulation="newton_euler"))
 
 
-def driven(robot: Robot, joint: int, **numbers: Fraction) -> Robot:
+def driven(robot: Robot, joint: int, **numbers: Any) -> Robot:
     """``robot`` with numbers of one joint's drive set."""
     links = list(robot.links)
     links[joint] = replace(links[joint], joint=replace(links[joint].joint, **numbers))
@@ -94,7 +97,7 @@ def test_the_links_side_in_full() -> None:
 name: arm
 torque_side: {side}
 links:
-  - {{joint: revolute, alpha: 0.3, a: 0.2, mass: 3, com: [0.1, 0.2, 0.3], inertia: {{xx: 1, yy: 1, zz: 1}}{drive}}}
+  - {{joint: revolute, alpha: 0.3, a: 0.2, mass: 3, com: [0.1, 0.2, 0.3], inertia: {{xx: 1, yy: 1}}{drive}}}
   - {{joint: prismatic, alpha: pi/2, a: 0.2, mass: 2, com: [0.1, 0.2, 0.3]{drive}}}
 """
     drive = ", motor_inertia: 2.5, friction: {viscous: 1.2, coulomb: 3}"
@@ -124,6 +127,15 @@ def test_a_rotor_folded_into_the_link_is_another_model() -> None:
     assert not same_program(folded, robot)
     unit = [Fraction(0), Fraction(0), Fraction(1)]
     assert torque(folded, Point(1), qd=zero, qdd=unit)[2] == torque(robot, Point(1), qd=zero, qdd=unit)[2]
+
+
+def test_a_sign_over_plain_numbers() -> None:
+    """As the recursion takes it where it runs on numbers instead of nodes."""
+    for velocity, way in ((Fraction(0), 0), (Fraction(1, 9), 1), (Fraction(-1, 9), -1)):
+        assert smoothed_sign(velocity, None) == way
+        assert smoothed_sign(float(velocity), None) == way
+        assert evaluate(SIGN, {Input("x", None): velocity})["t"] == [way]
+    assert smoothed_sign(0.3, 0.1) == math.tanh(0.3 / 0.1)
 
 
 # --- smooth at rest ---------------------------------------------------------------------------------------

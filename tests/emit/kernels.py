@@ -26,15 +26,18 @@ _ODD: Final = {
     # Torques that are constants, inputs that nothing reads.
     "lift": "links: [{joint: prismatic, mass: 3}]",
     "table": "links: [{joint: revolute, inertia: {xx: 1, yy: 1, zz: 1}}]",
-    "floating": "gravity: [0, 0, 0]\nlinks: [{joint: revolute, mass: 1, com: [1, 0, 0]}, {joint: prismatic, mass: 1}]",
+    "floating": """
+gravity: [0, 0, 0]
+links: [{joint: revolute, mass: 1, com: [1, 0, 0]}, {joint: prismatic, mass: 1}]
+""",
     "pendulum": "gravity: [0, -9.8, 0]\nlinks: [{joint: revolute, mass: 1, com: [1, 0, 0]}]",
     "tilted": "links: [{joint: revolute, alpha: 0.3, theta: 0.7, mass: 1, com: [1, 0, 0.1]}]",
-    "rubbing": "links: [{joint: revolute, inertia: {xx: 1, yy: 1, zz: 1}, friction: {viscous: 2, coulomb: 1.5}}]",
+    "rubbing": "links: [{joint: revolute, inertia: {zz: 1}, friction: {viscous: 2, coulomb: 1.5}}]",
     "smooth": """
 friction_at_rest: {smooth: {velocity: 0.02}}
 links:
   - {joint: revolute, alpha: pi/2, mass: 2, com: [0.1, 0, 0.2], friction: {coulomb: 3}}
-  - {joint: prismatic, alpha: pi/2, mass: 1, com: [0.1, 0, 0.2], motor_inertia: 2, friction: {coulomb: 3, viscous: 1}}
+  - {joint: prismatic, alpha: 1, mass: 1, com: [0.1, 0, 0.2], motor_inertia: 2, friction: {coulomb: 3, viscous: 1}}
 """,
     "behind_the_gear": """
 torque_side: link
@@ -59,25 +62,25 @@ links:
     "indifferent": """
 links:
   - {joint: revolute, mass: m_base, com: [0, 0, z_base], inertia: {xx: i_base, yy: 1, zz: 1}}
-  - {joint: revolute, alpha: pi/2, mass: 2, com: [0.2, 0, 0], inertia: {xx: 1, yy: 1, zz: 1}, friction: {viscous: v_2}}
+  - {joint: revolute, alpha: pi/2, mass: 2, com: [0.2, 0, 0], inertia: {zz: 1}, friction: {viscous: v_2}}
 """,
     # The longest names there may be, in the longest lines.
     "the_longest_name_that_a_robot_may_have_x": """
 links:
   - {joint: revolute, alpha: 0.1, mass: A, com: [B, C, D], inertia: {xx: E, yy: F, zz: G, xy: H}}
-  - {joint: revolute, alpha: 0.2, a: A2, d: B2, mass: C2, com: [D2, E2, F2], inertia: {xx: E, yy: F, zz: G, xz: H}}
-  - {joint: prismatic, alpha: 0.3, a: A2, d: B2, mass: C2, com: [D2, E2, F2], inertia: {xx: E, yy: F, zz: G, yz: H}}
+  - {joint: revolute, alpha: 1, a: A2, d: B2, mass: C2, com: [D2, E2, F2], inertia: {xx: E, yy: F, zz: G, xz: H}}
+  - {joint: prismatic, alpha: 2, a: A2, d: B2, mass: C2, com: [D2, E2, F2], inertia: {xx: E, yy: F, yz: H}}
 """,
     # Names of parameters that are names of other things in the emitted text.
     "confusing": """
 links:
   - {joint: revolute, alpha: 0.1, mass: q, com: [tau, w1_x, c1], inertia: {xx: rk, yy: 9 + p, zz: 9 + q}}
-  - {joint: revolute, alpha: 0.2, a: sin, mass: t1, com: [again, s1, m], inertia: {xx: confusing_params, yy: 9, zz: 9}}
+  - {joint: revolute, alpha: 0.2, a: sin, mass: t1, com: [again, s1, m], inertia: {xx: qd}}
 """,
     "huge_and_tiny": """
 links:
-  - {joint: revolute, alpha: 0.1, mass: 1e30, com: [1e-5, 3e-20, 1e7], inertia: {xx: 1e30, yy: 1e30, zz: 1e-30}}
-  - {joint: revolute, alpha: 0.2, a: 1e-9, mass: 1e-30, com: [123456789.123456789, 1, 1], inertia: {xx: 1, yy: 1, zz: 1}}
+  - {joint: revolute, alpha: 1, mass: 1e30, com: [1e-5, 3e-20, 1e7], inertia: {xx: 1e30, yy: 1e30, zz: 1e-30}}
+  - {joint: revolute, alpha: 2, a: 1e-9, mass: 1e-30, com: [123456789.123456789, 1, 1], inertia: {zz: 1}}
 """,
 }
 

@@ -85,7 +85,7 @@ def interpreters() -> list[str]:
     found: dict[str, None] = {}
     for minor in range(11, 20):
         found.setdefault(shutil.which(f"python3.{minor}") or "", None)
-    root = Path(os.environ.get("PYENV_ROOT") or os.environ.get("pyenv") or Path.home() / ".pyenv")
+    root = Path(os.environ.get("PYENV_ROOT") or Path.home() / ".pyenv")
     found.update((str(path), None) for path in sorted(root.glob("versions/3.*/bin/python3")))
     chosen: dict[str, str] = {sys.version: ""}
     for python in filter(None, found):

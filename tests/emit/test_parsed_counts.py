@@ -8,7 +8,7 @@ from dataclasses import asdict
 from typing import Any
 
 import pytest
-from pycparser import c_ast, c_parser
+from pycparser import c_ast, c_parser  # type: ignore[import-untyped]
 
 from emit.kernels import ODD, RANDOM, in_single, made, robots
 from robodyn.counts import Count
@@ -29,7 +29,7 @@ def preprocessed(files: dict[str, str]) -> str:
     return "\n".join(line for line in text.splitlines() if not line.startswith("#"))
 
 
-class Counter_:
+class BodyCount:
     """Counts the operations of one function's body."""
 
     def __init__(self, single: bool) -> None:
@@ -98,7 +98,7 @@ def counted(files: dict[str, str], single: bool) -> dict[str, Count]:
             assert isinstance(node, (c_ast.Decl, c_ast.Typedef)), "a global"
             assert not isinstance(node, c_ast.Decl) or isinstance(node.type, c_ast.FuncDecl), "a variable"
             continue
-        counter = Counter_(single)
+        counter = BodyCount(single)
         names: list[str] = []
         for statement in node.body.block_items or []:
             if isinstance(statement, c_ast.Decl):

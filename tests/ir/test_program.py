@@ -164,19 +164,28 @@ def test_the_argument_of_a_sine_must_be_an_angle() -> None:
 # --- sines of sums ----------------------------------------------------------------------------------------
 
 
-def trigonometric(build: Callable[[Graph, Any, Any], list[Any]]) -> Program:
+Build = Callable[[Graph, Any, Any], list[Any]]
+
+
+def trigonometric(build: Build) -> Program:
     graph = Graph(fold=False)
     return lower(graph, [("t", build(graph, graph.input("q", 0), graph.input("q", 1)))])
 
 
-THEOREMS: dict[str, tuple[Callable[[Graph, Any, Any], list[Any]], Callable[[Graph, Any, Any], list[Any]]]] = {
+THEOREMS: dict[str, tuple[Build, Build]] = {
     "sum": (
         lambda g, a, b: [g.sin(a + b), g.cos(a + b)],
-        lambda g, a, b: [g.sin(a) * g.cos(b) + g.cos(a) * g.sin(b), g.cos(a) * g.cos(b) - g.sin(a) * g.sin(b)],
+        lambda g, a, b: [
+            g.sin(a) * g.cos(b) + g.cos(a) * g.sin(b),
+            g.cos(a) * g.cos(b) - g.sin(a) * g.sin(b),
+        ],
     ),
     "difference": (
         lambda g, a, b: [g.sin(a - b), g.cos(b - a)],
-        lambda g, a, b: [g.sin(a) * g.cos(b) - g.cos(a) * g.sin(b), g.cos(a) * g.cos(b) + g.sin(a) * g.sin(b)],
+        lambda g, a, b: [
+            g.sin(a) * g.cos(b) - g.cos(a) * g.sin(b),
+            g.cos(a) * g.cos(b) + g.sin(a) * g.sin(b),
+        ],
     ),
     "double angle": (
         lambda g, a, b: [g.sin(a + a), g.cos(a + a)],

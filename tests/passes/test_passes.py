@@ -308,6 +308,10 @@ FACTORED: dict[str, tuple[Callable[..., list[Any]], dict[str, int]]] = {
     "the most common": (lambda a, b, c, x, y: [a * x + b * x + c * x + a * y], {"mul": 2, "add": 3}),
     "shared": (lambda a, b, c, x, y: [a * x + b * x, a * x], {"mul": 2, "add": 1}),
     "shared both": (lambda a, b, c, x, y: [a * x + b * x, a * x, b * x], {"mul": 2, "add": 1}),
+    "shared and not": (
+        lambda a, b, c, x, y: [a * x + b * x + c * x + c * y, a * x, b * x],
+        {"mul": 3, "add": 3},
+    ),
     "nothing": (lambda a, b, c, x, y: [a * x + b * y], {"mul": 2, "add": 1}),
     "twice": (lambda a, b, c, x, y: [(a * x + b * x) * y + (a * x + b * x) * c], {"mul": 2, "add": 2}),
 }  # fmt: skip
@@ -379,7 +383,7 @@ def test_minuses_go_into_subtractions_and_constants() -> None:
         lambda a, b, c, x, y: [-(2 * x)],
         lambda a, b, c, x, y: [-(a * x) - -(b * y)],
         lambda a, b, c, x, y: [a - (-x) * y],
-        lambda a, b, c, x, y: [a - 2 * (-x) * b, -(-x) + y],
+        lambda a, b, c, x, y: [a - 2 * (-x) * b, y - (-x)],
         lambda a, b, c, x, y: [-(a - b) * x],
     )
     for build_ in patterns:

@@ -85,6 +85,12 @@ BROKEN = {
     "name hides a header": ("name: ¶math\nlinks: []\n", "<math.h>"),
     "name of a device": ("name: ¶con\nlinks: []\n", "device on Windows"),
     "name too long": (f"name: ¶{'a' * 41}\nlinks: []\n", "has 41 characters, 40 are allowed"),
+    "parameter is the real type": (HEAD + "    mass: ¶arm_real\n", "begins with 'arm_'"),
+    "parameter is the struct": (
+        HEAD + "    com: [0, 0, 2*¶arm_params]\n",
+        "found 'arm_params'; choose another",
+    ),
+    "parameter is a macro": (HEAD + "    mass: ¶ARM_H\n", "begins with 'arm_'"),
     "name is empty": ("name:¶\nlinks: []\n", "has no value"),
     "name is null": ("name: ¶~\nlinks: []\n", "has no value"),
     "name is a list": ("name: ¶[arm]\nlinks: []\n", "must be a single value; found a list of 1"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import time
@@ -96,10 +97,29 @@ def test_a_file_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyP
         load("arm.yaml")
 
 
-@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="POSIX")
-def test_an_endless_file_ends() -> None:
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="POSIX")
+def test_pipes_and_devices_are_refused_unopened(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "ff")
+    for spec in ("ff", "/dev/zero", "/dev/null"):
+        with pytest.raises(InputError, match=f"^{spec}: this is not a regular file; expected a robot"):
+            load(spec)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="POSIX")
+def test_a_file_that_only_calls_itself_regular(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As /proc/kmsg does; without a writer it ends at once, with one it would wait."""
+    monkeypatch.setattr("robodyn.robot.bundled.S_ISREG", lambda _: True)
+    os.mkfifo(tmp_path / "kmsg")
+    with pytest.raises(InputError, match="kmsg:1:1: the file is empty"):
+        load("kmsg")
+    held = os.open(tmp_path / "kmsg", os.O_RDWR)
+    try:
+        with pytest.raises(InputError, match="kmsg: the file cannot be read; found nothing to read yet"):
+            load("kmsg")
+    finally:
+        os.close(held)
     with pytest.raises(InputError, match="/dev/zero: the file is too large"):
-        load("/dev/zero")
+        load("/dev/zero")  # an endless file ends
 
 
 def test_names_that_are_not_bundled() -> None:

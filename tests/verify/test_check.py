@@ -13,7 +13,7 @@ import pytest
 
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
-from robodyn.robot.model import Inertia, Joint, Link, Robot
+from robodyn.robot.model import Inertia, Joint, Limits, Link, Robot
 from robodyn.robot.values import PI, ZERO, angle, parameter
 from robodyn.verify import Reference, VerifyReport, verify
 from robodyn.verify.sample import draw
@@ -325,3 +325,27 @@ def test_given_sines_and_cosines(arm: Robot) -> None:
     assert not check(turning, kernel, trig=lambda q: np.hstack([np.cos(q), np.sin(q)])).passed
     with pytest.raises(InputError, match="takes sines and cosines; expected trig"):
         check(turning, kernel)
+
+
+@pytest.mark.parametrize("size", [10**154, 10**200, 9 * 10**307])
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_a_model_that_overflows_does_not_pass(arm: Robot, size: int, scalar: Any) -> None:
+    """Neither does it warn, which would be an error here, nor stop."""
+    first, second, third = arm.links
+    heavy = replace(third, mass=Fraction(size), joint=replace(third.joint, a=Fraction(size)))
+    robot = replace(arm, links=(first, second, heavy))
+    report = check(robot, Stand(robot, scalar))
+    assert not report.passed
+    assert {c.error for c in report.comparisons if c.function == "mass_matrix"} == {np.inf}
+    json.dumps(report.to_dict(), allow_nan=False)
+    assert "FAILED" in report.to_text()
+
+
+def test_limits_that_overflow_do_no_harm(arm: Robot) -> None:
+    huge = Fraction(10**308)
+    links = tuple(
+        replace(link, joint=replace(link.joint, limits=Limits((-huge, huge), None, None)))
+        for link in arm.links
+    )
+    robot = replace(arm, links=links)
+    assert check(robot, Stand(robot)).passed

@@ -40,3 +40,22 @@ def test_the_sample_stays_within_the_limits() -> None:
     assert sample.qdd[-3].all()
     with pytest.raises(InputError, match="nothing to compare; found 0 states"):
         draw(robot, 0, 0, np.dtype(np.float64))
+
+
+def test_very_wide_limits_are_drawn_from_the_middle() -> None:
+    robot = random_robot(1, joints=3)
+    huge = Fraction(10**308)
+    ranges = [(-huge, huge), (Fraction(5), huge), (Fraction(10**7), 17 * huge)]
+    links = tuple(
+        replace(link, joint=replace(link.joint, limits=Limits(position, huge, huge)))
+        for link, position in zip(robot.links, ranges, strict=True)
+    )
+    sample = draw(replace(robot, links=links), 500, 0, np.dtype(np.float64))
+    q = sample.q[:-4]
+    assert -1000 <= q[:, 0].min() < -900
+    assert 900 < q[:, 0].max() <= 1000
+    assert 5 <= q[:, 1].min() < 20
+    assert 900 < q[:, 1].max() <= 1000
+    assert (q[:, 2] == 1e7).all()
+    for rates in (sample.qd, sample.qdd):
+        assert 0.9e6 < np.abs(rates).max() <= 1e6

@@ -24,17 +24,31 @@ _log = logging.getLogger("robodyn.build")
 
 
 def default_root() -> Path | None:
-    """``$ROBODYN_CACHE``, else ``$XDG_CACHE_HOME/robodyn``, else ``~/.cache/robodyn``, else None."""
+    """``$ROBODYN_CACHE``, else ``$XDG_CACHE_HOME/robodyn``, else ``~/.cache/robodyn``.
+
+    None where that is nowhere: there is no home folder, or no working folder that it could lie in.
+    """
+    root = _default()
+    return root if isinstance(root, Path) else None
+
+
+def _default() -> Path | str:
+    """The folder of :func:`default_root`, or why there is none."""
     own = os.environ.get("ROBODYN_CACHE")
     if own:
-        return Path(own).expanduser().absolute()
+        try:
+            return Path(own).expanduser().absolute()
+        except RuntimeError:
+            return f"ROBODYN_CACHE={own} is in the home folder of a user that has none"
+        except OSError as error:
+            return f"ROBODYN_CACHE={own} is relative to a folder that is gone ({error.strerror})"
     shared = os.environ.get("XDG_CACHE_HOME")
     if shared and Path(shared).is_absolute():
         return Path(shared) / "robodyn"
     try:
         return Path.home() / ".cache" / "robodyn"
     except RuntimeError:
-        return None
+        return "there is no home folder"
 
 
 class Cache:
@@ -47,13 +61,10 @@ class Cache:
     """
 
     def __init__(self, root: Path | None = None) -> None:
-        wanted = root if root is not None else default_root()
-        self.reason: str | None = None
-        if wanted is None:
-            self.reason = "there is no home folder"
-        else:
-            self.reason = _unusable(wanted)
-        self.root: Path = wanted if wanted is not None and self.reason is None else _scratch(os.getpid())
+        wanted = root if root is not None else _default()
+        self.reason: str | None = _unusable(wanted) if isinstance(wanted, Path) else wanted
+        usable = isinstance(wanted, Path) and self.reason is None
+        self.root = Path(wanted) if usable else _scratch(os.getpid())
         if self.reason is not None:
             _log.warning("compiled kernels are not kept: %s", self.reason)
 

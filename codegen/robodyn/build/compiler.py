@@ -54,14 +54,16 @@ class Compiler:
     version: str
     identity: str
 
-    def run(self, arguments: Sequence[str], *, folder: Path, doing: str) -> str:
+    def run(self, arguments: Sequence[str], *, folder: Path, doing: str, target: str | None = None) -> str:
         """Run the compiler in ``folder`` and return what it said.
 
-        ``doing`` names the job in the error ("puma560.c").
+        ``doing`` names the job in the error ("puma560.c"), ``target`` the file in ``folder`` that must be
+        there afterwards.
 
         Raises
         ------
-        ToolError: the compiler cannot be started, or refuses; with the first lines of what it said.
+        ToolError: the compiler cannot be started, or refuses, with the first lines of what it said; or it
+            is content and has not written the target.
         """
         command = [*self.command, *arguments]
         code, said = _execute(command, folder)
@@ -71,12 +73,20 @@ class Compiler:
                 found=first_lines(said) or f"exit status {code} and no message",
                 remedy=f"the command was: {shlex.join(command)}",
             )
+        if target is not None and not (folder / target).is_file():
+            raise ToolError(
+                f"the {_TITLE[self.language]} compiler {self.command[0]} wrote no file at {doing}",
+                found=first_lines(said) or "exit status 0 and no message",
+                expected=target,
+                remedy=f"the command was: {shlex.join(command)}",
+            )
         return said
 
     def compile(self, source: str, *, flags: Sequence[str], folder: Path) -> str:
         """Compile ``source`` (a path in ``folder``) to a position-independent object; the object's name."""
         target = f"{source}.o"
-        self.run([*flags, "-fPIC", "-c", source, "-o", target], folder=folder, doing=source)
+        arguments = [*flags, "-fPIC", "-c", source, "-o", target]
+        self.run(arguments, folder=folder, doing=source, target=target)
         return target
 
     def link(
@@ -89,7 +99,8 @@ class Compiler:
             kind = ["-shared"]
         else:  # calls inside the library stay inside: another loaded kernel of the same robot is no matter
             kind = ["-shared", "-Wl,-Bsymbolic"]
-        self.run([*flags, *kind, *objects, "-o", library, "-lm"], folder=folder, doing=library)
+        arguments = [*flags, *kind, *objects, "-o", library, "-lm"]
+        self.run(arguments, folder=folder, doing=library, target=library)
 
 
 def find_c(cc: str | None = None) -> Compiler:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from robodyn.counts.count import Count, count
 from robodyn.emit.spelling import WIDTH, Spelling, c_spelling, fortran_spelling
 from robodyn.emit.statements import Apply, Body, Expression, statements
+from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.resources import data_dir
@@ -56,6 +57,18 @@ class Unit:
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
     """The files of ``unit`` in ``languages`` (``c``, ``fortran``): text by file name."""
+    try:
+        return _render(unit, languages)
+    except InputError as error:  # a number that does not fit
+        raise InputError(
+            f"{unit.robot.name}: {error.what}",
+            found=error.found,
+            expected=error.expected,
+            remedy=error.remedy,
+        ) from None
+
+
+def _render(unit: Unit, languages: Sequence[str]) -> dict[str, str]:
     name = unit.robot.name
     bodies = [(signature, count(program), statements(program)) for signature, program in unit.functions]
     files: dict[str, str] = {}

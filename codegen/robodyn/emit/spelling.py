@@ -79,19 +79,29 @@ class Spelling:
         return [*lines, current]
 
 
+#: The smallest normal numbers: below them digits are lost, and compilers complain.
+_SMALLEST = {True: Fraction(1, 2**126), False: Fraction(1, 2**1022)}
+
+
 def shortest(value: Fraction, *, single: bool) -> str:
-    """The shortest decimal that reads back as ``value`` rounded to double or float."""
+    """The shortest decimal that reads back as ``value`` rounded to double or float.
+
+    :class:`InputError` where the type has no normal number near it.
+    """
     try:
-        if not single:
-            return repr(float(value))
-        rounded = nearest_float(value)
+        if value and abs(value) < _SMALLEST[single]:
+            raise OverflowError("below the smallest normal number")
+        rounded = nearest_float(value) if single else float(value)
     except OverflowError:
         kind = "float" if single else "double"
         raise InputError(
-            f"a constant of the model does not fit into a {kind}",
+            f"a number that follows from the robot's does not fit into a {kind}",
             found=f"about 1e{len(str(abs(value.numerator))) - len(str(value.denominator))}",
+            expected=f"its size between {'1.2e-38 and 3.4e38' if single else '2.3e-308 and 1.7e308'}",
             remedy="check the units of the robot file" + (" or use --scalar double" if single else ""),
         ) from None
+    if not single:
+        return repr(rounded)
     for digits in range(1, 10):
         text = f"{rounded:.{digits}g}"
         try:

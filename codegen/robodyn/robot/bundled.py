@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import difflib
+import errno
 import os
 from pathlib import Path
+from stat import S_ISDIR, S_ISREG
 
 from robodyn.errors import InputError, Place
 from robodyn.resources import data_dir
@@ -53,12 +55,12 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     # What a file system allows and a terminal does not print is escaped in messages.
     label = ascii(name)[1:-1] if text_fault(name) else name
     try:
-        data = _start_of(Path(name))
+        data = _start_of(Path(name), label)
     except (FileNotFoundError, NotADirectoryError, IsADirectoryError, ValueError):
         path = _bundled_path(name)  # a folder of that name does not hide the robot
         if path is None:
             raise _not_there(name, label) from None
-        data, label = _start_of(path), path.name
+        data, label = _start_of(path, path.name), path.name
     except OSError as error:
         raise InputError(
             "the file cannot be read", where=Place(label), found=(error.strerror or str(error)).lower()
@@ -66,10 +68,31 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     return read_bytes(data, label, strict=strict, warn=warn)
 
 
-def _start_of(path: Path) -> bytes:
-    """The file's bytes, one more than are allowed at most: an endless file ends here too."""
-    with path.open("rb") as file:
-        return file.read(FILE_SIZE + 1)
+def _start_of(path: Path, label: str) -> bytes:
+    """The file's bytes, one more than are allowed at most. Nothing is waited for.
+
+    A pipe or a device is not even opened. Some files of /proc call themselves regular and make a reader
+    wait all the same: there the open file is told not to, and :class:`BlockingIOError` says it.
+    """
+    mode = path.stat().st_mode
+    if not S_ISREG(mode) and not S_ISDIR(mode):
+        raise InputError(
+            "this is not a regular file", where=Place(label), expected="a robot description, such as arm.yaml"
+        )
+    with open(path, "rb", buffering=0, opener=_without_waiting) as file:
+        data = b""
+        while len(data) <= FILE_SIZE:
+            piece = file.read(FILE_SIZE + 1 - len(data))
+            if piece is None:
+                raise BlockingIOError(errno.EAGAIN, "nothing to read yet")
+            if not piece:
+                break
+            data += piece
+        return data
+
+
+def _without_waiting(path: str, flags: int) -> int:
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _bundled_path(name: str) -> Path | None:

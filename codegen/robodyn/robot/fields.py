@@ -235,9 +235,16 @@ class Section:
             return angle(ZERO)
         value = self._parse(node, self.keys[name], self.path(name)).value
         assert isinstance(value, Fraction)
+        text = numbers.brief(value)
+        if abs(value) > 1_000_000:
+            self.source.fail(
+                node,
+                f"{self.path(name)} is no angle",
+                found=f"{text} rad",
+                expected="an angle in rad, such as -pi/2",
+            )
         read = angle(value)
-        if abs(read.radians) > 6.2832:
-            text = numbers.brief(value)
+        if abs(value) > Fraction("6.2832"):
             self.source.doubt(
                 node,
                 f"{self.path(name)} = {text} rad is more than one turn",

@@ -114,7 +114,7 @@ def parameter_name_fault(name: str) -> str | None:
     """What keeps ``name`` from being a run-time parameter's name, or None.
 
     A parameter is a member of the struct ``NAME_params`` (``p->m_tool``, in Fortran ``p%m_tool``), so
-    only keywords and macros can clash.
+    only keywords and macros can clash, and what :func:`parameter_clash` tells.
     """
     if name.lower() in _VALUE_WORDS:
         return "is not a number, nor free to be a name"
@@ -122,6 +122,17 @@ def parameter_name_fault(name: str) -> str | None:
     if fault is None and name in _MACROS.split():
         fault = "is a macro of the C library"
     return fault
+
+
+def parameter_clash(name: str, robot: str) -> str | None:
+    """What keeps the parameter ``name`` out of a robot of the name ``robot``, or None.
+
+    Every type, function and macro of the emitted files begins with ``robot_``: as a member,
+    ``arm_real arm_real`` is no C++.
+    """
+    if name.lower().startswith(f"{robot}_".lower()):
+        return f"begins with '{robot}_', as the names in the emitted files do"
+    return None
 
 
 def text_fault(text: str) -> str | None:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
+from robodyn.errors import InputError
 from robodyn.robot import numbers
 from robodyn.robot.dh import from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
@@ -14,7 +15,7 @@ from robodyn.robot.doubts import inertia_doubt, only_about_base_axis
 from robodyn.robot.fields import Section, Source, expectation
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT
 from robodyn.robot.model import Comparison, Inertia, Joint, JointKind, Limits, Link, Robot
-from robodyn.robot.names import ROBOT_NAME_EXPECTED, robot_name_fault, shown
+from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
 
 Warn = Callable[[str], object]
 
@@ -59,6 +60,7 @@ def _robot(section: Section) -> Robot:
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
     convention = section.choice("convention") or "mdh"
     links = _links(section, convention)
+    _refuse_clashes(section.source, name)
     side = section.choice("torque_side")
     rest = _rest_velocity(section)
     _refuse_effects(section)
@@ -82,6 +84,18 @@ def _robot_name(section: Section) -> str:
             remedy="choose another name; 'title' takes any text",
         )
     return node.text
+
+
+def _refuse_clashes(source: Source, robot: str) -> None:
+    for name, place in source.names.values():
+        fault = parameter_clash(name, robot)
+        if fault:
+            raise InputError(
+                f"the run-time parameter {fault}",
+                where=place,
+                found=shown(name),
+                remedy="choose another name",
+            )
 
 
 def _links(section: Section, convention: str) -> tuple[Link, ...]:

@@ -131,7 +131,13 @@ def quarter_turns(quarter: int) -> Angle:
 
 
 def angle(radians: Fraction) -> Angle:
-    """The angle of ``radians``; within 1e-12 of a multiple of pi/2 it is exactly that."""
+    """The angle of ``radians``; within 1e-12 of a multiple of pi/2 it is exactly that.
+
+    Whole turns are taken off first, exactly: a kernel adds the angle to a joint's, and a large one would
+    cost the joint's digits.
+    """
+    if abs(radians) > 2 * PI:
+        radians -= 2 * PI * round(radians / (2 * PI))
     quarter = round(radians / (PI / 2))
     if abs(radians - quarter * PI / 2) <= Fraction(1, 10**12):
         return quarter_turns(quarter)

@@ -4,7 +4,7 @@ The yardstick of torques is T, the largest torque (in absolute value, over all j
 inverse dynamics needs anywhere in the sample; of mass matrices it is the largest entry in the sample. The
 **error** of a comparison is the largest difference of any joint at any state, divided by its yardstick. It
 must not exceed the tolerance: 1e-10 in double, 1e-5 in single precision. A number that is not finite where
-the reference's is counts as infinitely wrong.
+the reference's is counts as infinitely wrong; so does everything where the yardstick overflows.
 
 Forward dynamics is judged by its torque: the accelerations that the kernel gives are put into the reference's
 inverse dynamics and must need the torque that the kernel was given. (A direct comparison would measure the
@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Robot
 from robodyn.verify.lagrangian import LIMIT
+from robodyn.verify.numbers import real
 from robodyn.verify.oracles import (
     Oracle,
     differences,
@@ -48,6 +49,7 @@ Trig = Callable[[Floats], Floats]
 _KNOWN = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 
 
+@np.errstate(all="ignore")  # what overflows is judged, not warned of
 def verify(
     robot: Robot,
     kernel: Kernel,
@@ -223,7 +225,7 @@ class _Run:
             against=oracle.name,
             states=len(places),
             left_out=left_out,
-            error=largest / yardstick if yardstick > 0 else (0.0 if largest == 0 else np.inf),
+            error=_relative(largest, yardstick),
             tolerance=self.tolerance,
             joint=int(worst[1]) + 1,
             column=int(worst[2]) + 1 if error.ndim == 3 else None,
@@ -237,10 +239,17 @@ class _Run:
 
     def _ulps(self, error: Floats, expected: NDArray[Any], yardstick: float) -> float:
         """The largest error in units in the last place of each joint's largest torque."""
-        sizes = np.abs(expected).astype(np.float64)
+        sizes = np.reshape([real(abs(x)) for x in expected.flat], expected.shape)
         unit = sizes.max(axis=0) if error.ndim == 2 else np.full(sizes.shape[1:], yardstick)
         unit = np.where(unit > 0, unit, yardstick if yardstick > 0 else 1.0)
-        return float((error / np.spacing(unit.astype(self.kernel.dtype)).astype(np.float64)).max())
+        found = float((error / np.spacing(unit.astype(self.kernel.dtype)).astype(np.float64)).max())
+        return np.inf if np.isnan(found) else found
+
+
+def _relative(error: float, yardstick: float) -> float:
+    if not np.isfinite(yardstick):
+        return np.inf
+    return error / yardstick if yardstick > 0 else (0.0 if error == 0 else np.inf)
 
 
 def _regular(matrix: Floats, dtype: np.dtype[Any]) -> NDArray[np.bool_]:
@@ -248,5 +257,10 @@ def _regular(matrix: Floats, dtype: np.dtype[Any]) -> NDArray[np.bool_]:
     diagonal = np.einsum("kii->ki", matrix)
     fit = (diagonal > 0).all(axis=1)
     scale = 1 / np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
-    condition = np.linalg.cond(matrix * scale[:, :, None] * scale[:, None, :])
+    scaled = matrix * scale[:, :, None] * scale[:, None, :]
+    fit &= np.isfinite(scaled).all(axis=(1, 2))
+    try:
+        condition = np.linalg.cond(np.where(fit[:, None, None], scaled, 0.0))
+    except np.linalg.LinAlgError:
+        return np.zeros(len(matrix), np.bool_)
     return np.asarray(fit & (condition < 0.01 / float(np.finfo(dtype).eps)))

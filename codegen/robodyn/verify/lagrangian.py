@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Joint, Robot
 from robodyn.robot.values import Value
-from robodyn.verify.numbers import Parameters, filled, number
+from robodyn.verify.numbers import Parameters, filled, number, real
 
 #: Joints up to which the oracle is quick whatever the angles: at most a second or two. Twists that are
 #: multiples of pi/2 are easy (six joints: some seconds), general ones are not (four joints: half a minute).
@@ -166,13 +166,13 @@ def _mul(A: Matrix, B: Matrix) -> Matrix:
 def _terms(polynomial: Any) -> tuple[NDArray[np.intp], Floats]:
     """Exponents ``[terms, generators]`` and coefficients ``[terms]``."""
     terms = polynomial.terms() or [((0,) * polynomial.ring.ngens, 0)]
-    coefficients = [int(c.numerator) / int(c.denominator) if c else 0.0 for _, c in terms]
+    coefficients = [real(Fraction(int(c.numerator), int(c.denominator))) if c else 0.0 for _, c in terms]
     return np.array([list(powers) for powers, _ in terms], np.intp), np.array(coefficients)
 
 
 def _callable(robot: Robot, values: Parameters, torques: Sequence[tuple[NDArray[np.intp], Floats]]) -> Torque:
-    viscous = np.array([float(number(link.joint.viscous, values)) for link in robot.links])
-    coulomb = np.array([float(number(link.joint.coulomb, values)) for link in robot.links])
+    viscous = np.array([real(number(link.joint.viscous, values)) for link in robot.links])
+    coulomb = np.array([real(number(link.joint.coulomb, values)) for link in robot.links])
     rest = None if robot.rest_velocity is None else float(robot.rest_velocity)
 
     def torque(q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> Floats:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from fractions import Fraction
 
@@ -19,6 +20,14 @@ def number(value: Value, parameters: Parameters) -> Fraction:
         terms = (coefficient * Fraction(float(parameters[name])) for name, coefficient in value.terms)
         return value.constant + sum(terms, Fraction(0))
     return value
+
+
+def real(value: Fraction) -> float:
+    """``value`` as a double; infinite where it is beyond the largest one."""
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
 
 
 def filled(robot: Robot, parameters: Parameters | None) -> Parameters:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from robodyn.robot.model import Robot
 from robodyn.verify.exact import exact_torque
 from robodyn.verify.lagrangian import lagrangian
-from robodyn.verify.numbers import Parameters
+from robodyn.verify.numbers import Parameters, real
 from robodyn.verify.reference import Floats, Reference
 
 #: float64, or Fractions in an array of objects.
@@ -84,5 +84,5 @@ def differences(actual: Floats, expected: Numbers) -> Floats:
     result = np.full(actual.shape, np.inf)
     for place in np.ndindex(actual.shape):
         if np.isfinite(actual[place]):
-            result[place] = float(abs(Fraction(float(actual[place])) - expected[place]))
+            result[place] = real(abs(Fraction(float(actual[place])) - expected[place]))
     return result

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from robodyn.errors import InputError
 from robodyn.robot.model import Link, Robot
 from robodyn.verify.numbers import Parameters, filled, number
+from robodyn.verify.numbers import real as rounded
 
 Floats = NDArray[np.float64]
 
@@ -196,7 +197,7 @@ def _cross(x: Floats, y: Floats) -> Floats:
 
 def _body(link: Link, parameters: Parameters) -> _Body:
     def real(value: Any) -> float:
-        return float(number(value, parameters))
+        return rounded(number(value, parameters))
 
     joint, i = link.joint, link.inertia
     tensor = [[i.xx, i.xy, i.xz], [i.xy, i.yy, i.yz], [i.xz, i.yz, i.zz]]

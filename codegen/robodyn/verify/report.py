@@ -96,7 +96,7 @@ class VerifyReport:
             "passed": self.passed,
             "states": self.states,
             "seed": self.seed,
-            "largest_torque": self.largest_torque,
+            "largest_torque": _finite(self.largest_torque),
             "parameters": dict(self.parameters),
             "comparisons": [c.to_dict() for c in self.comparisons],
             "skipped": dict(self.skipped),

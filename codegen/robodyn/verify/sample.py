@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from robodyn.errors import InputError
 from robodyn.robot.model import Joint, Robot
-from robodyn.verify.numbers import Parameters, filled
+from robodyn.verify.numbers import Parameters, filled, real
 from robodyn.verify.reference import Floats
 
+# However wide the limits are: an angle of many turns loses the digits of its offset, and what is squared must
+# stay a number.
+_FARTHEST = (Fraction(10**3), Fraction(10**6), Fraction(10**6))  # q, qd, qdd
 _REST = 4  # how many states of a sample have joints at rest
 
 
@@ -31,8 +35,9 @@ class Sample:
 def draw(robot: Robot, states: int, seed: int, dtype: np.dtype[Any]) -> Sample:
     """``states`` random states within the joints' limits.
 
-    Where a limit is not stated, q is within pi or 0.5 m, qd within 3, qdd within 10 (SI). Of twenty
-    states or more the last four are at rest, where friction and terms that multiply a velocity show
+    Where a limit is not stated, q is within pi or 0.5 m, qd within 3, qdd within 10 (SI). Of limits that are
+    very wide only the middle is used: q within 1e3, qd and qdd within 1e6, as far as the limits allow it. Of
+    twenty states or more the last four are at rest, where friction and terms that multiply a velocity show
     themselves: nothing moves; likewise with q = 0; nothing moves but accelerates; steady motion.
 
     Raises
@@ -82,8 +87,11 @@ def draw_parameters(
 def _bounds(joint: Joint) -> list[tuple[float, float]]:
     """Bounds of q, qd and qdd."""
     limits = joint.limits
-    reach = 0.5 if joint.kind == "prismatic" else math.pi
-    position = limits.position or (-reach, reach)
-    speed = 3.0 if limits.velocity is None else float(limits.velocity)
-    rate = 10.0 if limits.acceleration is None else float(limits.acceleration)
-    return [(float(position[0]), float(position[1])), (-speed, speed), (-rate, rate)]
+    reach = Fraction(0.5 if joint.kind == "prismatic" else math.pi)
+    speed = Fraction(3) if limits.velocity is None else limits.velocity
+    rate = Fraction(10) if limits.acceleration is None else limits.acceleration
+    stated = (limits.position or (-reach, reach), (-speed, speed), (-rate, rate))
+    return [
+        (real(max(low, min(high, -far))), real(min(high, max(low, far))))
+        for (low, high), far in zip(stated, _FARTHEST, strict=True)
+    ]
