@@ -161,7 +161,7 @@ def test_sympy_is_no_smaller() -> None:
     """What the graph is for: no more operations than sympy's ``cse`` leaves, and usually fewer."""
     for name in ("stanford_3dof", "puma560_3dof", "stanford"):
         graph, through = (
-            count(program(bundled(name), "inverse_dynamics", Options(engine=engine)))  # type: ignore[arg-type]
+            count(program(bundled(name), "inverse_dynamics", Options(engine=engine)))
             for engine in ("graph", "sympy")
         )
         assert graph.total <= through.total

@@ -37,7 +37,7 @@ links: [{joint: revolute, mass: 1, com: [1, 0, 0]}, {joint: prismatic, mass: 1}]
 friction_at_rest: {smooth: {velocity: 0.02}}
 links:
   - {joint: revolute, alpha: pi/2, mass: 2, com: [0.1, 0, 0.2], friction: {coulomb: 3}}
-  - {joint: prismatic, alpha: 1, mass: 1, com: [0.1, 0, 0.2], motor_inertia: 2, friction: {coulomb: 3, viscous: 1}}
+  - {joint: prismatic, alpha: 1, mass: 1, com: [0.1, 0, 0.2], motor_inertia: 2, friction: {coulomb: 3}}
 """,
     "behind_the_gear": """
 torque_side: link
@@ -68,7 +68,7 @@ links:
     "the_longest_name_that_a_robot_may_have_x": """
 links:
   - {joint: revolute, alpha: 0.1, mass: A, com: [B, C, D], inertia: {xx: E, yy: F, zz: G, xy: H}}
-  - {joint: revolute, alpha: 1, a: A2, d: B2, mass: C2, com: [D2, E2, F2], inertia: {xx: E, yy: F, zz: G, xz: H}}
+  - {joint: revolute, alpha: 1, a: A2, d: B2, mass: C2, com: [D2, E2, F2], inertia: {xx: E, yy: F, xz: H}}
   - {joint: prismatic, alpha: 2, a: A2, d: B2, mass: C2, com: [D2, E2, F2], inertia: {xx: E, yy: F, yz: H}}
 """,
     # Names of parameters that are names of other things in the emitted text.

@@ -116,8 +116,8 @@ def test_given_sines_give_the_same_bits(name: str) -> None:
         for x, multiple in terms:  # in the kernel's order: no other sum has its bits
             total = total + multiple * inputs["q"][:, x.index]
         total = total + float(constant)
-        function = {"cos": math.cos, "sin": math.sin, "q": float}[kind]  # numpy's own sine has other bits
-        columns.append(np.array([function(float(x)) for x in total]))
+        element = {"cos": math.cos, "sin": math.sin, "q": float}[kind]  # numpy's own sine has other bits
+        columns.append(np.array([element(float(x)) for x in total]))
     inputs["sc"] = np.stack(columns, axis=1)
     for function in plain.functions:
         one, two = (run(kernel, function, inputs, name) for kernel in (plain, given))

@@ -379,7 +379,7 @@ def test_options_and_languages_must_be_known() -> None:
         ({"functions": ("gravity", "gravity")}, "twice"),
     ):
         with pytest.raises(InputError, match=message):
-            Options(**wrong)  # type: ignore[arg-type]
+            Options(**wrong)
     with pytest.raises(InputError, match=r"unknown language 'fortan'.*did you mean 'fortran'"):
         made("lift").files(("fortan",))
     assert set(in_single(made("lift")).files(("fortran",))) == {"lift.f90"}

@@ -128,10 +128,8 @@ def programs(draw: st.DrawFn, ops: tuple[str, ...] = EXACT, most: int = 14, labe
         return {x: 1} if isinstance(x, Input) else {}
 
     def angle() -> Operand:
-        whole = list(linear)
-        if whole and draw(st.booleans()):
-            return draw(st.sampled_from(whole))
-        return draw(st.one_of(st.sampled_from(ANGLES), _CONSTANTS))
+        leaf: st.SearchStrategy[Operand] = st.one_of(st.sampled_from(ANGLES), _CONSTANTS)
+        return draw(st.one_of(st.sampled_from(list(linear)), leaf) if linear else leaf)
 
     for i in range(size):
         op = draw(st.sampled_from(ops))

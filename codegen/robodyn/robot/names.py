@@ -127,11 +127,11 @@ def parameter_name_fault(name: str) -> str | None:
 def parameter_clash(name: str, robot: str) -> str | None:
     """What keeps the parameter ``name`` out of a robot of the name ``robot``, or None.
 
-    Every type, function and macro of the emitted files begins with ``robot_``: as a member,
-    ``arm_real arm_real`` is no C++.
+    The emitted files' types and include guard have these names: as a member, ``arm_real arm_real`` is no
+    C++, and ``ARM_H`` is nothing at all.
     """
-    if name.lower().startswith(f"{robot}_".lower()):
-        return f"begins with '{robot}_', as the names in the emitted files do"
+    if name.lower() in (f"{robot}_{end}".lower() for end in ("real", "params", "h")):
+        return "is a name of the emitted files"
     return None
 
 

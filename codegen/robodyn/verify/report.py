@@ -133,7 +133,7 @@ class VerifyReport:
 def _row(c: Comparison) -> tuple[str, ...]:
     joint = str(c.joint) if c.column is None else f"{c.joint},{c.column}"
     states = str(c.states) if not c.left_out else f"{c.states} (-{c.left_out})"
-    ulps = "" if c.ulps is None else f"{c.ulps:.1f}"
+    ulps = "" if c.ulps is None else f"{c.ulps:{'.1f' if c.ulps < 1e6 else '.1e'}}"
     verdict = "" if c.passed else "FAILED"
     return (
         c.function,
