@@ -94,7 +94,7 @@ def _odd(name: str, text: str) -> Robot:
 
 ODD: Final = tuple(_ODD)
 #: Random arms by name, with their numbers of joints.
-_JOINTS: Final = dict(enumerate((3, 5, 9, 1, 2, 3, 4, 2, 6, 1), start=60))
+_JOINTS: Final = dict(enumerate((3, 5, 7, 1, 2, 3, 4, 2, 5, 1), start=60))
 RANDOM: Final = tuple(f"random_{seed}" for seed in _JOINTS)
 
 

@@ -135,8 +135,11 @@ def structure(files: dict[str, str]) -> str:
 def test_the_text_has_the_operations_that_are_counted(name: str, trig: str) -> None:
     generated = made(name, trig)
     single = in_single(generated)
-    files, files_in_single = (g.files(("c",)) for g in (generated, single))
+    files = generated.files(("c",))
     assert counted(files, single=False) == by_symbol(generated)
+    if name == "huge_and_tiny":  # in float its numbers are none
+        return
+    files_in_single = single.files(("c",))
     if name in (*ODD, "puma560", "stanford"):  # the others: the same text but for the literals
         assert counted(files_in_single, single=True) == by_symbol(generated)
     assert structure(files_in_single).split() == structure(files).split()

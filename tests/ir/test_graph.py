@@ -44,7 +44,7 @@ def exact_or_reject(program: Program, at: Point) -> list[Fraction]:
 # --- arithmetic -------------------------------------------------------------------------------------------
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=70)
 @given(programs(ARITHMETIC), points, st.booleans())
 def test_arithmetic_is_that_of_fractions(program: Program, at: Point, fold: bool) -> None:
     try:
@@ -56,7 +56,7 @@ def test_arithmetic_is_that_of_fractions(program: Program, at: Point, fold: bool
     assert results(lower(graph, [("all", values)]), at) == direct
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=70)
 @given(programs(EXACT), points, st.booleans())
 def test_replay_and_operators_build_the_same_nodes(program: Program, at: Point, fold: bool) -> None:
     expected = exact_or_reject(program, at)
@@ -68,7 +68,7 @@ def test_replay_and_operators_build_the_same_nodes(program: Program, at: Point, 
     assert results(lower(graph, [("all", by_operators)]), at) == expected
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=70)
 @given(programs(EXACT), points, st.booleans(), st.data())
 def test_any_choice_of_stored_signs_means_the_same(
     program: Program, at: Point, fold: bool, data: st.DataObject
@@ -273,7 +273,7 @@ def test_the_first_label_stays_and_leaves_have_none() -> None:
     assert [op.label for op in program.operations] == [Label(1, "w", "x"), Label(3, "n", "z", negative=True)]
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=70)
 @given(programs(EXACT))
 def test_only_what_is_needed_is_written_out(program: Program) -> None:
     graph = Graph()

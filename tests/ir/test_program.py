@@ -89,7 +89,7 @@ def test_symbols_of_a_signature() -> None:
 # --- evaluation over any scalar ---------------------------------------------------------------------------
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=70)
 @given(programs(EXACT), points)
 def test_evaluate_does_what_the_operators_do(made: Program, at: Point) -> None:
     numbers = {x: float(at.number(x)) for x in made.inputs()}
@@ -137,7 +137,7 @@ def test_evaluate_over_sympy_gives_expressions() -> None:
     assert found == exactly(made, at)["tau"]
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=70)
 @given(st.integers(-3, 3), st.integers(-3, 3), st.fractions(-7, 7, max_denominator=30))
 def test_angle_forms(m: int, n: int, constant: Fraction) -> None:
     graph = Graph(fold=False)
@@ -252,7 +252,7 @@ def print_or_reject(made: Program, seed: int = 1) -> tuple[int, ...]:
         reject()
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=70)
 @given(programs(EVERYTHING), st.integers(0, 99), st.booleans())
 def test_the_same_function_has_the_same_fingerprint(made: Program, seed: int, fold: bool) -> None:
     expected = print_or_reject(made, seed)
@@ -263,7 +263,7 @@ def test_the_same_function_has_the_same_fingerprint(made: Program, seed: int, fo
     assert all(0 <= x < PRIME for x in expected)
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=70)
 @given(programs(EXACT), points, st.integers(0, 99))
 def test_fingerprints_differ_exactly_where_values_do(made: Program, at: Point, seed: int) -> None:
     """Pairs of results, each with each: equal in the field, equal as fractions, and the other way round.
