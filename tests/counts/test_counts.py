@@ -74,7 +74,7 @@ def test_a_budget_holds_up_to_its_limit() -> None:
     "text",
     [
         "", ",", "mul", "mul=", "=3", "mul=-1", "mul=1.5", "mul=1e3", "mul=ten", "multiplications=3",
-        "mul=3,", "mul=3 add=4", "mul=3;add=4", "mul==3", "mul=３", "mul=1_000", "mul=9999999999999999", "Mul=3",
+        "mul=3,", "mul=3 add=4", "mul=3;add=4", "mul==3", "mul=３", "mul=1_000", "mul=9999999999", "Mul=3",
     ],
 )  # fmt: skip
 def test_what_is_no_budget(text: str) -> None:
