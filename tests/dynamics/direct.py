@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, Final
+
+from hypothesis import Phase
 
 from ir.programs import Point
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
@@ -15,6 +17,9 @@ from robodyn.ir import Input, Label
 from robodyn.robot import Robot
 from robodyn.robot.values import Value, parameter
 from robodyn_testing.random_robots import random_robot
+
+#: For properties of random arms: a smaller seed is no simpler arm, and looking for one takes minutes.
+NO_SHRINKING: Final = (Phase.explicit, Phase.reuse, Phase.generate)
 
 
 class State:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics.direct import Recorder, State, exact_arm
+from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm
 from ir.programs import Point, every_value, exactly
 from robodyn import Options, load, program
 from robodyn.dynamics.functions import FUNCTIONS, Choice, build, signature
@@ -56,7 +56,7 @@ def test_the_arms_have_both_kinds_of_joints_and_every_number_of_them() -> None:
 # --- on fractions -----------------------------------------------------------------------------------------
 
 
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=40, phases=NO_SHRINKING)
 @given(st.integers(0, 10**6), st.integers(1, 6), st.integers(0, 10**6), st.booleans(), st.data())
 def test_three_recursions_give_the_same_fractions(
     seed: int, n: int, point: int, parallel: bool, data: st.DataObject

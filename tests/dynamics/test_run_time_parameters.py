@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics.direct import exact_arm, values_of, with_named_numbers
+from dynamics.direct import NO_SHRINKING, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, exactly
 from robodyn import Options, load, program
 from robodyn.dynamics.functions import FUNCTIONS
@@ -68,7 +68,7 @@ def test_arithmetic_with_names() -> None:
     assert found == exactly(program(filled(NUMBERS), "inverse_dynamics"), Point(2))
 
 
-@settings(deadline=None, max_examples=15)
+@settings(deadline=None, max_examples=15, phases=NO_SHRINKING)
 @given(st.integers(0, 10**6), st.integers(1, 4), st.integers(1, 2**32), st.sampled_from(sorted(FUNCTIONS)))
 def test_any_choice_of_names_gives_what_the_numbers_give(
     seed: int, n: int, which: int, function: str
