@@ -70,7 +70,7 @@ class Angle:
 
     ``radians`` is the angle rounded to double. For a multiple of pi/2 cosine and sine are 0 or +-1
     and ``quarter`` is the multiple; any other angle is replaced by a rational point of the circle
-    within 1e-30 of it, so that every identity of rotations holds exactly.
+    within 1e-30 of ``radians``, so that every identity of rotations holds exactly.
     """
 
     radians: float
