@@ -38,6 +38,10 @@ generated-check: $(VENV)/.installed  ## hold generated/ against what would be wr
 	@robots=$$($(BIN)/robodyn robots --names) || exit; status=0; \
 	for robot in $$robots; do $(BIN)/robodyn gen $$robot -o generated/$$robot --check || status=1; done; exit $$status
 
+.PHONY: flops-record
+flops-record: $(VENV)/.installed  ## recompute and prove the shipped record; fail where a count got worse
+	$(BIN)/python benchmarks/flops_record.py $(UPDATE)
+
 .PHONY: lint
 lint: $(VENV)/.installed-dev  ## ruff and mypy
 	$(BIN)/ruff check .

@@ -10,11 +10,11 @@ import pytest
 
 ROOT = Path(__file__).parents[1] / "codegen"
 ROOMS = """
-    errors resources units ir robot effects dynamics passes counts schedule emit generation build verify
-    simulate diagnose report
+    errors resources units ir robot effects dynamics passes counts prune schedule records emit generation
+    build verify search simulate diagnose report
 """.split()  # noqa: SIM905 (it reads as the list that it is)
 LATE = {"sympy", "numpy", "scipy", "matplotlib"}
-LEAN = {"ir", "robot", "dynamics", "passes", "counts", "emit"}
+LEAN = {"ir", "robot", "dynamics", "passes", "counts", "prune", "emit"}
 FACADE = {"__init__", "__main__"}
 FILES = sorted(path.relative_to(ROOT) for path in ROOT.rglob("*.py"))
 

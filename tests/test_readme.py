@@ -30,3 +30,24 @@ def test_the_example_is_a_robot() -> None:
     (example,) = re.findall(r"```yaml\n(.*?)```", README, flags=re.DOTALL)
     robot = read_text(example)
     assert robot.parameters == ("m_load",)
+
+
+def test_the_tables_of_counts_are_those_of_the_record() -> None:
+    import csv
+
+    from robodyn.records import bundled_records
+
+    with (bundled_records() / "counts.csv").open(encoding="utf-8", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["function"] == "inverse_dynamics"]
+    fast = {row["robot"]: row["total"] for row in rows if row["level"] == "fast"}
+    shipped = {
+        row["robot"]: f"{row['mul']}+{row['add']} = {row['total']}"
+        for row in rows
+        if row["level"] == "record"
+    }
+    few = (Path(__file__).parents[1] / "docs" / "fewest-operations.md").read_text(encoding="utf-8")
+    for text in (README, few):
+        (table,) = re.findall(r"<!-- counts -->\n(.*?)<!-- end -->", text, flags=re.DOTALL)
+        cells = [line.strip("| ").split(" | ") for line in table.splitlines()[2:]]
+        assert {row[0].strip("`"): row[3] for row in cells} == fast
+        assert {row[0].strip("`"): row[4] for row in cells} == shipped

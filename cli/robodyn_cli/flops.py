@@ -6,7 +6,9 @@ import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.counted import lines, record
-from robodyn_cli.options import load, model_options
+from robodyn_cli.options import load, model_options, search_options
+from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
+from robodyn_cli.searching import Search
 
 
 @click.command()
@@ -14,6 +16,8 @@ from robodyn_cli.options import load, model_options
 @click.option("--function", default="inverse_dynamics", show_default=True, help="A function, or all.")
 @click.option("--budget", metavar="KIND=N,...", help="Most operations, e.g. mul=208,add=152,total=360.")
 @model_options
+@search_options
+@prune_option
 @json_option
 def command(
     robot: str,
@@ -25,6 +29,11 @@ def command(
     engine: str,
     fold_rotor: bool,
     strict: bool,
+    budget_seconds: float | None,
+    seed: int,
+    objective: str,
+    keep: bool,
+    prune: str | None,
     as_json: bool,
 ) -> None:
     """Count multiplications and additions, and hold them to a budget.
@@ -34,34 +43,48 @@ def command(
     fc3_x = 4.8*(a3_x - 0.07*lam3_12) is two multiplications and one addition. Exits 1 where a
     budget is exceeded. With --function or --formulation "all" --json prints a list.
     """
+    from dataclasses import replace
+
     from robodyn.counts import Count, count, parse_budget
     from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS
     from robodyn.errors import CheckError
-    from robodyn.generation import Options, SingularArm, program
+    from robodyn.generation import Drafts, Options, SingularArm, program
+    from robodyn.prune import Pruning
 
     limit = None if budget is None else parse_budget(budget)
     functions = tuple(FUNCTIONS) if function == "all" else (function,)
     formulations = FORMULATIONS if formulation == "all" else (formulation,)
+    options = Options(functions, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
+    options = replace(options, prune=tolerance(prune))
+    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    options = Search(robot, budget_seconds, seed, objective, keep).applied(described, options, functions)
     choices = [
-        (f, form, Options((f,), form, optimize, not no_regroup, engine=engine))  # type: ignore[arg-type]
+        (f, form, replace(options, functions=(f,), formulation=form))
         for form in formulations
         for f in functions
     ]
-    described = load(robot, strict=strict, fold_rotor=fold_rotor)
     found: list[tuple[str, str, Count]] = []
-    for f, form, options in choices:
-        try:
-            found.append((f, form, count(program(described, f, options))))
-        except SingularArm:
-            if function != "all":
-                raise
+    prunings: dict[tuple[str, str], Pruning] = {}
+    with told() as tell:
+        for f, form, one in choices:
+            drafts = Drafts(described, one, tell)
+            try:
+                found.append((f, form, count(program(described, f, one, drafts))))
+            except SingularArm:
+                if function != "all":
+                    raise
+            prunings.update({(name, form): pruning for name, pruning in drafts.prunings.items()})
     if as_json:
-        records = [record(described, f, form, c) for f, form, c in found]
+        records = [
+            with_pruning(record(described, f, form, c), prunings.get((f, form))) for f, form, c in found
+        ]
         echo_json(records if "all" in (function, formulation) else records[0])
     else:
         click.echo(f"{described.name}: {described.title}" if described.title else described.name)
         many = len(formulations) > 1
         for line in lines(described, [(f"{f}, {form}" if many else f, f, c) for f, form, c in found]):
+            click.echo(line)
+        for line in pruning_lines(prunings):
             click.echo(line)
     if limit is not None:
         over = [f"{described.name} {f}: {text}" for f, _, c in found for text in limit.exceeded(c)]

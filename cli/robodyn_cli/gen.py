@@ -20,7 +20,9 @@ from robodyn_cli.common import (
     write_files,
 )
 from robodyn_cli.counted import lines, record
-from robodyn_cli.options import listed, load, model_options
+from robodyn_cli.options import listed, load, model_options, search_options
+from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
+from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
     from robodyn.generation import Generated
@@ -36,6 +38,8 @@ if TYPE_CHECKING:
 @click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm, or given in sc.")
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @model_options
+@search_options
+@prune_option
 @click.option("--latex", is_flag=True, help="Also write NAME.tex, the recursion typeset (through sympy).")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if the files in DIR differ.")
 @json_option
@@ -53,6 +57,11 @@ def command(
     engine: str,
     fold_rotor: bool,
     strict: bool,
+    budget_seconds: float | None,
+    seed: int,
+    objective: str,
+    keep: bool,
+    prune: str | None,
     latex: bool,
     check: bool,
     as_json: bool,
@@ -62,8 +71,9 @@ def command(
     DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
     forward_dynamics. The same input gives the same bytes, on any machine.
     """
+    from robodyn.dynamics.functions import FUNCTIONS
     from robodyn.errors import CheckError, InputError
-    from robodyn.generation import Options, generate
+    from robodyn.generation import Options, check_languages, generate
 
     options = Options(
         functions=None if functions is None else listed(functions),
@@ -73,14 +83,23 @@ def command(
         scalar=scalar,  # type: ignore[arg-type]
         trig=trig,  # type: ignore[arg-type]
         engine=engine,  # type: ignore[arg-type]
+        prune=tolerance(prune),
     )
     languages = listed(lang)
     if not languages:
         raise InputError("no language asked for", expected="c, fortran or both")
     if len(set(languages)) != len(languages):
         raise InputError("a language is asked for twice", found=lang)
+    check_languages(languages)
+    if check and keep:
+        raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    made = generate(described, options, progress=_told(described))
+    folder = output_folder(output) if output is not None else Path("generated") / described.name
+    options = Search(robot, budget_seconds, seed, objective, keep).applied(
+        described, options, options.functions or tuple(FUNCTIONS)
+    )
+    with told() as tell:
+        made = generate(described, options, progress=_told(described), pruning=tell)
     for function in made.left_out:
         talk(f"robodyn: note: {described.name} has no {function}: a joint moves without inertia")
     files = made.files(languages)
@@ -91,7 +110,6 @@ def command(
         files[f"{described.name}.tex"] = symbolic(
             described, choice=Choice(formulation, regroup=False)
         ).latex()
-    folder = output_folder(output) if output is not None else Path("generated") / described.name
     if check:
         different = compare_files(folder, files)
         if different:
@@ -111,13 +129,18 @@ def command(
             {
                 "robot": described.name,
                 "files": [str(folder / name) for name in files],
-                "functions": [record(described, f, formulation, c) for f, c in made.counts.items()],
+                "functions": [
+                    with_pruning(record(described, f, formulation, c), made.prunings.get(f))
+                    for f, c in made.counts.items()
+                ],
                 "compiled": built,
             }
         )
         return
     click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
     for line in lines(described, [(f, f, c) for f, c in made.counts.items()]):
+        click.echo(line)
+    for line in pruning_lines(made.prunings):
         click.echo(line)
     for language, text in (built or {}).items():
         click.echo(f"{language}: {text}")

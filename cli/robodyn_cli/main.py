@@ -21,6 +21,7 @@ from robodyn_cli.common import drop, talk
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the C and Fortran of a robot's dynamics, and print the counts."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and hold them to a budget."),
+    "tables": ("robodyn_cli.tables", "Set the thesis's tables beside what robodyn recomputes."),
     "verify": ("robodyn_cli.verify", "Set the compiled kernels against independent references."),
     "robots": ("robodyn_cli.robots", "List the bundled robots."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),

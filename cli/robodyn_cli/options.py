@@ -28,9 +28,11 @@ def model_options(command: Command) -> Command:
             click.option(
                 "--optimize",
                 metavar="LEVEL",
-                default="fast",
+                default="record",
                 show_default=True,
-                help="none (the recursion as the book has it) or fast.",
+                help="none (the recursion as the book has it), fast, record (the best known for exactly "
+                "these parameters, else fast), search (ways of writing the recursion) or full (any algebra "
+                "besides).",
             ),
             click.option("--no-regroup", is_flag=True, help="Leave out base-parameter regrouping."),
             click.option(
@@ -46,6 +48,34 @@ def model_options(command: Command) -> Command:
                 help="Fold rotor inertias into Izz of the links, as the thesis does.",
             ),
             click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers."),
+        )
+    ):
+        command = option(command)
+    return command
+
+
+def search_options(command: Command) -> Command:
+    """Add the options of a search: budget, seed, objective, and whether to keep what it finds."""
+    for option in reversed(
+        (
+            click.option(
+                "--budget-seconds", metavar="S", type=float, help="How long search and full may take."
+            ),
+            click.option(
+                "--seed", metavar="N", default=0, show_default=True, help="Seed of search and full."
+            ),
+            click.option(
+                "--objective",
+                metavar="WHAT",
+                default="total",
+                show_default=True,
+                help="What record, search and full make small: total, mul, fma (fused multiply-adds), depth "
+                "(the longest chain), sincos, or weighted:TARGET (cortex-m3, cortex-m4, cortex-m7, x86-64, "
+                "x86-64-v3).",
+            ),
+            click.option(
+                "--keep", is_flag=True, help="Write what was found into the folder records beside ROBOT."
+            ),
         )
     ):
         command = option(command)

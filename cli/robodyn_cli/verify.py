@@ -82,7 +82,7 @@ def command(
 
 
 def _exactly(made: Generated) -> dict[str, bool]:
-    from robodyn.verify.equality import equals_recursion
+    from robodyn.dynamics.equality import equals_recursion
 
     robot = made.unit.robot
     if robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links):

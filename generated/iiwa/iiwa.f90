@@ -14,13 +14,15 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
+! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+!   to the recursion without being written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 296 multiplications, 281 additions = 577; 6 unary minus; 12 sine/cosine
-!   gravity: 64 multiplications, 38 additions = 102; 2 unary minus; 12 sine/cosine
-!   bias: 288 multiplications, 262 additions = 550; 8 unary minus; 12 sine/cosine
+!   inverse_dynamics: 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
+!   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+!   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
 !   mass_matrix: 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
-!   forward_dynamics: 597 multiplications, 517 additions, 7 divisions = 1121; 17 unary minus; 12
+!   forward_dynamics: 551 multiplications, 482 additions, 7 divisions = 1040; 4 unary minus; 12
 !       sine/cosine
 module iiwa_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -36,390 +38,301 @@ module iiwa_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 296 multiplications, 281 additions = 577; 6 unary minus; 12 sine/cosine
+  ! 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
   pure subroutine iiwa_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="iiwa_inverse_dynamics_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(in) :: qdd(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, w2_x, w2_y, neg_a2_x, neg_a2_y
-    real(rk) :: ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
-    real(rk) :: lam2_12, lam2_13, lam2_21, neg_lam2_22, neg_lam2_23, lam2_31, lam2_32, neg_lam2_33
-    real(rk) :: a3_z, w3_x, w3_y, t2, t3, a3_x, a3_y, alpha3_x, alpha3_y, alpha3_z, w3_z, ww3_yz
-    real(rk) :: ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21
-    real(rk) :: neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, w4_x, w4_y, a4_x, a4_y
-    real(rk) :: alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy, ww4_zz
-    real(rk) :: neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31, lam4_32
-    real(rk) :: neg_lam4_33, a5_z, w5_x, t4, w5_y, t5, t6, a5_x, a5_y, alpha5_x, alpha5_y, alpha5_z
-    real(rk) :: w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13
-    real(rk) :: lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, t7, w6_y, a6_x
-    real(rk) :: a6_y, alpha6_x, alpha6_y, alpha6_z, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy
-    real(rk) :: ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31
-    real(rk) :: lam6_32, neg_lam6_33, a7_z, w7_x, w7_y, t8, t9, a7_x, a7_y, alpha7_x, alpha7_y
-    real(rk) :: alpha7_z, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11
-    real(rk) :: lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33
-    real(rk) :: nc1_z, nc2_x, nc2_y, t10, nc2_z, fc3_x, fc3_y, neg_nc3_x, nc3_y, t11, nc3_z, fc4_x
-    real(rk) :: fc4_y, fc4_z, neg_nc4_x, nc4_y, t12, nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t13
-    real(rk) :: nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t14, nc6_z, fc7_x, fc7_y, fc7_z, nc7_x
-    real(rk) :: nc7_y, t15, nc7_z, f07_x, f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y, f6_z
-    real(rk) :: f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, f05_x, f05_y, n05_x
-    real(rk) :: n05_y, n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, n04_x, n04_y, n3_x, n3_y, n3_z
-    real(rk) :: f3_x, f3_y, f03_x, f03_y, n03_x, n03_y, n2_x, n2_y, n2_z, n02_y, n1_z
+    real(rk) :: s2, w2_x, c2, w2_y, lam2_23, ww2_yz, alpha2_x, c3, s3, w3_x, w3_z, w3_y, alpha3_x
+    real(rk) :: alpha3_y, ww3_zx, ww3_yz, ww3_xx, ww3_zz, ww3_yy, ww3_xy, lam3_13, lam3_23
+    real(rk) :: neg_lam3_31, lam3_32, c4, s4, w4_x, w4_z, w4_y, alpha4_z, ww4_xy, ww4_yz, ww4_zz
+    real(rk) :: ww4_yy, ww4_zx, lam4_12, lam4_21, neg_lam4_11, c5, s5, w5_x, w5_z, w5_y, ww5_xy
+    real(rk) :: ww5_xx, ww5_zz, ww5_yy, ww5_yz, ww5_zx, neg_lam5_22, c6, s6, w6_x, w6_z, w6_y
+    real(rk) :: ww6_zx, ww6_zz, ww6_yz, ww6_xy, ww6_yy, neg_lam6_11, w7_z, c7, s7, neg_lam2_13
+    real(rk) :: ww2_zx, alpha3_z, alpha4_y, lam4_31, lam3_21, alpha4_x, lam4_32, t1, neg_lam4_22
+    real(rk) :: alpha5_z, lam5_12, ww7_zz, t2, t3, t4, t5, lam6_22, alpha5_x, alpha7_z, t6, lam6_13
+    real(rk) :: alpha5_y, alpha6_z, lam6_21, alpha6_x, lam6_12, lam6_23, t7, t8, t9, t10, t11, t12
+    real(rk) :: t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29
+    real(rk) :: t30, t31, t32, t33, t34, t35, t36, n6_z, lam5_31, lam5_32, t37, n5_y, neg_lam5_11
+    real(rk) :: lam5_21, t38, neg_lam6_31, lam6_32, t39, t40, t41, nc7_z, t42, t43, t44, n5_x
+    real(rk) :: lam4_23, lam4_13, lam5_23, lam5_13, t45, n5_z, t46, t47, t48, t49, t50, t51, n4_z
+    real(rk) :: lam3_12, ww2_zz, t52, t53, t54, t55, t56, t57, t58, t59, t60, n3_z, t61, t62, t63
+    real(rk) :: t64, t65, t66, t67, t68, t69, t70, t71, t72, n1_z, t73, n2_z
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
     s2 = sin(q(2))
+    ! link 2: angular velocity [rad/s]
+    w2_x = -s2*qd(1)
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    ! link 2: angular velocity [rad/s]
+    w2_y = -qd(1)*c2
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam2_23 = s2*qdd(1)
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_yz = w2_y*qd(2)
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = ww2_yz - lam2_23
+    ! sines and cosines of the joint angles
     c3 = cos(q(3))
     s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    c7 = cos(q(7))
-    s7 = sin(q(7))
-    t1 = -qd(1)
-    ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.81_rk*s2
-    neg_a2_y = 9.81_rk*c2
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_yz = qd(2)*w2_y
-    ww2_zx = qd(2)*w2_x
-    ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = ww2_yz - qdd(1)*s2
-    neg_alpha2_y = qdd(1)*c2 + ww2_zx
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    lam2_12 = ww2_xy - qdd(2)
-    lam2_13 = ww2_zx - neg_alpha2_y
-    lam2_21 = qdd(2) + ww2_xy
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_23 = alpha2_x - ww2_yz
-    lam2_31 = ww2_zx + neg_alpha2_y
-    lam2_32 = ww2_yz + alpha2_x
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = neg_a2_y - 0.4_rk*neg_lam2_22
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + qd(2)*s3
-    w3_y = qd(2)*c3 - s3*w2_x
-    t2 = -0.4_rk*lam2_32
-    t3 = neg_a2_x + 0.4_rk*lam2_12
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = s3*t2 - c3*t3
-    a3_y = s3*t3 + c3*t2
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-qdd(2)*s3 - c3*alpha2_x)
-    alpha3_y = qdd(2)*c3 - s3*alpha2_x - qd(3)*w3_x
-    alpha3_z = qdd(3) + neg_alpha2_y
-    ! link 3: angular velocity [rad/s]
+    w3_x = w2_x*c3 + qd(2)*s3
     w3_z = qd(3) - w2_y
+    w3_y = qd(2)*c3 - w2_x*s3
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - (-s3*qdd(2) - alpha2_x*c3)
+    alpha3_y = c3*qdd(2) - alpha2_x*s3 - w3_x*qd(3)
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
     ww3_zx = w3_x*w3_z
-    ww3_xy = w3_x*w3_y
+    ww3_yz = w3_z*w3_y
     ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
+    ww3_yy = w3_y*w3_y
+    ww3_xy = w3_x*w3_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = ww3_xy - alpha3_z
     lam3_13 = alpha3_y + ww3_zx
-    lam3_21 = alpha3_z + ww3_xy
-    neg_lam3_22 = ww3_xx + ww3_zz
     lam3_23 = ww3_yz - alpha3_x
     neg_lam3_31 = alpha3_y - ww3_zx
     lam3_32 = alpha3_x + ww3_yz
-    neg_lam3_33 = ww3_xx + ww3_yy
+    ! sines and cosines of the joint angles
+    c4 = cos(q(4))
+    s4 = sin(q(4))
     ! link 4: angular velocity [rad/s]
-    w4_x = c4*w3_x + s4*w3_z
-    w4_y = c4*w3_z - s4*w3_x
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_z
-    a4_y = c4*a3_z - s4*a3_x
-    ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - (-s4*alpha3_z - c4*alpha3_x)
-    alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
-    alpha4_z = qdd(4) - alpha3_y
-    ! link 4: angular velocity [rad/s]
+    w4_x = w3_x*c4 + w3_z*s4
     w4_z = qd(4) - w3_y
+    w4_y = w3_z*c4 - w3_x*s4
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_z = qdd(4) - alpha3_y
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
-    ww4_xx = w4_x*w4_x
-    ww4_yy = w4_y*w4_y
+    ww4_yz = w4_z*w4_y
     ww4_zz = w4_z*w4_z
+    ww4_yy = w4_y*w4_y
+    ww4_zx = w4_x*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_11 = ww4_yy + ww4_zz
     lam4_12 = ww4_xy - alpha4_z
-    lam4_13 = alpha4_y + ww4_zx
     lam4_21 = alpha4_z + ww4_xy
-    neg_lam4_22 = ww4_xx + ww4_zz
-    lam4_23 = ww4_yz - alpha4_x
-    lam4_31 = ww4_zx - alpha4_y
-    lam4_32 = alpha4_x + ww4_yz
-    neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y - 0.4_rk*neg_lam4_22
+    neg_lam4_11 = ww4_zz + ww4_yy
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    w5_x = c5*w4_x - s5*w4_z
-    t4 = -c5
-    w5_y = t4*w4_z - s5*w4_x
-    t5 = a3_y - 0.4_rk*lam4_32
-    t6 = -0.4_rk*lam4_12 - a4_x
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*t5 - c5*t6
-    a5_y = s5*t6 + c5*t5
-    ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (s5*alpha4_z - c5*alpha4_x)
-    alpha5_y = t4*alpha4_z - s5*alpha4_x - qd(5)*w5_x
-    alpha5_z = qdd(5) + alpha4_y
-    ! link 5: angular velocity [rad/s]
-    w5_z = qd(5) + w4_y
+    w5_x = w4_x*c5 - w4_z*s5
+    w5_z = w4_y + qd(5)
+    w5_y = -w4_z*c5 - w4_x*s5
     ! link 5: products of the angular velocity [1/s^2]
-    ww5_yz = w5_y*w5_z
-    ww5_zx = w5_x*w5_z
     ww5_xy = w5_x*w5_y
     ww5_xx = w5_x*w5_x
-    ww5_yy = w5_y*w5_y
     ww5_zz = w5_z*w5_z
+    ww5_yy = w5_y*w5_y
+    ww5_yz = w5_z*w5_y
+    ww5_zx = w5_x*w5_z
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_11 = ww5_yy + ww5_zz
-    lam5_12 = ww5_xy - alpha5_z
-    lam5_13 = alpha5_y + ww5_zx
-    lam5_21 = alpha5_z + ww5_xy
     neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_23 = ww5_yz - alpha5_x
-    lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = alpha5_x + ww5_yz
-    neg_lam5_33 = ww5_xx + ww5_yy
+    ! sines and cosines of the joint angles
+    c6 = cos(q(6))
+    s6 = sin(q(6))
     ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x - s6*w5_z
-    t7 = -c6
-    w6_y = t7*w5_z - s6*w5_x
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x - s6*a5_z
-    a6_y = t7*a5_z - s6*a5_x
-    ! link 6: angular acceleration [rad/s^2]
-    alpha6_x = qd(6)*w6_y - (s6*alpha5_z - c6*alpha5_x)
-    alpha6_y = t7*alpha5_z - s6*alpha5_x - qd(6)*w6_x
-    alpha6_z = qdd(6) + alpha5_y
-    ! link 6: angular velocity [rad/s]
-    w6_z = qd(6) + w5_y
+    w6_x = w5_x*c6 - w5_z*s6
+    w6_z = w5_y + qd(6)
+    w6_y = -w5_z*c6 - w5_x*s6
     ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
     ww6_zx = w6_x*w6_z
-    ww6_xy = w6_x*w6_y
-    ww6_xx = w6_x*w6_x
-    ww6_yy = w6_y*w6_y
     ww6_zz = w6_z*w6_z
+    ww6_yz = w6_z*w6_y
+    ww6_xy = w6_x*w6_y
+    ww6_yy = w6_y*w6_y
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_11 = ww6_yy + ww6_zz
-    lam6_12 = ww6_xy - alpha6_z
-    lam6_13 = alpha6_y + ww6_zx
-    lam6_21 = alpha6_z + ww6_xy
-    neg_lam6_22 = ww6_xx + ww6_zz
-    lam6_23 = ww6_yz - alpha6_x
-    lam6_31 = ww6_zx - alpha6_y
-    lam6_32 = alpha6_x + ww6_yz
-    neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_z = -0.126_rk*neg_lam6_22 - a6_y
-    ! link 7: angular velocity [rad/s]
-    w7_x = c7*w6_x + s7*w6_z
-    w7_y = c7*w6_z - s7*w6_x
-    t8 = a5_y - 0.126_rk*lam6_32
-    t9 = 0.126_rk*lam6_12 - a6_x
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_x = s7*t8 - c7*t9
-    a7_y = s7*t9 + c7*t8
-    ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (-s7*alpha6_z - c7*alpha6_x)
-    alpha7_y = c7*alpha6_z - s7*alpha6_x - qd(7)*w7_x
-    alpha7_z = qdd(7) - alpha6_y
+    neg_lam6_11 = ww6_zz + ww6_yy
     ! link 7: angular velocity [rad/s]
     w7_z = qd(7) - w6_y
+    ! sines and cosines of the joint angles
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_13 = c2*qdd(1)
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zx = w2_x*qd(2)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_z = neg_lam2_13 + (ww2_zx + qdd(3))
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_y = c4*alpha3_z - alpha3_x*s4 - w4_x*qd(4)
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_31 = ww4_zx - alpha4_y
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_21 = ww3_xy + alpha3_z
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = s4*alpha3_z - (-qd(4)*w4_y - alpha3_x*c4)
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_32 = ww4_yz + alpha4_x
+    t1 = ww5_zz - ww5_yy
+    neg_lam4_22 = neg_lam5_22 - t1
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_z = alpha4_y + qdd(5)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = ww5_xy - alpha5_z
     ! link 7: products of the angular velocity [1/s^2]
-    ww7_yz = w7_y*w7_z
-    ww7_zx = w7_x*w7_z
-    ww7_xy = w7_x*w7_y
-    ww7_xx = w7_x*w7_x
-    ww7_yy = w7_y*w7_y
     ww7_zz = w7_z*w7_z
-    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam7_11 = ww7_yy + ww7_zz
-    lam7_12 = ww7_xy - alpha7_z
-    lam7_13 = alpha7_y + ww7_zx
-    lam7_21 = alpha7_z + ww7_xy
-    neg_lam7_22 = ww7_xx + ww7_zz
-    lam7_23 = ww7_yz - alpha7_x
-    lam7_31 = ww7_zx - alpha7_y
-    lam7_32 = alpha7_x + ww7_yz
-    neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 1: moment that turns the link [N m]
-    nc1_z = 0.8058116303302202_rk*qdd(1)
-    ! link 2: moment that turns the link [N m]
-    nc2_x = 0.20091837135316784_rk*lam2_21 - 0.5218524991029152_rk*lam2_31 - &
-        (-4.238401785575742_rk*lam2_32 - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
-    nc2_y = 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) - 0.5265869353045646_rk*lam2_31 - &
-        (-0.26458063578324464_rk*lam2_12 - 0.5218524991029152_rk*lam2_32)
-    t10 = 0.5265869353045646_rk*lam2_21 - 4.238401785575742_rk*lam2_12 - &
-        0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22) + (0.20091837135316784_rk*neg_lam2_23 - &
-        0.26458063578324464_rk*lam2_13)
-    nc2_z = t10 + (13.292379489096295_rk*c2 - 76.6738398539524_rk*s2)
-    ! link 3: force that moves the link [N]
-    fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
-    fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
-    ! link 3: moment that turns the link [N m]
-    neg_nc3_x = 0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
-        0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
-        0.16230144331072144_rk*lam3_21) + 0.04389618410240257_rk*a3_z
-    nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
-        neg_lam3_33) + (0.1005265342798281_rk*lam3_32 - 0.06405373385272267_rk*lam3_12) + &
-        1.0168650139155704_rk*a3_z
-    t11 = 0.20191091047133833_rk*lam3_21 - 0.45257769458388303_rk*lam3_12 + &
-        0.1005265342798281_rk*(neg_lam3_22 - neg_lam3_11) + (0.16230144331072144_rk*lam3_23 + &
-        0.06405373385272267_rk*lam3_13)
-    nc3_z = t11 - (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
-    ! link 4: force that moves the link [N]
-    fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
-    fc4_y = -8.054835434921454_rk*neg_lam4_22 - 0.5168019281781282_rk*lam4_21
-    fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
-    ! link 4: moment that turns the link [N m]
-    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(neg_lam4_22 - neg_lam4_33) &
-        - (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
-        8.054835434921454_rk*a3_y
-    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 - neg_lam4_33) - 0.24852411424661205_rk*lam4_31 - &
-        (-0.09675036990607108_rk*lam4_12 - 0.20921122087079386_rk*lam4_32) - &
-        0.5168019281781282_rk*a3_y
-    t12 = 0.24852411424661205_rk*lam4_21 - 3.569490999313376_rk*lam4_12 - &
-        0.20921122087079386_rk*(neg_lam4_11 - neg_lam4_22) - (0.013124222729483126_rk*lam4_23 + &
-        0.09675036990607108_rk*lam4_13)
-    nc4_z = t12 - (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
-    ! link 5: force that moves the link [N]
-    fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
-    fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
-    fc5_z = 0.4193059538543958_rk*lam5_32 - 0.25252954507510866_rk*lam5_31
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.4193059538543958_rk*a5_z - (0.05680835589544868_rk*(neg_lam5_22 - neg_lam5_33) - &
-        0.20655564034097101_rk*lam5_32 - (0.041147842218669614_rk*lam5_21 - &
-        0.03284626166448073_rk*lam5_31))
-    nc5_y = 0.041147842218669614_rk*(neg_lam5_11 - neg_lam5_33) - 0.09474888781047501_rk*lam5_31 + &
-        (0.03284626166448073_rk*lam5_32 - 0.05680835589544868_rk*lam5_12) + &
-        0.25252954507510866_rk*a5_z
-    t13 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
-        0.03284626166448073_rk*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614_rk*lam5_23 - &
-        0.05680835589544868_rk*lam5_13)
-    nc5_z = t13 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
-    ! link 6: force that moves the link [N]
-    fc6_x = 1.5656307599463828_rk*neg_lam6_11 - 1.291128497815195_rk*lam6_12
-    fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
-    fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
-    ! link 6: moment that turns the link [N m]
-    nc6_x = -1.291128497815195_rk*a5_y - (-2.0289563933923875_rk*lam6_32 - &
-        0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574_rk*lam6_21 - &
-        0.36144292274665746_rk*lam6_31))
-    nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
-        (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
-        1.5656307599463828_rk*a5_y
-    t14 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
-        0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
-        0.0870114460092663_rk*lam6_13)
-    nc6_z = t14 - (1.5656307599463828_rk*a6_y - 1.291128497815195_rk*a6_x)
-    ! link 7: force that moves the link [N]
-    fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
-    fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
-    fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
-    ! link 7: moment that turns the link [N m]
-    nc7_x = 0.708306797966195_rk*a7_z - (-0.2922782720134952_rk*lam7_32 - &
-        0.061680050398747424_rk*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - &
-        0.2114247825686032_rk*lam7_31))
-    nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) - &
-        (0.2114247825686032_rk*lam7_32 - 0.061680050398747424_rk*lam7_12) - &
-        0.9999503996366931_rk*a7_z
-    t15 = 0.19090892097190032_rk*lam7_21 - 0.2922782720134952_rk*lam7_12 + &
-        0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) + (0.2024621683128357_rk*lam7_23 - &
-        0.061680050398747424_rk*lam7_13)
-    nc7_z = t15 + (0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x)
-    ! link 7: force through the joint, along the axes that its turn starts from [N]
-    f07_x = c7*fc7_x - s7*fc7_y
-    f07_y = s7*fc7_x + c7*fc7_y
-    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_x = c7*nc7_x - s7*nc7_y
-    n07_y = s7*nc7_x + c7*nc7_y
+    t2 = ww7_zz - ww6_zz
+    t3 = neg_lam5_22 - neg_lam6_11
+    t4 = ww6_zz + ww7_zz
+    t5 = t3 + t4
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_22 = t2 - t5
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = qd(5)*w5_y - alpha4_z*s5 + c5*alpha4_x
+    ! link 7: angular acceleration [rad/s^2]
+    alpha7_z = s6*alpha5_x + (c6*alpha5_z + (w6_x*qd(6) + qdd(7)))
+    t6 = alpha7_z - ww6_zx
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_13 = qdd(7) - t6
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = -s5*alpha4_x - w5_x*qd(5) - alpha4_z*c5
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_z = alpha5_y + qdd(6)
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_21 = ww6_xy + alpha6_z
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = c6*alpha5_x + (qd(6)*w6_y - s6*alpha5_z)
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_12 = ww6_xy - alpha6_z
+    lam6_23 = ww6_yz - alpha6_x
+    t7 = neg_lam5_22 + lam6_22
+    t8 = 0.150926706942488_rk*s7
+    t9 = 0.3999801598546772_rk*c7
+    t10 = t8*t9
+    t11 = c7*c7
+    t12 = 1.6791988194353373_rk*t10 - 0.2114247825686032_rk*(t11 + (t11 - 1.0_rk))
+    t13 = qd(7) + w7_z
+    t14 = w6_z*t13 + alpha6_x
+    t15 = alpha6_z - w6_x*t13
+    t16 = 0.10136935104159488_rk*t11 + (7.004567783863868_rk*t10 + 0.19090892097190032_rk)
+    t17 = t16 - 0.48318719298539553_rk
+    t18 = 24.525_rk*s2
+    t19 = c3*t18
+    t20 = lam3_13 - t19
+    t21 = ww3_yy + (ww3_xx - 24.525_rk*c2)
+    t22 = c4*t20 - s4*t21
+    t23 = lam4_12 + t22
+    t24 = s3*t18
+    t25 = lam3_23 + t24
+    t26 = t25 - lam4_32
+    t27 = c5*t23 + s5*t26
+    t28 = s4*t20 + c4*t21
+    t29 = t28 + neg_lam4_22
+    t30 = c6*t27 + s6*t29
+    t31 = t9 - 0.283322719186478_rk*s7
+    t32 = 1.1592996128590562_rk*(t31 - 0.5301679950513729_rk*c7)
+    t33 = -0.4239952187044951_rk*lam6_21 - (t12*t14 - t15*t17 + (0.516451399126078_rk*t30 - &
+        2.0289563933923875_rk*lam6_12 + t6*t32))
+    t34 = s6*t27 - c6*t29
+    t35 = t8 - 0.32845591866705903_rk*c7
+    t36 = 0.36144292274665746_rk*(t3 - t7) - (0.0870114460092663_rk*lam6_13 + (t33 + ((t31 - &
+        0.6262523039785531_rk)*t34 - t35*(t4 + lam6_22))))
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = n07_x + (nc6_x - 0.126_rk*f07_y)
-    n6_y = nc6_y - nc7_z
-    n6_z = n07_y + (nc6_z + 0.126_rk*f07_x)
-    ! link 6: force through the joint [N]
-    f6_x = fc6_x + f07_x
-    f6_y = fc6_y - fc7_z
-    f6_z = fc6_z + f07_y
-    ! link 6: force through the joint, along the axes that its turn starts from [N]
-    f06_x = c6*f6_x - s6*f6_y
-    f06_y = s6*f6_x + c6*f6_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*n6_x - s6*n6_y
-    n06_y = s6*n6_x + c6*n6_y
+    n6_z = t36 - 0.042925575293549574_rk*lam6_23
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = ww5_yz + alpha5_x
+    t37 = ww5_xx - ww5_yy
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = nc5_y + n6_z
-    n5_z = nc5_z - n06_y
-    ! link 5: force through the joint [N]
-    f5_x = fc5_x + f06_x
-    f5_y = fc5_y + f6_z
-    f5_z = fc5_z - f06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = c5*f5_x - s5*f5_y
-    f05_y = s5*f5_x + c5*f5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = c5*n5_x - s5*n5_y
-    n05_y = s5*n5_x + c5*n5_y
+    n5_y = 0.03284626166448073_rk*lam5_32 - (0.10101181803004346_rk*t29 - &
+        0.041147842218669614_rk*(t1 - t37) + 0.05680835589544868_rk*lam5_12 - n6_z + &
+        0.09474888781047501_rk*lam5_31)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_zz + ww5_yy
+    lam5_21 = ww5_xy + alpha5_z
+    t38 = -ww6_zx - alpha7_z
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_31 = qdd(7) + t38
+    lam6_32 = ww6_yz + alpha6_x
+    t39 = 1.8772205723301225_rk*(t32 + 0.11538550714999525_rk*s7)
+    t40 = s5*t23 - c5*t26
+    t41 = t17*t38 - lam6_12*t32 + (t3*t12 + t30*t39 + (t35*lam6_32 - t31*t40))
+    ! link 7: moment that turns the link [N m]
+    nc7_z = t41 + t6*t16
+    t42 = 0.042925575293549574_rk*t3 - (0.36144292274665746_rk*lam6_32 + &
+        0.16772238154175834_rk*t30) - (0.4239952187044951_rk*neg_lam6_31 + &
+        0.0870114460092663_rk*lam6_12 - (0.6262523039785531_rk*t40 + nc7_z) + &
+        0.20655564034097101_rk*lam6_13)
+    t43 = t12*t15 - 0.20655564034097101_rk*lam6_23 + 0.36144292274665746_rk*neg_lam6_31 - (t35*t38 &
+        + 0.0870114460092663_rk*t7 - t14*t16)
+    t44 = -0.042925575293549574_rk*lam6_21 - (t43 + (2.0289563933923875_rk*lam6_32 - t2*t32) - &
+        t34*(t39 - 0.16772238154175834_rk)) - 0.516451399126078_rk*t40
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = s6*t42 - c6*t44 - (0.05680835589544868_rk*t1 + (0.03284626166448073_rk*lam5_31 - &
+        0.041147842218669614_rk*lam5_21))
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_13 = ww4_zx + alpha4_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_13 = ww5_zx + alpha5_y
+    t45 = 0.03284626166448073_rk*t37 - 0.041147842218669614_rk*lam5_23 - &
+        (-0.05680835589544868_rk*lam5_13 - s6*t44) + 0.09474888781047501_rk*lam5_21 + c6*t42
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_z = t45 + 0.10101181803004346_rk*t40
+    t46 = neg_lam4_11 - neg_lam4_22
+    t47 = -0.10101181803004346_rk*lam5_21 - (t31*t38 + (0.16772238154175834_rk*neg_lam5_22 - &
+        (0.6262523039785531_rk*neg_lam6_31 - (0.516451399126078_rk*lam6_32 - t5*t39))))
+    t48 = t14*t39 + 0.16772238154175834_rk*lam6_23 - 0.6262523039785531_rk*lam6_21 - &
+        0.516451399126078_rk*lam6_22 + t15*t31
+    t49 = 0.16772238154175834_rk*lam6_13 + (0.6262523039785531_rk*neg_lam6_11 - (t4*t31 - t6*t39)) &
+        - 0.516451399126078_rk*lam6_12
+    t50 = 0.10101181803004346_rk*neg_lam5_11 - (s6*t48 - c6*t49)
+    t51 = s5*t47 - c5*t50
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = n05_x - (neg_nc4_x + 0.4_rk*f05_y)
-    n4_y = nc4_y + n5_z
-    n4_z = nc4_z - 0.4_rk*f05_x - n05_y
-    ! link 4: force through the joint [N]
-    f4_x = fc4_x + f05_x
-    f4_y = fc4_y + f5_z
-    f4_z = fc4_z - f05_y
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = c4*f4_x - s4*f4_y
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = c4*n4_x - s4*n4_y
-    n04_y = s4*n4_x + c4*n4_y
+    n4_z = -0.013124222729483126_rk*lam4_23 - (3.569490999313376_rk*lam4_12 + &
+        3.221934173968582_rk*t22 + 0.09675036990607108_rk*lam4_13 - &
+        0.24852411424661205_rk*lam4_21) - (0.20921122087079386_rk*t46 + s5*n5_x - (t51 + &
+        (0.2067207712712513_rk*t28 - c5*n5_y)))
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_12 = ww3_xy - alpha3_z
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    t52 = ww3_zz - ww3_yy
+    t53 = ww3_xx - ww3_zz
+    t54 = 0.2067207712712513_rk*t25 - 0.2506667841125447_rk*lam4_13 + &
+        0.24852411424661205_rk*lam4_31 - (0.09675036990607108_rk*lam4_12 + n5_z) - &
+        0.20921122087079386_rk*lam4_32
+    t55 = ww4_zz - ww4_yy
+    t56 = t54 - 0.013124222729483126_rk*(t55 + t46)
+    t57 = s5*t50 + c5*t47
+    t58 = 0.013124222729483126_rk*(lam4_21 - 15.940846569207324_rk*lam4_31) - s5*n5_y + &
+        (0.09675036990607108_rk*t55 - t57 + c5*n5_x)
+    t59 = 3.221934173968582_rk*t25 - (t58 - 0.2506667841125447_rk*lam4_23) - &
+        3.569490999313376_rk*lam4_32
+    t60 = 0.1005265342798281_rk*(t52 + t53) + (0.0816122074936837_rk*lam3_13 - &
+        0.4067460055662282_rk*t24 - (c4*t56 - 0.40382182094267666_rk*alpha3_z + s4*t59))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = n04_x - neg_nc3_x
-    n3_y = nc3_y - n4_z
-    n3_z = nc3_z + n04_y
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    f3_y = fc3_y - f4_z
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c3*f3_x - s3*f3_y
-    f03_y = s3*f3_x + c3*f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_x = c3*n3_x - s3*n3_y
-    n03_y = s3*n3_x + c3*n3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = n03_x - (0.4_rk*f03_y - nc2_x)
-    n2_y = nc2_y - n3_z
-    n2_z = n03_y + (nc2_z + 0.4_rk*f03_x)
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = s2*n2_x + c2*n2_y
+    n3_z = t60 - 0.01755847364096103_rk*(t19 + 13.921743270739537_rk*lam3_23)
+    t61 = c4*t59 - (0.1005265342798281_rk*neg_lam3_31 - (t57 + (-0.40382182094267666_rk*alpha3_x - &
+        s4*t56) - 3.221934173968582_rk*lam4_32))
+    t62 = 0.0816122074936837_rk*t52 + (0.2067207712712513_rk*lam4_31 + (0.43062156604456925_rk*c2 &
+        + t61 - 0.24444456225550676_rk*lam3_21))
+    t63 = s4*(3.221934173968582_rk*neg_lam4_22 - (-0.2067207712712513_rk*lam4_21 - s6*t49 - &
+        c6*t48) + 0.10101181803004346_rk*lam5_31)
+    t64 = -0.1005265342798281_rk*lam3_32 - (t63 - n4_z + (9.975445786511747_rk*c2 + &
+        (0.40382182094267666_rk*alpha3_y - 0.24444456225550676_rk*t53))) + &
+        0.0816122074936837_rk*lam3_12
+    t65 = c4*(0.2067207712712513_rk*neg_lam4_11 + (3.221934173968582_rk*lam4_12 - t51)) - t64
+    t66 = 0.20091837135316784_rk*c2 + 0.26458063578324464_rk*s2
+    t67 = 0.41715488532235584_rk*c2 - 0.7593842639253783_rk*t66
+    t68 = 3.509903939799839_rk*c2
+    t69 = c2*t68
+    t70 = s2*t68
+    t71 = qd(1)*(t70 + (0.29735998936351243_rk*t69 - 0.5218524991029152_rk))
+    t72 = t66*ww2_zz + (qdd(1)*(t69 - 4.842302505434623_rk - 0.29735998936351243_rk*t70) - &
+        (2.0_rk*(qd(2)*t71) + c2*n3_z))
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = nc1_z - n02_y
+    n1_z = s2*(c3*t62 + s3*t65) + qdd(2)*t67 - t72
+    t73 = 24.525_rk*(0.186058218569173_rk*qdd(2) + (0.5419930474657001_rk*c2 - &
+        3.126354326358915_rk*s2)) + (c3*t65 - s3*t62)
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_z = qdd(1)*t67 - (qd(1)*t71 - t73)
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = n3_z
@@ -430,107 +343,112 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 64 multiplications, 38 additions = 102; 2 unary minus; 12 sine/cosine
+  ! 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
   pure subroutine iiwa_gravity(q, tau) &
       bind(c, name="iiwa_gravity_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, neg_a2_x, neg_a2_y, a3_x, a3_y
-    real(rk) :: a4_x, a4_y, a5_x, a5_y, a6_x, a6_y, a7_x, a7_y, nc2_z, neg_nc3_x, nc3_y, nc3_z
-    real(rk) :: neg_nc4_x, neg_nc4_y, nc4_z, nc5_x, nc5_y, nc5_z, neg_nc6_x, nc6_y, nc6_z, nc7_x
-    real(rk) :: nc7_y, nc7_z, n07_x, n07_y, n6_x, n6_y, n6_z, n06_x, n06_y, n5_x, n5_y, n5_z, n05_x
-    real(rk) :: n05_y, n4_x, n4_y, n4_z, n04_x, n04_y, n3_x, n3_y, n3_z, n03_x, n03_y, n2_z
-    real(rk) :: neg_n02_y
+    real(rk) :: s2, neg_a2_x, c2, neg_a2_y, c3, a3_x, s3, a3_y, c4, s4, a4_x, a4_y, c5, s5, a5_x
+    real(rk) :: a5_y, c6, s6, a6_x, a6_y, s7, c7, a7_y, a7_x, nc7_z, nc7_x, nc7_y, n07_y, n07_x
+    real(rk) :: nc6_z, neg_nc6_x, nc6_y, n6_z, n6_x, n6_y, n06_y, n06_x, nc5_z, nc5_x, nc5_y, n5_z
+    real(rk) :: n5_x, n5_y, n05_y, n05_x, nc4_z, neg_nc4_x, neg_nc4_y, n4_z, n4_x, n4_y, n04_y
+    real(rk) :: n04_x, nc3_z, neg_nc3_x, nc3_y, n3_z, n3_x, n3_y, n03_y, nc2_z, n2_z
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    c7 = cos(q(7))
-    s7 = sin(q(7))
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
     neg_a2_x = 9.81_rk*s2
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
     neg_a2_y = 9.81_rk*c2
+    ! sines and cosines of the joint angles
+    c3 = cos(q(3))
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = -c3*neg_a2_x
-    a3_y = s3*neg_a2_x
+    a3_x = -neg_a2_x*c3
+    ! sines and cosines of the joint angles
+    s3 = sin(q(3))
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_y = neg_a2_x*s3
+    ! sines and cosines of the joint angles
+    c4 = cos(q(4))
+    s4 = sin(q(4))
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*neg_a2_y
-    a4_y = c4*neg_a2_y - s4*a3_x
+    a4_x = a3_x*c4 + neg_a2_y*s4
+    a4_y = neg_a2_y*c4 - a3_x*s4
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x + s5*a3_y
-    a5_y = c5*a3_y - s5*a4_x
+    a5_x = a4_x*c5 + a3_y*s5
+    a5_y = a3_y*c5 - a4_x*s5
+    ! sines and cosines of the joint angles
+    c6 = cos(q(6))
+    s6 = sin(q(6))
     ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x - s6*a4_y
-    a6_y = -c6*a4_y - s6*a5_x
+    a6_x = a5_x*c6 - a4_y*s6
+    a6_y = -a4_y*c6 - a5_x*s6
+    ! sines and cosines of the joint angles
+    s7 = sin(q(7))
+    c7 = cos(q(7))
     ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_x = c7*a6_x + s7*a5_y
-    a7_y = c7*a5_y - s7*a6_x
-    ! link 2: moment that turns the link [N m]
-    nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2
-    ! link 3: moment that turns the link [N m]
-    neg_nc3_x = 0.43062156604456925_rk*c2
-    nc3_y = 9.975445786511747_rk*c2
-    nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y
-    ! link 4: moment that turns the link [N m]
-    neg_nc4_x = 8.054835434921454_rk*a3_y
-    neg_nc4_y = 0.5168019281781282_rk*a3_y
-    nc4_z = -8.054835434921454_rk*a4_x - 0.5168019281781282_rk*a4_y
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.4193059538543958_rk*a4_y
-    nc5_y = 0.25252954507510866_rk*a4_y
-    nc5_z = -0.4193059538543958_rk*a5_x - 0.25252954507510866_rk*a5_y
-    ! link 6: moment that turns the link [N m]
-    neg_nc6_x = 1.291128497815195_rk*a5_y
-    nc6_y = 1.5656307599463828_rk*a5_y
-    nc6_z = 1.291128497815195_rk*a6_x - 1.5656307599463828_rk*a6_y
+    a7_y = a5_y*c7 - a6_x*s7
+    a7_x = a6_x*c7 + a5_y*s7
     ! link 7: moment that turns the link [N m]
+    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x
     nc7_x = -0.708306797966195_rk*a6_y
     nc7_y = 0.9999503996366931_rk*a6_y
-    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x
     ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_x = c7*nc7_x - s7*nc7_y
     n07_y = s7*nc7_x + c7*nc7_y
+    n07_x = c7*nc7_x - s7*nc7_y
+    ! link 6: moment that turns the link [N m]
+    nc6_z = 1.291128497815195_rk*a6_x - 1.5656307599463828_rk*a6_y
+    neg_nc6_x = 1.291128497815195_rk*a5_y
+    nc6_y = 1.5656307599463828_rk*a5_y
     ! link 6: moment through the joint, about the frame's origin [N m]
+    n6_z = n07_y + nc6_z
     n6_x = n07_x - neg_nc6_x
     n6_y = nc6_y - nc7_z
-    n6_z = nc6_z + n07_y
     ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*n6_x - s6*n6_y
     n06_y = s6*n6_x + c6*n6_y
+    n06_x = c6*n6_x - s6*n6_y
+    ! link 5: moment that turns the link [N m]
+    nc5_z = -0.4193059538543958_rk*a5_x - 0.25252954507510866_rk*a5_y
+    nc5_x = 0.4193059538543958_rk*a4_y
+    nc5_y = 0.25252954507510866_rk*a4_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = nc5_y + n6_z
     n5_z = nc5_z - n06_y
+    n5_x = n06_x + nc5_x
+    n5_y = n6_z + nc5_y
     ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = c5*n5_x - s5*n5_y
     n05_y = s5*n5_x + c5*n5_y
+    n05_x = c5*n5_x - s5*n5_y
+    ! link 4: moment that turns the link [N m]
+    nc4_z = -8.054835434921454_rk*a4_x - 0.5168019281781282_rk*a4_y
+    neg_nc4_x = 8.054835434921454_rk*a3_y
+    neg_nc4_y = 0.5168019281781282_rk*a3_y
     ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_z = nc4_z - n05_y
     n4_x = n05_x - neg_nc4_x
     n4_y = n5_z - neg_nc4_y
-    n4_z = nc4_z - n05_y
     ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = c4*n4_x - s4*n4_y
     n04_y = s4*n4_x + c4*n4_y
+    n04_x = c4*n4_x - s4*n4_y
+    ! link 3: moment that turns the link [N m]
+    nc3_z = 0.04389618410240257_rk*a3_x - 1.0168650139155704_rk*a3_y
+    neg_nc3_x = 0.43062156604456925_rk*c2
+    nc3_y = 9.975445786511747_rk*c2
     ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_z = n04_y + nc3_z
     n3_x = n04_x - neg_nc3_x
     n3_y = nc3_y - n4_z
-    n3_z = nc3_z + n04_y
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_x = c3*n3_x - s3*n3_y
     n03_y = s3*n3_x + c3*n3_y
+    ! link 2: moment that turns the link [N m]
+    nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = nc2_z + n03_y
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    neg_n02_y = c2*n3_z - s2*n03_x
-    tau(1) = neg_n02_y
+    n2_z = n03_y + nc2_z
+    tau(1) = 0.0_rk
     tau(2) = n2_z
     tau(3) = n3_z
     tau(4) = n4_z
@@ -540,369 +458,278 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 288 multiplications, 262 additions = 550; 8 unary minus; 12 sine/cosine
+  ! 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
   pure subroutine iiwa_bias(q, qd, tau) &
       bind(c, name="iiwa_bias_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, w2_x, w2_y, neg_a2_x, neg_a2_y
-    real(rk) :: alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22
-    real(rk) :: neg_lam2_33, neg_a3_z, w3_x, w3_y, t2, t3, a3_x, a3_y, alpha3_x, alpha3_y, w3_z
-    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13
-    real(rk) :: lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32, neg_lam3_33, w4_x, w4_y
-    real(rk) :: neg_a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx, ww4_yy
-    real(rk) :: ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, lam4_23, lam4_31
-    real(rk) :: lam4_32, neg_lam4_33, a5_z, w5_x, w5_y, t4, t5, a5_x, a5_y, alpha5_x, alpha5_y
-    real(rk) :: w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11, lam5_12, lam5_13
-    real(rk) :: lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33, w6_x, t6, w6_y, a6_x
-    real(rk) :: a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz
-    real(rk) :: neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23, lam6_31, lam6_32
-    real(rk) :: neg_lam6_33, a7_z, w7_x, w7_y, t7, t8, a7_x, a7_y, alpha7_x, alpha7_y, w7_z, ww7_yz
-    real(rk) :: ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11, lam7_12, lam7_13, lam7_21
-    real(rk) :: neg_lam7_22, lam7_23, lam7_31, lam7_32, neg_lam7_33, nc2_x, nc2_y, nc2_z, fc3_x
-    real(rk) :: fc3_y, nc3_x, nc3_y, t9, neg_nc3_z, fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y, t10
-    real(rk) :: nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t11, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x
-    real(rk) :: nc6_y, t12, nc6_z, fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t13, nc7_z, f07_x, f07_y
-    real(rk) :: n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y, f6_z, f06_x, f06_y, n06_x, n06_y, n5_x
-    real(rk) :: n5_y, n5_z, f5_x, f5_y, f5_z, f05_x, f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f4_x
-    real(rk) :: f4_y, f4_z, f04_x, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y, n03_x
-    real(rk) :: n03_y, n2_x, neg_n2_y, n2_z, neg_n02_y
+    real(rk) :: s2, w2_x, c2, w2_y, ww2_yz, c3, s3, w3_x, w3_z, w3_y, alpha3_x, alpha3_y, ww3_zx
+    real(rk) :: ww3_yz, ww3_xx, ww3_zz, ww3_yy, ww3_xy, lam3_13, lam3_23, neg_lam3_31, lam3_32, c4
+    real(rk) :: s4, w4_x, w4_z, w4_y, ww4_xy, ww4_yz, ww4_zz, ww4_yy, ww4_zx, lam4_12, lam4_21
+    real(rk) :: neg_lam4_11, c5, s5, w5_x, w5_z, w5_y, ww5_xy, ww5_xx, ww5_zz, ww5_yy, ww5_yz
+    real(rk) :: ww5_zx, neg_lam5_22, c6, s6, w6_x, w6_z, w6_y, ww6_zx, ww6_zz, ww6_yz, ww6_xy
+    real(rk) :: ww6_yy, neg_lam6_11, w7_z, c7, s7, ww2_zx, alpha4_y, lam4_31, lam3_21, neg_alpha4_x
+    real(rk) :: lam4_32, t1, neg_lam4_22, lam5_12, ww7_zz, t2, t3, t4, t5, lam6_22, alpha5_x
+    real(rk) :: alpha7_z, lam6_13, alpha5_y, lam6_21, alpha6_x, lam6_12, lam6_23, t6, t7, t8, t9
+    real(rk) :: t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, t24, t25, t26
+    real(rk) :: t27, t28, t29, t30, t31, t32, t33, t34, t35, n6_z, lam5_31, lam5_32, t36, n5_y
+    real(rk) :: neg_lam5_11, lam5_21, lam6_31, lam6_32, t37, t38, t39, nc7_z, t40, t41, t42, t43
+    real(rk) :: n5_x, lam4_23, lam4_13, lam5_23, lam5_13, t44, n5_z, t45, t46, t47, t48, t49, t50
+    real(rk) :: n4_z, lam3_12, ww2_zz, t51, t52, t53, t54, t55, t56, t57, t58, t59, n3_z, t60, t61
+    real(rk) :: t62, t63, t64, t65, t66, n1_z, n2_z
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
     s2 = sin(q(2))
+    ! link 2: angular velocity [rad/s]
+    w2_x = -s2*qd(1)
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    ! link 2: angular velocity [rad/s]
+    w2_y = -qd(1)*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_yz = w2_y*qd(2)
+    ! sines and cosines of the joint angles
     c3 = cos(q(3))
     s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    c7 = cos(q(7))
-    s7 = sin(q(7))
-    t1 = -qd(1)
-    ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.81_rk*s2
-    neg_a2_y = 9.81_rk*c2
-    ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    neg_alpha2_y = qd(2)*w2_x
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_z = 0.4_rk*neg_lam2_22 - neg_a2_y
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + qd(2)*s3
-    w3_y = qd(2)*c3 - s3*w2_x
-    t2 = -0.8_rk*alpha2_x
-    t3 = neg_a2_x + 0.4_rk*ww2_xy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = s3*t2 - c3*t3
-    a3_y = s3*t3 + c3*t2
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = c3*alpha2_x + qd(3)*w3_y
-    alpha3_y = -qd(3)*w3_x - s3*alpha2_x
-    ! link 3: angular velocity [rad/s]
+    w3_x = w2_x*c3 + qd(2)*s3
     w3_z = qd(3) - w2_y
+    w3_y = qd(2)*c3 - w2_x*s3
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = ww2_yz*c3 + qd(3)*w3_y
+    alpha3_y = -w3_x*qd(3) - ww2_yz*s3
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
     ww3_zx = w3_x*w3_z
-    ww3_xy = w3_x*w3_y
+    ww3_yz = w3_z*w3_y
     ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
+    ww3_yy = w3_y*w3_y
+    ww3_xy = w3_x*w3_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = ww3_xy - neg_alpha2_y
     lam3_13 = alpha3_y + ww3_zx
-    lam3_21 = neg_alpha2_y + ww3_xy
-    neg_lam3_22 = ww3_xx + ww3_zz
     lam3_23 = ww3_yz - alpha3_x
     neg_lam3_31 = alpha3_y - ww3_zx
     lam3_32 = alpha3_x + ww3_yz
-    neg_lam3_33 = ww3_xx + ww3_yy
+    ! sines and cosines of the joint angles
+    c4 = cos(q(4))
+    s4 = sin(q(4))
     ! link 4: angular velocity [rad/s]
-    w4_x = c4*w3_x + s4*w3_z
-    w4_y = c4*w3_z - s4*w3_x
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_x = s4*neg_a3_z - c4*a3_x
-    a4_y = -s4*a3_x - c4*neg_a3_z
-    ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - (-c4*alpha3_x - s4*neg_alpha2_y)
-    alpha4_y = c4*neg_alpha2_y - s4*alpha3_x - qd(4)*w4_x
-    ! link 4: angular velocity [rad/s]
+    w4_x = w3_x*c4 + w3_z*s4
     w4_z = qd(4) - w3_y
+    w4_y = w3_z*c4 - w3_x*s4
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
-    ww4_xx = w4_x*w4_x
-    ww4_yy = w4_y*w4_y
+    ww4_yz = w4_z*w4_y
     ww4_zz = w4_z*w4_z
+    ww4_yy = w4_y*w4_y
+    ww4_zx = w4_x*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_11 = ww4_yy + ww4_zz
     lam4_12 = alpha3_y + ww4_xy
-    lam4_13 = alpha4_y + ww4_zx
     lam4_21 = ww4_xy - alpha3_y
-    neg_lam4_22 = ww4_xx + ww4_zz
-    lam4_23 = ww4_yz - alpha4_x
-    lam4_31 = ww4_zx - alpha4_y
-    lam4_32 = alpha4_x + ww4_yz
-    neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y - 0.4_rk*neg_lam4_22
+    neg_lam4_11 = ww4_zz + ww4_yy
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    w5_x = c5*w4_x - s5*w4_z
-    w5_y = -c5*w4_z - s5*w4_x
-    t4 = a3_y - 0.4_rk*lam4_32
-    t5 = neg_a4_x - 0.4_rk*lam4_12
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*t4 - c5*t5
-    a5_y = s5*t5 + c5*t4
-    ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (-s5*alpha3_y - c5*alpha4_x)
-    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
-    ! link 5: angular velocity [rad/s]
-    w5_z = qd(5) + w4_y
+    w5_x = w4_x*c5 - w4_z*s5
+    w5_z = w4_y + qd(5)
+    w5_y = -w4_z*c5 - w4_x*s5
     ! link 5: products of the angular velocity [1/s^2]
-    ww5_yz = w5_y*w5_z
-    ww5_zx = w5_x*w5_z
     ww5_xy = w5_x*w5_y
     ww5_xx = w5_x*w5_x
-    ww5_yy = w5_y*w5_y
     ww5_zz = w5_z*w5_z
+    ww5_yy = w5_y*w5_y
+    ww5_yz = w5_z*w5_y
+    ww5_zx = w5_x*w5_z
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_11 = ww5_yy + ww5_zz
-    lam5_12 = ww5_xy - alpha4_y
-    lam5_13 = alpha5_y + ww5_zx
-    lam5_21 = alpha4_y + ww5_xy
     neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_23 = ww5_yz - alpha5_x
-    lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = alpha5_x + ww5_yz
-    neg_lam5_33 = ww5_xx + ww5_yy
+    ! sines and cosines of the joint angles
+    c6 = cos(q(6))
+    s6 = sin(q(6))
     ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x - s6*w5_z
-    t6 = -c6
-    w6_y = t6*w5_z - s6*w5_x
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x - s6*a5_z
-    a6_y = t6*a5_z - s6*a5_x
-    ! link 6: angular acceleration [rad/s^2]
-    alpha6_x = qd(6)*w6_y - (s6*alpha4_y - c6*alpha5_x)
-    alpha6_y = t6*alpha4_y - s6*alpha5_x - qd(6)*w6_x
-    ! link 6: angular velocity [rad/s]
-    w6_z = qd(6) + w5_y
+    w6_x = w5_x*c6 - w5_z*s6
+    w6_z = w5_y + qd(6)
+    w6_y = -w5_z*c6 - w5_x*s6
     ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
     ww6_zx = w6_x*w6_z
-    ww6_xy = w6_x*w6_y
-    ww6_xx = w6_x*w6_x
-    ww6_yy = w6_y*w6_y
     ww6_zz = w6_z*w6_z
+    ww6_yz = w6_z*w6_y
+    ww6_xy = w6_x*w6_y
+    ww6_yy = w6_y*w6_y
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_11 = ww6_yy + ww6_zz
-    lam6_12 = ww6_xy - alpha5_y
-    lam6_13 = alpha6_y + ww6_zx
-    lam6_21 = alpha5_y + ww6_xy
-    neg_lam6_22 = ww6_xx + ww6_zz
-    lam6_23 = ww6_yz - alpha6_x
-    lam6_31 = ww6_zx - alpha6_y
-    lam6_32 = alpha6_x + ww6_yz
-    neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_z = -0.126_rk*neg_lam6_22 - a6_y
-    ! link 7: angular velocity [rad/s]
-    w7_x = c7*w6_x + s7*w6_z
-    w7_y = c7*w6_z - s7*w6_x
-    t7 = a5_y - 0.126_rk*lam6_32
-    t8 = 0.126_rk*lam6_12 - a6_x
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_x = s7*t7 - c7*t8
-    a7_y = s7*t8 + c7*t7
-    ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (-s7*alpha5_y - c7*alpha6_x)
-    alpha7_y = c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
+    neg_lam6_11 = ww6_zz + ww6_yy
     ! link 7: angular velocity [rad/s]
     w7_z = qd(7) - w6_y
+    ! sines and cosines of the joint angles
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zx = w2_x*qd(2)
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_y = c4*ww2_zx - alpha3_x*s4 - w4_x*qd(4)
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_31 = ww4_zx - alpha4_y
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_21 = ww3_xy + ww2_zx
+    ! link 4: angular acceleration [rad/s^2]
+    neg_alpha4_x = -qd(4)*w4_y - alpha3_x*c4 - s4*ww2_zx
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_32 = ww4_yz - neg_alpha4_x
+    t1 = ww5_zz - ww5_yy
+    neg_lam4_22 = neg_lam5_22 - t1
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = ww5_xy - alpha4_y
     ! link 7: products of the angular velocity [1/s^2]
-    ww7_yz = w7_y*w7_z
-    ww7_zx = w7_x*w7_z
-    ww7_xy = w7_x*w7_y
-    ww7_xx = w7_x*w7_x
-    ww7_yy = w7_y*w7_y
     ww7_zz = w7_z*w7_z
-    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam7_11 = ww7_yy + ww7_zz
-    lam7_12 = alpha6_y + ww7_xy
-    lam7_13 = alpha7_y + ww7_zx
-    lam7_21 = ww7_xy - alpha6_y
-    neg_lam7_22 = ww7_xx + ww7_zz
-    lam7_23 = ww7_yz - alpha7_x
-    lam7_31 = ww7_zx - alpha7_y
-    lam7_32 = alpha7_x + ww7_yz
-    neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 2: moment that turns the link [N m]
-    nc2_x = 0.20091837135316784_rk*ww2_xy - 1.0437049982058304_rk*neg_alpha2_y - &
-        (-8.476803571151484_rk*alpha2_x - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
-    nc2_y = 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) - &
-        1.0531738706091291_rk*neg_alpha2_y + (0.26458063578324464_rk*ww2_xy + &
-        1.0437049982058304_rk*alpha2_x)
-    nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2 - (3.711814850271177_rk*ww2_xy + &
-        0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22))
-    ! link 3: force that moves the link [N]
-    fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
-    fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
-    ! link 3: moment that turns the link [N m]
-    nc3_x = 0.04389618410240257_rk*neg_a3_z - (0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) &
-        - 0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
-        0.16230144331072144_rk*lam3_21))
-    nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
-        neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) - &
-        1.0168650139155704_rk*neg_a3_z
-    t9 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
-        0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144_rk*lam3_23 + &
-        0.06405373385272267_rk*lam3_13)
-    neg_nc3_z = t9 + (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
-    ! link 4: force that moves the link [N]
-    fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
-    fc4_y = -8.054835434921454_rk*neg_lam4_22 - 0.5168019281781282_rk*lam4_21
-    fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
-    ! link 4: moment that turns the link [N m]
-    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(neg_lam4_22 - neg_lam4_33) &
-        - (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
-        8.054835434921454_rk*a3_y
-    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 - neg_lam4_33) - 0.24852411424661205_rk*lam4_31 + &
-        (0.09675036990607108_rk*lam4_12 + 0.20921122087079386_rk*lam4_32) - &
-        0.5168019281781282_rk*a3_y
-    t10 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
-        0.20921122087079386_rk*(neg_lam4_11 - neg_lam4_22) + (0.013124222729483126_rk*lam4_23 + &
-        0.09675036990607108_rk*lam4_13)
-    nc4_z = 8.054835434921454_rk*neg_a4_x - 0.5168019281781282_rk*a4_y - t10
-    ! link 5: force that moves the link [N]
-    fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
-    fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
-    fc5_z = 0.4193059538543958_rk*lam5_32 - 0.25252954507510866_rk*lam5_31
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.4193059538543958_rk*a5_z - (0.05680835589544868_rk*(neg_lam5_22 - neg_lam5_33) - &
-        0.20655564034097101_rk*lam5_32 - (0.041147842218669614_rk*lam5_21 - &
-        0.03284626166448073_rk*lam5_31))
-    nc5_y = 0.041147842218669614_rk*(neg_lam5_11 - neg_lam5_33) - 0.09474888781047501_rk*lam5_31 + &
-        (0.03284626166448073_rk*lam5_32 - 0.05680835589544868_rk*lam5_12) + &
-        0.25252954507510866_rk*a5_z
-    t11 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
-        0.03284626166448073_rk*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614_rk*lam5_23 - &
-        0.05680835589544868_rk*lam5_13)
-    nc5_z = t11 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
-    ! link 6: force that moves the link [N]
-    fc6_x = 1.5656307599463828_rk*neg_lam6_11 - 1.291128497815195_rk*lam6_12
-    fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
-    fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
-    ! link 6: moment that turns the link [N m]
-    nc6_x = -1.291128497815195_rk*a5_y - (-2.0289563933923875_rk*lam6_32 - &
-        0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574_rk*lam6_21 - &
-        0.36144292274665746_rk*lam6_31))
-    nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
-        (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
-        1.5656307599463828_rk*a5_y
-    t12 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
-        0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
-        0.0870114460092663_rk*lam6_13)
-    nc6_z = t12 - (1.5656307599463828_rk*a6_y - 1.291128497815195_rk*a6_x)
-    ! link 7: force that moves the link [N]
-    fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
-    fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
-    fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
-    ! link 7: moment that turns the link [N m]
-    nc7_x = 0.708306797966195_rk*a7_z - (-0.2922782720134952_rk*lam7_32 - &
-        0.061680050398747424_rk*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - &
-        0.2114247825686032_rk*lam7_31))
-    nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) + &
-        (0.061680050398747424_rk*lam7_12 - 0.2114247825686032_rk*lam7_32) - &
-        0.9999503996366931_rk*a7_z
-    t13 = 0.2922782720134952_rk*lam7_12 - 0.19090892097190032_rk*lam7_21 - &
-        0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357_rk*lam7_23 - &
-        0.061680050398747424_rk*lam7_13)
-    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t13
-    ! link 7: force through the joint, along the axes that its turn starts from [N]
-    f07_x = c7*fc7_x - s7*fc7_y
-    f07_y = s7*fc7_x + c7*fc7_y
-    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_x = c7*nc7_x - s7*nc7_y
-    n07_y = s7*nc7_x + c7*nc7_y
+    t2 = ww7_zz - ww6_zz
+    t3 = neg_lam5_22 - neg_lam6_11
+    t4 = ww6_zz + ww7_zz
+    t5 = t3 + t4
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_22 = t2 - t5
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = alpha3_y*s5 + qd(5)*w5_y - c5*neg_alpha4_x
+    ! link 7: angular acceleration [rad/s^2]
+    alpha7_z = s6*alpha5_x + (c6*alpha4_y + w6_x*qd(6))
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_13 = ww6_zx - alpha7_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = alpha3_y*c5 + (s5*neg_alpha4_x - w5_x*qd(5))
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_21 = ww6_xy + alpha5_y
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = c6*alpha5_x + (qd(6)*w6_y - s6*alpha4_y)
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_12 = ww6_xy - alpha5_y
+    lam6_23 = ww6_yz - alpha6_x
+    t6 = 0.150926706942488_rk*s7
+    t7 = t6 - 0.32845591866705903_rk*c7
+    t8 = 0.3999801598546772_rk*c7
+    t9 = t8 - 0.283322719186478_rk*s7
+    t10 = t9 - 0.6262523039785531_rk
+    t11 = 24.525_rk*s2
+    t12 = c3*t11
+    t13 = lam3_13 - t12
+    t14 = ww3_yy + (ww3_xx - 24.525_rk*c2)
+    t15 = c4*t13 - s4*t14
+    t16 = lam4_12 + t15
+    t17 = s3*t11
+    t18 = lam3_23 + t17
+    t19 = t18 - lam4_32
+    t20 = c5*t16 + s5*t19
+    t21 = s4*t13 + c4*t14
+    t22 = t21 + neg_lam4_22
+    t23 = s6*t20 - c6*t22
+    t24 = c6*t20 + s6*t22
+    t25 = neg_lam5_22 + lam6_22
+    t26 = t6*t8
+    t27 = c7*c7
+    t28 = 1.6791988194353373_rk*t26 - 0.2114247825686032_rk*(t27 + (t27 - 1.0_rk))
+    t29 = qd(7) + w7_z
+    t30 = w6_z*t29 + alpha6_x
+    t31 = alpha5_y - w6_x*t29
+    t32 = 0.10136935104159488_rk*t27 + (7.004567783863868_rk*t26 + 0.19090892097190032_rk)
+    t33 = 0.48318719298539553_rk - t32
+    t34 = 0.516451399126078_rk*t24 - (-0.4239952187044951_rk*lam6_21 - 0.36144292274665746_rk*(t3 &
+        - t25) - t28*t30 - t31*t33)
+    t35 = 1.1592996128590562_rk*(t9 - 0.5301679950513729_rk*c7)
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = n07_x + (nc6_x - 0.126_rk*f07_y)
-    n6_y = nc6_y - nc7_z
-    n6_z = n07_y + (nc6_z + 0.126_rk*f07_x)
-    ! link 6: force through the joint [N]
-    f6_x = fc6_x + f07_x
-    f6_y = fc6_y - fc7_z
-    f6_z = fc6_z + f07_y
-    ! link 6: force through the joint, along the axes that its turn starts from [N]
-    f06_x = c6*f6_x - s6*f6_y
-    f06_y = s6*f6_x + c6*f6_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*n6_x - s6*n6_y
-    n06_y = s6*n6_x + c6*n6_y
+    n6_z = t7*(t4 + lam6_22) - (t10*t23 - (t34 - 2.0289563933923875_rk*lam6_12)) - &
+        0.042925575293549574_rk*lam6_23 - lam6_13*(t35 + 0.0870114460092663_rk)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_31 = ww5_zx - alpha5_y
+    lam5_32 = ww5_yz + alpha5_x
+    t36 = ww5_xx - ww5_yy
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = nc5_y + n6_z
-    n5_z = nc5_z - n06_y
-    ! link 5: force through the joint [N]
-    f5_x = fc5_x + f06_x
-    f5_y = fc5_y + f6_z
-    f5_z = fc5_z - f06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = c5*f5_x - s5*f5_y
-    f05_y = s5*f5_x + c5*f5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = c5*n5_x - s5*n5_y
-    n05_y = s5*n5_x + c5*n5_y
+    n5_y = 0.03284626166448073_rk*lam5_32 - (0.10101181803004346_rk*t22 - &
+        0.041147842218669614_rk*(t1 - t36) + 0.05680835589544868_rk*lam5_12 - n6_z + &
+        0.09474888781047501_rk*lam5_31)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_zz + ww5_yy
+    lam5_21 = ww5_xy + alpha4_y
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_31 = ww6_zx + alpha7_z
+    lam6_32 = ww6_yz + alpha6_x
+    t37 = 1.8772205723301225_rk*(t35 + 0.11538550714999525_rk*s7)
+    t38 = s5*t16 - c5*t19
+    t39 = t33*lam6_31 - lam6_12*t35 + (t3*t28 + t24*t37 + (t7*lam6_32 - t9*t38))
+    ! link 7: moment that turns the link [N m]
+    nc7_z = t39 - lam6_13*t32
+    t40 = 0.042925575293549574_rk*t3 - (0.36144292274665746_rk*lam6_32 + &
+        0.16772238154175834_rk*t24) - (0.0870114460092663_rk*lam6_12 - &
+        0.4239952187044951_rk*lam6_31 - (0.6262523039785531_rk*t38 + nc7_z) + &
+        0.20655564034097101_rk*lam6_13)
+    t41 = t37 - 0.16772238154175834_rk
+    t42 = t30*t32 - (0.0870114460092663_rk*t25 + (0.20655564034097101_rk*lam6_23 + &
+        (-0.042925575293549574_rk*lam6_21 - t28*t31))) - t2*t35
+    t43 = 0.516451399126078_rk*t38 - (t23*t41 - (2.0289563933923875_rk*lam6_32 + t42)) + &
+        lam6_31*(t7 - 0.36144292274665746_rk)
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = s6*t40 + c6*t43 - (0.05680835589544868_rk*t1 + (0.03284626166448073_rk*lam5_31 - &
+        0.041147842218669614_rk*lam5_21))
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_23 = ww4_yz + neg_alpha4_x
+    lam4_13 = ww4_zx + alpha4_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_13 = ww5_zx + alpha5_y
+    t44 = 0.03284626166448073_rk*t36 - 0.041147842218669614_rk*lam5_23 - (s6*t43 - &
+        0.05680835589544868_rk*lam5_13) + 0.09474888781047501_rk*lam5_21 + c6*t40
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_z = t44 + 0.10101181803004346_rk*t38
+    t45 = neg_lam4_11 - neg_lam4_22
+    t46 = t5*t37 - (0.516451399126078_rk*lam6_32 - (-0.16772238154175834_rk*neg_lam5_22 - &
+        0.10101181803004346_rk*lam5_21)) + t10*lam6_31
+    t47 = t30*t37 + 0.16772238154175834_rk*lam6_23 - 0.6262523039785531_rk*lam6_21 - &
+        0.516451399126078_rk*lam6_22 + t31*t9
+    t48 = t4*t9 - (0.6262523039785531_rk*neg_lam6_11 - 0.516451399126078_rk*lam6_12) + lam6_13*t41
+    t49 = 0.10101181803004346_rk*neg_lam5_11 - (s6*t47 + c6*t48)
+    t50 = s5*t46 - c5*t49
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = n05_x - (neg_nc4_x + 0.4_rk*f05_y)
-    n4_y = nc4_y + n5_z
-    n4_z = nc4_z - 0.4_rk*f05_x - n05_y
-    ! link 4: force through the joint [N]
-    f4_x = fc4_x + f05_x
-    f4_y = fc4_y + f5_z
-    f4_z = fc4_z - f05_y
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = c4*f4_x - s4*f4_y
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = c4*n4_x - s4*n4_y
-    n04_y = s4*n4_x + c4*n4_y
+    n4_z = -0.013124222729483126_rk*lam4_23 - (3.569490999313376_rk*lam4_12 + &
+        3.221934173968582_rk*t15 + 0.09675036990607108_rk*lam4_13 - &
+        0.24852411424661205_rk*lam4_21) - (0.20921122087079386_rk*t45 + s5*n5_x - (t50 + &
+        (0.2067207712712513_rk*t21 - c5*n5_y)))
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_12 = ww3_xy - ww2_zx
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    t51 = ww3_zz - ww3_yy
+    t52 = ww3_xx - ww3_zz
+    t53 = 0.2067207712712513_rk*t18 - 0.2506667841125447_rk*lam4_13 + &
+        0.24852411424661205_rk*lam4_31 - (0.09675036990607108_rk*lam4_12 + n5_z) - &
+        0.20921122087079386_rk*lam4_32
+    t54 = ww4_zz - ww4_yy
+    t55 = t53 - 0.013124222729483126_rk*(t54 + t45)
+    t56 = s5*t49 + c5*t46
+    t57 = 0.013124222729483126_rk*(lam4_21 - 15.940846569207324_rk*lam4_31) - s5*n5_y + &
+        (0.09675036990607108_rk*t54 - t56 + c5*n5_x)
+    t58 = 3.221934173968582_rk*t18 - (t57 - 0.2506667841125447_rk*lam4_23) - &
+        3.569490999313376_rk*lam4_32
+    t59 = 0.1005265342798281_rk*(t51 + t52) + (0.0816122074936837_rk*lam3_13 - &
+        0.4067460055662282_rk*t17 - (c4*t55 - 0.40382182094267666_rk*ww2_zx + s4*t58))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x + n04_x
-    n3_y = nc3_y - n4_z
-    n3_z = n04_y - neg_nc3_z
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    f3_y = fc3_y - f4_z
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c3*f3_x - s3*f3_y
-    f03_y = s3*f3_x + c3*f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_x = c3*n3_x - s3*n3_y
-    n03_y = s3*n3_x + c3*n3_y
+    n3_z = t59 - 0.01755847364096103_rk*(t12 + 13.921743270739537_rk*lam3_23)
+    t60 = c4*t58 - (0.1005265342798281_rk*neg_lam3_31 - (t56 + (-0.40382182094267666_rk*alpha3_x - &
+        s4*t55) - 3.221934173968582_rk*lam4_32))
+    t61 = 0.0816122074936837_rk*t51 + (0.2067207712712513_rk*lam4_31 + (0.43062156604456925_rk*c2 &
+        + t60 - 0.24444456225550676_rk*lam3_21))
+    t62 = s4*(3.221934173968582_rk*neg_lam4_22 - (s6*t48 - 0.2067207712712513_rk*lam4_21 - c6*t47) &
+        + 0.10101181803004346_rk*lam5_31)
+    t63 = -0.1005265342798281_rk*lam3_32 - (t62 - n4_z + (9.975445786511747_rk*c2 + &
+        (0.40382182094267666_rk*alpha3_y - 0.24444456225550676_rk*t52))) + &
+        0.0816122074936837_rk*lam3_12
+    t64 = c4*(0.2067207712712513_rk*neg_lam4_11 + (3.221934173968582_rk*lam4_12 - t50)) - t63
+    t65 = 3.509903939799839_rk*c2
+    t66 = qd(1)*(s2*t65 + (0.29735998936351243_rk*(c2*t65) - 0.5218524991029152_rk))
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*(c3*t61 + s3*t64) - ((0.20091837135316784_rk*c2 + 0.26458063578324464_rk*s2)*ww2_zz &
+        - (2.0_rk*(qd(2)*t66) + c2*n3_z))
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = n03_x - (0.4_rk*f03_y - nc2_x)
-    neg_n2_y = n3_z - nc2_y
-    n2_z = n03_y + (nc2_z + 0.4_rk*f03_x)
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    neg_n02_y = c2*neg_n2_y - s2*n2_x
-    tau(1) = neg_n02_y
+    n2_z = 24.525_rk*(0.5419930474657001_rk*c2 - 3.126354326358915_rk*s2) + (c3*t64 - s3*t61) - &
+        qd(1)*t66
+    tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = n3_z
     tau(4) = n4_z
@@ -1185,663 +1012,585 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 597 multiplications, 517 additions, 7 divisions = 1121; 17 unary minus; 12 sine/cosine
+  ! 551 multiplications, 482 additions, 7 divisions = 1040; 4 unary minus; 12 sine/cosine
   pure subroutine iiwa_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="iiwa_forward_dynamics_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(in) :: tau(7)
     real(rk), intent(out) :: qdd(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, h7_x, neg_h7_y, t1, t2, k7_xy
-    real(rk) :: k7_xz, k7_yz, neg_m6_7, fu6_x, fu6_y, t3, nu6_x, nu6_y, fu5_x, fu5_y, nu5_x
-    real(rk) :: neg_nu5_y, m4_7, fu4_x, t4, nu4_x, nu4_y, fu3_x, fu3_y, nu3_x, nu3_y, m2_7, nu2_y
-    real(rk) :: t5, m6_6, t6, h6_x, h6_y, t7, t8, t9, t10, t11, k6_yy, neg_k6_xy, t12, t13, k6_xz
-    real(rk) :: k6_yz, neg_fu5_x, t14, fu5_y_2, nu5_x_2, nu5_y, m4_6, fu4_x_2, t15, nu4_x_2
-    real(rk) :: nu4_y_2, fu3_x_2, fu3_y_2, nu3_x_2, nu3_y_2, m2_6, nu2_y_2, m5_5, t16, t17, h5_x
-    real(rk) :: h5_y, t18, t19, t20, t21, t22, k5_xx, k5_yy, neg_k5_xy, t23, t24, k5_xz, k5_yz
-    real(rk) :: m4_5, t25, fu4_x_3, t26, nu4_x_3, nu4_y_3, fu3_x_3, fu3_y_3, nu3_x_3, nu3_y_3, m2_5
-    real(rk) :: nu2_y_3, t27, m4_4, t28, t29, h4_x, h4_y, t30, t31, t32, t33, t34, k4_xx, k4_yy
-    real(rk) :: k4_xy, t35, t36, k4_xz, k4_yz, neg_fu3_x, neg_fu3_y, nu3_x_4, neg_nu3_y, m2_4
-    real(rk) :: nu2_y_4, m3_3, t37, t38, neg_h3_x, h3_y, t39, t40, t41, t42, t43, k3_xx, k3_yy
-    real(rk) :: k3_xy, t44, t45, k3_xz, k3_yz, m2_3, t46, nu2_y_5, t47, m2_2, k2_xx, k2_yz, m1_1
-    real(rk) :: t48, w2_x, w2_y, neg_a2_x, neg_a2_y, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy
-    real(rk) :: ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, w3_x, w3_y, t49, t50, a3_x
-    real(rk) :: a3_y, alpha3_x, alpha3_y, w3_z, ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz
-    real(rk) :: neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_23, neg_lam3_31, lam3_32
-    real(rk) :: neg_lam3_33, w4_x, w4_y, a4_x, a4_y, alpha4_x, alpha4_y, w4_z, ww4_yz, ww4_zx
-    real(rk) :: ww4_xy, ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22
-    real(rk) :: lam4_23, lam4_31, lam4_32, neg_lam4_33, a5_z, w5_x, w5_y, t51, t52, a5_x, a5_y
-    real(rk) :: alpha5_x, alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz
-    real(rk) :: neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32
-    real(rk) :: neg_lam5_33, w6_x, t53, w6_y, a6_x, a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx
-    real(rk) :: ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22
-    real(rk) :: lam6_23, lam6_31, lam6_32, neg_lam6_33, a7_z, w7_x, w7_y, t54, t55, a7_x, a7_y
-    real(rk) :: alpha7_x, alpha7_y, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz
-    real(rk) :: neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, lam7_31, lam7_32
-    real(rk) :: neg_lam7_33, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, neg_nc3_x, nc3_y, t56, neg_nc3_z
-    real(rk) :: fc4_x, fc4_y, fc4_z, neg_nc4_x, nc4_y, t57, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x
-    real(rk) :: nc5_y, t58, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t59, nc6_z, fc7_x, fc7_y
-    real(rk) :: fc7_z, nc7_x, nc7_y, t60, nc7_z, f07_x, f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x
-    real(rk) :: f6_y, f6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, f05_x
-    real(rk) :: f05_y, n05_x, n05_y, n4_x, n4_y, neg_n4_z, f4_x, f4_y, f4_z, f04_x, n04_x, n04_y
-    real(rk) :: n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y, n03_x, n03_y, n2_x, n2_y, n2_z, n02_y
-    real(rk) :: y1, neg_ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1, l7_1, pivot2, ipivot2, ld3_2, l3_2
-    real(rk) :: ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3, ld4_3, l4_3
-    real(rk) :: ld5_3, l5_3, ld6_3, l6_3, ld7_3, l7_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4
-    real(rk) :: ld7_4, l7_4, pivot5, ipivot5, ld6_5, l6_5, ld7_5, l7_5, pivot6, ipivot6, ld7_6
-    real(rk) :: l7_6, t61, pivot7, ipivot7, y2, y3, y4, y5, y6, t62, y7, qdd7, qdd6, qdd5, qdd4
-    real(rk) :: qdd3, qdd2, t63, qdd1
+    real(rk) :: s2, neg_w2_x, c2, neg_w2_y, neg_ww2_yz, c3, s3, neg_w3_x, w3_z, w3_y, neg_alpha3_x
+    real(rk) :: alpha3_y, neg_ww3_zx, ww3_yz, ww3_xx, ww3_zz, ww3_yy, neg_ww3_xy, lam3_13, lam3_23
+    real(rk) :: neg_lam3_31, lam3_32, c4, s4, neg_w4_x, neg_w4_z, w4_y, neg_ww4_xy, neg_ww4_yz
+    real(rk) :: ww4_zz, ww4_yy, ww4_zx, lam4_12, neg_lam4_21, neg_lam4_11, c5, s5, neg_w5_x, w5_z
+    real(rk) :: w5_y, neg_ww5_xy, ww5_xx, ww5_zz, ww5_yy, ww5_yz, neg_ww5_zx, neg_lam5_22, c6, s6
+    real(rk) :: neg_w6_x, w6_z, neg_w6_y, neg_ww6_zx, ww6_zz, neg_ww6_yz, ww6_xy, ww6_yy
+    real(rk) :: neg_lam6_11, w7_z, c7, s7, neg_ww2_zx, neg_alpha4_y, lam4_31, neg_lam3_21, alpha4_x
+    real(rk) :: neg_lam4_32, t1, lam4_22, lam5_12, ww7_zz, t2, t3, t4, t5, neg_lam6_22, alpha5_x
+    real(rk) :: alpha7_z, neg_lam6_13, alpha5_y, lam6_21, alpha6_x, lam6_12, neg_lam6_23, t6, t7
+    real(rk) :: t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, t24
+    real(rk) :: t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, t35, t36, n6_z, neg_lam5_31
+    real(rk) :: lam5_32, t37, n5_y, neg_lam5_11, neg_lam5_21, neg_lam6_31, neg_lam6_32, t38, t39
+    real(rk) :: t40, nc7_z, t41, t42, t43, t44, n5_x, neg_lam4_23, lam4_13, lam5_23, lam5_13, t45
+    real(rk) :: n5_z, t46, t47, t48, t49, t50, t51, n4_z, lam3_12, ww2_zz, t52, t53, t54, t55, t56
+    real(rk) :: t57, t58, t59, t60, n3_z, t61, t62, t63, t64, t65, t66, t67, n1_z, n2_z, h7_x, h7_y
+    real(rk) :: t68, neg_k7_xy, k7_xz, k7_yz, neg_m6_7, neg_fu6_x, neg_fu6_y, t69, nu6_x, neg_nu6_y
+    real(rk) :: neg_fu5_x, neg_fu5_y, nu5_x, nu5_y, m4_7, neg_fu4_x, t70, nu4_x, nu4_y, fu3_x
+    real(rk) :: neg_fu3_y, nu3_x, nu3_y, m2_7, neg_nu2_y, t71, neg_m6_6, t72, h6_x, h6_y, t73, t74
+    real(rk) :: t75, t76, t77, k6_yy, neg_k6_xy, t78, t79, neg_k6_xz, neg_k6_yz, neg_fu5_x_2
+    real(rk) :: neg_fu5_y_2, nu5_x_2, nu5_y_2, m4_6, fu4_x, t80, nu4_x_2, nu4_y_2, fu3_x_2, fu3_y
+    real(rk) :: nu3_x_2, nu3_y_2, m2_6, neg_nu2_y_2, m5_5, t81, t82, h5_x, h5_y, t83, t84, t85, t86
+    real(rk) :: t87, k5_xx, k5_yy, neg_k5_xy, t88, t89, k5_xz, k5_yz, m4_5, neg_fu4_x_2, t90
+    real(rk) :: neg_nu4_x, nu4_y_3, neg_fu3_x, fu3_y_2, nu3_x_3, neg_nu3_y, neg_m2_5, neg_nu2_y_3
+    real(rk) :: t91, m4_4, t92, t93, h4_x, h4_y, t94, t95, t96, t97, t98, k4_xx, neg_k4_yy, k4_xy
+    real(rk) :: t99, t100, k4_xz, neg_k4_yz, neg_fu3_x_2, neg_fu3_y_2, nu3_x_4, neg_nu3_y_2
+    real(rk) :: neg_m2_4, neg_nu2_y_4, m3_3, t101, t102, h3_x, h3_y, t103, t104, t105, t106, t107
+    real(rk) :: k3_xx, k3_yy, k3_xy, t108, t109, k3_xz, k3_yz, neg_m2_3, t110, neg_nu2_y_5, t111
+    real(rk) :: m2_2, k2_xx, neg_k2_yz, m1_1, neg_y1, ipivot1, neg_l2_1, l3_1, l4_1, l5_1, l6_1
+    real(rk) :: l7_1, pivot2, ipivot2, neg_ld3_2, neg_l3_2, neg_ld4_2, neg_l4_2, neg_ld5_2
+    real(rk) :: neg_l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3
+    real(rk) :: ld6_3, l6_3, ld7_3, l7_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, ld7_4, l7_4
+    real(rk) :: pivot5, ipivot5, neg_ld6_5, neg_l6_5, ld7_5, l7_5, neg_pivot6, neg_ipivot6
+    real(rk) :: neg_ld7_6, l7_6, t112, pivot7, ipivot7, neg_y2, neg_y3, neg_y4, neg_y5, neg_y6
+    real(rk) :: t113, neg_y7, neg_qdd7, qdd6, neg_qdd5, neg_qdd4, neg_qdd3, qdd2, t114, qdd1, t115
+    real(rk) :: t116, t117, t118
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
     s2 = sin(q(2))
+    ! link 2: angular velocity [rad/s]
+    neg_w2_x = s2*qd(1)
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    ! link 2: angular velocity [rad/s]
+    neg_w2_y = qd(1)*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    neg_ww2_yz = neg_w2_y*qd(2)
+    ! sines and cosines of the joint angles
     c3 = cos(q(3))
     s3 = sin(q(3))
+    ! link 3: angular velocity [rad/s]
+    neg_w3_x = neg_w2_x*c3 - qd(2)*s3
+    w3_z = neg_w2_y + qd(3)
+    w3_y = qd(2)*c3 + neg_w2_x*s3
+    ! link 3: angular acceleration [rad/s^2]
+    neg_alpha3_x = neg_ww2_yz*c3 - qd(3)*w3_y
+    alpha3_y = neg_w3_x*qd(3) + neg_ww2_yz*s3
+    ! link 3: products of the angular velocity [1/s^2]
+    neg_ww3_zx = neg_w3_x*w3_z
+    ww3_yz = w3_z*w3_y
+    ww3_xx = neg_w3_x*neg_w3_x
+    ww3_zz = w3_z*w3_z
+    ww3_yy = w3_y*w3_y
+    neg_ww3_xy = neg_w3_x*w3_y
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_13 = alpha3_y - neg_ww3_zx
+    lam3_23 = neg_alpha3_x + ww3_yz
+    neg_lam3_31 = alpha3_y + neg_ww3_zx
+    lam3_32 = ww3_yz - neg_alpha3_x
+    ! sines and cosines of the joint angles
     c4 = cos(q(4))
     s4 = sin(q(4))
+    ! link 4: angular velocity [rad/s]
+    neg_w4_x = neg_w3_x*c4 - w3_z*s4
+    neg_w4_z = w3_y - qd(4)
+    w4_y = w3_z*c4 + neg_w3_x*s4
+    ! link 4: products of the angular velocity [1/s^2]
+    neg_ww4_xy = neg_w4_x*w4_y
+    neg_ww4_yz = neg_w4_z*w4_y
+    ww4_zz = neg_w4_z*neg_w4_z
+    ww4_yy = w4_y*w4_y
+    ww4_zx = neg_w4_x*neg_w4_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_12 = alpha3_y - neg_ww4_xy
+    neg_lam4_21 = alpha3_y + neg_ww4_xy
+    neg_lam4_11 = ww4_zz + ww4_yy
+    ! sines and cosines of the joint angles
     c5 = cos(q(5))
     s5 = sin(q(5))
+    ! link 5: angular velocity [rad/s]
+    neg_w5_x = neg_w4_x*c5 - neg_w4_z*s5
+    w5_z = w4_y + qd(5)
+    w5_y = neg_w4_z*c5 + neg_w4_x*s5
+    ! link 5: products of the angular velocity [1/s^2]
+    neg_ww5_xy = neg_w5_x*w5_y
+    ww5_xx = neg_w5_x*neg_w5_x
+    ww5_zz = w5_z*w5_z
+    ww5_yy = w5_y*w5_y
+    ww5_yz = w5_z*w5_y
+    neg_ww5_zx = neg_w5_x*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_22 = ww5_xx + ww5_zz
+    ! sines and cosines of the joint angles
     c6 = cos(q(6))
     s6 = sin(q(6))
+    ! link 6: angular velocity [rad/s]
+    neg_w6_x = neg_w5_x*c6 + w5_z*s6
+    w6_z = w5_y + qd(6)
+    neg_w6_y = w5_z*c6 - neg_w5_x*s6
+    ! link 6: products of the angular velocity [1/s^2]
+    neg_ww6_zx = neg_w6_x*w6_z
+    ww6_zz = w6_z*w6_z
+    neg_ww6_yz = w6_z*neg_w6_y
+    ww6_xy = neg_w6_x*neg_w6_y
+    ww6_yy = neg_w6_y*neg_w6_y
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_11 = ww6_zz + ww6_yy
+    ! link 7: angular velocity [rad/s]
+    w7_z = neg_w6_y + qd(7)
+    ! sines and cosines of the joint angles
     c7 = cos(q(7))
     s7 = sin(q(7))
+    ! link 2: products of the angular velocity [1/s^2]
+    neg_ww2_zx = neg_w2_x*qd(2)
+    ! link 4: angular acceleration [rad/s^2]
+    neg_alpha4_y = c4*neg_ww2_zx - neg_alpha3_x*s4 - neg_w4_x*qd(4)
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_31 = ww4_zx + neg_alpha4_y
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_21 = neg_ww3_xy + neg_ww2_zx
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = qd(4)*w4_y - neg_alpha3_x*c4 - s4*neg_ww2_zx
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_32 = neg_ww4_yz - alpha4_x
+    t1 = ww5_zz - ww5_yy
+    lam4_22 = t1 - neg_lam5_22
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = neg_alpha4_y - neg_ww5_xy
+    ! link 7: products of the angular velocity [1/s^2]
+    ww7_zz = w7_z*w7_z
+    t2 = ww6_zz - ww7_zz
+    t3 = neg_lam5_22 - neg_lam6_11
+    t4 = ww6_zz + ww7_zz
+    t5 = t3 + t4
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_22 = t2 + t5
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_x = alpha3_y*s5 + qd(5)*w5_y + c5*alpha4_x
+    ! link 7: angular acceleration [rad/s^2]
+    alpha7_z = s6*alpha5_x - (c6*neg_alpha4_y + neg_w6_x*qd(6))
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_13 = neg_ww6_zx + alpha7_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = alpha3_y*c5 - (s5*alpha4_x - neg_w5_x*qd(5))
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_21 = ww6_xy + alpha5_y
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_x = c6*alpha5_x - (qd(6)*neg_w6_y - s6*neg_alpha4_y)
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_12 = ww6_xy - alpha5_y
+    neg_lam6_23 = neg_ww6_yz + alpha6_x
+    t6 = 0.150926706942488_rk*s7
+    t7 = t6 - 0.32845591866705903_rk*c7
+    t8 = 0.3999801598546772_rk*c7
+    t9 = t8 - 0.283322719186478_rk*s7
+    t10 = t9 - 0.6262523039785531_rk
+    t11 = 24.525_rk*s2
+    t12 = c3*t11
+    t13 = lam3_13 - t12
+    t14 = ww3_yy + (ww3_xx - 24.525_rk*c2)
+    t15 = c4*t13 - s4*t14
+    t16 = lam4_12 + t15
+    t17 = s3*t11
+    t18 = lam3_23 + t17
+    t19 = neg_lam4_32 + t18
+    t20 = c5*t16 + s5*t19
+    t21 = s4*t13 + c4*t14
+    t22 = t21 - lam4_22
+    t23 = s6*t20 - c6*t22
+    t24 = c6*t20 + s6*t22
+    t25 = neg_lam5_22 - neg_lam6_22
+    t26 = t6*t8
+    t27 = c7*c7
+    t28 = 1.6791988194353373_rk*t26 - 0.2114247825686032_rk*(t27 + (t27 - 1.0_rk))
+    t29 = qd(7) + w7_z
+    t30 = alpha6_x + w6_z*t29
+    t31 = alpha5_y + neg_w6_x*t29
+    t32 = 0.10136935104159488_rk*t27
+    t33 = t32 + (7.004567783863868_rk*t26 + 0.19090892097190032_rk)
+    t34 = t33 - 0.48318719298539553_rk
+    t35 = 0.516451399126078_rk*t24 + (0.4239952187044951_rk*lam6_21 + 0.36144292274665746_rk*(t3 - &
+        t25) + t28*t30 - t31*t34)
+    t36 = 1.1592996128590562_rk*(t9 - 0.5301679950513729_rk*c7)
+    ! link 6: moment through the joint, about the frame's origin [N m]
+    n6_z = t7*(t4 - neg_lam6_22) - (t10*t23 - (t35 - 2.0289563933923875_rk*lam6_12)) + &
+        0.042925575293549574_rk*neg_lam6_23 + neg_lam6_13*(t36 + 0.0870114460092663_rk)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_31 = neg_ww5_zx + alpha5_y
+    lam5_32 = ww5_yz + alpha5_x
+    t37 = ww5_xx - ww5_yy
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_y = 0.03284626166448073_rk*lam5_32 + (n6_z - (0.10101181803004346_rk*t22 - &
+        0.041147842218669614_rk*(t1 - t37) + 0.05680835589544868_rk*lam5_12) + &
+        0.09474888781047501_rk*neg_lam5_31)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_11 = ww5_zz + ww5_yy
+    neg_lam5_21 = neg_ww5_xy + neg_alpha4_y
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_31 = neg_ww6_zx - alpha7_z
+    neg_lam6_32 = neg_ww6_yz - alpha6_x
+    t38 = 1.8772205723301225_rk*(t36 + 0.11538550714999525_rk*s7)
+    t39 = s5*t16 - c5*t19
+    t40 = t34*neg_lam6_31 - lam6_12*t36 + (t3*t28 + t24*t38 - (t7*neg_lam6_32 + t9*t39))
+    ! link 7: moment that turns the link [N m]
+    nc7_z = t40 + neg_lam6_13*t33
+    t41 = 0.042925575293549574_rk*t3 + (0.36144292274665746_rk*neg_lam6_32 - &
+        0.16772238154175834_rk*t24) - (0.0870114460092663_rk*lam6_12 + &
+        0.4239952187044951_rk*neg_lam6_31 - (nc7_z + 0.6262523039785531_rk*t39) - &
+        0.20655564034097101_rk*neg_lam6_13)
+    t42 = t38 - 0.16772238154175834_rk
+    t43 = t30*t33 - (0.0870114460092663_rk*t25 - (0.20655564034097101_rk*neg_lam6_23 + &
+        (0.042925575293549574_rk*lam6_21 + t28*t31))) + t2*t36
+    t44 = 0.516451399126078_rk*t39 - (t23*t42 + (2.0289563933923875_rk*neg_lam6_32 - t43)) - &
+        neg_lam6_31*(t7 - 0.36144292274665746_rk)
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_x = s6*t41 + c6*t44 - (0.05680835589544868_rk*t1 - (0.03284626166448073_rk*neg_lam5_31 - &
+        0.041147842218669614_rk*neg_lam5_21))
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_23 = neg_ww4_yz + alpha4_x
+    lam4_13 = ww4_zx - neg_alpha4_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_23 = ww5_yz - alpha5_x
+    lam5_13 = alpha5_y - neg_ww5_zx
+    t45 = 0.03284626166448073_rk*t37 - 0.041147842218669614_rk*lam5_23 - (s6*t44 - &
+        0.05680835589544868_rk*lam5_13) - 0.09474888781047501_rk*neg_lam5_21 + c6*t41
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_z = t45 + 0.10101181803004346_rk*t39
+    t46 = neg_lam4_11 + lam4_22
+    t47 = t5*t38 + (0.516451399126078_rk*neg_lam6_32 - (0.16772238154175834_rk*neg_lam5_22 - &
+        0.10101181803004346_rk*neg_lam5_21)) - t10*neg_lam6_31
+    t48 = t30*t38 - 0.16772238154175834_rk*neg_lam6_23 - 0.6262523039785531_rk*lam6_21 + &
+        0.516451399126078_rk*neg_lam6_22 + t9*t31
+    t49 = t4*t9 - (0.6262523039785531_rk*neg_lam6_11 - 0.516451399126078_rk*lam6_12) - &
+        neg_lam6_13*t42
+    t50 = 0.10101181803004346_rk*neg_lam5_11 - (s6*t48 + c6*t49)
+    t51 = s5*t47 - c5*t50
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_z = 0.013124222729483126_rk*neg_lam4_23 - (3.569490999313376_rk*lam4_12 + &
+        3.221934173968582_rk*t15 + 0.09675036990607108_rk*lam4_13 + &
+        0.24852411424661205_rk*neg_lam4_21) - (0.20921122087079386_rk*t46 + s5*n5_x - (t51 + &
+        (0.2067207712712513_rk*t21 - c5*n5_y)))
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_12 = neg_ww2_zx - neg_ww3_xy
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    t52 = ww3_zz - ww3_yy
+    t53 = ww3_xx - ww3_zz
+    t54 = 0.2067207712712513_rk*t18 - 0.2506667841125447_rk*lam4_13 + &
+        0.24852411424661205_rk*lam4_31 - (n5_z + 0.09675036990607108_rk*lam4_12) + &
+        0.20921122087079386_rk*neg_lam4_32
+    t55 = ww4_zz - ww4_yy
+    t56 = t54 - 0.013124222729483126_rk*(t46 + t55)
+    t57 = s5*t50 + c5*t47
+    t58 = 0.013124222729483126_rk*(neg_lam4_21 + 15.940846569207324_rk*lam4_31) + s5*n5_y - &
+        (0.09675036990607108_rk*t55 - t57 + c5*n5_x)
+    t59 = 3.221934173968582_rk*t18 + (t58 - 0.2506667841125447_rk*neg_lam4_23) + &
+        3.569490999313376_rk*neg_lam4_32
+    t60 = 0.1005265342798281_rk*(t52 + t53) + (0.0816122074936837_rk*lam3_13 - &
+        0.4067460055662282_rk*t17 - (c4*t56 + 0.40382182094267666_rk*neg_ww2_zx + s4*t59))
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_z = t60 - 0.01755847364096103_rk*(t12 + 13.921743270739537_rk*lam3_23)
+    t61 = c4*t59 - (0.1005265342798281_rk*neg_lam3_31 - (t57 + &
+        (0.40382182094267666_rk*neg_alpha3_x - s4*t56) + 3.221934173968582_rk*neg_lam4_32))
+    t62 = 0.0816122074936837_rk*t52 + (0.2067207712712513_rk*lam4_31 + (0.43062156604456925_rk*c2 &
+        + t61 + 0.24444456225550676_rk*neg_lam3_21))
+    t63 = s4*(-3.221934173968582_rk*lam4_22 - (s6*t49 + 0.2067207712712513_rk*neg_lam4_21 - &
+        c6*t48) - 0.10101181803004346_rk*neg_lam5_31)
+    t64 = n4_z - t63 - (9.975445786511747_rk*c2 + (0.40382182094267666_rk*alpha3_y - &
+        0.24444456225550676_rk*t53)) - 0.1005265342798281_rk*lam3_32 + &
+        0.0816122074936837_rk*lam3_12
+    t65 = c4*(0.2067207712712513_rk*neg_lam4_11 - (t51 - 3.221934173968582_rk*lam4_12)) - t64
+    t66 = 3.509903939799839_rk*c2
+    t67 = qd(1)*(s2*t66 + (0.29735998936351243_rk*(c2*t66) - 0.5218524991029152_rk))
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = s2*(c3*t62 + s3*t65) - (ww2_zz*(0.20091837135316784_rk*c2 + 0.26458063578324464_rk*s2) &
+        - (2.0_rk*(qd(2)*t67) + c2*n3_z))
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_z = 24.525_rk*(0.5419930474657001_rk*c2 - 3.126354326358915_rk*s2) + (c3*t65 - s3*t62) - &
+        qd(1)*t67
     ! link 7: first moment of the composite body, about the frame's origin [kg m]
     h7_x = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
-    neg_h7_y = -0.708306797966195_rk*c7 - 0.9999503996366931_rk*s7
-    t1 = c7*c7
-    t2 = c7*s7
+    h7_y = 0.708306797966195_rk*c7 + 0.9999503996366931_rk*s7
+    t68 = c7*s7
     ! link 7: second moment of the composite body [kg m^2]
-    k7_xy = 0.2114247825686032_rk*(2.0_rk*t1 - 1.0_rk) - 0.10136935104159488_rk*t2
+    neg_k7_xy = 0.2114247825686032_rk*(1.0_rk - 2.0_rk*t27) + 0.10136935104159488_rk*t68
     k7_xz = 0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7
     k7_yz = 0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7
     ! link 6: mass matrix, its row of this joint
-    neg_m6_7 = k7_yz - 0.126_rk*neg_h7_y
+    neg_m6_7 = k7_yz + 0.126_rk*h7_y
     ! link 6: force for a unit acceleration of a joint further out
-    fu6_x = c6*neg_h7_y
-    fu6_y = s6*neg_h7_y
-    t3 = k7_xz + 0.126_rk*h7_x
+    neg_fu6_x = c6*h7_y
+    neg_fu6_y = s6*h7_y
+    t69 = k7_xz + 0.126_rk*h7_x
     ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = 0.48318719298539553_rk*s6 - c6*t3
-    nu6_y = -0.48318719298539553_rk*c6 - s6*t3
+    nu6_x = 0.48318719298539553_rk*s6 - c6*t69
+    neg_nu6_y = s6*t69 + 0.48318719298539553_rk*c6
     ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = c5*fu6_x - s5*h7_x
-    fu5_y = s5*fu6_x + c5*h7_x
+    neg_fu5_x = c5*neg_fu6_x + s5*h7_x
+    neg_fu5_y = s5*neg_fu6_x - c5*h7_x
     ! link 5: moment for a unit acceleration of a joint further out
     nu5_x = c5*nu6_x + s5*neg_m6_7
-    neg_nu5_y = c5*neg_m6_7 - s5*nu6_x
+    nu5_y = s5*nu6_x - c5*neg_m6_7
     ! link 4: mass matrix, its row of this joint
-    m4_7 = neg_nu5_y - 0.4_rk*fu5_x
+    m4_7 = 0.4_rk*neg_fu5_x - nu5_y
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*fu5_x + s4*fu6_y
-    t4 = nu5_x - 0.4_rk*fu5_y
+    neg_fu4_x = c4*neg_fu5_x + s4*neg_fu6_y
+    t70 = nu5_x + 0.4_rk*neg_fu5_y
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*t4 + s4*nu6_y
-    nu4_y = s4*t4 - c4*nu6_y
+    nu4_x = c4*t70 - s4*neg_nu6_y
+    nu4_y = s4*t70 + c4*neg_nu6_y
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c3*fu4_x - s3*fu5_y
-    fu3_y = s3*fu4_x + c3*fu5_y
+    fu3_x = s3*neg_fu5_y - c3*neg_fu4_x
+    neg_fu3_y = s3*neg_fu4_x + c3*neg_fu5_y
     ! link 3: moment for a unit acceleration of a joint further out
     nu3_x = c3*nu4_x + s3*m4_7
     nu3_y = s3*nu4_x - c3*m4_7
     ! link 2: mass matrix, its row of this joint
     m2_7 = nu3_y + 0.4_rk*fu3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = s2*(nu3_x - 0.4_rk*fu3_y) - c2*nu4_y
-    t5 = 0.10136935104159488_rk*t1 + 0.4228495651372064_rk*t2
+    neg_nu2_y = c2*nu4_y - s2*(nu3_x + 0.4_rk*neg_fu3_y)
+    t71 = t32 + 0.4228495651372064_rk*t68
     ! link 6: mass matrix, its row of this joint
-    m6_6 = 2.745229884110378_rk - t5
-    t6 = h7_x - 1.5656307599463828_rk
+    neg_m6_6 = t71 - 2.745229884110378_rk
+    t72 = h7_x - 1.5656307599463828_rk
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = c6*t6 + 1.291128497815195_rk*s6
-    h6_y = s6*t6 - 1.291128497815195_rk*c6
-    t7 = c6*c6
-    t8 = t5 + 1.3126829026743974_rk
-    t9 = t3 + 0.36144292274665746_rk
-    t10 = c6*s6
-    t11 = t7*t8 - t9*(2.0_rk*t10)
+    h6_x = c6*t72 + 1.291128497815195_rk*s6
+    h6_y = s6*t72 - 1.291128497815195_rk*c6
+    t73 = c6*c6
+    t74 = t71 + 1.3126829026743974_rk
+    t75 = 0.36144292274665746_rk + t69
+    t76 = c6*s6
+    t77 = t73*t74 - t75*(2.0_rk*t76)
     ! link 6: second moment of the composite body [kg m^2]
-    k6_yy = t11 - (t5 - 0.7162734907179903_rk)
-    neg_k6_xy = t8*t10 - t9*(1.0_rk - 2.0_rk*t7)
-    t12 = k7_xy - 0.042925575293549574_rk
-    t13 = 0.0870114460092663_rk - neg_m6_7
-    k6_xz = c6*t12 - s6*t13
-    k6_yz = s6*t12 + c6*t13
+    k6_yy = t77 - (t71 - 0.7162734907179903_rk)
+    neg_k6_xy = t74*t76 - t75*(1.0_rk - 2.0_rk*t73)
+    t78 = neg_k7_xy + 0.042925575293549574_rk
+    t79 = 0.0870114460092663_rk - neg_m6_7
+    neg_k6_xz = c6*t78 + s6*t79
+    neg_k6_yz = s6*t78 - c6*t79
     ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x = c5*h6_y
-    t14 = -s5
-    fu5_y_2 = t14*h6_y
+    neg_fu5_x_2 = c5*h6_y
+    neg_fu5_y_2 = s5*h6_y
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x_2 = t14*m6_6 - c5*k6_xz
-    nu5_y = c5*m6_6 - s5*k6_xz
+    nu5_x_2 = s5*neg_m6_6 + c5*neg_k6_xz
+    nu5_y_2 = s5*neg_k6_xz - c5*neg_m6_6
     ! link 4: mass matrix, its row of this joint
-    m4_6 = 0.4_rk*neg_fu5_x - nu5_y
+    m4_6 = 0.4_rk*neg_fu5_x_2 - nu5_y_2
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = s4*h6_x - c4*neg_fu5_x
-    t15 = nu5_x_2 - 0.4_rk*fu5_y_2
+    fu4_x = s4*h6_x - c4*neg_fu5_x_2
+    t80 = nu5_x_2 + 0.4_rk*neg_fu5_y_2
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c4*t15 - s4*k6_yz
-    nu4_y_2 = s4*t15 + c4*k6_yz
+    nu4_x_2 = c4*t80 + s4*neg_k6_yz
+    nu4_y_2 = s4*t80 - c4*neg_k6_yz
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c3*fu4_x_2 - s3*fu5_y_2
-    fu3_y_2 = s3*fu4_x_2 + c3*fu5_y_2
+    fu3_x_2 = c3*fu4_x + s3*neg_fu5_y_2
+    fu3_y = s3*fu4_x - c3*neg_fu5_y_2
     ! link 3: moment for a unit acceleration of a joint further out
     nu3_x_2 = c3*nu4_x_2 + s3*m4_6
     nu3_y_2 = s3*nu4_x_2 - c3*m4_6
     ! link 2: mass matrix, its row of this joint
     m2_6 = nu3_y_2 + 0.4_rk*fu3_x_2
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = s2*(nu3_x_2 - 0.4_rk*fu3_y_2) - c2*nu4_y_2
+    neg_nu2_y_2 = c2*nu4_y_2 - s2*(nu3_x_2 - 0.4_rk*fu3_y)
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t5 - t11 + 2.521169842515734_rk
-    t16 = h6_x - 0.25252954507510866_rk
-    t17 = 0.4193059538543958_rk - neg_h7_y
+    m5_5 = t71 - t77 + 2.521169842515734_rk
+    t81 = h6_x - 0.25252954507510866_rk
+    t82 = h7_y + 0.4193059538543958_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = c5*t16 - s5*t17
-    h5_y = s5*t16 + c5*t17
-    t18 = c5*c5
-    t19 = t5 + t11 - 1.7262407198899914_rk
-    t20 = 0.03284626166448073_rk - k6_xz
-    t21 = c5*s5
-    t22 = t18*t19 - t20*(2.0_rk*t21)
+    h5_x = c5*t81 - s5*t82
+    h5_y = s5*t81 + c5*t82
+    t83 = c5*c5
+    t84 = t71 + t77 - 1.7262407198899914_rk
+    t85 = neg_k6_xz + 0.03284626166448073_rk
+    t86 = c5*s5
+    t87 = t83*t84 - t85*(2.0_rk*t86)
     ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = t5 + 0.39746456131287133_rk - t22
-    k5_yy = t22 - (t11 - 2.1237052812028625_rk)
-    neg_k5_xy = t19*t21 - t20*(1.0_rk - 2.0_rk*t18)
-    t23 = neg_k6_xy - 0.041147842218669614_rk
-    t24 = -k6_yz - 0.05680835589544868_rk
-    k5_xz = c5*t23 - s5*t24
-    k5_yz = s5*t23 + c5*t24
+    k5_xx = t71 + 0.39746456131287133_rk - t87
+    k5_yy = t87 - (t77 - 2.1237052812028625_rk)
+    neg_k5_xy = t84*t86 - t85*(1.0_rk - 2.0_rk*t83)
+    t88 = neg_k6_xy - 0.041147842218669614_rk
+    t89 = neg_k6_yz - 0.05680835589544868_rk
+    k5_xz = c5*t88 - s5*t89
+    k5_yz = s5*t88 + c5*t89
     ! link 4: mass matrix, its row of this joint
     m4_5 = k5_yz + 0.4_rk*h5_y
-    t25 = -c4
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_3 = t25*h5_y
-    t26 = k5_xz + 0.4_rk*h5_x
+    neg_fu4_x_2 = c4*h5_y
+    t90 = k5_xz + 0.4_rk*h5_x
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_3 = -s4*m5_5 - c4*t26
-    nu4_y_3 = c4*m5_5 - s4*t26
+    neg_nu4_x = s4*m5_5 + c4*t90
+    nu4_y_3 = c4*m5_5 - s4*t90
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_3 = c3*fu4_x_3 - s3*h5_x
-    fu3_y_3 = s3*fu4_x_3 + c3*h5_x
+    neg_fu3_x = c3*neg_fu4_x_2 + s3*h5_x
+    fu3_y_2 = c3*h5_x - s3*neg_fu4_x_2
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_3 = c3*nu4_x_3 + s3*m4_5
-    nu3_y_3 = s3*nu4_x_3 - c3*m4_5
+    nu3_x_3 = s3*m4_5 - c3*neg_nu4_x
+    neg_nu3_y = s3*neg_nu4_x + c3*m4_5
     ! link 2: mass matrix, its row of this joint
-    m2_5 = nu3_y_3 + 0.4_rk*fu3_x_3
+    neg_m2_5 = neg_nu3_y + 0.4_rk*neg_fu3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_3 = s2*(nu3_x_3 - 0.4_rk*fu3_y_3) - c2*nu4_y_3
-    t27 = 0.8_rk*h6_y - k6_yy
+    neg_nu2_y_3 = c2*nu4_y_3 + s2*(0.4_rk*fu3_y_2 - nu3_x_3)
+    t91 = k6_yy - 0.8_rk*h6_y
     ! link 4: mass matrix, its row of this joint
-    m4_4 = k5_xx - t27 + 3.818015113559988_rk
-    t28 = h5_x - 0.5168019281781282_rk
-    t29 = h6_y - 8.054835434921454_rk
+    m4_4 = k5_xx + t91 + 3.818015113559988_rk
+    t92 = h5_x - 0.5168019281781282_rk
+    t93 = h6_y - 8.054835434921454_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t28 + s4*t29
-    h4_y = s4*t28 - c4*t29
-    t30 = c4*c4
-    t31 = k5_xx + t27 - 3.3209668850667637_rk
-    t32 = t26 - 0.20921122087079386_rk
-    t33 = c4*s4
-    t34 = t30*t31 - t32*(2.0_rk*t33)
+    h4_x = c4*t92 + s4*t93
+    h4_y = s4*t92 - c4*t93
+    t94 = c4*c4
+    t95 = k5_xx - t91 - 3.3209668850667637_rk
+    t96 = t90 - 0.20921122087079386_rk
+    t97 = c4*s4
+    t98 = t94*t95 - t96*(2.0_rk*t97)
     ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t34 - (t27 - 3.569490999313376_rk)
-    k4_yy = k5_xx + 0.24852411424661205_rk - t34
-    k4_xy = t31*t33 - t32*(1.0_rk - 2.0_rk*t30)
-    t35 = neg_k5_xy - 0.013124222729483126_rk
-    t36 = m4_5 - 0.09675036990607108_rk
-    k4_xz = c4*t35 + s4*t36
-    k4_yz = s4*t35 - c4*t36
+    k4_xx = t98 + (t91 + 3.569490999313376_rk)
+    neg_k4_yy = t98 - (k5_xx + 0.24852411424661205_rk)
+    k4_xy = t95*t97 - t96*(1.0_rk - 2.0_rk*t94)
+    t99 = neg_k5_xy - 0.013124222729483126_rk
+    t100 = m4_5 - 0.09675036990607108_rk
+    k4_xz = c4*t99 + s4*t100
+    neg_k4_yz = c4*t100 - s4*t99
     ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c3*h4_y
-    neg_fu3_y = s3*h4_y
+    neg_fu3_x_2 = c3*h4_y
+    neg_fu3_y_2 = s3*h4_y
     ! link 3: moment for a unit acceleration of a joint further out
     nu3_x_4 = s3*m4_4 - c3*k4_xz
-    neg_nu3_y = s3*k4_xz + c3*m4_4
+    neg_nu3_y_2 = s3*k4_xz + c3*m4_4
     ! link 2: mass matrix, its row of this joint
-    m2_4 = -0.4_rk*neg_fu3_x - neg_nu3_y
+    neg_m2_4 = neg_nu3_y_2 + 0.4_rk*neg_fu3_x_2
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_4 = s2*(nu3_x_4 + 0.4_rk*neg_fu3_y) + c2*k4_yz
+    neg_nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.4_rk*neg_fu3_y_2)
     ! link 3: mass matrix, its row of this joint
     m3_3 = k5_yy + k4_xx + 0.6544886050552213_rk
-    t37 = h5_y - 0.04389618410240257_rk
-    t38 = h4_x - 1.0168650139155704_rk
+    t101 = h4_x - 1.0168650139155704_rk
+    t102 = h5_y - 0.04389618410240257_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    neg_h3_x = s3*t37 - c3*t38
-    h3_y = s3*t38 + c3*t37
-    t39 = c3*c3
-    t40 = k4_xx - k5_yy - 0.2506667841125447_rk
-    t41 = k4_xz + 0.1005265342798281_rk
-    t42 = c3*s3
-    t43 = t39*t40 + t41*(2.0_rk*t42)
+    h3_x = c3*t101 - s3*t102
+    h3_y = s3*t101 + c3*t102
+    t103 = c3*c3
+    t104 = k5_yy - k4_xx + 0.2506667841125447_rk
+    t105 = k4_xz + 0.1005265342798281_rk
+    t106 = c3*s3
+    t107 = t103*t104 - t105*(2.0_rk*t106)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = k5_yy + 0.45257769458388303_rk + t43
-    k3_yy = k4_xx + 0.20191091047133833_rk - t43
-    k3_xy = t40*t42 + t41*(1.0_rk - 2.0_rk*t39)
-    t44 = k4_xy + 0.16230144331072144_rk
-    t45 = k4_yz + 0.06405373385272267_rk
-    k3_xz = c3*t44 + s3*t45
-    k3_yz = s3*t44 - c3*t45
+    k3_xx = k5_yy + 0.45257769458388303_rk - t107
+    k3_yy = t107 + (k4_xx + 0.20191091047133833_rk)
+    k3_xy = t105*(1.0_rk - 2.0_rk*t103) - t104*t106
+    t108 = k4_xy + 0.16230144331072144_rk
+    t109 = neg_k4_yz - 0.06405373385272267_rk
+    k3_xz = c3*t108 - s3*t109
+    k3_yz = s3*t108 + c3*t109
     ! link 2: mass matrix, its row of this joint
-    m2_3 = -0.4_rk*h3_y - k3_yz
-    t46 = 0.4_rk*neg_h3_x - k3_xz
+    neg_m2_3 = k3_yz + 0.4_rk*h3_y
+    t110 = k3_xz + 0.4_rk*h3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_5 = s2*t46 - c2*m3_3
-    t47 = k4_yy + 0.8_rk*h4_y
+    neg_nu2_y_5 = s2*t110 + c2*m3_3
+    t111 = neg_k4_yy - 0.8_rk*h4_y
     ! link 2: mass matrix, its row of this joint
-    m2_2 = k3_xx + t47 + 4.764988720880306_rk
+    m2_2 = k3_xx - t111 + 4.764988720880306_rk
     ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t47 + 4.238401785575742_rk - (c2*c2*(t47 - k3_xx + 3.711814850271177_rk) - &
-        (0.5218524991029152_rk - t46)*(2.0_rk*(c2*s2)))
-    k2_yz = s2*(k3_xy - 0.20091837135316784_rk) + c2*(m2_3 + 0.26458063578324464_rk)
+    k2_xx = c2*c2*(k3_xx + t111 - 3.711814850271177_rk) + (0.5218524991029152_rk + &
+        t110)*(2.0_rk*(s2*c2)) - (t111 - 4.238401785575742_rk)
+    neg_k2_yz = s2*(0.20091837135316784_rk - k3_xy) + c2*(neg_m2_3 - 0.26458063578324464_rk)
     ! link 1: mass matrix, its row of this joint
     m1_1 = k3_yy + k2_xx + 0.8058116303302202_rk
-    t48 = -qd(1)
-    ! link 2: angular velocity [rad/s]
-    w2_x = t48*s2
-    w2_y = t48*c2
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.81_rk*s2
-    neg_a2_y = 9.81_rk*c2
-    ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    neg_alpha2_y = qd(2)*w2_x
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = neg_a2_y - 0.4_rk*neg_lam2_22
-    ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + qd(2)*s3
-    w3_y = qd(2)*c3 - s3*w2_x
-    t49 = -0.8_rk*alpha2_x
-    t50 = neg_a2_x + 0.4_rk*ww2_xy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = s3*t49 - c3*t50
-    a3_y = s3*t50 + c3*t49
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = c3*alpha2_x + qd(3)*w3_y
-    alpha3_y = -qd(3)*w3_x - s3*alpha2_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(3) - w2_y
-    ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
-    ww3_zz = w3_z*w3_z
-    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = ww3_xy - neg_alpha2_y
-    lam3_13 = alpha3_y + ww3_zx
-    lam3_21 = neg_alpha2_y + ww3_xy
-    neg_lam3_22 = ww3_xx + ww3_zz
-    lam3_23 = ww3_yz - alpha3_x
-    neg_lam3_31 = alpha3_y - ww3_zx
-    lam3_32 = alpha3_x + ww3_yz
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 4: angular velocity [rad/s]
-    w4_x = c4*w3_x + s4*w3_z
-    w4_y = c4*w3_z - s4*w3_x
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x + s4*a3_z
-    a4_y = c4*a3_z - s4*a3_x
-    ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - (t25*alpha3_x - s4*neg_alpha2_y)
-    alpha4_y = c4*neg_alpha2_y - s4*alpha3_x - qd(4)*w4_x
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) - w3_y
-    ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
-    ww4_xy = w4_x*w4_y
-    ww4_xx = w4_x*w4_x
-    ww4_yy = w4_y*w4_y
-    ww4_zz = w4_z*w4_z
-    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_11 = ww4_yy + ww4_zz
-    lam4_12 = alpha3_y + ww4_xy
-    lam4_13 = alpha4_y + ww4_zx
-    lam4_21 = ww4_xy - alpha3_y
-    neg_lam4_22 = ww4_xx + ww4_zz
-    lam4_23 = ww4_yz - alpha4_x
-    lam4_31 = ww4_zx - alpha4_y
-    lam4_32 = alpha4_x + ww4_yz
-    neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = a4_y - 0.4_rk*neg_lam4_22
-    ! link 5: angular velocity [rad/s]
-    w5_x = c5*w4_x - s5*w4_z
-    w5_y = -c5*w4_z - s5*w4_x
-    t51 = a3_y - 0.4_rk*lam4_32
-    t52 = -0.4_rk*lam4_12 - a4_x
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*t51 - c5*t52
-    a5_y = s5*t52 + c5*t51
-    ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (t14*alpha3_y - c5*alpha4_x)
-    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
-    ! link 5: angular velocity [rad/s]
-    w5_z = qd(5) + w4_y
-    ! link 5: products of the angular velocity [1/s^2]
-    ww5_yz = w5_y*w5_z
-    ww5_zx = w5_x*w5_z
-    ww5_xy = w5_x*w5_y
-    ww5_xx = w5_x*w5_x
-    ww5_yy = w5_y*w5_y
-    ww5_zz = w5_z*w5_z
-    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_11 = ww5_yy + ww5_zz
-    lam5_12 = ww5_xy - alpha4_y
-    lam5_13 = alpha5_y + ww5_zx
-    lam5_21 = alpha4_y + ww5_xy
-    neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_23 = ww5_yz - alpha5_x
-    lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = alpha5_x + ww5_yz
-    neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x - s6*w5_z
-    t53 = -c6
-    w6_y = t53*w5_z - s6*w5_x
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x - s6*a5_z
-    a6_y = t53*a5_z - s6*a5_x
-    ! link 6: angular acceleration [rad/s^2]
-    alpha6_x = qd(6)*w6_y - (s6*alpha4_y - c6*alpha5_x)
-    alpha6_y = t53*alpha4_y - s6*alpha5_x - qd(6)*w6_x
-    ! link 6: angular velocity [rad/s]
-    w6_z = qd(6) + w5_y
-    ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
-    ww6_zx = w6_x*w6_z
-    ww6_xy = w6_x*w6_y
-    ww6_xx = w6_x*w6_x
-    ww6_yy = w6_y*w6_y
-    ww6_zz = w6_z*w6_z
-    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_11 = ww6_yy + ww6_zz
-    lam6_12 = ww6_xy - alpha5_y
-    lam6_13 = alpha6_y + ww6_zx
-    lam6_21 = alpha5_y + ww6_xy
-    neg_lam6_22 = ww6_xx + ww6_zz
-    lam6_23 = ww6_yz - alpha6_x
-    lam6_31 = ww6_zx - alpha6_y
-    lam6_32 = alpha6_x + ww6_yz
-    neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_z = -0.126_rk*neg_lam6_22 - a6_y
-    ! link 7: angular velocity [rad/s]
-    w7_x = c7*w6_x + s7*w6_z
-    w7_y = c7*w6_z - s7*w6_x
-    t54 = a5_y - 0.126_rk*lam6_32
-    t55 = 0.126_rk*lam6_12 - a6_x
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_x = s7*t54 - c7*t55
-    a7_y = s7*t55 + c7*t54
-    ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (-s7*alpha5_y - c7*alpha6_x)
-    alpha7_y = c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
-    ! link 7: angular velocity [rad/s]
-    w7_z = qd(7) - w6_y
-    ! link 7: products of the angular velocity [1/s^2]
-    ww7_yz = w7_y*w7_z
-    ww7_zx = w7_x*w7_z
-    ww7_xy = w7_x*w7_y
-    ww7_xx = w7_x*w7_x
-    ww7_yy = w7_y*w7_y
-    ww7_zz = w7_z*w7_z
-    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam7_11 = ww7_yy + ww7_zz
-    lam7_12 = alpha6_y + ww7_xy
-    lam7_13 = alpha7_y + ww7_zx
-    lam7_21 = ww7_xy - alpha6_y
-    neg_lam7_22 = ww7_xx + ww7_zz
-    lam7_23 = ww7_yz - alpha7_x
-    lam7_31 = ww7_zx - alpha7_y
-    lam7_32 = alpha7_x + ww7_yz
-    neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 2: moment that turns the link [N m]
-    nc2_x = 0.20091837135316784_rk*ww2_xy - 1.0437049982058304_rk*neg_alpha2_y - &
-        (-8.476803571151484_rk*alpha2_x - 0.26458063578324464_rk*(neg_lam2_22 - neg_lam2_33))
-    nc2_y = 0.20091837135316784_rk*(neg_lam2_11 - neg_lam2_33) - &
-        1.0531738706091291_rk*neg_alpha2_y + (0.26458063578324464_rk*ww2_xy + &
-        1.0437049982058304_rk*alpha2_x)
-    nc2_z = 13.292379489096295_rk*c2 - 76.6738398539524_rk*s2 - (3.711814850271177_rk*ww2_xy + &
-        0.5218524991029152_rk*(neg_lam2_11 - neg_lam2_22))
-    ! link 3: force that moves the link [N]
-    fc3_x = 1.0168650139155704_rk*neg_lam3_11 - 0.04389618410240257_rk*lam3_12
-    fc3_y = 0.04389618410240257_rk*neg_lam3_22 - 1.0168650139155704_rk*lam3_21
-    ! link 3: moment that turns the link [N m]
-    neg_nc3_x = 0.06405373385272267_rk*(neg_lam3_22 - neg_lam3_33) - &
-        0.45257769458388303_rk*lam3_32 - (0.1005265342798281_rk*neg_lam3_31 - &
-        0.16230144331072144_rk*lam3_21) + 0.04389618410240257_rk*a3_z
-    nc3_y = 0.20191091047133833_rk*neg_lam3_31 - 0.16230144331072144_rk*(neg_lam3_11 - &
-        neg_lam3_33) - (0.06405373385272267_rk*lam3_12 - 0.1005265342798281_rk*lam3_32) + &
-        1.0168650139155704_rk*a3_z
-    t56 = 0.45257769458388303_rk*lam3_12 - 0.20191091047133833_rk*lam3_21 + &
-        0.1005265342798281_rk*(neg_lam3_11 - neg_lam3_22) - (0.16230144331072144_rk*lam3_23 + &
-        0.06405373385272267_rk*lam3_13)
-    neg_nc3_z = t56 + (1.0168650139155704_rk*a3_y - 0.04389618410240257_rk*a3_x)
-    ! link 4: force that moves the link [N]
-    fc4_x = 0.5168019281781282_rk*neg_lam4_11 + 8.054835434921454_rk*lam4_12
-    fc4_y = -8.054835434921454_rk*neg_lam4_22 - 0.5168019281781282_rk*lam4_21
-    fc4_z = 8.054835434921454_rk*lam4_32 - 0.5168019281781282_rk*lam4_31
-    ! link 4: moment that turns the link [N m]
-    neg_nc4_x = -3.569490999313376_rk*lam4_32 - 0.09675036990607108_rk*(neg_lam4_22 - neg_lam4_33) &
-        - (0.013124222729483126_rk*lam4_21 - 0.20921122087079386_rk*lam4_31) + &
-        8.054835434921454_rk*a3_y
-    nc4_y = 0.013124222729483126_rk*(neg_lam4_11 - neg_lam4_33) - 0.24852411424661205_rk*lam4_31 + &
-        (0.09675036990607108_rk*lam4_12 + 0.20921122087079386_rk*lam4_32) - &
-        0.5168019281781282_rk*a3_y
-    t57 = 3.569490999313376_rk*lam4_12 - 0.24852411424661205_rk*lam4_21 + &
-        0.20921122087079386_rk*(neg_lam4_11 - neg_lam4_22) + (0.013124222729483126_rk*lam4_23 + &
-        0.09675036990607108_rk*lam4_13)
-    neg_nc4_z = t57 + (0.5168019281781282_rk*a4_y + 8.054835434921454_rk*a4_x)
-    ! link 5: force that moves the link [N]
-    fc5_x = 0.25252954507510866_rk*neg_lam5_11 + 0.4193059538543958_rk*lam5_12
-    fc5_y = -0.4193059538543958_rk*neg_lam5_22 - 0.25252954507510866_rk*lam5_21
-    fc5_z = 0.4193059538543958_rk*lam5_32 - 0.25252954507510866_rk*lam5_31
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.4193059538543958_rk*a5_z - (0.05680835589544868_rk*(neg_lam5_22 - neg_lam5_33) - &
-        0.20655564034097101_rk*lam5_32 - (0.041147842218669614_rk*lam5_21 - &
-        0.03284626166448073_rk*lam5_31))
-    nc5_y = 0.041147842218669614_rk*(neg_lam5_11 - neg_lam5_33) - 0.09474888781047501_rk*lam5_31 + &
-        (0.03284626166448073_rk*lam5_32 - 0.05680835589544868_rk*lam5_12) + &
-        0.25252954507510866_rk*a5_z
-    t58 = 0.09474888781047501_rk*lam5_21 - 0.20655564034097101_rk*lam5_12 - &
-        0.03284626166448073_rk*(neg_lam5_11 - neg_lam5_22) - (0.041147842218669614_rk*lam5_23 - &
-        0.05680835589544868_rk*lam5_13)
-    nc5_z = t58 - (0.25252954507510866_rk*a5_y + 0.4193059538543958_rk*a5_x)
-    ! link 6: force that moves the link [N]
-    fc6_x = 1.5656307599463828_rk*neg_lam6_11 - 1.291128497815195_rk*lam6_12
-    fc6_y = 1.291128497815195_rk*neg_lam6_22 - 1.5656307599463828_rk*lam6_21
-    fc6_z = -1.5656307599463828_rk*lam6_31 - 1.291128497815195_rk*lam6_32
-    ! link 6: moment that turns the link [N m]
-    nc6_x = -1.291128497815195_rk*a5_y - (-2.0289563933923875_rk*lam6_32 - &
-        0.0870114460092663_rk*(neg_lam6_22 - neg_lam6_33) - (0.042925575293549574_rk*lam6_21 - &
-        0.36144292274665746_rk*lam6_31))
-    nc6_y = 0.042925575293549574_rk*(neg_lam6_11 - neg_lam6_33) - 0.4239952187044951_rk*lam6_31 - &
-        (-0.0870114460092663_rk*lam6_12 - 0.36144292274665746_rk*lam6_32) + &
-        1.5656307599463828_rk*a5_y
-    t59 = 0.4239952187044951_rk*lam6_21 - 2.0289563933923875_rk*lam6_12 - &
-        0.36144292274665746_rk*(neg_lam6_11 - neg_lam6_22) - (0.042925575293549574_rk*lam6_23 + &
-        0.0870114460092663_rk*lam6_13)
-    nc6_z = t59 - (1.5656307599463828_rk*a6_y - 1.291128497815195_rk*a6_x)
-    ! link 7: force that moves the link [N]
-    fc7_x = 0.708306797966195_rk*lam7_12 - 0.9999503996366931_rk*neg_lam7_11
-    fc7_y = 0.9999503996366931_rk*lam7_21 - 0.708306797966195_rk*neg_lam7_22
-    fc7_z = 0.9999503996366931_rk*lam7_31 + 0.708306797966195_rk*lam7_32
-    ! link 7: moment that turns the link [N m]
-    nc7_x = 0.708306797966195_rk*a7_z - (-0.2922782720134952_rk*lam7_32 - &
-        0.061680050398747424_rk*(neg_lam7_22 - neg_lam7_33) + (0.2024621683128357_rk*lam7_21 - &
-        0.2114247825686032_rk*lam7_31))
-    nc7_y = -0.19090892097190032_rk*lam7_31 - 0.2024621683128357_rk*(neg_lam7_11 - neg_lam7_33) + &
-        (0.061680050398747424_rk*lam7_12 - 0.2114247825686032_rk*lam7_32) - &
-        0.9999503996366931_rk*a7_z
-    t60 = 0.2922782720134952_rk*lam7_12 - 0.19090892097190032_rk*lam7_21 - &
-        0.2114247825686032_rk*(neg_lam7_11 - neg_lam7_22) - (0.2024621683128357_rk*lam7_23 - &
-        0.061680050398747424_rk*lam7_13)
-    nc7_z = 0.9999503996366931_rk*a7_y - 0.708306797966195_rk*a7_x - t60
-    ! link 7: force through the joint, along the axes that its turn starts from [N]
-    f07_x = c7*fc7_x - s7*fc7_y
-    f07_y = s7*fc7_x + c7*fc7_y
-    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_x = c7*nc7_x - s7*nc7_y
-    n07_y = s7*nc7_x + c7*nc7_y
-    ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = n07_x + (nc6_x - 0.126_rk*f07_y)
-    n6_y = nc6_y - nc7_z
-    n6_z = n07_y + (nc6_z + 0.126_rk*f07_x)
-    ! link 6: force through the joint [N]
-    f6_x = fc6_x + f07_x
-    f6_y = fc6_y - fc7_z
-    f6_z = fc6_z + f07_y
-    ! link 6: force through the joint, along the axes that its turn starts from [N]
-    f06_x = c6*f6_x - s6*f6_y
-    f06_y = s6*f6_x + c6*f6_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*n6_x - s6*n6_y
-    n06_y = s6*n6_x + c6*n6_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = nc5_y + n6_z
-    n5_z = nc5_z - n06_y
-    ! link 5: force through the joint [N]
-    f5_x = fc5_x + f06_x
-    f5_y = fc5_y + f6_z
-    f5_z = fc5_z - f06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = c5*f5_x - s5*f5_y
-    f05_y = s5*f5_x + c5*f5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = c5*n5_x - s5*n5_y
-    n05_y = s5*n5_x + c5*n5_y
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = n05_x - (neg_nc4_x + 0.4_rk*f05_y)
-    n4_y = nc4_y + n5_z
-    neg_n4_z = n05_y + (neg_nc4_z + 0.4_rk*f05_x)
-    ! link 4: force through the joint [N]
-    f4_x = fc4_x + f05_x
-    f4_y = fc4_y + f5_z
-    f4_z = fc4_z - f05_y
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = c4*f4_x - s4*f4_y
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = c4*n4_x - s4*n4_y
-    n04_y = s4*n4_x + c4*n4_y
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = n04_x - neg_nc3_x
-    n3_y = nc3_y + neg_n4_z
-    n3_z = n04_y - neg_nc3_z
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    f3_y = fc3_y - f4_z
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c3*f3_x - s3*f3_y
-    f03_y = s3*f3_x + c3*f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_x = c3*n3_x - s3*n3_y
-    n03_y = s3*n3_x + c3*n3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = n03_x - (0.4_rk*f03_y - nc2_x)
-    n2_y = nc2_y - n3_z
-    n2_z = n03_y + (nc2_z + 0.4_rk*f03_x)
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = s2*n2_x + c2*n2_y
     ! link 1: forward substitution
-    y1 = tau(1) + n02_y
+    neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
-    neg_ipivot1 = -1.0_rk / m1_1
-    l2_1 = -k2_yz*neg_ipivot1
-    l3_1 = nu2_y_5*neg_ipivot1
-    l4_1 = nu2_y_4*neg_ipivot1
-    l5_1 = nu2_y_3*neg_ipivot1
-    l6_1 = nu2_y_2*neg_ipivot1
-    l7_1 = nu2_y*neg_ipivot1
-    pivot2 = m2_2 - k2_yz*l2_1
+    ipivot1 = 1.0_rk / m1_1
+    neg_l2_1 = neg_k2_yz*ipivot1
+    l3_1 = neg_nu2_y_5*ipivot1
+    l4_1 = neg_nu2_y_4*ipivot1
+    l5_1 = neg_nu2_y_3*ipivot1
+    l6_1 = neg_nu2_y_2*ipivot1
+    l7_1 = neg_nu2_y*ipivot1
+    pivot2 = m2_2 - neg_k2_yz*neg_l2_1
     ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - k2_yz*l3_1
-    l3_2 = ipivot2*ld3_2
-    ld4_2 = m2_4 - k2_yz*l4_1
-    l4_2 = ipivot2*ld4_2
-    ld5_2 = m2_5 - k2_yz*l5_1
-    l5_2 = ipivot2*ld5_2
-    ld6_2 = m2_6 - k2_yz*l6_1
+    neg_ld3_2 = neg_m2_3 - neg_k2_yz*l3_1
+    neg_l3_2 = ipivot2*neg_ld3_2
+    neg_ld4_2 = neg_m2_4 - neg_k2_yz*l4_1
+    neg_l4_2 = ipivot2*neg_ld4_2
+    neg_ld5_2 = neg_m2_5 - neg_k2_yz*l5_1
+    neg_l5_2 = ipivot2*neg_ld5_2
+    ld6_2 = m2_6 + neg_k2_yz*l6_1
     l6_2 = ipivot2*ld6_2
-    ld7_2 = m2_7 - k2_yz*l7_1
+    ld7_2 = m2_7 + neg_k2_yz*l7_1
     l7_2 = ipivot2*ld7_2
-    pivot3 = m3_3 + nu2_y_5*l3_1 - ld3_2*l3_2
+    pivot3 = m3_3 - neg_nu2_y_5*l3_1 - neg_ld3_2*neg_l3_2
     ipivot3 = 1.0_rk / pivot3
-    ld4_3 = nu2_y_5*l4_1 - k4_yz - ld3_2*l4_2
+    ld4_3 = neg_k4_yz - neg_nu2_y_5*l4_1 - neg_ld3_2*neg_l4_2
     l4_3 = ipivot3*ld4_3
-    ld5_3 = nu4_y_3 + nu2_y_5*l5_1 - ld3_2*l5_2
+    ld5_3 = nu4_y_3 - neg_nu2_y_5*l5_1 - neg_ld3_2*neg_l5_2
     l5_3 = ipivot3*ld5_3
-    ld6_3 = nu4_y_2 + nu2_y_5*l6_1 - ld3_2*l6_2
+    ld6_3 = nu4_y_2 - neg_nu2_y_5*l6_1 + neg_ld3_2*l6_2
     l6_3 = ipivot3*ld6_3
-    ld7_3 = nu4_y + nu2_y_5*l7_1 - ld3_2*l7_2
+    ld7_3 = nu4_y - neg_nu2_y_5*l7_1 + neg_ld3_2*l7_2
     l7_3 = ipivot3*ld7_3
-    pivot4 = m4_4 + nu2_y_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    pivot4 = m4_4 - neg_nu2_y_4*l4_1 - neg_ld4_2*neg_l4_2 - ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    ld5_4 = m4_5 + nu2_y_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
+    ld5_4 = m4_5 - neg_nu2_y_4*l5_1 - neg_ld4_2*neg_l5_2 - ld4_3*l5_3
     l5_4 = ipivot4*ld5_4
-    ld6_4 = -ld4_3*l6_3 - (ld4_2*l6_2 - (m4_6 + nu2_y_4*l6_1))
+    ld6_4 = m4_6 - neg_nu2_y_4*l6_1 + neg_ld4_2*l6_2 - ld4_3*l6_3
     l6_4 = ipivot4*ld6_4
-    ld7_4 = m4_7 + nu2_y_4*l7_1 - ld4_2*l7_2 - ld4_3*l7_3
+    ld7_4 = m4_7 - neg_nu2_y_4*l7_1 + neg_ld4_2*l7_2 - ld4_3*l7_3
     l7_4 = ipivot4*ld7_4
-    pivot5 = m5_5 + nu2_y_3*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    pivot5 = m5_5 - neg_nu2_y_3*l5_1 - neg_ld5_2*neg_l5_2 - ld5_3*l5_3 - ld5_4*l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = -ld5_3*l6_3 - (ld5_2*l6_2 - (k6_yz + nu2_y_3*l6_1)) - ld5_4*l6_4
-    l6_5 = ipivot5*ld6_5
-    ld7_5 = nu2_y_3*l7_1 - nu6_y - ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4
+    neg_ld6_5 = neg_k6_yz + neg_nu2_y_3*l6_1 - neg_ld5_2*l6_2 + ld5_3*l6_3 + ld5_4*l6_4
+    neg_l6_5 = ipivot5*neg_ld6_5
+    ld7_5 = neg_nu6_y - neg_nu2_y_3*l7_1 + neg_ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4
     l7_5 = ipivot5*ld7_5
-    pivot6 = -ld6_5*l6_5 - (ld6_2*l6_2 - (m6_6 + nu2_y_2*l6_1) + ld6_3*l6_3 + ld6_4*l6_4)
-    ipivot6 = 1.0_rk / pivot6
-    ld7_6 = -(ld6_2*l7_2 - (nu2_y_2*l7_1 - neg_m6_7) + ld6_3*l7_3 + ld6_4*l7_4) - ld6_5*l7_5
-    l7_6 = ipivot6*ld7_6
-    t61 = nu2_y*l7_1 + 0.48318719298539553_rk - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
-    pivot7 = t61 - ld7_6*l7_6
+    neg_pivot6 = neg_m6_6 + neg_nu2_y_2*l6_1 + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4 + &
+        neg_ld6_5*neg_l6_5
+    neg_ipivot6 = 1.0_rk / neg_pivot6
+    neg_ld7_6 = neg_m6_7 + neg_nu2_y_2*l7_1 + ld6_2*l7_2 + ld6_3*l7_3 + ld6_4*l7_4 - &
+        neg_ld6_5*l7_5
+    l7_6 = neg_ipivot6*neg_ld7_6
+    t112 = 0.48318719298539553_rk - neg_nu2_y*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - &
+        ld7_5*l7_5
+    pivot7 = t112 + neg_ld7_6*l7_6
     ipivot7 = 1.0_rk / pivot7
     ! link 2: forward substitution
-    y2 = tau(2) - n2_z - y1*l2_1
+    neg_y2 = n2_z - tau(2) + neg_y1*neg_l2_1
     ! link 3: forward substitution
-    y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
+    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 + neg_l3_2*neg_y2
     ! link 4: forward substitution
-    y4 = tau(4) + neg_n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
+    neg_y4 = n4_z - tau(4) - neg_y1*l4_1 + neg_l4_2*neg_y2 - l4_3*neg_y3
     ! link 5: forward substitution
-    y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 - l5_4*neg_y4
     ! link 6: forward substitution
-    y6 = tau(6) - n6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
-    t62 = tau(7) - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5
+    neg_y6 = n6_z - tau(6) - neg_y1*l6_1 - l6_2*neg_y2 - l6_3*neg_y3 - l6_4*neg_y4 + &
+        neg_l6_5*neg_y5
+    t113 = nc7_z - tau(7) - neg_y1*l7_1 - l7_2*neg_y2 - l7_3*neg_y3 - l7_4*neg_y4 - l7_5*neg_y5
     ! link 7: forward substitution
-    y7 = t62 - l7_6*y6
+    neg_y7 = t113 - l7_6*neg_y6
     ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd7 = ipivot7*y7
+    neg_qdd7 = ipivot7*neg_y7
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = ipivot6*y6 - l7_6*qdd7
+    qdd6 = neg_ipivot6*neg_y6 + l7_6*neg_qdd7
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = ipivot5*y5 - l6_5*qdd6 - l7_5*qdd7
+    neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6 - l7_5*neg_qdd7
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6 - l7_4*qdd7
+    neg_qdd4 = ipivot4*neg_y4 - l5_4*neg_qdd5 + l6_4*qdd6 - l7_4*neg_qdd7
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = -l7_3*qdd7 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6)
+    neg_qdd3 = ipivot3*neg_y3 - l4_3*neg_qdd4 - l5_3*neg_qdd5 + l6_3*qdd6 - l7_3*neg_qdd7
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = -l7_2*qdd7 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6)
-    t63 = y1*neg_ipivot1 + l2_1*qdd2 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6
+    qdd2 = l7_2*neg_qdd7 - (ipivot2*neg_y2 + neg_l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 + &
+        neg_l5_2*neg_qdd5 + l6_2*qdd6)
+    t114 = neg_y1*ipivot1 - neg_l2_1*qdd2 - l3_1*neg_qdd3 - l4_1*neg_qdd4 - l5_1*neg_qdd5 + &
+        l6_1*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -t63 - l7_1*qdd7
+    qdd1 = l7_1*neg_qdd7 - t114
+    t115 = -neg_qdd3
+    t116 = -neg_qdd4
+    t117 = -neg_qdd5
+    t118 = -neg_qdd7
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = qdd3
-    qdd(4) = qdd4
-    qdd(5) = qdd5
+    qdd(3) = t115
+    qdd(4) = t116
+    qdd(5) = t117
     qdd(6) = qdd6
-    qdd(7) = qdd7
+    qdd(7) = t118
   end subroutine
 end module

@@ -15,13 +15,15 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
+! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+!   to the recursion without being written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 308 multiplications, 292 additions = 600; 8 unary minus; 12 sine/cosine
-!   gravity: 64 multiplications, 38 additions = 102; 1 unary minus; 12 sine/cosine
-!   bias: 300 multiplications, 273 additions = 573; 8 unary minus; 12 sine/cosine
+!   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
+!   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
+!   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
 !   mass_matrix: 203 multiplications, 173 additions = 376; 7 unary minus; 12 sine/cosine
-!   forward_dynamics: 629 multiplications, 551 additions, 7 divisions = 1187; 22 unary minus; 12
+!   forward_dynamics: 582 multiplications, 517 additions, 7 divisions = 1106; 6 unary minus; 12
 !       sine/cosine
 module panda_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -37,395 +39,316 @@ module panda_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 308 multiplications, 292 additions = 600; 8 unary minus; 12 sine/cosine
+  ! 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
   pure subroutine panda_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="panda_inverse_dynamics_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(in) :: qdd(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, w2_x, w2_y, neg_a2_x, neg_a2_y
-    real(rk) :: ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
-    real(rk) :: lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23, lam2_31, lam2_32, neg_lam2_33
-    real(rk) :: a3_z, w3_x, w3_y, t2, t3, a3_x, a3_y, alpha3_x, alpha3_y, alpha3_z, w3_z, ww3_yz
-    real(rk) :: ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21
-    real(rk) :: neg_lam3_22, lam3_23, lam3_31, lam3_32, neg_lam3_33, neg_a4_z, t4, w4_x, w4_y, t5
-    real(rk) :: t6, a4_x, neg_a4_y, alpha4_x, neg_alpha4_y, alpha4_z, w4_z, ww4_yz, ww4_zx, ww4_xy
-    real(rk) :: ww4_xx, ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22
-    real(rk) :: neg_lam4_23, lam4_31, lam4_32, neg_lam4_33, a5_z, w5_x, w5_y, t7, t8, a5_x, a5_y
-    real(rk) :: alpha5_x, alpha5_y, alpha5_z, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz
-    real(rk) :: neg_lam5_11, lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32
-    real(rk) :: neg_lam5_33, w6_x, w6_y, a6_x, a6_y, alpha6_x, alpha6_y, alpha6_z, w6_z, ww6_yz
-    real(rk) :: ww6_zx, ww6_xy, ww6_xx, ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21
-    real(rk) :: neg_lam6_22, lam6_23, lam6_31, lam6_32, neg_lam6_33, neg_a7_z, w7_x, w7_y, t9, t10
-    real(rk) :: neg_a7_x, a7_y, alpha7_x, alpha7_y, alpha7_z, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx
-    real(rk) :: ww7_yy, ww7_zz, neg_lam7_11, lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23
-    real(rk) :: neg_lam7_31, lam7_32, neg_lam7_33, nc1_z, nc2_x, nc2_y, t11, nc2_z, fc3_x, fc3_y
-    real(rk) :: nc3_x, nc3_y, t12, nc3_z, fc4_x, fc4_y, fc4_z, nc4_x, nc4_y, t13, nc4_z, fc5_x
-    real(rk) :: fc5_y, fc5_z, nc5_x, nc5_y, t14, nc5_z, fc6_x, fc6_y, fc6_z, nc6_x, nc6_y, t15
-    real(rk) :: nc6_z, fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t16, nc7_z, f07_x, f07_y, n07_x, n07_y
-    real(rk) :: n6_x, n6_y, n6_z, f6_x, f6_y, f6_z, f06_x, f06_y, n06_x, n06_y, n5_x, n5_y, n5_z
-    real(rk) :: f5_x, f5_y, f5_z, f05_x, neg_f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f4_x, f4_y
-    real(rk) :: f4_z, f04_x, f04_y, n04_x, neg_n04_y, n3_x, n3_y, n3_z, f3_x, f3_y, f03_x, f03_y
-    real(rk) :: n03_x, n03_y, n2_x, neg_n2_y, n2_z, n02_y, n1_z
+    real(rk) :: s2, t1, w2_x, c2, w2_y, ww2_yz, lam2_23, alpha2_x, c3, s3, w3_x, w3_z, w3_y, ww3_yy
+    real(rk) :: ww3_zz, ww3_zx, ww3_xy, ww3_yz, neg_lam3_11, c4, s4, w4_x, w4_z, w4_y, ww4_zz
+    real(rk) :: ww4_zx, ww4_xy, ww4_xx, ww4_yz, c5, s5, w5_x, w5_z, w5_y, ww5_yz, ww5_zx, ww5_xy
+    real(rk) :: ww5_xx, ww5_zz, neg_lam4_22, neg_lam5_22, c6, s6, w6_x, w6_z, w6_y, ww6_zz, ww6_xy
+    real(rk) :: ww6_yy, neg_w7_z, c7, s7, ww2_zz, alpha3_y, lam3_13, alpha4_z, lam4_21, alpha3_x
+    real(rk) :: ww2_zx, neg_lam2_13, alpha3_z, alpha4_y, alpha5_z, lam5_21, alpha4_x, neg_alpha5_x
+    real(rk) :: lam5_32, lam3_31, t2, ww2_xx, neg_lam2_22, t3, lam3_22, t4, lam4_11, lam4_31
+    real(rk) :: lam3_23, lam3_21, alpha5_y, lam5_13, alpha6_z, lam6_21, t5, t6, lam6_31, ww7_zz
+    real(rk) :: lam5_23, t7, lam6_32, lam6_12, lam5_31, t8, lam5_11, t9, neg_lam6_22, t10, t11, t12
+    real(rk) :: t13, neg_lam6_11, neg_lam6_13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23
+    real(rk) :: t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, t35, t36, t37, t38, t39, t40
+    real(rk) :: t41, t42, t43, t44, t45, nc7_z, lam6_23, lam5_12, t46, t47, t48, t49, t50, t51, t52
+    real(rk) :: n6_z, lam4_32, t53, t54, t55, t56, t57, t58, t59, t60, t61, t62, t63, t64, t65, t66
+    real(rk) :: t67, t68, n4_x, lam4_23, lam4_13, lam4_12, t69, n5_z, t70, t71, t72, t73, t74, t75
+    real(rk) :: t76, n3_z, lam3_12, t77, t78, n4_z, lam3_32, t79, t80, t81, t82, t83, t84, t85, t86
+    real(rk) :: t87, t88, n1_z, t89, n2_z
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
     s2 = sin(q(2))
+    t1 = -s2
+    ! link 2: angular velocity [rad/s]
+    w2_x = t1*qd(1)
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    ! link 2: angular velocity [rad/s]
+    w2_y = -qd(1)*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_yz = w2_y*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam2_23 = s2*qdd(1)
+    ! link 2: angular acceleration [rad/s^2]
+    alpha2_x = ww2_yz - lam2_23
+    ! sines and cosines of the joint angles
     c3 = cos(q(3))
     s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    c7 = cos(q(7))
-    s7 = sin(q(7))
-    t1 = -qd(1)
-    ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.81_rk*s2
-    neg_a2_y = 9.81_rk*c2
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_yz = qd(2)*w2_y
-    ww2_zx = qd(2)*w2_x
-    ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = ww2_yz - qdd(1)*s2
-    neg_alpha2_y = qdd(1)*c2 + ww2_zx
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    lam2_12 = ww2_xy - qdd(2)
-    lam2_13 = ww2_zx - neg_alpha2_y
-    lam2_21 = qdd(2) + ww2_xy
-    neg_lam2_22 = ww2_xx + ww2_zz
-    lam2_23 = ww2_yz - alpha2_x
-    lam2_31 = ww2_zx + neg_alpha2_y
-    lam2_32 = ww2_yz + alpha2_x
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = neg_a2_y - 0.316_rk*neg_lam2_22
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + qd(2)*s3
-    w3_y = qd(2)*c3 - s3*w2_x
-    t2 = -0.316_rk*lam2_32
-    t3 = neg_a2_x + 0.316_rk*lam2_12
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = s3*t2 - c3*t3
-    a3_y = s3*t3 + c3*t2
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = qd(3)*w3_y - (-qdd(2)*s3 - c3*alpha2_x)
-    alpha3_y = qdd(2)*c3 - s3*alpha2_x - qd(3)*w3_x
-    alpha3_z = qdd(3) + neg_alpha2_y
-    ! link 3: angular velocity [rad/s]
+    w3_x = w2_x*c3 + qd(2)*s3
     w3_z = qd(3) - w2_y
+    w3_y = qd(2)*c3 - w2_x*s3
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
+    ww3_zx = w3_x*w3_z
+    ww3_xy = w3_x*w3_y
+    ww3_yz = w3_z*w3_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = ww3_xy - alpha3_z
-    lam3_13 = alpha3_y + ww3_zx
-    lam3_21 = alpha3_z + ww3_xy
-    neg_lam3_22 = ww3_xx + ww3_zz
-    lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_z = a3_y + 0.0825_rk*lam3_21
-    t4 = -s4
+    ! sines and cosines of the joint angles
+    c4 = cos(q(4))
+    s4 = sin(q(4))
     ! link 4: angular velocity [rad/s]
-    w4_x = t4*w3_z - c4*w3_x
-    w4_y = s4*w3_x - c4*w3_z
-    t5 = 0.0825_rk*neg_lam3_11 - a3_x
-    t6 = a3_z + 0.0825_rk*lam3_31
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*t5 - s4*t6
-    neg_a4_y = s4*t5 + c4*t6
-    ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = t4*alpha3_z - c4*alpha3_x + qd(4)*w4_y
-    neg_alpha4_y = c4*alpha3_z - s4*alpha3_x + qd(4)*w4_x
-    alpha4_z = qdd(4) - alpha3_y
-    ! link 4: angular velocity [rad/s]
+    w4_x = -w3_z*s4 - w3_x*c4
     w4_z = qd(4) - w3_y
+    w4_y = w3_x*s4 - w3_z*c4
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
+    ww4_zz = w4_z*w4_z
     ww4_zx = w4_x*w4_z
     ww4_xy = w4_x*w4_y
     ww4_xx = w4_x*w4_x
-    ww4_yy = w4_y*w4_y
-    ww4_zz = w4_z*w4_z
-    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_11 = ww4_yy + ww4_zz
-    lam4_12 = ww4_xy - alpha4_z
-    lam4_13 = ww4_zx - neg_alpha4_y
-    lam4_21 = alpha4_z + ww4_xy
-    neg_lam4_22 = ww4_xx + ww4_zz
-    neg_lam4_23 = alpha4_x - ww4_yz
-    lam4_31 = neg_alpha4_y + ww4_zx
-    lam4_32 = alpha4_x + ww4_yz
-    neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = neg_a4_y + (-0.384_rk*neg_lam4_22 - 0.0825_rk*lam4_21)
+    ww4_yz = w4_z*w4_y
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    w5_x = -s5*w4_z - c5*w4_x
-    w5_y = s5*w4_x - c5*w4_z
-    t7 = neg_a4_z + (0.384_rk*lam4_32 - 0.0825_rk*lam4_31)
-    t8 = a4_x - (0.0825_rk*neg_lam4_11 + 0.384_rk*lam4_12)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*t7 - c5*t8
-    a5_y = s5*t8 + c5*t7
-    ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (c5*alpha4_x + s5*alpha4_z)
-    alpha5_y = s5*alpha4_x - c5*alpha4_z - qd(5)*w5_x
-    alpha5_z = qdd(5) + neg_alpha4_y
-    ! link 5: angular velocity [rad/s]
+    w5_x = -w4_z*s5 - w4_x*c5
     w5_z = qd(5) - w4_y
+    w5_y = w4_x*s5 - w4_z*c5
     ! link 5: products of the angular velocity [1/s^2]
-    ww5_yz = w5_y*w5_z
+    ww5_yz = w5_z*w5_y
     ww5_zx = w5_x*w5_z
     ww5_xy = w5_x*w5_y
     ww5_xx = w5_x*w5_x
-    ww5_yy = w5_y*w5_y
     ww5_zz = w5_z*w5_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_22 = ww4_zz + ww4_xx
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_11 = ww5_yy + ww5_zz
-    lam5_12 = ww5_xy - alpha5_z
-    lam5_13 = alpha5_y + ww5_zx
-    lam5_21 = alpha5_z + ww5_xy
     neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_23 = ww5_yz - alpha5_x
-    lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = alpha5_x + ww5_yz
-    neg_lam5_33 = ww5_xx + ww5_yy
+    ! sines and cosines of the joint angles
+    c6 = cos(q(6))
+    s6 = sin(q(6))
     ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x + s6*w5_z
-    w6_y = c6*w5_z - s6*w5_x
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a5_z
-    a6_y = c6*a5_z - s6*a5_x
-    ! link 6: angular acceleration [rad/s^2]
-    alpha6_x = qd(6)*w6_y - (-s6*alpha5_z - c6*alpha5_x)
-    alpha6_y = c6*alpha5_z - s6*alpha5_x - qd(6)*w6_x
-    alpha6_z = qdd(6) - alpha5_y
-    ! link 6: angular velocity [rad/s]
+    w6_x = w5_x*c6 + w5_z*s6
     w6_z = qd(6) - w5_y
+    w6_y = w5_z*c6 - w5_x*s6
     ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
-    ww6_zx = w6_x*w6_z
-    ww6_xy = w6_x*w6_y
-    ww6_xx = w6_x*w6_x
-    ww6_yy = w6_y*w6_y
     ww6_zz = w6_z*w6_z
+    ww6_xy = w6_x*w6_y
+    ww6_yy = w6_y*w6_y
+    ! link 7: angular velocity [rad/s]
+    neg_w7_z = w6_y - qd(7)
+    ! sines and cosines of the joint angles
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_y = c3*qdd(2) - w3_x*qd(3) - alpha2_x*s3
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_13 = ww3_zx + alpha3_y
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_z = qdd(4) - alpha3_y
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_21 = ww4_xy + alpha4_z
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y + (s3*qdd(2) + alpha2_x*c3)
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zx = w2_x*qd(2)
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_13 = c2*qdd(1)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_z = ww2_zx + (neg_lam2_13 + qdd(3))
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_y = s4*alpha3_x + (-c4*alpha3_z - w4_x*qd(4))
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_z = qdd(5) - alpha4_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_21 = ww5_xy + alpha5_z
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = qd(4)*w4_y - (c4*alpha3_x + s4*alpha3_z)
+    ! link 5: angular acceleration [rad/s^2]
+    neg_alpha5_x = s5*alpha4_z - qd(5)*w5_y + c5*alpha4_x
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_32 = ww5_yz - neg_alpha5_x
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_31 = ww3_zx - alpha3_y
+    t2 = t1*w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xx = qd(1)*t2
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_22 = ww2_zz + ww2_xx
+    t3 = ww3_yy - ww3_zz
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_22 = t3 - neg_lam2_22
+    t4 = ww4_zz - ww4_xx
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_11 = lam3_22 - t4
+    lam4_31 = ww4_zx - alpha4_y
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_23 = ww3_yz - alpha3_x
+    lam3_21 = ww3_xy + alpha3_z
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = s5*alpha4_x - w5_x*qd(5) - c5*alpha4_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_13 = ww5_zx + alpha5_y
+    ! link 6: angular acceleration [rad/s^2]
+    alpha6_z = qdd(6) - alpha5_y
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_11 = ww6_yy + ww6_zz
-    lam6_12 = ww6_xy - alpha6_z
-    lam6_13 = alpha6_y + ww6_zx
-    lam6_21 = alpha6_z + ww6_xy
-    neg_lam6_22 = ww6_xx + ww6_zz
-    lam6_23 = ww6_yz - alpha6_x
-    lam6_31 = ww6_zx - alpha6_y
-    lam6_32 = alpha6_x + ww6_yz
-    neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a7_z = a6_y + 0.088_rk*lam6_21
-    ! link 7: angular velocity [rad/s]
-    w7_x = c7*w6_x + s7*w6_z
-    w7_y = c7*w6_z - s7*w6_x
-    t9 = 0.088_rk*neg_lam6_11 - a6_x
-    t10 = a5_y - 0.088_rk*lam6_31
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a7_x = c7*t9 + s7*t10
-    a7_y = s7*t9 - c7*t10
-    ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (-s7*alpha6_z - c7*alpha6_x)
-    alpha7_y = c7*alpha6_z - s7*alpha6_x - qd(7)*w7_x
-    alpha7_z = qdd(7) - alpha6_y
-    ! link 7: angular velocity [rad/s]
-    w7_z = qd(7) - w6_y
+    lam6_21 = ww6_xy + alpha6_z
+    t5 = qd(6) + w6_z
+    t6 = -c6*alpha5_z - s6*neg_alpha5_x
+    lam6_31 = w6_x*t5 + t6
     ! link 7: products of the angular velocity [1/s^2]
-    ww7_yz = w7_y*w7_z
-    ww7_zx = w7_x*w7_z
-    ww7_xy = w7_x*w7_y
-    ww7_xx = w7_x*w7_x
-    ww7_yy = w7_y*w7_y
-    ww7_zz = w7_z*w7_z
-    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam7_11 = ww7_yy + ww7_zz
-    lam7_12 = ww7_xy - alpha7_z
-    lam7_13 = alpha7_y + ww7_zx
-    lam7_21 = alpha7_z + ww7_xy
-    neg_lam7_22 = ww7_xx + ww7_zz
-    lam7_23 = ww7_yz - alpha7_x
-    neg_lam7_31 = alpha7_y - ww7_zx
-    lam7_32 = alpha7_x + ww7_yz
-    neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 1: moment that turns the link [N m]
-    nc1_z = 0.014259565994474374_rk*qdd(1)
-    ! link 2: moment that turns the link [N m]
-    nc2_x = 0.003983358883935522_rk*lam2_31 + 0.010261101821008168_rk*lam2_21 - &
-        (0.0007689361029464017_rk*(neg_lam2_22 - neg_lam2_33) - 1.0321620612318807_rk*lam2_32)
-    nc2_y = 0.010261101821008168_rk*(neg_lam2_11 - neg_lam2_33) - 0.023077882494931805_rk*lam2_31 &
-        + (-0.0007689361029464017_rk*lam2_12 - 0.003983358883935522_rk*lam2_32)
-    t11 = 0.023077882494931805_rk*lam2_21 - 1.0321620612318807_rk*lam2_12 + &
-        0.003983358883935522_rk*(neg_lam2_11 - neg_lam2_22) + (0.0007689361029464017_rk*lam2_13 - &
-        0.010261101821008168_rk*lam2_23)
-    nc2_z = t11 + (0.01993386669246_rk*c2 - 32.809545426852715_rk*s2)
-    ! link 3: force that moves the link [N]
-    fc3_x = 0.028227094877999827_rk*lam3_12 - 0.746857959872_rk*neg_lam3_11
-    fc3_y = 0.746857959872_rk*lam3_21 - 0.028227094877999827_rk*neg_lam3_22
-    ! link 3: moment that turns the link [N m]
-    nc3_x = 0.028227094877999827_rk*a3_z - (-0.022178148964878252_rk*lam3_32 - &
-        0.0043772571218395765_rk*(neg_lam3_22 - neg_lam3_33) + (0.005487648106562251_rk*lam3_21 - &
-        0.0001219124209507298_rk*lam3_31))
-    nc3_y = -0.061602421026527694_rk*lam3_31 - 0.005487648106562251_rk*(neg_lam3_11 - neg_lam3_33) &
-        - (0.0001219124209507298_rk*lam3_32 - 0.0043772571218395765_rk*lam3_12) - &
-        0.746857959872_rk*a3_z
-    t12 = 0.061602421026527694_rk*lam3_21 - 0.022178148964878252_rk*lam3_12 + &
-        0.0001219124209507298_rk*(neg_lam3_11 - neg_lam3_22) + (0.005487648106562251_rk*lam3_23 - &
-        0.0043772571218395765_rk*lam3_13)
-    nc3_z = t12 + (0.746857959872_rk*a3_y - 0.028227094877999827_rk*a3_x)
-    ! link 4: force that moves the link [N]
-    fc4_x = -0.5527802746499999_rk*neg_lam4_11 - 2.0125235536029997_rk*lam4_12
-    fc4_y = 0.5527802746499999_rk*lam4_21 + 2.0125235536029997_rk*neg_lam4_22
-    fc4_z = 0.5527802746499999_rk*lam4_31 - 2.0125235536029997_rk*lam4_32
-    ! link 4: moment that turns the link [N m]
-    nc4_x = 0.6972920750309717_rk*lam4_32 - 0.00164448757736928_rk*(neg_lam4_22 - neg_lam4_33) - &
-        (0.16284087268546082_rk*lam4_31 + 0.0039053550262761055_rk*lam4_21) + &
-        2.0125235536029997_rk*neg_a4_z
-    nc4_y = 0.5527802746499999_rk*neg_a4_z - (0.05102013615681549_rk*lam4_31 + &
-        0.0039053550262761055_rk*(neg_lam4_11 - neg_lam4_33) - (0.16284087268546082_rk*lam4_32 - &
-        0.00164448757736928_rk*lam4_12))
-    t13 = 0.05102013615681549_rk*lam4_21 - 0.6972920750309717_rk*lam4_12 - &
-        0.16284087268546082_rk*(neg_lam4_11 - neg_lam4_22) - (0.0039053550262761055_rk*neg_lam4_23 &
-        - 0.00164448757736928_rk*lam4_13)
-    nc4_z = t13 - (0.5527802746499999_rk*neg_a4_y - 2.0125235536029997_rk*a4_x)
-    ! link 5: force that moves the link [N]
-    fc5_x = 0.014653732538_rk*neg_lam5_11 + 0.067870631425_rk*lam5_12
-    fc5_y = -0.067870631425_rk*neg_lam5_22 - 0.014653732538_rk*lam5_21
-    fc5_z = 0.067870631425_rk*lam5_32 - 0.014653732538_rk*lam5_31
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.067870631425_rk*a5_z - (0.0021640520520981327_rk*(neg_lam5_22 - neg_lam5_33) - &
-        0.010045187828321245_rk*lam5_32 + (0.004600245517563107_rk*lam5_21 - &
-        0.00151524447332703_rk*lam5_31))
-    nc5_y = -0.001451156065026714_rk*lam5_31 - 0.004600245517563107_rk*(neg_lam5_11 - neg_lam5_33) &
-        + (-0.0021640520520981327_rk*lam5_12 - 0.00151524447332703_rk*lam5_32) + &
-        0.014653732538_rk*a5_z
-    t14 = 0.001451156065026714_rk*lam5_21 - 0.010045187828321245_rk*lam5_12 + &
-        0.00151524447332703_rk*(neg_lam5_11 - neg_lam5_22) + (0.004600245517563107_rk*lam5_23 + &
-        0.0021640520520981327_rk*lam5_13)
-    nc5_z = t14 - (0.014653732538_rk*a5_y + 0.067870631425_rk*a5_x)
-    ! link 6: force that moves the link [N]
-    fc6_x = -0.231847552695_rk*neg_lam6_11 - 0.17380470556899996_rk*lam6_12
-    fc6_y = 0.231847552695_rk*lam6_21 + 0.17380470556899996_rk*neg_lam6_22
-    fc6_z = 0.231847552695_rk*lam6_31 - 0.17380470556899996_rk*lam6_32
-    ! link 6: moment that turns the link [N m]
-    nc6_x = 0.17380470556899996_rk*a5_y - (9.35690973146064e-05_rk*(neg_lam6_22 - neg_lam6_33) - &
-        0.028934422545659907_rk*lam6_32 - (-0.014748570382675314_rk*lam6_31 - &
-        0.0001037589172186853_rk*lam6_21))
-    nc6_y = -0.021522255370587554_rk*lam6_31 - 0.0001037589172186853_rk*(neg_lam6_11 - &
-        neg_lam6_33) + (0.014748570382675314_rk*lam6_32 - 9.35690973146064e-05_rk*lam6_12) + &
-        0.231847552695_rk*a5_y
-    t15 = 0.021522255370587554_rk*lam6_21 - 0.028934422545659907_rk*lam6_12 - &
-        0.014748570382675314_rk*(neg_lam6_11 - neg_lam6_22) + (0.0001037589172186853_rk*lam6_23 + &
-        9.35690973146064e-05_rk*lam6_13)
-    nc6_z = t15 + (0.231847552695_rk*a6_y + 0.17380470556899996_rk*a6_x)
-    ! link 7: force that moves the link [N]
-    fc7_x = 0.0020344399586618637_rk*lam7_12 - 0.002573605371338201_rk*neg_lam7_11
-    fc7_y = 0.002573605371338201_rk*lam7_21 - 0.0020344399586618637_rk*neg_lam7_22
-    fc7_z = 0.0020344399586618637_rk*lam7_32 - 0.002573605371338201_rk*neg_lam7_31
+    ww7_zz = neg_w7_z*neg_w7_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_23 = ww5_yz + neg_alpha5_x
+    t7 = c6*neg_alpha5_x - s6*alpha5_z
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_32 = w6_y*t5 - t7
+    lam6_12 = ww6_xy - alpha6_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_31 = ww5_zx - alpha5_y
+    t8 = ww5_xx - ww5_zz
+    lam5_11 = t8 - neg_lam4_22
+    t9 = ww6_zz - ww6_yy
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_22 = neg_lam5_22 + t9
+    t10 = ww6_zz - ww7_zz
+    t11 = ww6_zz + ww7_zz
+    t12 = t11 - neg_lam6_22
+    t13 = t10 + t12
+    neg_lam6_11 = neg_lam5_22 + t13
+    neg_lam6_13 = t6 + w5_y*w6_x
+    t14 = 0.0002123224431354016_rk*s7
+    t15 = t14 + 0.00016784129658960374_rk*c7
+    t16 = 118.9090909090909_rk*c2 + lam3_31 - 3.83030303030303_rk*neg_lam2_22
+    t17 = 118.9090909090909_rk*s2
+    t18 = c3*t17
+    t19 = neg_lam3_11 + t18 - 3.83030303030303_rk*lam3_13
+    t20 = s4*t16 - c4*t19
+    t21 = t20 - lam4_11
+    t22 = 3.83030303030303_rk*lam3_23 + (s3*t17 + lam3_21)
+    t23 = lam4_31 - t22
+    t24 = c5*t21 - s5*t23
+    t25 = t24 + 4.654545454545454_rk*lam5_13
+    t26 = s4*t19 + c4*t16
+    t27 = lam4_21 - t26
+    t28 = 4.654545454545454_rk*neg_lam4_22 + t27
+    t29 = c6*t25 - s6*t28
+    t30 = 1.0666666666666667_rk*neg_lam6_11 - t29
+    t31 = 11.402203849817942_rk*c7
+    t32 = t14*t31
+    t33 = 0.0002123224431354016_rk*c7
+    t34 = t31*t33
+    t35 = 0.32333777029991095_rk*t32 - (t34 + 0.00213160409441986_rk)
+    t36 = qdd(7) + neg_lam6_13
+    t37 = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
+    t38 = t32 + (0.32333777029991095_rk*t34 - 0.0003913912816842475_rk)
+    t39 = lam6_31 + qdd(7)
+    t40 = t35 + 0.006684151967360947_rk
+    t41 = s5*t21 + c5*t23
+    t42 = t41 + (1.0666666666666667_rk*lam6_31 - 4.654545454545454_rk*lam5_23)
+    t43 = t33 - 0.00016784129658960374_rk*s7
+    t44 = t15*t30 - (t35*t36 - (t37*lam6_12 - (t38*t13 - t39*t40))) + t42*t43
+    t45 = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
     ! link 7: moment that turns the link [N m]
-    nc7_x = -0.0020344399586618637_rk*neg_a7_z - (-0.004552547872941087_rk*lam7_32 - &
-        0.0012555365982729084_rk*(neg_lam7_22 - neg_lam7_33) - &
-        (0.0003913912816842475_rk*neg_lam7_31 - 0.0009653051699191118_rk*lam7_21))
-    nc7_y = 0.00213160409441986_rk*neg_lam7_31 - 0.0009653051699191118_rk*(neg_lam7_11 - &
-        neg_lam7_33) - (-0.0012555365982729084_rk*lam7_12 - 0.0003913912816842475_rk*lam7_32) + &
-        0.002573605371338201_rk*neg_a7_z
-    t16 = 0.00213160409441986_rk*lam7_21 - 0.004552547872941087_rk*lam7_12 - &
-        0.0003913912816842475_rk*(neg_lam7_11 - neg_lam7_22) + (0.0009653051699191118_rk*lam7_23 - &
-        0.0012555365982729084_rk*lam7_13)
-    nc7_z = t16 + (0.002573605371338201_rk*a7_y + 0.0020344399586618637_rk*neg_a7_x)
-    ! link 7: force through the joint, along the axes that its turn starts from [N]
-    f07_x = c7*fc7_x - s7*fc7_y
-    f07_y = s7*fc7_x + c7*fc7_y
-    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_x = c7*nc7_x - s7*nc7_y
-    n07_y = s7*nc7_x + c7*nc7_y
+    nc7_z = t44 - lam6_32*t45
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_23 = t7 - w5_y*w6_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = ww5_xy - alpha5_z
+    t46 = 2.0_rk*neg_w7_z
+    t47 = w6_x*t46 - lam6_12
+    t48 = 0.0011196707334275547_rk*lam6_21 - 0.028934422545659907_rk*lam6_12 - (t37*t36 + &
+        0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11)) - &
+        (9.35690973146064e-05_rk*neg_lam6_13 - t47*t40)
+    t49 = lam6_32 - w6_z*t46
+    t50 = s6*t25 + c6*t28
+    t51 = t50 - 1.0666666666666667_rk*lam6_21
+    t52 = t15*t49 - (0.014338888209442497_rk*neg_lam6_22 - 0.017931959153753906_rk*t51 + t47*t43)
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = nc6_x + n07_x
-    n6_y = nc6_y - 0.088_rk*f07_y - nc7_z
-    n6_z = n07_y + (nc6_z - 0.088_rk*fc7_z)
-    ! link 6: force through the joint [N]
-    f6_x = fc6_x + f07_x
-    f6_y = fc6_y - fc7_z
-    f6_z = fc6_z + f07_y
-    ! link 6: force through the joint, along the axes that its turn starts from [N]
-    f06_x = c6*f6_x - s6*f6_y
-    f06_y = s6*f6_x + c6*f6_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*n6_x - s6*n6_y
-    n06_y = s6*n6_x + c6*n6_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = nc5_y - n6_z
-    n5_z = nc5_z + n06_y
-    ! link 5: force through the joint [N]
-    f5_x = fc5_x + f06_x
-    f5_y = fc5_y - f6_z
-    f5_z = fc5_z + f06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = s5*f5_y - c5*f5_x
-    neg_f05_y = s5*f5_x + c5*f5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = s5*n5_y - c5*n5_x
-    n05_y = -c5*n5_y - s5*n5_x
+    n6_z = t48 - (t45*t12 - 0.0001037589172186853_rk*lam6_23) - (1.0666666666666667_rk*t52 + &
+        0.014338888209442497_rk*t30 - t38*t49 + t51*t43)
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_32 = ww4_yz + alpha4_x
+    t53 = t37*t10 + 0.014338888209442497_rk*t42 - 0.028934422545659907_rk*lam6_32 - (t15*t51 + &
+        t38*t47 - (t35*t49 + t45*t39))
+    t54 = 0.0055993270925625_rk*t50 + 0.0001037589172186853_rk*lam6_21 + &
+        (9.35690973146064e-05_rk*t9 - 0.0005462437073966822_rk*lam6_31 + t53)
+    t55 = neg_lam5_22 + lam5_11
+    t56 = 0.017931959153753906_rk*t42 + (t39*t43 - (0.014338888209442497_rk*lam6_32 + t15*(t11 - &
+        t13)))
+    t57 = 0.0055993270925625_rk*neg_lam5_22 + t56
+    t58 = 0.0005462437073966822_rk*lam6_32 + nc7_z + (9.35690973146064e-05_rk*lam6_12 + &
+        0.0001037589172186853_rk*t13 + 1.0666666666666667_rk*(t56 + 0.005249369149277343_rk*t29))
+    t59 = t58 + 0.0011196707334275547_rk*lam6_31
+    t60 = c6*t54 - 0.010045187828321245_rk*lam5_32 - 0.00151524447332703_rk*lam5_31 - &
+        0.0021640520520981327_rk*(t8 - t55) - (4.654545454545454_rk*t57 + s6*t59)
+    t61 = t60 - 0.0010267877770288932_rk*lam5_21
+    t62 = 0.014338888209442497_rk*lam6_12 + (t43*t11 + 0.017931959153753906_rk*t30 - &
+        (0.0055993270925625_rk*neg_lam6_13 - t15*t36))
+    t63 = t52 + 0.0055993270925625_rk*lam6_23
+    t64 = c6*t62 - s6*t63
+    t65 = 0.0010267877770288932_rk*t8 + (0.001208932934385_rk*t27 + 4.654545454545454_rk*t64 - &
+        (-0.0021640520520981327_rk*lam5_12 - n6_z - 0.00151524447332703_rk*lam5_32))
+    t66 = 0.001451156065026714_rk*lam5_31 + t65
+    t67 = neg_lam4_22 + lam3_22
+    t68 = 0.0039053550262761055_rk*lam4_21 - c5*t61 + 0.07937575371526083_rk*lam4_31 + (s5*t66 - &
+        (0.08256807420204747_rk*t22 - 0.00164448757736928_rk*t67))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = n05_x + (nc4_x + 0.384_rk*neg_f05_y)
-    n4_y = nc4_y + 0.0825_rk*neg_f05_y - n5_z
-    n4_z = n05_y + (nc4_z - (0.0825_rk*f5_z - 0.384_rk*f05_x))
-    ! link 4: force through the joint [N]
-    f4_x = fc4_x + f05_x
-    f4_y = fc4_y - f5_z
-    f4_z = fc4_z - neg_f05_y
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = s4*f4_y - c4*f4_x
-    f04_y = -c4*f4_y - s4*f4_x
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = s4*n4_y - c4*n4_x
-    neg_n04_y = s4*n4_x + c4*n4_y
+    n4_x = 0.30879988491513166_rk*lam4_32 - t68
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_13 = ww4_zx + alpha4_y
+    lam4_12 = ww4_xy - alpha4_z
+    t69 = 0.0021640520520981327_rk*lam5_13 - 0.0010267877770288932_rk*lam5_23 - (c6*t59 + s6*t54) &
+        - (0.010045187828321245_rk*lam5_12 - 0.001451156065026714_rk*lam5_21)
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_z = t69 - (0.00151524447332703_rk*t55 - 0.001208932934385_rk*t41)
+    t70 = 0.022178148964878252_rk*lam4_23 - n4_x
+    t71 = t64 - (0.02767241350487109_rk*t24 - 0.001208932934385_rk*lam5_11)
+    t72 = t57 - (-0.001208932934385_rk*lam5_21 - 0.02767241350487109_rk*t41)
+    t73 = s5*t71 + c5*t72
+    t74 = 0.02759391246306875_rk*lam4_13 - 0.00164448757736928_rk*lam4_12 - t73 - n5_z - &
+        (0.010831526996380998_rk*ww4_zx + (0.0039053550262761055_rk*t4 - &
+        0.07937575371526083_rk*lam4_32))
+    t75 = t73 - (0.08256807420204747_rk*lam4_32 + 0.016011409030815008_rk*t22)
+    t76 = c4*t74 - 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) - &
+        (0.005487648106562251_rk*lam3_23 + (0.002328735327434986_rk*t18 - &
+        1.3360662912304e-05_rk*lam3_21 - t75))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x + n04_x
-    n3_y = nc3_y - 0.0825_rk*f04_y - n4_z
-    n3_z = nc3_z - 0.0825_rk*f4_z - neg_n04_y
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    f3_y = fc3_y - f4_z
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c3*f3_x - s3*f3_y
-    f03_y = s3*f3_x + c3*f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_x = c3*n3_x - s3*n3_y
-    n03_y = s3*n3_x + c3*n3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = n03_x + (nc2_x - 0.316_rk*f03_y)
-    neg_n2_y = n3_z - nc2_y
-    n2_z = n03_y + (nc2_z + 0.316_rk*f03_x)
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = c2*neg_n2_y - s2*n2_x
+    n3_z = s4*t70 - t76 - 0.013297019103287523_rk*lam3_13
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_12 = ww3_xy - alpha3_z
+    t77 = 0.001208932934385_rk*lam5_31 + (s6*t62 + 0.02767241350487109_rk*t27 + c6*t63)
+    t78 = 0.0039053550262761055_rk*lam4_23 + c5*t66 - (0.30879988491513166_rk*lam4_12 - &
+        (0.00164448757736928_rk*lam4_13 - 0.07937575371526083_rk*(t4 - t67) + &
+        0.005415763498190499_rk*lam4_21))
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_z = t77 + (s5*t61 - 0.08256807420204747_rk*t20) + t78
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_32 = ww3_yz + alpha3_x
+    t79 = t2 - (qd(1) - t2)
+    t80 = 0.0007689361029464017_rk*s2
+    t81 = 0.0007689361029464017_rk*(c2 + 13.344544210747523_rk*s2)
+    t82 = 0.27690780075317833_rk*c2
+    t83 = ww2_zz*(0.010261101821008168_rk*c2 - t80) + (t81*qdd(2) + &
+        (qdd(1)*(37.41570986608598_rk*(t80*t82) - 0.03733744848940618_rk) - c2*n3_z))
+    t84 = 3.83030303030303_rk*t75 + (s4*t74 + c4*t70) - (0.10510540975539216_rk*lam3_23 - (t82 - &
+        (0.013297019103287523_rk*t3 + 0.005487648106562251_rk*lam3_21 - &
+        0.0001219124209507298_rk*lam3_31)))
+    t85 = 0.016011409030815008_rk*t20 + 0.08256807420204747_rk*lam4_12 - (c5*t71 - s5*t72)
+    t86 = 0.08256807420204747_rk*neg_lam4_22 + (t77 - 0.016011409030815008_rk*t26)
+    t87 = s4*t85 - c4*t86 - 3.83030303030303_rk*(c4*t85 + s4*t86) - &
+        0.013297019103287523_rk*lam3_12
+    t88 = t87 + (n4_z + (0.005487648106562251_rk*(neg_lam3_11 - neg_lam2_22 - &
+        0.0024346792383292625_rk*lam3_31) + (0.0001219124209507298_rk*lam3_32 - &
+        0.10510540975539216_rk*lam3_13)))
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = nc1_z + n02_y
+    n1_z = 0.007966717767871044_rk*qd(2)*t79 - (t83 + s2*(c3*t84 + s3*t88))
+    t89 = 0.04615576498986361_rk*qdd(2) - t79*(0.003983358883935522_rk*qd(1)) + s3*t84 - &
+        (4.746153896127808_rk*s2 - 0.01993386669246_rk*c2)
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_z = t89 - qdd(1)*t81 - c3*t88
     tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = n3_z
@@ -436,106 +359,112 @@ contains
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 64 multiplications, 38 additions = 102; 1 unary minus; 12 sine/cosine
+  ! 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
   pure subroutine panda_gravity(q, tau) &
       bind(c, name="panda_gravity_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, neg_a2_x, neg_a2_y, neg_a3_x, a3_y
-    real(rk) :: a4_x, neg_a4_y, a5_x, a5_y, a6_x, a6_y, a7_x, a7_y, nc2_z, nc3_x, nc3_y, nc3_z
-    real(rk) :: nc4_x, nc4_y, nc4_z, nc5_x, nc5_y, nc5_z, nc6_x, nc6_y, nc6_z, nc7_x, nc7_y, nc7_z
-    real(rk) :: n07_x, n07_y, n6_x, n6_y, n6_z, n06_x, n06_y, n5_x, n5_y, n5_z, n05_x, neg_n05_y
-    real(rk) :: n4_x, n4_y, n4_z, n04_x, neg_n04_y, n3_x, n3_y, n3_z, n03_x, n03_y, n2_z, n02_y
+    real(rk) :: s2, neg_a2_x, c2, neg_a2_y, c3, neg_a3_x, s3, a3_y, c4, s4, a4_x, neg_a4_y, c5, s5
+    real(rk) :: a5_x, a5_y, c6, s6, a6_x, a6_y, s7, c7, a7_y, a7_x, nc7_z, nc7_x, nc7_y, n07_y
+    real(rk) :: n07_x, nc6_z, nc6_x, nc6_y, n6_z, n6_x, n6_y, n06_y, n06_x, nc5_z, nc5_x, nc5_y
+    real(rk) :: n5_z, n5_x, n5_y, n05_y, n05_x, nc4_z, nc4_x, nc4_y, n4_z, n4_x, n4_y, neg_n04_y
+    real(rk) :: n04_x, nc3_z, nc3_x, nc3_y, n3_z, n3_x, n3_y, n03_y, nc2_z, n2_z
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
     s2 = sin(q(2))
-    c3 = cos(q(3))
-    s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    c7 = cos(q(7))
-    s7 = sin(q(7))
     ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
     neg_a2_x = 9.81_rk*s2
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
     neg_a2_y = 9.81_rk*c2
+    ! sines and cosines of the joint angles
+    c3 = cos(q(3))
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c3*neg_a2_x
-    a3_y = s3*neg_a2_x
+    neg_a3_x = neg_a2_x*c3
+    ! sines and cosines of the joint angles
+    s3 = sin(q(3))
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
+    a3_y = neg_a2_x*s3
+    ! sines and cosines of the joint angles
+    c4 = cos(q(4))
+    s4 = sin(q(4))
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*neg_a3_x - s4*neg_a2_y
-    neg_a4_y = s4*neg_a3_x + c4*neg_a2_y
+    a4_x = neg_a3_x*c4 - neg_a2_y*s4
+    neg_a4_y = neg_a3_x*s4 + neg_a2_y*c4
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*a3_y - c5*a4_x
-    a5_y = s5*a4_x + c5*a3_y
+    a5_x = a3_y*s5 - a4_x*c5
+    a5_y = a4_x*s5 + a3_y*c5
+    ! sines and cosines of the joint angles
+    c6 = cos(q(6))
+    s6 = sin(q(6))
     ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*neg_a4_y
-    a6_y = c6*neg_a4_y - s6*a5_x
+    a6_x = a5_x*c6 + neg_a4_y*s6
+    a6_y = neg_a4_y*c6 - a5_x*s6
+    ! sines and cosines of the joint angles
+    s7 = sin(q(7))
+    c7 = cos(q(7))
     ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_x = c7*a6_x - s7*a5_y
-    a7_y = -c7*a5_y - s7*a6_x
-    ! link 2: moment that turns the link [N m]
-    nc2_z = 0.01993386669246_rk*c2 - 32.809545426852715_rk*s2
-    ! link 3: moment that turns the link [N m]
-    nc3_x = 0.27690780075317833_rk*c2
-    nc3_y = -7.32667658634432_rk*c2
-    nc3_z = 0.746857959872_rk*a3_y + 0.028227094877999827_rk*neg_a3_x
-    ! link 4: moment that turns the link [N m]
-    nc4_x = 2.0125235536029997_rk*a3_y
-    nc4_y = 0.5527802746499999_rk*a3_y
-    nc4_z = 2.0125235536029997_rk*a4_x - 0.5527802746499999_rk*neg_a4_y
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.067870631425_rk*neg_a4_y
-    nc5_y = 0.014653732538_rk*neg_a4_y
-    nc5_z = -0.067870631425_rk*a5_x - 0.014653732538_rk*a5_y
-    ! link 6: moment that turns the link [N m]
-    nc6_x = 0.17380470556899996_rk*a5_y
-    nc6_y = 0.231847552695_rk*a5_y
-    nc6_z = 0.231847552695_rk*a6_y + 0.17380470556899996_rk*a6_x
+    a7_y = -a5_y*c7 - a6_x*s7
+    a7_x = a6_x*c7 - a5_y*s7
     ! link 7: moment that turns the link [N m]
+    nc7_z = 0.002573605371338201_rk*a7_y - 0.0020344399586618637_rk*a7_x
     nc7_x = -0.0020344399586618637_rk*a6_y
     nc7_y = 0.002573605371338201_rk*a6_y
-    nc7_z = 0.002573605371338201_rk*a7_y - 0.0020344399586618637_rk*a7_x
     ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_x = c7*nc7_x - s7*nc7_y
     n07_y = s7*nc7_x + c7*nc7_y
+    n07_x = c7*nc7_x - s7*nc7_y
+    ! link 6: moment that turns the link [N m]
+    nc6_z = 0.231847552695_rk*a6_y + 0.17380470556899996_rk*a6_x
+    nc6_x = 0.17380470556899996_rk*a5_y
+    nc6_y = 0.231847552695_rk*a5_y
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = nc6_x + n07_x
+    n6_z = n07_y + nc6_z
+    n6_x = n07_x + nc6_x
     n6_y = nc6_y - nc7_z
-    n6_z = nc6_z + n07_y
     ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*n6_x - s6*n6_y
     n06_y = s6*n6_x + c6*n6_y
+    n06_x = c6*n6_x - s6*n6_y
+    ! link 5: moment that turns the link [N m]
+    nc5_z = -0.067870631425_rk*a5_x - 0.014653732538_rk*a5_y
+    nc5_x = 0.067870631425_rk*neg_a4_y
+    nc5_y = 0.014653732538_rk*neg_a4_y
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
+    n5_z = n06_y + nc5_z
+    n5_x = n06_x + nc5_x
     n5_y = nc5_y - n6_z
-    n5_z = nc5_z + n06_y
     ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_y = -c5*n5_y - s5*n5_x
     n05_x = s5*n5_y - c5*n5_x
-    neg_n05_y = s5*n5_x + c5*n5_y
+    ! link 4: moment that turns the link [N m]
+    nc4_z = 2.0125235536029997_rk*a4_x - 0.5527802746499999_rk*neg_a4_y
+    nc4_x = 2.0125235536029997_rk*a3_y
+    nc4_y = 0.5527802746499999_rk*a3_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + n05_x
+    n4_z = n05_y + nc4_z
+    n4_x = n05_x + nc4_x
     n4_y = nc4_y - n5_z
-    n4_z = nc4_z - neg_n05_y
     ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = s4*n4_y - c4*n4_x
     neg_n04_y = s4*n4_x + c4*n4_y
+    n04_x = s4*n4_y - c4*n4_x
+    ! link 3: moment that turns the link [N m]
+    nc3_z = 0.746857959872_rk*a3_y + 0.028227094877999827_rk*neg_a3_x
+    nc3_x = 0.27690780075317833_rk*c2
+    nc3_y = -7.32667658634432_rk*c2
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x + n04_x
-    n3_y = nc3_y - n4_z
     n3_z = nc3_z - neg_n04_y
+    n3_x = n04_x + nc3_x
+    n3_y = nc3_y - n4_z
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_x = c3*n3_x - s3*n3_y
     n03_y = s3*n3_x + c3*n3_y
+    ! link 2: moment that turns the link [N m]
+    nc2_z = 0.01993386669246_rk*c2 - 32.809545426852715_rk*s2
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = nc2_z + n03_y
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = c2*n3_z - s2*n03_x
-    tau(1) = n02_y
+    n2_z = n03_y + nc2_z
+    tau(1) = 0.0_rk
     tau(2) = n2_z
     tau(3) = n3_z
     tau(4) = n4_z
@@ -545,375 +474,295 @@ contains
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 300 multiplications, 273 additions = 573; 8 unary minus; 12 sine/cosine
+  ! 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
   pure subroutine panda_bias(q, qd, tau) &
       bind(c, name="panda_bias_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(out) :: tau(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, w2_x, w2_y, neg_a2_x, neg_a2_y
-    real(rk) :: alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22
-    real(rk) :: neg_lam2_33, a3_z, w3_x, w3_y, t2, t3, a3_x, a3_y, alpha3_x, alpha3_y, w3_z, ww3_yz
-    real(rk) :: ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13, lam3_21
-    real(rk) :: neg_lam3_22, lam3_23, lam3_31, lam3_32, neg_lam3_33, a4_z, t4, w4_x, w4_y, t5, t6
-    real(rk) :: a4_x, neg_a4_y, t7, alpha4_x, neg_alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
-    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, neg_lam4_23
-    real(rk) :: lam4_31, lam4_32, neg_lam4_33, a5_z, w5_x, w5_y, t8, t9, a5_x, a5_y, alpha5_x
-    real(rk) :: alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11
-    real(rk) :: lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33
-    real(rk) :: w6_x, w6_y, a6_x, a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx
-    real(rk) :: ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23
-    real(rk) :: lam6_31, lam6_32, neg_lam6_33, a7_z, w7_x, w7_y, t10, t11, neg_a7_x, a7_y, alpha7_x
-    real(rk) :: alpha7_y, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11
-    real(rk) :: lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, neg_lam7_31, lam7_32, neg_lam7_33
-    real(rk) :: nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, nc3_x, nc3_y, t12, nc3_z, fc4_x, fc4_y, fc4_z
-    real(rk) :: nc4_x, nc4_y, t13, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t14, nc5_z, fc6_x
-    real(rk) :: fc6_y, fc6_z, nc6_x, nc6_y, t15, nc6_z, fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t16
-    real(rk) :: nc7_z, f07_x, f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y, f6_z, f06_x, f06_y
-    real(rk) :: n06_x, n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, f05_x, neg_f05_y, n05_x, n05_y
-    real(rk) :: n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y, n3_z
-    real(rk) :: f3_x, f3_y, neg_f03_x, f03_y, n03_x, n03_y, n2_x, neg_n2_y, n2_z, n02_y
+    real(rk) :: s2, neg_w2_x, c2, neg_w2_y, neg_ww2_yz, c3, s3, neg_w3_x, w3_z, w3_y, ww3_yy
+    real(rk) :: ww3_zz, neg_ww3_zx, neg_ww3_xy, ww3_yz, neg_lam3_11, c4, s4, neg_w4_x, neg_w4_z
+    real(rk) :: neg_w4_y, ww4_zz, ww4_zx, ww4_xy, ww4_xx, ww4_yz, c5, s5, w5_x, w5_z, neg_w5_y
+    real(rk) :: neg_ww5_yz, ww5_zx, neg_ww5_xy, ww5_xx, ww5_zz, neg_lam4_22, neg_lam5_22, c6, s6
+    real(rk) :: w6_x, w6_z, w6_y, ww6_zz, ww6_xy, ww6_yy, w7_z, c7, s7, ww2_zz, alpha3_y
+    real(rk) :: neg_lam3_13, lam4_21, alpha3_x, neg_ww2_zx, alpha4_y, neg_lam5_21, neg_alpha4_x
+    real(rk) :: neg_alpha5_x, neg_lam5_32, neg_lam3_31, t1, ww2_xx, neg_lam2_22, t2, lam3_22, t3
+    real(rk) :: lam4_11, lam4_31, lam3_23, neg_lam3_21, alpha5_y, lam5_13, lam6_21, t4, t5, lam6_31
+    real(rk) :: ww7_zz, neg_lam5_23, t6, lam6_32, lam6_12, lam5_31, t7, lam5_11, t8, neg_lam6_22
+    real(rk) :: t9, t10, t11, t12, neg_lam6_11, neg_lam6_13, t13, t14, t15, t16, t17, t18, t19, t20
+    real(rk) :: t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, t35, t36, t37
+    real(rk) :: t38, t39, t40, t41, t42, nc7_z, lam6_23, neg_lam5_12, t43, t44, t45, t46, t47, t48
+    real(rk) :: t49, n6_z, lam4_32, t50, t51, t52, t53, t54, t55, t56, t57, t58, t59, t60, t61, t62
+    real(rk) :: t63, t64, t65, n4_x, lam4_23, lam4_13, lam4_12, t66, n5_z, t67, t68, t69, t70, t71
+    real(rk) :: t72, t73, n3_z, lam3_12, t74, t75, n4_z, lam3_32, t76, t77, t78, t79, t80, t81, t82
+    real(rk) :: n1_z, n2_z
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
     s2 = sin(q(2))
+    ! link 2: angular velocity [rad/s]
+    neg_w2_x = s2*qd(1)
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    ! link 2: angular velocity [rad/s]
+    neg_w2_y = qd(1)*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    neg_ww2_yz = neg_w2_y*qd(2)
+    ! sines and cosines of the joint angles
     c3 = cos(q(3))
     s3 = sin(q(3))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    c7 = cos(q(7))
-    s7 = sin(q(7))
-    t1 = -qd(1)
-    ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.81_rk*s2
-    neg_a2_y = 9.81_rk*c2
-    ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    neg_alpha2_y = qd(2)*w2_x
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = neg_a2_y - 0.316_rk*neg_lam2_22
     ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + qd(2)*s3
-    w3_y = qd(2)*c3 - s3*w2_x
-    t2 = -0.632_rk*alpha2_x
-    t3 = neg_a2_x + 0.316_rk*ww2_xy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = s3*t2 - c3*t3
-    a3_y = s3*t3 + c3*t2
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = c3*alpha2_x + qd(3)*w3_y
-    alpha3_y = -qd(3)*w3_x - s3*alpha2_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(3) - w2_y
+    neg_w3_x = neg_w2_x*c3 - qd(2)*s3
+    w3_z = neg_w2_y + qd(3)
+    w3_y = qd(2)*c3 + neg_w2_x*s3
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
     ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
+    neg_ww3_zx = neg_w3_x*w3_z
+    neg_ww3_xy = neg_w3_x*w3_y
+    ww3_yz = w3_z*w3_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = ww3_xy - neg_alpha2_y
-    lam3_13 = alpha3_y + ww3_zx
-    lam3_21 = neg_alpha2_y + ww3_xy
-    neg_lam3_22 = ww3_xx + ww3_zz
-    lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = -0.0825_rk*lam3_21 - a3_y
-    t4 = -s4
+    ! sines and cosines of the joint angles
+    c4 = cos(q(4))
+    s4 = sin(q(4))
     ! link 4: angular velocity [rad/s]
-    w4_x = t4*w3_z - c4*w3_x
-    w4_y = s4*w3_x - c4*w3_z
-    t5 = 0.0825_rk*neg_lam3_11 - a3_x
-    t6 = a3_z + 0.0825_rk*lam3_31
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*t5 - s4*t6
-    neg_a4_y = s4*t5 + c4*t6
-    t7 = -c4
-    ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = t7*alpha3_x - s4*neg_alpha2_y + qd(4)*w4_y
-    neg_alpha4_y = c4*neg_alpha2_y - s4*alpha3_x + qd(4)*w4_x
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) - w3_y
+    neg_w4_x = w3_z*s4 - neg_w3_x*c4
+    neg_w4_z = w3_y - qd(4)
+    neg_w4_y = neg_w3_x*s4 + w3_z*c4
     ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
-    ww4_xy = w4_x*w4_y
-    ww4_xx = w4_x*w4_x
-    ww4_yy = w4_y*w4_y
-    ww4_zz = w4_z*w4_z
-    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_11 = ww4_yy + ww4_zz
-    lam4_12 = alpha3_y + ww4_xy
-    lam4_13 = ww4_zx - neg_alpha4_y
-    lam4_21 = ww4_xy - alpha3_y
-    neg_lam4_22 = ww4_xx + ww4_zz
-    neg_lam4_23 = alpha4_x - ww4_yz
-    lam4_31 = neg_alpha4_y + ww4_zx
-    lam4_32 = alpha4_x + ww4_yz
-    neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = neg_a4_y + (-0.384_rk*neg_lam4_22 - 0.0825_rk*lam4_21)
+    ww4_zz = neg_w4_z*neg_w4_z
+    ww4_zx = neg_w4_x*neg_w4_z
+    ww4_xy = neg_w4_x*neg_w4_y
+    ww4_xx = neg_w4_x*neg_w4_x
+    ww4_yz = neg_w4_z*neg_w4_y
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    w5_x = -s5*w4_z - c5*w4_x
-    w5_y = s5*w4_x - c5*w4_z
-    t8 = 0.384_rk*lam4_32 - 0.0825_rk*lam4_31 - a4_z
-    t9 = a4_x - (0.0825_rk*neg_lam4_11 + 0.384_rk*lam4_12)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*t8 - c5*t9
-    a5_y = s5*t9 + c5*t8
-    ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (c5*alpha4_x - s5*alpha3_y)
-    alpha5_y = s5*alpha4_x + c5*alpha3_y - qd(5)*w5_x
-    ! link 5: angular velocity [rad/s]
-    w5_z = qd(5) - w4_y
+    w5_x = neg_w4_x*c5 + neg_w4_z*s5
+    w5_z = neg_w4_y + qd(5)
+    neg_w5_y = neg_w4_x*s5 - neg_w4_z*c5
     ! link 5: products of the angular velocity [1/s^2]
-    ww5_yz = w5_y*w5_z
+    neg_ww5_yz = w5_z*neg_w5_y
     ww5_zx = w5_x*w5_z
-    ww5_xy = w5_x*w5_y
+    neg_ww5_xy = w5_x*neg_w5_y
     ww5_xx = w5_x*w5_x
-    ww5_yy = w5_y*w5_y
     ww5_zz = w5_z*w5_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_22 = ww4_zz + ww4_xx
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_11 = ww5_yy + ww5_zz
-    lam5_12 = ww5_xy - neg_alpha4_y
-    lam5_13 = alpha5_y + ww5_zx
-    lam5_21 = neg_alpha4_y + ww5_xy
     neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_23 = ww5_yz - alpha5_x
-    lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = alpha5_x + ww5_yz
-    neg_lam5_33 = ww5_xx + ww5_yy
+    ! sines and cosines of the joint angles
+    c6 = cos(q(6))
+    s6 = sin(q(6))
     ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x + s6*w5_z
-    w6_y = c6*w5_z - s6*w5_x
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a5_z
-    a6_y = c6*a5_z - s6*a5_x
-    ! link 6: angular acceleration [rad/s^2]
-    alpha6_x = qd(6)*w6_y - (-c6*alpha5_x - s6*neg_alpha4_y)
-    alpha6_y = c6*neg_alpha4_y - s6*alpha5_x - qd(6)*w6_x
-    ! link 6: angular velocity [rad/s]
-    w6_z = qd(6) - w5_y
+    w6_x = w5_x*c6 + w5_z*s6
+    w6_z = neg_w5_y + qd(6)
+    w6_y = w5_z*c6 - w5_x*s6
     ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
-    ww6_zx = w6_x*w6_z
-    ww6_xy = w6_x*w6_y
-    ww6_xx = w6_x*w6_x
-    ww6_yy = w6_y*w6_y
     ww6_zz = w6_z*w6_z
-    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_11 = ww6_yy + ww6_zz
-    lam6_12 = alpha5_y + ww6_xy
-    lam6_13 = alpha6_y + ww6_zx
-    lam6_21 = ww6_xy - alpha5_y
-    neg_lam6_22 = ww6_xx + ww6_zz
-    lam6_23 = ww6_yz - alpha6_x
-    lam6_31 = ww6_zx - alpha6_y
-    lam6_32 = alpha6_x + ww6_yz
-    neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_z = -0.088_rk*lam6_21 - a6_y
-    ! link 7: angular velocity [rad/s]
-    w7_x = c7*w6_x + s7*w6_z
-    w7_y = c7*w6_z - s7*w6_x
-    t10 = 0.088_rk*neg_lam6_11 - a6_x
-    t11 = a5_y - 0.088_rk*lam6_31
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a7_x = c7*t10 + s7*t11
-    a7_y = s7*t10 - c7*t11
-    ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (s7*alpha5_y - c7*alpha6_x)
-    alpha7_y = -c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
+    ww6_xy = w6_x*w6_y
+    ww6_yy = w6_y*w6_y
     ! link 7: angular velocity [rad/s]
     w7_z = qd(7) - w6_y
+    ! sines and cosines of the joint angles
+    c7 = cos(q(7))
+    s7 = sin(q(7))
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_y = neg_ww2_yz*s3 + neg_w3_x*qd(3)
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_13 = neg_ww3_zx - alpha3_y
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_21 = ww4_xy - alpha3_y
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - neg_ww2_yz*c3
+    ! link 2: products of the angular velocity [1/s^2]
+    neg_ww2_zx = neg_w2_x*qd(2)
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_y = s4*alpha3_x + (neg_w4_x*qd(4) + c4*neg_ww2_zx)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_21 = neg_ww5_xy + alpha4_y
+    ! link 4: angular acceleration [rad/s^2]
+    neg_alpha4_x = qd(4)*neg_w4_y + (c4*alpha3_x - s4*neg_ww2_zx)
+    ! link 5: angular acceleration [rad/s^2]
+    neg_alpha5_x = qd(5)*neg_w5_y - s5*alpha3_y - c5*neg_alpha4_x
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_32 = neg_ww5_yz + neg_alpha5_x
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_31 = neg_ww3_zx + alpha3_y
+    t1 = s2*neg_w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xx = qd(1)*t1
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_22 = ww2_zz + ww2_xx
+    t2 = ww3_yy - ww3_zz
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_22 = t2 - neg_lam2_22
+    t3 = ww4_zz - ww4_xx
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_11 = lam3_22 - t3
+    lam4_31 = ww4_zx - alpha4_y
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_23 = ww3_yz - alpha3_x
+    neg_lam3_21 = neg_ww3_xy + neg_ww2_zx
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = c5*alpha3_y - (w5_x*qd(5) + s5*neg_alpha4_x)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_13 = ww5_zx + alpha5_y
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_21 = ww6_xy - alpha5_y
+    t4 = qd(6) + w6_z
+    t5 = c6*alpha4_y - s6*neg_alpha5_x
+    lam6_31 = w6_x*t4 + t5
     ! link 7: products of the angular velocity [1/s^2]
-    ww7_yz = w7_y*w7_z
-    ww7_zx = w7_x*w7_z
-    ww7_xy = w7_x*w7_y
-    ww7_xx = w7_x*w7_x
-    ww7_yy = w7_y*w7_y
     ww7_zz = w7_z*w7_z
-    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam7_11 = ww7_yy + ww7_zz
-    lam7_12 = alpha6_y + ww7_xy
-    lam7_13 = alpha7_y + ww7_zx
-    lam7_21 = ww7_xy - alpha6_y
-    neg_lam7_22 = ww7_xx + ww7_zz
-    lam7_23 = ww7_yz - alpha7_x
-    neg_lam7_31 = alpha7_y - ww7_zx
-    lam7_32 = alpha7_x + ww7_yz
-    neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 2: moment that turns the link [N m]
-    nc2_x = 0.007966717767871044_rk*neg_alpha2_y + 0.010261101821008168_rk*ww2_xy - &
-        (0.0007689361029464017_rk*(neg_lam2_22 - neg_lam2_33) - 2.0643241224637614_rk*alpha2_x)
-    nc2_y = 0.010261101821008168_rk*(neg_lam2_11 - neg_lam2_33) - &
-        0.04615576498986361_rk*neg_alpha2_y - (0.0007689361029464017_rk*ww2_xy + &
-        0.007966717767871044_rk*alpha2_x)
-    nc2_z = 0.01993386669246_rk*c2 - 32.809545426852715_rk*s2 - (1.009084178736949_rk*ww2_xy - &
-        0.003983358883935522_rk*(neg_lam2_11 - neg_lam2_22))
-    ! link 3: force that moves the link [N]
-    fc3_x = 0.028227094877999827_rk*lam3_12 - 0.746857959872_rk*neg_lam3_11
-    fc3_y = 0.746857959872_rk*lam3_21 - 0.028227094877999827_rk*neg_lam3_22
-    ! link 3: moment that turns the link [N m]
-    nc3_x = 0.028227094877999827_rk*a3_z - (-0.022178148964878252_rk*lam3_32 - &
-        0.0043772571218395765_rk*(neg_lam3_22 - neg_lam3_33) + (0.005487648106562251_rk*lam3_21 - &
-        0.0001219124209507298_rk*lam3_31))
-    nc3_y = -0.061602421026527694_rk*lam3_31 - 0.005487648106562251_rk*(neg_lam3_11 - neg_lam3_33) &
-        + (0.0043772571218395765_rk*lam3_12 - 0.0001219124209507298_rk*lam3_32) - &
-        0.746857959872_rk*a3_z
-    t12 = 0.022178148964878252_rk*lam3_12 - 0.061602421026527694_rk*lam3_21 - &
-        0.0001219124209507298_rk*(neg_lam3_11 - neg_lam3_22) - (0.005487648106562251_rk*lam3_23 - &
-        0.0043772571218395765_rk*lam3_13)
-    nc3_z = 0.746857959872_rk*a3_y - 0.028227094877999827_rk*a3_x - t12
-    ! link 4: force that moves the link [N]
-    fc4_x = -0.5527802746499999_rk*neg_lam4_11 - 2.0125235536029997_rk*lam4_12
-    fc4_y = 0.5527802746499999_rk*lam4_21 + 2.0125235536029997_rk*neg_lam4_22
-    fc4_z = 0.5527802746499999_rk*lam4_31 - 2.0125235536029997_rk*lam4_32
-    ! link 4: moment that turns the link [N m]
-    nc4_x = 0.6972920750309717_rk*lam4_32 - 0.00164448757736928_rk*(neg_lam4_22 - neg_lam4_33) - &
-        (0.16284087268546082_rk*lam4_31 + 0.0039053550262761055_rk*lam4_21) - &
-        2.0125235536029997_rk*a4_z
-    nc4_y = -0.5527802746499999_rk*a4_z - (0.05102013615681549_rk*lam4_31 + &
-        0.0039053550262761055_rk*(neg_lam4_11 - neg_lam4_33) + (0.00164448757736928_rk*lam4_12 - &
-        0.16284087268546082_rk*lam4_32))
-    t13 = 0.6972920750309717_rk*lam4_12 - 0.05102013615681549_rk*lam4_21 + &
-        0.16284087268546082_rk*(neg_lam4_11 - neg_lam4_22) + (0.0039053550262761055_rk*neg_lam4_23 &
-        - 0.00164448757736928_rk*lam4_13)
-    neg_nc4_z = t13 + (0.5527802746499999_rk*neg_a4_y - 2.0125235536029997_rk*a4_x)
-    ! link 5: force that moves the link [N]
-    fc5_x = 0.014653732538_rk*neg_lam5_11 + 0.067870631425_rk*lam5_12
-    fc5_y = -0.067870631425_rk*neg_lam5_22 - 0.014653732538_rk*lam5_21
-    fc5_z = 0.067870631425_rk*lam5_32 - 0.014653732538_rk*lam5_31
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.067870631425_rk*a5_z - (0.0021640520520981327_rk*(neg_lam5_22 - neg_lam5_33) - &
-        0.010045187828321245_rk*lam5_32 + (0.004600245517563107_rk*lam5_21 - &
-        0.00151524447332703_rk*lam5_31))
-    nc5_y = -0.001451156065026714_rk*lam5_31 - 0.004600245517563107_rk*(neg_lam5_11 - neg_lam5_33) &
-        + (-0.0021640520520981327_rk*lam5_12 - 0.00151524447332703_rk*lam5_32) + &
-        0.014653732538_rk*a5_z
-    t14 = 0.001451156065026714_rk*lam5_21 - 0.010045187828321245_rk*lam5_12 + &
-        0.00151524447332703_rk*(neg_lam5_11 - neg_lam5_22) + (0.004600245517563107_rk*lam5_23 + &
-        0.0021640520520981327_rk*lam5_13)
-    nc5_z = t14 - (0.014653732538_rk*a5_y + 0.067870631425_rk*a5_x)
-    ! link 6: force that moves the link [N]
-    fc6_x = -0.231847552695_rk*neg_lam6_11 - 0.17380470556899996_rk*lam6_12
-    fc6_y = 0.231847552695_rk*lam6_21 + 0.17380470556899996_rk*neg_lam6_22
-    fc6_z = 0.231847552695_rk*lam6_31 - 0.17380470556899996_rk*lam6_32
-    ! link 6: moment that turns the link [N m]
-    nc6_x = 0.17380470556899996_rk*a5_y - (9.35690973146064e-05_rk*(neg_lam6_22 - neg_lam6_33) - &
-        0.028934422545659907_rk*lam6_32 - (-0.014748570382675314_rk*lam6_31 - &
-        0.0001037589172186853_rk*lam6_21))
-    nc6_y = -0.021522255370587554_rk*lam6_31 - 0.0001037589172186853_rk*(neg_lam6_11 - &
-        neg_lam6_33) - (9.35690973146064e-05_rk*lam6_12 - 0.014748570382675314_rk*lam6_32) + &
-        0.231847552695_rk*a5_y
-    t15 = 0.028934422545659907_rk*lam6_12 - 0.021522255370587554_rk*lam6_21 + &
-        0.014748570382675314_rk*(neg_lam6_11 - neg_lam6_22) - (0.0001037589172186853_rk*lam6_23 + &
-        9.35690973146064e-05_rk*lam6_13)
-    nc6_z = 0.231847552695_rk*a6_y + 0.17380470556899996_rk*a6_x - t15
-    ! link 7: force that moves the link [N]
-    fc7_x = 0.0020344399586618637_rk*lam7_12 - 0.002573605371338201_rk*neg_lam7_11
-    fc7_y = 0.002573605371338201_rk*lam7_21 - 0.0020344399586618637_rk*neg_lam7_22
-    fc7_z = 0.0020344399586618637_rk*lam7_32 - 0.002573605371338201_rk*neg_lam7_31
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_23 = neg_ww5_yz - neg_alpha5_x
+    t6 = s6*alpha4_y + c6*neg_alpha5_x
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_32 = w6_y*t4 - t6
+    lam6_12 = ww6_xy + alpha5_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_31 = ww5_zx - alpha5_y
+    t7 = ww5_xx - ww5_zz
+    lam5_11 = t7 - neg_lam4_22
+    t8 = ww6_zz - ww6_yy
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_22 = neg_lam5_22 + t8
+    t9 = ww6_zz - ww7_zz
+    t10 = ww6_zz + ww7_zz
+    t11 = t10 - neg_lam6_22
+    t12 = t9 + t11
+    neg_lam6_11 = neg_lam5_22 + t12
+    neg_lam6_13 = t5 - neg_w5_y*w6_x
+    t13 = 0.0002123224431354016_rk*s7
+    t14 = t13 + 0.00016784129658960374_rk*c7
+    t15 = 118.9090909090909_rk*c2 - neg_lam3_31 - 3.83030303030303_rk*neg_lam2_22
+    t16 = 118.9090909090909_rk*s2
+    t17 = c3*t16
+    t18 = neg_lam3_11 + t17 + 3.83030303030303_rk*neg_lam3_13
+    t19 = s4*t15 - c4*t18
+    t20 = t19 - lam4_11
+    t21 = 3.83030303030303_rk*lam3_23 + (s3*t16 - neg_lam3_21)
+    t22 = lam4_31 - t21
+    t23 = c5*t20 - s5*t22
+    t24 = t23 + 4.654545454545454_rk*lam5_13
+    t25 = s4*t18 + c4*t15
+    t26 = lam4_21 - t25
+    t27 = 4.654545454545454_rk*neg_lam4_22 + t26
+    t28 = c6*t24 - s6*t27
+    t29 = 1.0666666666666667_rk*neg_lam6_11 - t28
+    t30 = 11.402203849817942_rk*c7
+    t31 = t13*t30
+    t32 = 0.0002123224431354016_rk*c7
+    t33 = t30*t32
+    t34 = 0.32333777029991095_rk*t31 - (t33 + 0.00213160409441986_rk)
+    t35 = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
+    t36 = t31 + (0.32333777029991095_rk*t33 - 0.0003913912816842475_rk)
+    t37 = t34 + 0.006684151967360947_rk
+    t38 = s5*t20 + c5*t22
+    t39 = t38 + (4.654545454545454_rk*neg_lam5_23 + 1.0666666666666667_rk*lam6_31)
+    t40 = t32 - 0.00016784129658960374_rk*s7
+    t41 = t14*t29 - (t34*neg_lam6_13 - (t35*lam6_12 - (t36*t12 - lam6_31*t37))) + t39*t40
+    t42 = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
     ! link 7: moment that turns the link [N m]
-    nc7_x = 0.0020344399586618637_rk*a7_z - (-0.004552547872941087_rk*lam7_32 - &
-        0.0012555365982729084_rk*(neg_lam7_22 - neg_lam7_33) - &
-        (0.0003913912816842475_rk*neg_lam7_31 - 0.0009653051699191118_rk*lam7_21))
-    nc7_y = 0.00213160409441986_rk*neg_lam7_31 - 0.0009653051699191118_rk*(neg_lam7_11 - &
-        neg_lam7_33) + (0.0012555365982729084_rk*lam7_12 + 0.0003913912816842475_rk*lam7_32) - &
-        0.002573605371338201_rk*a7_z
-    t16 = 0.004552547872941087_rk*lam7_12 - 0.00213160409441986_rk*lam7_21 + &
-        0.0003913912816842475_rk*(neg_lam7_11 - neg_lam7_22) - (0.0009653051699191118_rk*lam7_23 - &
-        0.0012555365982729084_rk*lam7_13)
-    nc7_z = 0.002573605371338201_rk*a7_y + 0.0020344399586618637_rk*neg_a7_x - t16
-    ! link 7: force through the joint, along the axes that its turn starts from [N]
-    f07_x = c7*fc7_x - s7*fc7_y
-    f07_y = s7*fc7_x + c7*fc7_y
-    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_x = c7*nc7_x - s7*nc7_y
-    n07_y = s7*nc7_x + c7*nc7_y
+    nc7_z = t41 - lam6_32*t42
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_23 = t6 + neg_w5_y*w6_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_12 = neg_ww5_xy - alpha4_y
+    t43 = -2.0_rk*w7_z
+    t44 = w6_x*t43 - lam6_12
+    t45 = s6*t24 + c6*t27
+    t46 = t45 - 1.0666666666666667_rk*lam6_21
+    t47 = lam6_32 - w6_z*t43
+    t48 = t14*t47 - (0.014338888209442497_rk*neg_lam6_22 - 0.017931959153753906_rk*t46 + t44*t40)
+    t49 = 0.0001037589172186853_rk*lam6_23 - (t42*t11 + (t46*t40 - (t36*t47 - &
+        (1.0666666666666667_rk*t48 + 0.014338888209442497_rk*t29))))
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = nc6_x + n07_x
-    n6_y = nc6_y - 0.088_rk*f07_y - nc7_z
-    n6_z = n07_y + (nc6_z - 0.088_rk*fc7_z)
-    ! link 6: force through the joint [N]
-    f6_x = fc6_x + f07_x
-    f6_y = fc6_y - fc7_z
-    f6_z = fc6_z + f07_y
-    ! link 6: force through the joint, along the axes that its turn starts from [N]
-    f06_x = c6*f6_x - s6*f6_y
-    f06_y = s6*f6_x + c6*f6_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*n6_x - s6*n6_y
-    n06_y = s6*n6_x + c6*n6_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = nc5_y - n6_z
-    n5_z = nc5_z + n06_y
-    ! link 5: force through the joint [N]
-    f5_x = fc5_x + f06_x
-    f5_y = fc5_y - f6_z
-    f5_z = fc5_z + f06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = s5*f5_y - c5*f5_x
-    neg_f05_y = s5*f5_x + c5*f5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = s5*n5_y - c5*n5_x
-    n05_y = -c5*n5_y - s5*n5_x
+    n6_z = t44*t37 - (0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11) + &
+        (0.028934422545659907_rk*lam6_12 - (0.0011196707334275547_rk*lam6_21 + t49))) - &
+        neg_lam6_13*(t35 + 9.35690973146064e-05_rk)
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_32 = ww4_yz - neg_alpha4_x
+    t50 = 0.028934422545659907_rk*lam6_32 - (0.014338888209442497_rk*t39 + (t35*t9 + &
+        (9.35690973146064e-05_rk*t8 + (0.0055993270925625_rk*t45 + &
+        0.0001037589172186853_rk*lam6_21))))
+    t51 = t34*t47 - (t36*t44 + (t14*t46 + t50)) + lam6_31*(t42 - 0.0005462437073966822_rk)
+    t52 = neg_lam5_22 + lam5_11
+    t53 = 0.017931959153753906_rk*t39 + (lam6_31*t40 - (0.014338888209442497_rk*lam6_32 + t14*(t10 &
+        - t12)))
+    t54 = 0.0055993270925625_rk*neg_lam5_22 + t53
+    t55 = 0.0005462437073966822_rk*lam6_32 + nc7_z + (9.35690973146064e-05_rk*lam6_12 + &
+        0.0001037589172186853_rk*t12 + 1.0666666666666667_rk*(t53 + 0.005249369149277343_rk*t28))
+    t56 = t55 + 0.0011196707334275547_rk*lam6_31
+    t57 = 0.010045187828321245_rk*neg_lam5_32 + c6*t51 - 0.00151524447332703_rk*lam5_31 - &
+        0.0021640520520981327_rk*(t7 - t52) - (4.654545454545454_rk*t54 + s6*t56)
+    t58 = 0.0010267877770288932_rk*neg_lam5_21 + t57
+    t59 = 0.017931959153753906_rk*t29 + (0.014338888209442497_rk*lam6_12 + t40*t10) + &
+        neg_lam6_13*(t14 - 0.0055993270925625_rk)
+    t60 = t48 + 0.0055993270925625_rk*lam6_23
+    t61 = c6*t59 - s6*t60
+    t62 = 0.0010267877770288932_rk*t7 + (0.001208932934385_rk*t26 + 4.654545454545454_rk*t61 - &
+        (0.00151524447332703_rk*neg_lam5_32 + (0.0021640520520981327_rk*neg_lam5_12 - n6_z)))
+    t63 = 0.001451156065026714_rk*lam5_31 + t62
+    t64 = neg_lam4_22 + lam3_22
+    t65 = 0.0039053550262761055_rk*lam4_21 - c5*t58 + 0.07937575371526083_rk*lam4_31 + (s5*t63 - &
+        (0.08256807420204747_rk*t21 - 0.00164448757736928_rk*t64))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = n05_x + (nc4_x + 0.384_rk*neg_f05_y)
-    n4_y = nc4_y + 0.0825_rk*neg_f05_y - n5_z
-    n4_z = n05_y - (neg_nc4_z + (0.0825_rk*f5_z - 0.384_rk*f05_x))
-    ! link 4: force through the joint [N]
-    f4_x = fc4_x + f05_x
-    f4_y = fc4_y - f5_z
-    f4_z = fc4_z - neg_f05_y
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = s4*f4_y - c4*f4_x
-    f04_y = t7*f4_y - s4*f4_x
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = s4*n4_y - c4*n4_x
-    n04_y = t4*n4_x - c4*n4_y
+    n4_x = 0.30879988491513166_rk*lam4_32 - t65
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_23 = ww4_yz + neg_alpha4_x
+    lam4_13 = ww4_zx + alpha4_y
+    lam4_12 = ww4_xy + alpha3_y
+    t66 = 0.0010267877770288932_rk*neg_lam5_23 + 0.0021640520520981327_rk*lam5_13 - (c6*t56 + &
+        s6*t51) - (0.001451156065026714_rk*neg_lam5_21 - 0.010045187828321245_rk*neg_lam5_12)
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_z = t66 - (0.00151524447332703_rk*t52 - 0.001208932934385_rk*t38)
+    t67 = 0.022178148964878252_rk*lam4_23 - n4_x
+    t68 = t61 - (0.02767241350487109_rk*t23 - 0.001208932934385_rk*lam5_11)
+    t69 = t54 - (0.001208932934385_rk*neg_lam5_21 - 0.02767241350487109_rk*t38)
+    t70 = s5*t68 + c5*t69
+    t71 = 0.02759391246306875_rk*lam4_13 - 0.00164448757736928_rk*lam4_12 - t70 - n5_z - &
+        (0.010831526996380998_rk*ww4_zx + (0.0039053550262761055_rk*t3 - &
+        0.07937575371526083_rk*lam4_32))
+    t72 = t70 - (0.08256807420204747_rk*lam4_32 + 0.016011409030815008_rk*t21)
+    t73 = c4*t71 - 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) - &
+        (0.005487648106562251_rk*lam3_23 + (0.002328735327434986_rk*t17 + &
+        1.3360662912304e-05_rk*neg_lam3_21 - t72))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x + n04_x
-    n3_y = nc3_y - 0.0825_rk*f04_y - n4_z
-    n3_z = n04_y - (0.0825_rk*f4_z - nc3_z)
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    f3_y = fc3_y - f4_z
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    neg_f03_x = s3*f3_y - c3*f3_x
-    f03_y = s3*f3_x + c3*f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_x = c3*n3_x - s3*n3_y
-    n03_y = s3*n3_x + c3*n3_y
+    n3_z = 0.013297019103287523_rk*neg_lam3_13 + (s4*t67 - t73)
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_12 = neg_ww2_zx - neg_ww3_xy
+    t74 = 0.001208932934385_rk*lam5_31 + (s6*t59 + 0.02767241350487109_rk*t26 + c6*t60)
+    t75 = 0.0039053550262761055_rk*lam4_23 + c5*t63 - (0.30879988491513166_rk*lam4_12 - &
+        (0.00164448757736928_rk*lam4_13 - 0.07937575371526083_rk*(t3 - t64) + &
+        0.005415763498190499_rk*lam4_21))
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_z = t74 + (s5*t58 - 0.08256807420204747_rk*t19) + t75
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_32 = ww3_yz + alpha3_x
+    t76 = t1 - (qd(1) - t1)
+    t77 = 3.83030303030303_rk*t72 + (s4*t71 + c4*t67) - (0.10510540975539216_rk*lam3_23 - &
+        (0.27690780075317833_rk*c2 - (0.013297019103287523_rk*t2 - &
+        0.005487648106562251_rk*neg_lam3_21 + 0.0001219124209507298_rk*neg_lam3_31)))
+    t78 = 0.016011409030815008_rk*t19 + 0.08256807420204747_rk*lam4_12 - (c5*t68 - s5*t69)
+    t79 = 0.08256807420204747_rk*neg_lam4_22 + (t74 - 0.016011409030815008_rk*t25)
+    t80 = s4*t78 - c4*t79 - 3.83030303030303_rk*(c4*t78 + s4*t79) - &
+        0.013297019103287523_rk*lam3_12
+    t81 = t80 + (n4_z + (0.005487648106562251_rk*(0.0024346792383292625_rk*neg_lam3_31 + &
+        (neg_lam3_11 - neg_lam2_22)) + (0.0001219124209507298_rk*lam3_32 + &
+        0.10510540975539216_rk*neg_lam3_13)))
+    t82 = ww2_zz*(0.010261101821008168_rk*c2 - 0.0007689361029464017_rk*s2) - c2*n3_z + s2*(c3*t77 &
+        + s3*t81)
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = 0.007966717767871044_rk*qd(2)*t76 - t82
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = n03_x + (nc2_x - 0.316_rk*f03_y)
-    neg_n2_y = n3_z - nc2_y
-    n2_z = n03_y - (0.316_rk*neg_f03_x - nc2_z)
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = c2*neg_n2_y - s2*n2_x
-    tau(1) = n02_y
+    n2_z = -c3*t81 - (t76*(0.003983358883935522_rk*qd(1)) - s3*t77 + (4.746153896127808_rk*s2 - &
+        0.01993386669246_rk*c2))
+    tau(1) = n1_z
     tau(2) = n2_z
     tau(3) = n3_z
     tau(4) = n4_z
@@ -1219,694 +1068,626 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 629 multiplications, 551 additions, 7 divisions = 1187; 22 unary minus; 12 sine/cosine
+  ! 582 multiplications, 517 additions, 7 divisions = 1106; 6 unary minus; 12 sine/cosine
   pure subroutine panda_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="panda_forward_dynamics_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(in) :: tau(7)
     real(rk), intent(out) :: qdd(7)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, h7_x, neg_h7_y, t1, t2, t3, k7_xx
-    real(rk) :: neg_k7_xy, k7_xz, k7_yz, fu6_x, fu6_y, t4, nu6_x, neg_nu6_y, t5, fu5_x, fu5_y
-    real(rk) :: nu5_x, t6, nu5_y, m4_7, t7, fu4_x, fu4_y, t8, t9, t10, nu4_x, nu4_y, m3_7, fu3_x
-    real(rk) :: fu3_y, t11, nu3_x, nu3_y, m2_7, nu2_y, t12, m6_6, t13, h6_x, h6_y, t14, t15, t16
-    real(rk) :: t17, t18, k6_yy, neg_k6_xy, t19, t20, k6_xz, neg_k6_yz, fu5_x_2, fu5_y_2, nu5_x_2
-    real(rk) :: nu5_y_2, m4_6, t21, fu4_x_2, neg_fu4_y, t22, t23, t24, nu4_x_2, nu4_y_2, m3_6
-    real(rk) :: fu3_x_2, fu3_y_2, t25, nu3_x_2, nu3_y_2, m2_6, nu2_y_2, m5_5, t26, t27, h5_x, h5_y
-    real(rk) :: t28, t29, t30, t31, t32, k5_xx, k5_yy, neg_k5_xy, t33, t34, k5_xz, k5_yz, m4_5
-    real(rk) :: fu4_x_3, fu4_y_2, t35, t36, t37, t38, nu4_x_3, nu4_y_3, m3_5, fu3_x_3, fu3_y_3, t39
-    real(rk) :: nu3_x_3, nu3_y_3, m2_5, nu2_y_3, t40, t41, m4_4, t42, t43, h4_x, h4_y, t44, t45
-    real(rk) :: t46, t47, t48, k4_xx, k4_yy, k4_xy, t49, t50, t51, k4_xz, k4_yz, neg_fu3_x
-    real(rk) :: neg_fu3_y, t52, nu3_x_4, neg_nu3_y, m2_4, nu2_y_4, t53, m3_3, t54, t55, h3_x, h3_y
-    real(rk) :: t56, t57, t58, t59, t60, k3_xx, neg_k3_yy, k3_xy, t61, t62, k3_xz, k3_yz, neg_m2_3
-    real(rk) :: t63, nu2_y_5, t64, m2_2, k2_xx, k2_yz, m1_1, t65, w2_x, w2_y, neg_a2_x, neg_a2_y
-    real(rk) :: alpha2_x, neg_alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22
-    real(rk) :: neg_lam2_33, a3_z, w3_x, w3_y, t66, t67, a3_x, a3_y, alpha3_x, alpha3_y, w3_z
-    real(rk) :: ww3_yz, ww3_zx, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11, lam3_12, lam3_13
-    real(rk) :: lam3_21, neg_lam3_22, lam3_23, lam3_31, lam3_32, neg_lam3_33, a4_z, w4_x, w4_y, t68
-    real(rk) :: t69, a4_x, neg_a4_y, alpha4_x, neg_alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, ww4_xx
-    real(rk) :: ww4_yy, ww4_zz, neg_lam4_11, lam4_12, lam4_13, lam4_21, neg_lam4_22, neg_lam4_23
-    real(rk) :: lam4_31, lam4_32, neg_lam4_33, a5_z, w5_x, w5_y, t70, t71, a5_x, a5_y, alpha5_x
-    real(rk) :: alpha5_y, w5_z, ww5_yz, ww5_zx, ww5_xy, ww5_xx, ww5_yy, ww5_zz, neg_lam5_11
-    real(rk) :: lam5_12, lam5_13, lam5_21, neg_lam5_22, lam5_23, lam5_31, lam5_32, neg_lam5_33
-    real(rk) :: w6_x, w6_y, a6_x, a6_y, alpha6_x, alpha6_y, w6_z, ww6_yz, ww6_zx, ww6_xy, ww6_xx
-    real(rk) :: ww6_yy, ww6_zz, neg_lam6_11, lam6_12, lam6_13, lam6_21, neg_lam6_22, lam6_23
-    real(rk) :: lam6_31, lam6_32, neg_lam6_33, a7_z, w7_x, w7_y, t72, t73, neg_a7_x, a7_y, alpha7_x
-    real(rk) :: alpha7_y, w7_z, ww7_yz, ww7_zx, ww7_xy, ww7_xx, ww7_yy, ww7_zz, neg_lam7_11
-    real(rk) :: lam7_12, lam7_13, lam7_21, neg_lam7_22, lam7_23, neg_lam7_31, lam7_32, neg_lam7_33
-    real(rk) :: nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, nc3_x, nc3_y, t74, nc3_z, fc4_x, fc4_y, fc4_z
-    real(rk) :: nc4_x, nc4_y, t75, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_x, nc5_y, t76, nc5_z, fc6_x
-    real(rk) :: fc6_y, fc6_z, nc6_x, nc6_y, t77, nc6_z, fc7_x, fc7_y, fc7_z, nc7_x, nc7_y, t78
-    real(rk) :: nc7_z, f07_x, f07_y, n07_x, n07_y, n6_x, n6_y, n6_z, f6_x, f6_y, f6_z, f06_x, f06_y
-    real(rk) :: n06_x, n06_y, n5_x, n5_y, n5_z, f5_x, f5_y, f5_z, f05_x, neg_f05_y, n05_x, n05_y
-    real(rk) :: n4_x, n4_y, n4_z, f4_x, f4_y, f4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y, n3_z
-    real(rk) :: f3_x, f3_y, neg_f03_x, f03_y, n03_x, n03_y, n2_x, neg_n2_y, n2_z, n02_y, y1
-    real(rk) :: ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1, l7_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2
-    real(rk) :: l4_2, ld5_2, l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3
-    real(rk) :: l5_3, ld6_3, l6_3, ld7_3, l7_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, ld7_4
-    real(rk) :: l7_4, pivot5, ipivot5, ld6_5, l6_5, ld7_5, l7_5, pivot6, ipivot6, ld7_6, l7_6, t79
-    real(rk) :: pivot7, ipivot7, y2, y3, y4, y5, y6, t80, y7, qdd7, qdd6, qdd5, qdd4, qdd3, qdd2
-    real(rk) :: t81, qdd1
+    real(rk) :: s2, neg_w2_x, c2, neg_w2_y, neg_ww2_yz, c3, s3, neg_w3_x, w3_z, w3_y, ww3_yy
+    real(rk) :: ww3_zz, neg_ww3_zx, neg_ww3_xy, ww3_yz, neg_lam3_11, c4, s4, neg_w4_x, neg_w4_z
+    real(rk) :: neg_w4_y, ww4_zz, ww4_zx, ww4_xy, ww4_xx, ww4_yz, c5, s5, w5_x, w5_z, neg_w5_y
+    real(rk) :: neg_ww5_yz, ww5_zx, neg_ww5_xy, ww5_xx, ww5_zz, neg_lam4_22, neg_lam5_22, c6, s6
+    real(rk) :: w6_x, w6_z, w6_y, ww6_zz, ww6_xy, ww6_yy, w7_z, c7, s7, ww2_zz, alpha3_y
+    real(rk) :: neg_lam3_13, lam4_21, alpha3_x, neg_ww2_zx, alpha4_y, neg_lam5_21, neg_alpha4_x
+    real(rk) :: neg_alpha5_x, neg_lam5_32, neg_lam3_31, t1, ww2_xx, neg_lam2_22, t2, lam3_22, t3
+    real(rk) :: neg_lam4_11, lam4_31, lam3_23, neg_lam3_21, alpha5_y, lam5_13, lam6_21, t4, t5
+    real(rk) :: lam6_31, ww7_zz, neg_lam5_23, t6, lam6_32, lam6_12, lam5_31, t7, lam5_11, t8
+    real(rk) :: neg_lam6_22, t9, t10, t11, t12, neg_lam6_11, neg_lam6_13, k7_yz, k7_xz, t13, t14
+    real(rk) :: t15, t16, t17, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31
+    real(rk) :: t32, t33, t34, t35, t36, t37, t38, t39, t40, nc7_z, lam6_23, neg_lam5_12, t41, t42
+    real(rk) :: t43, t44, t45, t46, t47, t48, neg_n6_z, lam4_32, t49, t50, t51, t52, t53, t54, t55
+    real(rk) :: t56, t57, t58, t59, t60, t61, t62, t63, t64, n4_x, lam4_23, lam4_13, lam4_12, t65
+    real(rk) :: n5_z, t66, t67, t68, t69, t70, t71, t72, n3_z, lam3_12, t73, t74, n4_z, lam3_32
+    real(rk) :: t75, t76, t77, t78, t79, t80, t81, n1_z, n2_z, h7_x, h7_y, t82, t83, t84, neg_k7_xx
+    real(rk) :: neg_k7_xy, neg_fu6_x, neg_fu6_y, t85, nu6_x, neg_nu6_y, neg_fu5_x, fu5_y, nu5_x
+    real(rk) :: neg_nu5_y, neg_m4_7, fu4_x, fu4_y, t86, t87, t88, nu4_x, nu4_y, neg_m3_7, fu3_x
+    real(rk) :: fu3_y, t89, nu3_x, nu3_y, m2_7, neg_nu2_y, t90, neg_m6_6, t91, h6_x, h6_y, t92, t93
+    real(rk) :: t94, t95, t96, neg_k6_yy, neg_k6_xy, t97, k6_xz, neg_k6_yz, fu5_x, fu5_y_2, nu5_x_2
+    real(rk) :: nu5_y, m4_6, neg_fu4_x, fu4_y_2, t98, t99, t100, neg_nu4_x, nu4_y_2, neg_m3_6
+    real(rk) :: fu3_x_2, neg_fu3_y, t101, neg_nu3_x, neg_nu3_y, m2_6, neg_nu2_y_2, m5_5, t102, t103
+    real(rk) :: neg_h5_x, neg_h5_y, t104, t105, t106, t107, t108, k5_xx, k5_yy, k5_xy, t109, t110
+    real(rk) :: k5_xz, k5_yz, neg_m4_5, neg_fu4_x_2, neg_fu4_y, t111, t112, t113, t114, nu4_x_2
+    real(rk) :: nu4_y_3, m3_5, neg_fu3_x, fu3_y_2, t115, nu3_x_2, nu3_y_2, m2_5, nu2_y, t116, t117
+    real(rk) :: m4_4, t118, t119, h4_x, h4_y, t120, t121, t122, t123, t124, neg_k4_xx, neg_k4_yy
+    real(rk) :: k4_xy, t125, t126, t127, k4_xz, k4_yz, neg_fu3_x_2, neg_fu3_y_2, t128, nu3_x_3
+    real(rk) :: neg_nu3_y_2, neg_m2_4, neg_nu2_y_3, t129, m3_3, t130, t131, h3_x, h3_y, t132, t133
+    real(rk) :: t134, t135, t136, k3_xx, k3_yy, neg_k3_xy, t137, t138, k3_xz, k3_yz, neg_m2_3, t139
+    real(rk) :: nu2_y_2, t140, m2_2, k2_xx, k2_yz, m1_1, neg_y1, ipivot1, neg_l2_1, l3_1, neg_l4_1
+    real(rk) :: l5_1, neg_l6_1, neg_l7_1, pivot2, ipivot2, neg_ld3_2, neg_l3_2, neg_ld4_2, neg_l4_2
+    real(rk) :: ld5_2, l5_2, neg_ld6_2, neg_l6_2, ld7_2, l7_2, pivot3, ipivot3, neg_ld4_3, neg_l4_3
+    real(rk) :: ld5_3, l5_3, neg_ld6_3, neg_l6_3, neg_ld7_3, neg_l7_3, pivot4, ipivot4, neg_ld5_4
+    real(rk) :: neg_l5_4, ld6_4, l6_4, neg_ld7_4, neg_l7_4, pivot5, ipivot5, ld6_5, l6_5, neg_ld7_5
+    real(rk) :: neg_l7_5, neg_pivot6, neg_ipivot6, neg_ld7_6, l7_6, t141, pivot7, ipivot7, neg_y2
+    real(rk) :: neg_y3, neg_y4, neg_y5, y6, t142, neg_y7, neg_qdd7, neg_qdd6, neg_qdd5, neg_qdd4
+    real(rk) :: neg_qdd3, qdd2, t143, qdd1, t144, t145, t146, t147, t148
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
     s2 = sin(q(2))
+    ! link 2: angular velocity [rad/s]
+    neg_w2_x = s2*qd(1)
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    ! link 2: angular velocity [rad/s]
+    neg_w2_y = qd(1)*c2
+    ! link 2: products of the angular velocity [1/s^2]
+    neg_ww2_yz = neg_w2_y*qd(2)
+    ! sines and cosines of the joint angles
     c3 = cos(q(3))
     s3 = sin(q(3))
+    ! link 3: angular velocity [rad/s]
+    neg_w3_x = neg_w2_x*c3 - qd(2)*s3
+    w3_z = neg_w2_y + qd(3)
+    w3_y = qd(2)*c3 + neg_w2_x*s3
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yy = w3_y*w3_y
+    ww3_zz = w3_z*w3_z
+    neg_ww3_zx = neg_w3_x*w3_z
+    neg_ww3_xy = neg_w3_x*w3_y
+    ww3_yz = w3_z*w3_y
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    ! sines and cosines of the joint angles
     c4 = cos(q(4))
     s4 = sin(q(4))
+    ! link 4: angular velocity [rad/s]
+    neg_w4_x = w3_z*s4 - neg_w3_x*c4
+    neg_w4_z = w3_y - qd(4)
+    neg_w4_y = neg_w3_x*s4 + w3_z*c4
+    ! link 4: products of the angular velocity [1/s^2]
+    ww4_zz = neg_w4_z*neg_w4_z
+    ww4_zx = neg_w4_x*neg_w4_z
+    ww4_xy = neg_w4_x*neg_w4_y
+    ww4_xx = neg_w4_x*neg_w4_x
+    ww4_yz = neg_w4_z*neg_w4_y
+    ! sines and cosines of the joint angles
     c5 = cos(q(5))
     s5 = sin(q(5))
+    ! link 5: angular velocity [rad/s]
+    w5_x = neg_w4_x*c5 + neg_w4_z*s5
+    w5_z = neg_w4_y + qd(5)
+    neg_w5_y = neg_w4_x*s5 - neg_w4_z*c5
+    ! link 5: products of the angular velocity [1/s^2]
+    neg_ww5_yz = w5_z*neg_w5_y
+    ww5_zx = w5_x*w5_z
+    neg_ww5_xy = w5_x*neg_w5_y
+    ww5_xx = w5_x*w5_x
+    ww5_zz = w5_z*w5_z
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_22 = ww4_zz + ww4_xx
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_22 = ww5_xx + ww5_zz
+    ! sines and cosines of the joint angles
     c6 = cos(q(6))
     s6 = sin(q(6))
+    ! link 6: angular velocity [rad/s]
+    w6_x = w5_x*c6 + w5_z*s6
+    w6_z = neg_w5_y + qd(6)
+    w6_y = w5_z*c6 - w5_x*s6
+    ! link 6: products of the angular velocity [1/s^2]
+    ww6_zz = w6_z*w6_z
+    ww6_xy = w6_x*w6_y
+    ww6_yy = w6_y*w6_y
+    ! link 7: angular velocity [rad/s]
+    w7_z = qd(7) - w6_y
+    ! sines and cosines of the joint angles
     c7 = cos(q(7))
     s7 = sin(q(7))
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_y = neg_ww2_yz*s3 + neg_w3_x*qd(3)
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_13 = neg_ww3_zx - alpha3_y
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_21 = ww4_xy - alpha3_y
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_x = qd(3)*w3_y - neg_ww2_yz*c3
+    ! link 2: products of the angular velocity [1/s^2]
+    neg_ww2_zx = neg_w2_x*qd(2)
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_y = s4*alpha3_x + (neg_w4_x*qd(4) + c4*neg_ww2_zx)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_21 = neg_ww5_xy + alpha4_y
+    ! link 4: angular acceleration [rad/s^2]
+    neg_alpha4_x = qd(4)*neg_w4_y + (c4*alpha3_x - s4*neg_ww2_zx)
+    ! link 5: angular acceleration [rad/s^2]
+    neg_alpha5_x = qd(5)*neg_w5_y - s5*alpha3_y - c5*neg_alpha4_x
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_32 = neg_ww5_yz + neg_alpha5_x
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_31 = neg_ww3_zx + alpha3_y
+    t1 = s2*neg_w2_x
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_xx = qd(1)*t1
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_22 = ww2_zz + ww2_xx
+    t2 = ww3_yy - ww3_zz
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_22 = t2 - neg_lam2_22
+    t3 = ww4_zz - ww4_xx
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam4_11 = t3 - lam3_22
+    lam4_31 = ww4_zx - alpha4_y
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_23 = ww3_yz - alpha3_x
+    neg_lam3_21 = neg_ww3_xy + neg_ww2_zx
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = c5*alpha3_y - (w5_x*qd(5) + s5*neg_alpha4_x)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_13 = ww5_zx + alpha5_y
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_21 = ww6_xy - alpha5_y
+    t4 = qd(6) + w6_z
+    t5 = c6*alpha4_y - s6*neg_alpha5_x
+    lam6_31 = w6_x*t4 + t5
+    ! link 7: products of the angular velocity [1/s^2]
+    ww7_zz = w7_z*w7_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_23 = neg_ww5_yz - neg_alpha5_x
+    t6 = s6*alpha4_y + c6*neg_alpha5_x
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_32 = w6_y*t4 - t6
+    lam6_12 = ww6_xy + alpha5_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_31 = ww5_zx - alpha5_y
+    t7 = ww5_xx - ww5_zz
+    lam5_11 = t7 - neg_lam4_22
+    t8 = ww6_zz - ww6_yy
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam6_22 = neg_lam5_22 + t8
+    t9 = ww6_zz - ww7_zz
+    t10 = ww6_zz + ww7_zz
+    t11 = neg_lam6_22 - t10
+    t12 = t9 - t11
+    neg_lam6_11 = neg_lam5_22 + t12
+    neg_lam6_13 = t5 - neg_w5_y*w6_x
+    ! link 7: second moment of the composite body [kg m^2]
+    k7_yz = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
+    k7_xz = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
+    t13 = 0.0002123224431354016_rk*s7
+    t14 = t13 + 0.00016784129658960374_rk*c7
+    t15 = neg_lam3_31 - 118.9090909090909_rk*c2 + 3.83030303030303_rk*neg_lam2_22
+    t16 = 118.9090909090909_rk*s2
+    t17 = c3*t16
+    t18 = neg_lam3_11 + t17 + 3.83030303030303_rk*neg_lam3_13
+    t19 = s4*t15 + c4*t18
+    t20 = neg_lam4_11 - t19
+    t21 = 3.83030303030303_rk*lam3_23 - (neg_lam3_21 - s3*t16)
+    t22 = lam4_31 - t21
+    t23 = c5*t20 - s5*t22
+    t24 = t23 + 4.654545454545454_rk*lam5_13
+    t25 = s4*t18 - c4*t15
+    t26 = lam4_21 - t25
+    t27 = 4.654545454545454_rk*neg_lam4_22 + t26
+    t28 = c6*t24 - s6*t27
+    t29 = 1.0666666666666667_rk*neg_lam6_11 - t28
+    t30 = 11.402203849817942_rk*c7
+    t31 = t13*t30
+    t32 = 0.0002123224431354016_rk*c7
+    t33 = t30*t32
+    t34 = 0.32333777029991095_rk*t31 - (t33 + 0.00213160409441986_rk)
+    t35 = t31 + (0.32333777029991095_rk*t33 - 0.0003913912816842475_rk)
+    t36 = t34 + 0.006684151967360947_rk
+    t37 = s5*t20 + c5*t22
+    t38 = t37 + (4.654545454545454_rk*neg_lam5_23 + 1.0666666666666667_rk*lam6_31)
+    t39 = t32 - 0.00016784129658960374_rk*s7
+    t40 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*k7_yz - (t12*t35 - lam6_31*t36))) + t38*t39
+    ! link 7: moment that turns the link [N m]
+    nc7_z = t40 - lam6_32*k7_xz
+    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam6_23 = t6 + neg_w5_y*w6_y
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_12 = neg_ww5_xy - alpha4_y
+    t41 = -2.0_rk*w7_z
+    t42 = lam6_12 - w6_x*t41
+    t43 = s6*t24 + c6*t27
+    t44 = t43 - 1.0666666666666667_rk*lam6_21
+    t45 = lam6_32 - w6_z*t41
+    t46 = t14*t45 - (0.014338888209442497_rk*neg_lam6_22 - 0.017931959153753906_rk*t44 - t39*t42)
+    t47 = 0.0001037589172186853_rk*lam6_23 + (t11*k7_xz - (t39*t44 - (t35*t45 - &
+        (1.0666666666666667_rk*t46 + 0.014338888209442497_rk*t29))))
+    t48 = k7_yz + 9.35690973146064e-05_rk
+    ! link 6: moment through the joint, about the frame's origin [N m]
+    neg_n6_z = t36*t42 + (0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11) + &
+        (0.028934422545659907_rk*lam6_12 - (0.0011196707334275547_rk*lam6_21 + t47))) + &
+        neg_lam6_13*t48
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_32 = ww4_yz - neg_alpha4_x
+    t49 = 0.028934422545659907_rk*lam6_32 - (0.014338888209442497_rk*t38 + (t9*k7_yz + &
+        (9.35690973146064e-05_rk*t8 + (0.0055993270925625_rk*t43 + &
+        0.0001037589172186853_rk*lam6_21))))
+    t50 = t34*t45 + (t35*t42 - (t14*t44 + t49)) + lam6_31*(k7_xz - 0.0005462437073966822_rk)
+    t51 = neg_lam5_22 + lam5_11
+    t52 = 0.017931959153753906_rk*t38 + (lam6_31*t39 - (0.014338888209442497_rk*lam6_32 + t14*(t10 &
+        - t12)))
+    t53 = 0.0055993270925625_rk*neg_lam5_22 + t52
+    t54 = nc7_z + 0.0005462437073966822_rk*lam6_32 + (9.35690973146064e-05_rk*lam6_12 + &
+        0.0001037589172186853_rk*t12 + 1.0666666666666667_rk*(t52 + 0.005249369149277343_rk*t28))
+    t55 = t54 + 0.0011196707334275547_rk*lam6_31
+    t56 = 0.010045187828321245_rk*neg_lam5_32 + c6*t50 - 0.00151524447332703_rk*lam5_31 - &
+        0.0021640520520981327_rk*(t7 - t51) - (4.654545454545454_rk*t53 + s6*t55)
+    t57 = 0.0010267877770288932_rk*neg_lam5_21 + t56
+    t58 = 0.017931959153753906_rk*t29 + (0.014338888209442497_rk*lam6_12 + t10*t39) + &
+        neg_lam6_13*(t14 - 0.0055993270925625_rk)
+    t59 = t46 + 0.0055993270925625_rk*lam6_23
+    t60 = c6*t58 - s6*t59
+    t61 = 0.0010267877770288932_rk*t7 + (0.001208932934385_rk*t26 + 4.654545454545454_rk*t60 - &
+        (0.00151524447332703_rk*neg_lam5_32 + (neg_n6_z + 0.0021640520520981327_rk*neg_lam5_12)))
+    t62 = 0.001451156065026714_rk*lam5_31 + t61
+    t63 = neg_lam4_22 + lam3_22
+    t64 = 0.0039053550262761055_rk*lam4_21 - c5*t57 + 0.07937575371526083_rk*lam4_31 + (s5*t62 - &
+        (0.08256807420204747_rk*t21 - 0.00164448757736928_rk*t63))
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_x = 0.30879988491513166_rk*lam4_32 - t64
+    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam4_23 = ww4_yz + neg_alpha4_x
+    lam4_13 = ww4_zx + alpha4_y
+    lam4_12 = ww4_xy + alpha3_y
+    t65 = 0.0010267877770288932_rk*neg_lam5_23 + 0.0021640520520981327_rk*lam5_13 - (c6*t55 + &
+        s6*t50) - (0.001451156065026714_rk*neg_lam5_21 - 0.010045187828321245_rk*neg_lam5_12)
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_z = t65 - (0.00151524447332703_rk*t51 - 0.001208932934385_rk*t37)
+    t66 = n4_x - 0.022178148964878252_rk*lam4_23
+    t67 = t60 - (0.02767241350487109_rk*t23 - 0.001208932934385_rk*lam5_11)
+    t68 = t53 - (0.001208932934385_rk*neg_lam5_21 - 0.02767241350487109_rk*t37)
+    t69 = s5*t67 + c5*t68
+    t70 = n5_z - (0.02759391246306875_rk*lam4_13 - 0.00164448757736928_rk*lam4_12 - t69) + &
+        (0.010831526996380998_rk*ww4_zx + (0.0039053550262761055_rk*t3 - &
+        0.07937575371526083_rk*lam4_32))
+    t71 = t69 - (0.08256807420204747_rk*lam4_32 + 0.016011409030815008_rk*t21)
+    t72 = c4*t70 + 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) + &
+        (0.005487648106562251_rk*lam3_23 + (0.002328735327434986_rk*t17 + &
+        1.3360662912304e-05_rk*neg_lam3_21 - t71))
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_z = 0.013297019103287523_rk*neg_lam3_13 - (s4*t66 - t72)
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_12 = neg_ww2_zx - neg_ww3_xy
+    t73 = 0.001208932934385_rk*lam5_31 + (s6*t58 + 0.02767241350487109_rk*t26 + c6*t59)
+    t74 = 0.0039053550262761055_rk*lam4_23 + c5*t62 - (0.30879988491513166_rk*lam4_12 - &
+        (0.00164448757736928_rk*lam4_13 - 0.07937575371526083_rk*(t3 - t63) + &
+        0.005415763498190499_rk*lam4_21))
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_z = t73 + (s5*t57 + 0.08256807420204747_rk*t19) + t74
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam3_32 = ww3_yz + alpha3_x
+    t75 = t1 - (qd(1) - t1)
+    t76 = 3.83030303030303_rk*t71 - (s4*t70 + c4*t66) - (0.10510540975539216_rk*lam3_23 - &
+        (0.27690780075317833_rk*c2 - (0.013297019103287523_rk*t2 - &
+        0.005487648106562251_rk*neg_lam3_21 + 0.0001219124209507298_rk*neg_lam3_31)))
+    t77 = 0.016011409030815008_rk*t19 - 0.08256807420204747_rk*lam4_12 + (c5*t67 - s5*t68)
+    t78 = 0.08256807420204747_rk*neg_lam4_22 + (t73 - 0.016011409030815008_rk*t25)
+    t79 = s4*t77 + c4*t78 - 3.83030303030303_rk*(c4*t77 - s4*t78) + &
+        0.013297019103287523_rk*lam3_12
+    t80 = t79 - (n4_z + (0.005487648106562251_rk*(0.0024346792383292625_rk*neg_lam3_31 + &
+        (neg_lam3_11 - neg_lam2_22)) + (0.0001219124209507298_rk*lam3_32 + &
+        0.10510540975539216_rk*neg_lam3_13)))
+    t81 = ww2_zz*(0.010261101821008168_rk*c2 - 0.0007689361029464017_rk*s2) - c2*n3_z + s2*(c3*t76 &
+        - s3*t80)
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = 0.007966717767871044_rk*qd(2)*t75 - t81
+    ! link 2: moment through the joint, about the frame's origin [N m]
+    n2_z = c3*t80 - (t75*(0.003983358883935522_rk*qd(1)) - s3*t76 + (4.746153896127808_rk*s2 - &
+        0.01993386669246_rk*c2))
     ! link 7: first moment of the composite body, about the frame's origin [kg m]
     h7_x = 0.002573605371338201_rk*c7 - 0.0020344399586618637_rk*s7
-    neg_h7_y = -0.0020344399586618637_rk*c7 - 0.002573605371338201_rk*s7
-    t1 = c7*c7
-    t2 = c7*s7
-    t3 = 0.002420943778521227_rk*t1 - 0.000782782563368495_rk*t2
+    h7_y = 0.0020344399586618637_rk*c7 + 0.002573605371338201_rk*s7
+    t82 = c7*c7
+    t83 = c7*s7
+    t84 = 0.002420943778521227_rk*t82 - 0.000782782563368495_rk*t83
     ! link 7: second moment of the composite body [kg m^2]
-    k7_xx = 0.004552547872941087_rk - t3
-    neg_k7_xy = 0.002420943778521227_rk*t2 + 0.0003913912816842475_rk*(2.0_rk*t1 - 1.0_rk)
-    k7_xz = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
-    k7_yz = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
+    neg_k7_xx = t84 - 0.004552547872941087_rk
+    neg_k7_xy = 0.002420943778521227_rk*t83 + 0.0003913912816842475_rk*(2.0_rk*t82 - 1.0_rk)
     ! link 6: force for a unit acceleration of a joint further out
-    fu6_x = c6*neg_h7_y
-    fu6_y = s6*neg_h7_y
-    t4 = 0.088_rk*h7_x + 0.006684151967360947_rk
+    neg_fu6_x = c6*h7_y
+    neg_fu6_y = s6*h7_y
+    t85 = 0.006684151967360947_rk + 0.088_rk*h7_x
     ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = s6*t4 - c6*k7_xz
-    neg_nu6_y = s6*k7_xz + c6*t4
-    t5 = -s5
+    nu6_x = s6*t85 - c6*k7_xz
+    neg_nu6_y = c6*t85 + s6*k7_xz
     ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = t5*h7_x - c5*fu6_x
-    fu5_y = c5*h7_x - s5*fu6_x
+    neg_fu5_x = s5*h7_x - c5*neg_fu6_x
+    fu5_y = c5*h7_x + s5*neg_fu6_x
     ! link 5: moment for a unit acceleration of a joint further out
     nu5_x = s5*k7_yz - c5*nu6_x
-    t6 = -c5
-    nu5_y = t6*k7_yz - s5*nu6_x
+    neg_nu5_y = c5*k7_yz + s5*nu6_x
     ! link 4: mass matrix, its row of this joint
-    m4_7 = nu5_y + (0.384_rk*fu5_x - 0.0825_rk*fu6_y)
-    t7 = -c4
+    neg_m4_7 = neg_nu5_y + (0.384_rk*neg_fu5_x - 0.0825_rk*neg_fu6_y)
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = t7*fu5_x - s4*fu6_y
-    fu4_y = c4*fu6_y - s4*fu5_x
-    t8 = 0.384_rk*fu5_y - nu5_x
-    t9 = 0.0825_rk*fu5_y
-    t10 = t9 - neg_nu6_y
+    fu4_x = c4*neg_fu5_x + s4*neg_fu6_y
+    fu4_y = s4*neg_fu5_x - c4*neg_fu6_y
+    t86 = 0.384_rk*fu5_y - nu5_x
+    t87 = 0.0825_rk*fu5_y
+    t88 = neg_nu6_y - t87
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*t8 - s4*t10
-    nu4_y = s4*t8 + c4*t10
+    nu4_x = c4*t86 + s4*t88
+    nu4_y = s4*t86 - c4*t88
     ! link 3: mass matrix, its row of this joint
-    m3_7 = nu4_y - t9
+    neg_m3_7 = t87 - nu4_y
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = c3*fu4_x + s3*fu5_y
     fu3_y = s3*fu4_x - c3*fu5_y
-    t11 = m4_7 + 0.0825_rk*fu4_y
+    t89 = neg_m4_7 - 0.0825_rk*fu4_y
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c3*nu4_x + s3*t11
-    nu3_y = s3*nu4_x - c3*t11
+    nu3_x = c3*nu4_x - s3*t89
+    nu3_y = s3*nu4_x + c3*t89
     ! link 2: mass matrix, its row of this joint
     m2_7 = nu3_y + 0.316_rk*fu3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = c2*m3_7 - s2*(nu3_x - 0.316_rk*fu3_y)
-    t12 = k7_xx + 0.176_rk*h7_x
+    neg_nu2_y = c2*neg_m3_7 + s2*(nu3_x - 0.316_rk*fu3_y)
+    t90 = neg_k7_xx - 0.176_rk*h7_x
     ! link 6: mass matrix, its row of this joint
-    m6_6 = t12 + 0.05045667791624746_rk
-    t13 = h7_x + 0.231847552695_rk
+    neg_m6_6 = t90 - 0.05045667791624746_rk
+    t91 = h7_x + 0.231847552695_rk
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = c6*t13 + 0.17380470556899996_rk*s6
-    h6_y = s6*t13 - 0.17380470556899996_rk*c6
-    t14 = c6*c6
-    t15 = 0.007412167175072353_rk - t12
-    t16 = k7_xz + 0.014748570382675314_rk
-    t17 = c6*s6
-    t18 = t14*t15 - t16*(2.0_rk*t17)
+    h6_x = c6*t91 + 0.17380470556899996_rk*s6
+    h6_y = s6*t91 - 0.17380470556899996_rk*c6
+    t92 = c6*c6
+    t93 = t90 + 0.007412167175072353_rk
+    t94 = k7_xz + 0.014748570382675314_rk
+    t95 = c6*s6
+    t96 = t92*t93 - t94*(2.0_rk*t95)
     ! link 6: second moment of the composite body [kg m^2]
-    k6_yy = t12 + 0.021522255370587554_rk + t18
-    neg_k6_xy = t15*t17 - t16*(1.0_rk - 2.0_rk*t14)
-    t19 = k7_yz + 9.35690973146064e-05_rk
-    t20 = neg_k7_xy + 0.088_rk*neg_h7_y - 0.0001037589172186853_rk
-    k6_xz = s6*t19 - c6*t20
-    neg_k6_yz = s6*t20 + c6*t19
+    neg_k6_yy = t90 - 0.021522255370587554_rk - t96
+    neg_k6_xy = t93*t95 - t94*(1.0_rk - 2.0_rk*t92)
+    t97 = neg_k7_xy - 0.088_rk*h7_y - 0.0001037589172186853_rk
+    k6_xz = s6*t48 - c6*t97
+    neg_k6_yz = s6*t97 + c6*t48
     ! link 5: force for a unit acceleration of a joint further out
-    fu5_x_2 = c5*h6_y
+    fu5_x = c5*h6_y
     fu5_y_2 = s5*h6_y
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x_2 = c5*k6_xz - s5*m6_6
-    nu5_y_2 = s5*k6_xz + c5*m6_6
+    nu5_x_2 = c5*k6_xz + s5*neg_m6_6
+    nu5_y = s5*k6_xz - c5*neg_m6_6
     ! link 4: mass matrix, its row of this joint
-    m4_6 = nu5_y_2 - (0.0825_rk*h6_x - 0.384_rk*fu5_x_2)
-    t21 = -s4
+    m4_6 = nu5_y - (0.0825_rk*h6_x - 0.384_rk*fu5_x)
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = t21*h6_x - c4*fu5_x_2
-    neg_fu4_y = s4*fu5_x_2 - c4*h6_x
-    t22 = 0.384_rk*fu5_y_2 - nu5_x_2
-    t23 = 0.0825_rk*fu5_y_2
-    t24 = neg_k6_yz + t23
+    neg_fu4_x = s4*h6_x + c4*fu5_x
+    fu4_y_2 = c4*h6_x - s4*fu5_x
+    t98 = nu5_x_2 - 0.384_rk*fu5_y_2
+    t99 = 0.0825_rk*fu5_y_2
+    t100 = neg_k6_yz + t99
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c4*t22 - s4*t24
-    nu4_y_2 = s4*t22 + c4*t24
+    neg_nu4_x = c4*t98 + s4*t100
+    nu4_y_2 = c4*t100 - s4*t98
     ! link 3: mass matrix, its row of this joint
-    m3_6 = nu4_y_2 - t23
+    neg_m3_6 = t99 - nu4_y_2
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c3*fu4_x_2 + s3*fu5_y_2
-    fu3_y_2 = s3*fu4_x_2 - c3*fu5_y_2
-    t25 = 0.0825_rk*neg_fu4_y - m4_6
+    fu3_x_2 = s3*fu5_y_2 - c3*neg_fu4_x
+    neg_fu3_y = s3*neg_fu4_x + c3*fu5_y_2
+    t101 = m4_6 + 0.0825_rk*fu4_y_2
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_2 = c3*nu4_x_2 - s3*t25
-    nu3_y_2 = s3*nu4_x_2 + c3*t25
+    neg_nu3_x = c3*neg_nu4_x - s3*t101
+    neg_nu3_y = s3*neg_nu4_x + c3*t101
     ! link 2: mass matrix, its row of this joint
-    m2_6 = nu3_y_2 + 0.316_rk*fu3_x_2
+    m2_6 = 0.316_rk*fu3_x_2 - neg_nu3_y
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = c2*m3_6 - s2*(nu3_x_2 - 0.316_rk*fu3_y_2)
+    neg_nu2_y_2 = c2*neg_m3_6 - s2*(neg_nu3_x - 0.316_rk*neg_fu3_y)
     ! link 5: mass matrix, its row of this joint
-    m5_5 = t3 - t18 + 0.04256237053342773_rk
-    t26 = 0.014653732538_rk - h6_x
-    t27 = neg_h7_y + 0.067870631425_rk
+    m5_5 = t84 - t96 + 0.04256237053342773_rk
+    t102 = h6_x - 0.014653732538_rk
+    t103 = h7_y - 0.067870631425_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = c5*t26 + s5*t27
-    h5_y = s5*t26 - c5*t27
-    t28 = c5*c5
-    t29 = t3 + t18 - 0.018208786687945514_rk
-    t30 = 0.00151524447332703_rk - k6_xz
-    t31 = c5*s5
-    t32 = t28*t29 + t30*(2.0_rk*t31)
+    neg_h5_x = c5*t102 + s5*t103
+    neg_h5_y = s5*t102 - c5*t103
+    t104 = c5*c5
+    t105 = t84 + t96 - 0.018208786687945514_rk
+    t106 = k6_xz - 0.00151524447332703_rk
+    t107 = c5*s5
+    t108 = t104*t105 - t106*(2.0_rk*t107)
     ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = t3 + 0.012176791922741105_rk - t32
-    k5_yy = t32 - (t18 - 0.03038557861068662_rk)
-    neg_k5_xy = t29*t31 + t30*(1.0_rk - 2.0_rk*t28)
-    t33 = neg_k6_xy - 0.004600245517563107_rk
-    t34 = neg_k6_yz - 0.0021640520520981327_rk
-    k5_xz = c5*t33 + s5*t34
-    k5_yz = s5*t33 - c5*t34
+    k5_xx = t84 + 0.012176791922741105_rk - t108
+    k5_yy = t108 - (t96 - 0.03038557861068662_rk)
+    k5_xy = t106*(1.0_rk - 2.0_rk*t104) - t105*t107
+    t109 = neg_k6_xy - 0.004600245517563107_rk
+    t110 = neg_k6_yz - 0.0021640520520981327_rk
+    k5_xz = c5*t109 + s5*t110
+    k5_yz = s5*t109 - c5*t110
     ! link 4: mass matrix, its row of this joint
-    m4_5 = -0.384_rk*h5_y - k5_yz
+    neg_m4_5 = k5_yz - 0.384_rk*neg_h5_y
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_3 = c4*h5_y
-    fu4_y_2 = s4*h5_y
-    t35 = -0.384_rk*h5_x
-    t36 = k5_xz - t35
-    t37 = 0.0825_rk*h5_x
-    t38 = m5_5 + t37
+    neg_fu4_x_2 = c4*neg_h5_y
+    neg_fu4_y = s4*neg_h5_y
+    t111 = 0.384_rk*neg_h5_x
+    t112 = k5_xz - t111
+    t113 = 0.0825_rk*neg_h5_x
+    t114 = m5_5 - t113
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_3 = c4*t36 - s4*t38
-    nu4_y_3 = s4*t36 + c4*t38
+    nu4_x_2 = c4*t112 - s4*t114
+    nu4_y_3 = s4*t112 + c4*t114
     ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_3 - t37
+    m3_5 = t113 + nu4_y_3
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_3 = c3*fu4_x_3 + s3*h5_x
-    fu3_y_3 = s3*fu4_x_3 - c3*h5_x
-    t39 = -0.0825_rk*fu4_y_2 - m4_5
+    neg_fu3_x = c3*neg_fu4_x_2 + s3*neg_h5_x
+    fu3_y_2 = c3*neg_h5_x - s3*neg_fu4_x_2
+    t115 = neg_m4_5 + 0.0825_rk*neg_fu4_y
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_3 = c3*nu4_x_3 - s3*t39
-    nu3_y_3 = s3*nu4_x_3 + c3*t39
+    nu3_x_2 = c3*nu4_x_2 - s3*t115
+    nu3_y_2 = s3*nu4_x_2 + c3*t115
     ! link 2: mass matrix, its row of this joint
-    m2_5 = nu3_y_3 + 0.316_rk*fu3_x_3
+    m2_5 = nu3_y_2 - 0.316_rk*neg_fu3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_3 = c2*m3_5 - s2*(nu3_x_3 - 0.316_rk*fu3_y_3)
-    t40 = k5_xx + 0.165_rk*h5_x
-    t41 = k6_yy + 0.768_rk*h6_y
+    nu2_y = c2*m3_5 - s2*(nu3_x_2 - 0.316_rk*fu3_y_2)
+    t116 = k5_xx - 0.165_rk*neg_h5_x
+    t117 = neg_k6_yy - 0.768_rk*h6_y
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t40 + t41 + 0.7483122111877871_rk
-    t42 = -h5_x - 0.5527802746499999_rk
-    t43 = h6_y + 2.0125235536029997_rk
+    m4_4 = t116 - t117 + 0.7483122111877871_rk
+    t118 = neg_h5_x - 0.5527802746499999_rk
+    t119 = h6_y + 2.0125235536029997_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t42 - s4*t43
-    h4_y = s4*t42 + c4*t43
-    t44 = c4*c4
-    t45 = t40 - t41 - 0.6462719388741561_rk
-    t46 = t35 - (k5_xz + 0.0825_rk*h6_y) - 0.16284087268546082_rk
-    t47 = c4*s4
-    t48 = t44*t45 - t46*(2.0_rk*t47)
+    h4_x = c4*t118 - s4*t119
+    h4_y = s4*t118 + c4*t119
+    t120 = c4*c4
+    t121 = t116 + t117 - 0.6462719388741561_rk
+    t122 = t111 - (k5_xz + 0.0825_rk*h6_y) - 0.16284087268546082_rk
+    t123 = c4*s4
+    t124 = t120*t121 - t122*(2.0_rk*t123)
     ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t41 + 0.6972920750309717_rk + t48
-    k4_yy = t40 + 0.05102013615681549_rk - t48
-    k4_xy = t45*t47 - t46*(1.0_rk - 2.0_rk*t44)
-    t49 = -0.0825_rk*h5_y
-    t50 = neg_k5_xy + t49 - 0.0039053550262761055_rk
-    t51 = 0.00164448757736928_rk - m4_5
-    k4_xz = c4*t50 - s4*t51
-    k4_yz = s4*t50 + c4*t51
+    neg_k4_xx = t117 - 0.6972920750309717_rk - t124
+    neg_k4_yy = t124 - (t116 + 0.05102013615681549_rk)
+    k4_xy = t121*t123 - t122*(1.0_rk - 2.0_rk*t120)
+    t125 = 0.0825_rk*neg_h5_y
+    t126 = t125 - k5_xy - 0.0039053550262761055_rk
+    t127 = neg_m4_5 + 0.00164448757736928_rk
+    k4_xz = c4*t126 - s4*t127
+    k4_yz = c4*t127 + s4*t126
     ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c3*h4_y
-    neg_fu3_y = s3*h4_y
-    t52 = m4_4 + 0.0825_rk*h4_x
+    neg_fu3_x_2 = c3*h4_y
+    neg_fu3_y_2 = s3*h4_y
+    t128 = m4_4 + 0.0825_rk*h4_x
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_4 = s3*t52 - c3*k4_xz
-    neg_nu3_y = s3*k4_xz + c3*t52
+    nu3_x_3 = s3*t128 - c3*k4_xz
+    neg_nu3_y_2 = s3*k4_xz + c3*t128
     ! link 2: mass matrix, its row of this joint
-    m2_4 = -0.316_rk*neg_fu3_x - neg_nu3_y
+    neg_m2_4 = neg_nu3_y_2 + 0.316_rk*neg_fu3_x_2
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_4 = -c2*k4_yz - s2*(nu3_x_4 + 0.316_rk*neg_fu3_y)
-    t53 = -0.165_rk*h4_x - k4_xx
+    neg_nu2_y_3 = c2*k4_yz + s2*(nu3_x_3 + 0.316_rk*neg_fu3_y_2)
+    t129 = neg_k4_xx - 0.165_rk*h4_x
     ! link 3: mass matrix, its row of this joint
-    m3_3 = 0.08378056999140594_rk - (t53 - k5_yy)
-    t54 = h4_x + 0.746857959872_rk
-    t55 = 0.028227094877999827_rk - h5_y
+    m3_3 = k5_yy - t129 + 0.08378056999140594_rk
+    t130 = h4_x + 0.746857959872_rk
+    t131 = neg_h5_y + 0.028227094877999827_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c3*t54 - s3*t55
-    h3_y = s3*t54 + c3*t55
-    t56 = c3*c3
-    t57 = 0.039424272061649446_rk - (k5_yy + t53)
-    t58 = t49 - k4_xz + 0.0001219124209507298_rk
-    t59 = c3*s3
-    t60 = t56*t57 - t58*(2.0_rk*t59)
+    h3_x = c3*t130 - s3*t131
+    h3_y = s3*t130 + c3*t131
+    t132 = c3*c3
+    t133 = k5_yy + t129 - 0.039424272061649446_rk
+    t134 = t125 - k4_xz + 0.0001219124209507298_rk
+    t135 = c3*s3
+    t136 = t132*t133 + t134*(2.0_rk*t135)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = k5_yy + 0.022178148964878252_rk + t60
-    neg_k3_yy = t53 - 0.061602421026527694_rk + t60
-    k3_xy = t57*t59 - t58*(1.0_rk - 2.0_rk*t56)
-    t61 = k4_xy + 0.0825_rk*h4_y + 0.005487648106562251_rk
-    t62 = k4_yz - 0.0043772571218395765_rk
-    k3_xz = c3*t61 + s3*t62
-    k3_yz = s3*t61 - c3*t62
+    k3_xx = k5_yy + 0.022178148964878252_rk - t136
+    k3_yy = t136 - (t129 - 0.061602421026527694_rk)
+    neg_k3_xy = t133*t135 + t134*(1.0_rk - 2.0_rk*t132)
+    t137 = k4_xy + 0.0825_rk*h4_y + 0.005487648106562251_rk
+    t138 = k4_yz - 0.0043772571218395765_rk
+    k3_xz = c3*t137 + s3*t138
+    k3_yz = s3*t137 - c3*t138
     ! link 2: mass matrix, its row of this joint
     neg_m2_3 = k3_yz + 0.316_rk*h3_y
-    t63 = k3_xz + 0.316_rk*h3_x
+    t139 = k3_xz + 0.316_rk*h3_x
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_5 = s2*t63 + c2*m3_3
-    t64 = k4_yy + 0.632_rk*h4_y
+    nu2_y_2 = s2*t139 + c2*m3_3
+    t140 = neg_k4_yy - 0.632_rk*h4_y
     ! link 2: mass matrix, its row of this joint
-    m2_2 = k3_xx + t64 + 1.0552399437268125_rk
+    m2_2 = k3_xx - t140 + 1.0552399437268125_rk
     ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t64 + 1.0321620612318807_rk - (c2*c2*(t64 - k3_xx + 1.009084178736949_rk) - (t63 - &
-        0.003983358883935522_rk)*(2.0_rk*(c2*s2)))
-    k2_yz = c2*(neg_m2_3 + 0.0007689361029464017_rk) - s2*(k3_xy - 0.010261101821008168_rk)
+    k2_xx = c2*c2*(k3_xx + t140 - 1.009084178736949_rk) + (t139 - &
+        0.003983358883935522_rk)*(2.0_rk*(s2*c2)) - (t140 - 1.0321620612318807_rk)
+    k2_yz = s2*(neg_k3_xy + 0.010261101821008168_rk) + c2*(neg_m2_3 + 0.0007689361029464017_rk)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = k2_xx - neg_k3_yy + 0.014259565994474374_rk
-    t65 = -qd(1)
-    ! link 2: angular velocity [rad/s]
-    w2_x = t65*s2
-    w2_y = t65*c2
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = 9.81_rk*s2
-    neg_a2_y = 9.81_rk*c2
-    ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = qd(2)*w2_y
-    neg_alpha2_y = qd(2)*w2_x
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = neg_a2_y - 0.316_rk*neg_lam2_22
-    ! link 3: angular velocity [rad/s]
-    w3_x = c3*w2_x + qd(2)*s3
-    w3_y = qd(2)*c3 - s3*w2_x
-    t66 = -0.632_rk*alpha2_x
-    t67 = neg_a2_x + 0.316_rk*ww2_xy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_x = s3*t66 - c3*t67
-    a3_y = s3*t67 + c3*t66
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = c3*alpha2_x + qd(3)*w3_y
-    alpha3_y = -qd(3)*w3_x - s3*alpha2_x
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(3) - w2_y
-    ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_y*w3_z
-    ww3_zx = w3_x*w3_z
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
-    ww3_zz = w3_z*w3_z
-    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = ww3_xy - neg_alpha2_y
-    lam3_13 = alpha3_y + ww3_zx
-    lam3_21 = neg_alpha2_y + ww3_xy
-    neg_lam3_22 = ww3_xx + ww3_zz
-    lam3_23 = ww3_yz - alpha3_x
-    lam3_31 = ww3_zx - alpha3_y
-    lam3_32 = alpha3_x + ww3_yz
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = -0.0825_rk*lam3_21 - a3_y
-    ! link 4: angular velocity [rad/s]
-    w4_x = t21*w3_z - c4*w3_x
-    w4_y = s4*w3_x - c4*w3_z
-    t68 = 0.0825_rk*neg_lam3_11 - a3_x
-    t69 = a3_z + 0.0825_rk*lam3_31
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*t68 - s4*t69
-    neg_a4_y = s4*t68 + c4*t69
-    ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = t7*alpha3_x - s4*neg_alpha2_y + qd(4)*w4_y
-    neg_alpha4_y = c4*neg_alpha2_y - s4*alpha3_x + qd(4)*w4_x
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) - w3_y
-    ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
-    ww4_xy = w4_x*w4_y
-    ww4_xx = w4_x*w4_x
-    ww4_yy = w4_y*w4_y
-    ww4_zz = w4_z*w4_z
-    ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_11 = ww4_yy + ww4_zz
-    lam4_12 = alpha3_y + ww4_xy
-    lam4_13 = ww4_zx - neg_alpha4_y
-    lam4_21 = ww4_xy - alpha3_y
-    neg_lam4_22 = ww4_xx + ww4_zz
-    neg_lam4_23 = alpha4_x - ww4_yz
-    lam4_31 = neg_alpha4_y + ww4_zx
-    lam4_32 = alpha4_x + ww4_yz
-    neg_lam4_33 = ww4_xx + ww4_yy
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_z = neg_a4_y + (-0.384_rk*neg_lam4_22 - 0.0825_rk*lam4_21)
-    ! link 5: angular velocity [rad/s]
-    w5_x = t5*w4_z - c5*w4_x
-    w5_y = s5*w4_x - c5*w4_z
-    t70 = 0.384_rk*lam4_32 - 0.0825_rk*lam4_31 - a4_z
-    t71 = a4_x - (0.0825_rk*neg_lam4_11 + 0.384_rk*lam4_12)
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*t70 - c5*t71
-    a5_y = s5*t71 + c5*t70
-    ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = qd(5)*w5_y - (c5*alpha4_x - s5*alpha3_y)
-    alpha5_y = s5*alpha4_x + c5*alpha3_y - qd(5)*w5_x
-    ! link 5: angular velocity [rad/s]
-    w5_z = qd(5) - w4_y
-    ! link 5: products of the angular velocity [1/s^2]
-    ww5_yz = w5_y*w5_z
-    ww5_zx = w5_x*w5_z
-    ww5_xy = w5_x*w5_y
-    ww5_xx = w5_x*w5_x
-    ww5_yy = w5_y*w5_y
-    ww5_zz = w5_z*w5_z
-    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_11 = ww5_yy + ww5_zz
-    lam5_12 = ww5_xy - neg_alpha4_y
-    lam5_13 = alpha5_y + ww5_zx
-    lam5_21 = neg_alpha4_y + ww5_xy
-    neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_23 = ww5_yz - alpha5_x
-    lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = alpha5_x + ww5_yz
-    neg_lam5_33 = ww5_xx + ww5_yy
-    ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x + s6*w5_z
-    w6_y = c6*w5_z - s6*w5_x
-    ! link 6: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a6_x = c6*a5_x + s6*a5_z
-    a6_y = c6*a5_z - s6*a5_x
-    ! link 6: angular acceleration [rad/s^2]
-    alpha6_x = qd(6)*w6_y - (-c6*alpha5_x - s6*neg_alpha4_y)
-    alpha6_y = c6*neg_alpha4_y - s6*alpha5_x - qd(6)*w6_x
-    ! link 6: angular velocity [rad/s]
-    w6_z = qd(6) - w5_y
-    ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
-    ww6_zx = w6_x*w6_z
-    ww6_xy = w6_x*w6_y
-    ww6_xx = w6_x*w6_x
-    ww6_yy = w6_y*w6_y
-    ww6_zz = w6_z*w6_z
-    ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_11 = ww6_yy + ww6_zz
-    lam6_12 = alpha5_y + ww6_xy
-    lam6_13 = alpha6_y + ww6_zx
-    lam6_21 = ww6_xy - alpha5_y
-    neg_lam6_22 = ww6_xx + ww6_zz
-    lam6_23 = ww6_yz - alpha6_x
-    lam6_31 = ww6_zx - alpha6_y
-    lam6_32 = alpha6_x + ww6_yz
-    neg_lam6_33 = ww6_xx + ww6_yy
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a7_z = -0.088_rk*lam6_21 - a6_y
-    ! link 7: angular velocity [rad/s]
-    w7_x = c7*w6_x + s7*w6_z
-    w7_y = c7*w6_z - s7*w6_x
-    t72 = 0.088_rk*neg_lam6_11 - a6_x
-    t73 = a5_y - 0.088_rk*lam6_31
-    ! link 7: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a7_x = c7*t72 + s7*t73
-    a7_y = s7*t72 - c7*t73
-    ! link 7: angular acceleration [rad/s^2]
-    alpha7_x = qd(7)*w7_y - (s7*alpha5_y - c7*alpha6_x)
-    alpha7_y = -c7*alpha5_y - s7*alpha6_x - qd(7)*w7_x
-    ! link 7: angular velocity [rad/s]
-    w7_z = qd(7) - w6_y
-    ! link 7: products of the angular velocity [1/s^2]
-    ww7_yz = w7_y*w7_z
-    ww7_zx = w7_x*w7_z
-    ww7_xy = w7_x*w7_y
-    ww7_xx = w7_x*w7_x
-    ww7_yy = w7_y*w7_y
-    ww7_zz = w7_z*w7_z
-    ! link 7: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam7_11 = ww7_yy + ww7_zz
-    lam7_12 = alpha6_y + ww7_xy
-    lam7_13 = alpha7_y + ww7_zx
-    lam7_21 = ww7_xy - alpha6_y
-    neg_lam7_22 = ww7_xx + ww7_zz
-    lam7_23 = ww7_yz - alpha7_x
-    neg_lam7_31 = alpha7_y - ww7_zx
-    lam7_32 = alpha7_x + ww7_yz
-    neg_lam7_33 = ww7_xx + ww7_yy
-    ! link 2: moment that turns the link [N m]
-    nc2_x = 0.007966717767871044_rk*neg_alpha2_y + 0.010261101821008168_rk*ww2_xy - &
-        (0.0007689361029464017_rk*(neg_lam2_22 - neg_lam2_33) - 2.0643241224637614_rk*alpha2_x)
-    nc2_y = 0.010261101821008168_rk*(neg_lam2_11 - neg_lam2_33) - &
-        0.04615576498986361_rk*neg_alpha2_y - (0.0007689361029464017_rk*ww2_xy + &
-        0.007966717767871044_rk*alpha2_x)
-    nc2_z = 0.01993386669246_rk*c2 - 32.809545426852715_rk*s2 - (1.009084178736949_rk*ww2_xy - &
-        0.003983358883935522_rk*(neg_lam2_11 - neg_lam2_22))
-    ! link 3: force that moves the link [N]
-    fc3_x = 0.028227094877999827_rk*lam3_12 - 0.746857959872_rk*neg_lam3_11
-    fc3_y = 0.746857959872_rk*lam3_21 - 0.028227094877999827_rk*neg_lam3_22
-    ! link 3: moment that turns the link [N m]
-    nc3_x = 0.028227094877999827_rk*a3_z - (-0.022178148964878252_rk*lam3_32 - &
-        0.0043772571218395765_rk*(neg_lam3_22 - neg_lam3_33) + (0.005487648106562251_rk*lam3_21 - &
-        0.0001219124209507298_rk*lam3_31))
-    nc3_y = -0.061602421026527694_rk*lam3_31 - 0.005487648106562251_rk*(neg_lam3_11 - neg_lam3_33) &
-        + (0.0043772571218395765_rk*lam3_12 - 0.0001219124209507298_rk*lam3_32) - &
-        0.746857959872_rk*a3_z
-    t74 = 0.022178148964878252_rk*lam3_12 - 0.061602421026527694_rk*lam3_21 - &
-        0.0001219124209507298_rk*(neg_lam3_11 - neg_lam3_22) - (0.005487648106562251_rk*lam3_23 - &
-        0.0043772571218395765_rk*lam3_13)
-    nc3_z = 0.746857959872_rk*a3_y - 0.028227094877999827_rk*a3_x - t74
-    ! link 4: force that moves the link [N]
-    fc4_x = -0.5527802746499999_rk*neg_lam4_11 - 2.0125235536029997_rk*lam4_12
-    fc4_y = 0.5527802746499999_rk*lam4_21 + 2.0125235536029997_rk*neg_lam4_22
-    fc4_z = 0.5527802746499999_rk*lam4_31 - 2.0125235536029997_rk*lam4_32
-    ! link 4: moment that turns the link [N m]
-    nc4_x = 0.6972920750309717_rk*lam4_32 - 0.00164448757736928_rk*(neg_lam4_22 - neg_lam4_33) - &
-        (0.16284087268546082_rk*lam4_31 + 0.0039053550262761055_rk*lam4_21) - &
-        2.0125235536029997_rk*a4_z
-    nc4_y = -0.5527802746499999_rk*a4_z - (0.05102013615681549_rk*lam4_31 + &
-        0.0039053550262761055_rk*(neg_lam4_11 - neg_lam4_33) + (0.00164448757736928_rk*lam4_12 - &
-        0.16284087268546082_rk*lam4_32))
-    t75 = 0.6972920750309717_rk*lam4_12 - 0.05102013615681549_rk*lam4_21 + &
-        0.16284087268546082_rk*(neg_lam4_11 - neg_lam4_22) + (0.0039053550262761055_rk*neg_lam4_23 &
-        - 0.00164448757736928_rk*lam4_13)
-    neg_nc4_z = t75 + (0.5527802746499999_rk*neg_a4_y - 2.0125235536029997_rk*a4_x)
-    ! link 5: force that moves the link [N]
-    fc5_x = 0.014653732538_rk*neg_lam5_11 + 0.067870631425_rk*lam5_12
-    fc5_y = -0.067870631425_rk*neg_lam5_22 - 0.014653732538_rk*lam5_21
-    fc5_z = 0.067870631425_rk*lam5_32 - 0.014653732538_rk*lam5_31
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.067870631425_rk*a5_z - (0.0021640520520981327_rk*(neg_lam5_22 - neg_lam5_33) - &
-        0.010045187828321245_rk*lam5_32 + (0.004600245517563107_rk*lam5_21 - &
-        0.00151524447332703_rk*lam5_31))
-    nc5_y = -0.001451156065026714_rk*lam5_31 - 0.004600245517563107_rk*(neg_lam5_11 - neg_lam5_33) &
-        + (-0.0021640520520981327_rk*lam5_12 - 0.00151524447332703_rk*lam5_32) + &
-        0.014653732538_rk*a5_z
-    t76 = 0.001451156065026714_rk*lam5_21 - 0.010045187828321245_rk*lam5_12 + &
-        0.00151524447332703_rk*(neg_lam5_11 - neg_lam5_22) + (0.004600245517563107_rk*lam5_23 + &
-        0.0021640520520981327_rk*lam5_13)
-    nc5_z = t76 - (0.014653732538_rk*a5_y + 0.067870631425_rk*a5_x)
-    ! link 6: force that moves the link [N]
-    fc6_x = -0.231847552695_rk*neg_lam6_11 - 0.17380470556899996_rk*lam6_12
-    fc6_y = 0.231847552695_rk*lam6_21 + 0.17380470556899996_rk*neg_lam6_22
-    fc6_z = 0.231847552695_rk*lam6_31 - 0.17380470556899996_rk*lam6_32
-    ! link 6: moment that turns the link [N m]
-    nc6_x = 0.17380470556899996_rk*a5_y - (9.35690973146064e-05_rk*(neg_lam6_22 - neg_lam6_33) - &
-        0.028934422545659907_rk*lam6_32 - (-0.014748570382675314_rk*lam6_31 - &
-        0.0001037589172186853_rk*lam6_21))
-    nc6_y = -0.021522255370587554_rk*lam6_31 - 0.0001037589172186853_rk*(neg_lam6_11 - &
-        neg_lam6_33) - (9.35690973146064e-05_rk*lam6_12 - 0.014748570382675314_rk*lam6_32) + &
-        0.231847552695_rk*a5_y
-    t77 = 0.028934422545659907_rk*lam6_12 - 0.021522255370587554_rk*lam6_21 + &
-        0.014748570382675314_rk*(neg_lam6_11 - neg_lam6_22) - (0.0001037589172186853_rk*lam6_23 + &
-        9.35690973146064e-05_rk*lam6_13)
-    nc6_z = 0.231847552695_rk*a6_y + 0.17380470556899996_rk*a6_x - t77
-    ! link 7: force that moves the link [N]
-    fc7_x = 0.0020344399586618637_rk*lam7_12 - 0.002573605371338201_rk*neg_lam7_11
-    fc7_y = 0.002573605371338201_rk*lam7_21 - 0.0020344399586618637_rk*neg_lam7_22
-    fc7_z = 0.0020344399586618637_rk*lam7_32 - 0.002573605371338201_rk*neg_lam7_31
-    ! link 7: moment that turns the link [N m]
-    nc7_x = 0.0020344399586618637_rk*a7_z - (-0.004552547872941087_rk*lam7_32 - &
-        0.0012555365982729084_rk*(neg_lam7_22 - neg_lam7_33) - &
-        (0.0003913912816842475_rk*neg_lam7_31 - 0.0009653051699191118_rk*lam7_21))
-    nc7_y = 0.00213160409441986_rk*neg_lam7_31 - 0.0009653051699191118_rk*(neg_lam7_11 - &
-        neg_lam7_33) + (0.0012555365982729084_rk*lam7_12 + 0.0003913912816842475_rk*lam7_32) - &
-        0.002573605371338201_rk*a7_z
-    t78 = 0.004552547872941087_rk*lam7_12 - 0.00213160409441986_rk*lam7_21 + &
-        0.0003913912816842475_rk*(neg_lam7_11 - neg_lam7_22) - (0.0009653051699191118_rk*lam7_23 - &
-        0.0012555365982729084_rk*lam7_13)
-    nc7_z = 0.002573605371338201_rk*a7_y + 0.0020344399586618637_rk*neg_a7_x - t78
-    ! link 7: force through the joint, along the axes that its turn starts from [N]
-    f07_x = c7*fc7_x - s7*fc7_y
-    f07_y = s7*fc7_x + c7*fc7_y
-    ! link 7: moment through the joint, along the axes that its turn starts from [N m]
-    n07_x = c7*nc7_x - s7*nc7_y
-    n07_y = s7*nc7_x + c7*nc7_y
-    ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_x = nc6_x + n07_x
-    n6_y = nc6_y - 0.088_rk*f07_y - nc7_z
-    n6_z = n07_y + (nc6_z - 0.088_rk*fc7_z)
-    ! link 6: force through the joint [N]
-    f6_x = fc6_x + f07_x
-    f6_y = fc6_y - fc7_z
-    f6_z = fc6_z + f07_y
-    ! link 6: force through the joint, along the axes that its turn starts from [N]
-    f06_x = c6*f6_x - s6*f6_y
-    f06_y = s6*f6_x + c6*f6_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*n6_x - s6*n6_y
-    n06_y = s6*n6_x + c6*n6_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = nc5_y - n6_z
-    n5_z = nc5_z + n06_y
-    ! link 5: force through the joint [N]
-    f5_x = fc5_x + f06_x
-    f5_y = fc5_y - f6_z
-    f5_z = fc5_z + f06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = s5*f5_y - c5*f5_x
-    neg_f05_y = s5*f5_x + c5*f5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = s5*n5_y - c5*n5_x
-    n05_y = t6*n5_y - s5*n5_x
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = n05_x + (nc4_x + 0.384_rk*neg_f05_y)
-    n4_y = nc4_y + 0.0825_rk*neg_f05_y - n5_z
-    n4_z = n05_y - (neg_nc4_z + (0.0825_rk*f5_z - 0.384_rk*f05_x))
-    ! link 4: force through the joint [N]
-    f4_x = fc4_x + f05_x
-    f4_y = fc4_y - f5_z
-    f4_z = fc4_z - neg_f05_y
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = s4*f4_y - c4*f4_x
-    f04_y = t7*f4_y - s4*f4_x
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = s4*n4_y - c4*n4_x
-    n04_y = t21*n4_x - c4*n4_y
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = nc3_x + n04_x
-    n3_y = nc3_y - 0.0825_rk*f04_y - n4_z
-    n3_z = n04_y - (0.0825_rk*f4_z - nc3_z)
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    f3_y = fc3_y - f4_z
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    neg_f03_x = s3*f3_y - c3*f3_x
-    f03_y = s3*f3_x + c3*f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_x = c3*n3_x - s3*n3_y
-    n03_y = s3*n3_x + c3*n3_y
-    ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_x = n03_x + (nc2_x - 0.316_rk*f03_y)
-    neg_n2_y = n3_z - nc2_y
-    n2_z = n03_y - (0.316_rk*neg_f03_x - nc2_z)
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = c2*neg_n2_y - s2*n2_x
+    m1_1 = k3_yy + k2_xx + 0.014259565994474374_rk
     ! link 1: forward substitution
-    y1 = tau(1) - n02_y
+    neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
-    l2_1 = -k2_yz*ipivot1
-    l3_1 = nu2_y_5*ipivot1
-    l4_1 = nu2_y_4*ipivot1
-    l5_1 = nu2_y_3*ipivot1
-    l6_1 = nu2_y_2*ipivot1
-    l7_1 = nu2_y*ipivot1
-    pivot2 = m2_2 + k2_yz*l2_1
+    neg_l2_1 = k2_yz*ipivot1
+    l3_1 = nu2_y_2*ipivot1
+    neg_l4_1 = neg_nu2_y_3*ipivot1
+    l5_1 = nu2_y*ipivot1
+    neg_l6_1 = neg_nu2_y_2*ipivot1
+    neg_l7_1 = neg_nu2_y*ipivot1
+    pivot2 = m2_2 - k2_yz*neg_l2_1
     ipivot2 = 1.0_rk / pivot2
-    ld3_2 = k2_yz*l3_1 - neg_m2_3
-    l3_2 = ipivot2*ld3_2
-    ld4_2 = m2_4 + k2_yz*l4_1
-    l4_2 = ipivot2*ld4_2
+    neg_ld3_2 = neg_m2_3 - k2_yz*l3_1
+    neg_l3_2 = ipivot2*neg_ld3_2
+    neg_ld4_2 = neg_m2_4 + k2_yz*neg_l4_1
+    neg_l4_2 = ipivot2*neg_ld4_2
     ld5_2 = m2_5 + k2_yz*l5_1
     l5_2 = ipivot2*ld5_2
-    ld6_2 = m2_6 + k2_yz*l6_1
-    l6_2 = ipivot2*ld6_2
-    ld7_2 = m2_7 + k2_yz*l7_1
+    neg_ld6_2 = k2_yz*neg_l6_1 - m2_6
+    neg_l6_2 = ipivot2*neg_ld6_2
+    ld7_2 = m2_7 - k2_yz*neg_l7_1
     l7_2 = ipivot2*ld7_2
-    pivot3 = m3_3 - nu2_y_5*l3_1 - ld3_2*l3_2
+    pivot3 = m3_3 - nu2_y_2*l3_1 - neg_ld3_2*neg_l3_2
     ipivot3 = 1.0_rk / pivot3
-    ld4_3 = -(k4_yz + nu2_y_5*l4_1) - ld3_2*l4_2
-    l4_3 = ipivot3*ld4_3
-    ld5_3 = m3_5 - nu2_y_5*l5_1 - ld3_2*l5_2
+    neg_ld4_3 = k4_yz - nu2_y_2*neg_l4_1 + neg_ld3_2*neg_l4_2
+    neg_l4_3 = ipivot3*neg_ld4_3
+    ld5_3 = m3_5 - nu2_y_2*l5_1 + neg_ld3_2*l5_2
     l5_3 = ipivot3*ld5_3
-    ld6_3 = -ld3_2*l6_2 - (nu2_y_5*l6_1 - m3_6)
-    l6_3 = ipivot3*ld6_3
-    ld7_3 = m3_7 - nu2_y_5*l7_1 - ld3_2*l7_2
-    l7_3 = ipivot3*ld7_3
-    pivot4 = m4_4 - nu2_y_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    neg_ld6_3 = neg_m3_6 - nu2_y_2*neg_l6_1 + neg_ld3_2*neg_l6_2
+    neg_l6_3 = ipivot3*neg_ld6_3
+    neg_ld7_3 = neg_m3_7 - nu2_y_2*neg_l7_1 - neg_ld3_2*l7_2
+    neg_l7_3 = ipivot3*neg_ld7_3
+    pivot4 = m4_4 - neg_nu2_y_3*neg_l4_1 - neg_ld4_2*neg_l4_2 - neg_ld4_3*neg_l4_3
     ipivot4 = 1.0_rk / pivot4
-    ld5_4 = -ld4_3*l5_3 - (nu2_y_4*l5_1 - m4_5 + ld4_2*l5_2)
-    l5_4 = ipivot4*ld5_4
-    ld6_4 = -ld4_2*l6_2 - (nu2_y_4*l6_1 - m4_6) - ld4_3*l6_3
+    neg_ld5_4 = neg_m4_5 - neg_nu2_y_3*l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3
+    neg_l5_4 = ipivot4*neg_ld5_4
+    ld6_4 = m4_6 - neg_nu2_y_3*neg_l6_1 - neg_ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3
     l6_4 = ipivot4*ld6_4
-    ld7_4 = m4_7 - nu2_y_4*l7_1 - ld4_2*l7_2 - ld4_3*l7_3
-    l7_4 = ipivot4*ld7_4
-    pivot5 = m5_5 - nu2_y_3*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    neg_ld7_4 = neg_m4_7 + neg_nu2_y_3*neg_l7_1 - neg_ld4_2*l7_2 + neg_ld4_3*neg_l7_3
+    neg_l7_4 = ipivot4*neg_ld7_4
+    pivot5 = m5_5 - nu2_y*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = -ld5_2*l6_2 - (nu2_y_3*l6_1 - neg_k6_yz) - ld5_3*l6_3 - ld5_4*l6_4
+    ld6_5 = neg_k6_yz + nu2_y*neg_l6_1 + ld5_2*neg_l6_2 + ld5_3*neg_l6_3 + neg_ld5_4*l6_4
     l6_5 = ipivot5*ld6_5
-    ld7_5 = -ld5_3*l7_3 - (neg_nu6_y + nu2_y_3*l7_1 + ld5_2*l7_2) - ld5_4*l7_4
-    l7_5 = ipivot5*ld7_5
-    pivot6 = -ld6_5*l6_5 - (ld6_2*l6_2 - (m6_6 - nu2_y_2*l6_1) + ld6_3*l6_3 + ld6_4*l6_4)
-    ipivot6 = 1.0_rk / pivot6
-    ld7_6 = -(k7_yz + nu2_y_2*l7_1 + ld6_2*l7_2 + ld6_3*l7_3 + ld6_4*l7_4) - ld6_5*l7_5
-    l7_6 = ipivot6*ld7_6
-    t79 = 0.006684151967360947_rk - nu2_y*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
-    pivot7 = t79 - ld7_6*l7_6
+    neg_ld7_5 = neg_nu6_y - nu2_y*neg_l7_1 + ld5_2*l7_2 - ld5_3*neg_l7_3 + neg_ld5_4*neg_l7_4
+    neg_l7_5 = ipivot5*neg_ld7_5
+    neg_pivot6 = neg_m6_6 + neg_nu2_y_2*neg_l6_1 + neg_ld6_2*neg_l6_2 + neg_ld6_3*neg_l6_3 + &
+        ld6_4*l6_4 + ld6_5*l6_5
+    neg_ipivot6 = 1.0_rk / neg_pivot6
+    neg_ld7_6 = k7_yz + neg_nu2_y_2*neg_l7_1 - neg_ld6_2*l7_2 + neg_ld6_3*neg_l7_3 - &
+        ld6_4*neg_l7_4 - ld6_5*neg_l7_5
+    l7_6 = neg_ipivot6*neg_ld7_6
+    t141 = 0.006684151967360947_rk - neg_nu2_y*neg_l7_1 - ld7_2*l7_2 - neg_ld7_3*neg_l7_3 - &
+        neg_ld7_4*neg_l7_4 - neg_ld7_5*neg_l7_5
+    pivot7 = t141 + neg_ld7_6*l7_6
     ipivot7 = 1.0_rk / pivot7
     ! link 2: forward substitution
-    y2 = tau(2) - n2_z - y1*l2_1
+    neg_y2 = n2_z - tau(2) + neg_y1*neg_l2_1
     ! link 3: forward substitution
-    y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
+    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 + neg_l3_2*neg_y2
     ! link 4: forward substitution
-    y4 = tau(4) - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
+    neg_y4 = n4_z - tau(4) + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3
     ! link 5: forward substitution
-    y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 + neg_l5_4*neg_y4
     ! link 6: forward substitution
-    y6 = tau(6) - n6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
-    t80 = tau(7) - nc7_z - y1*l7_1 - l7_2*y2 - l7_3*y3 - l7_4*y4 - l7_5*y5
+    y6 = neg_n6_z + tau(6) - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 + l6_4*neg_y4 + &
+        l6_5*neg_y5
+    t142 = nc7_z - tau(7) + neg_y1*neg_l7_1 - l7_2*neg_y2 + neg_l7_3*neg_y3 + neg_l7_4*neg_y4 + &
+        neg_l7_5*neg_y5
     ! link 7: forward substitution
-    y7 = t80 - l7_6*y6
+    neg_y7 = t142 + l7_6*y6
     ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd7 = ipivot7*y7
+    neg_qdd7 = ipivot7*neg_y7
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = ipivot6*y6 - l7_6*qdd7
+    neg_qdd6 = neg_ipivot6*y6 - l7_6*neg_qdd7
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = ipivot5*y5 - l6_5*qdd6 - l7_5*qdd7
+    neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6 + neg_l7_5*neg_qdd7
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6 - l7_4*qdd7
+    neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6 + neg_l7_4*neg_qdd7
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = -l7_3*qdd7 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5 + l6_3*qdd6)
+    neg_qdd3 = ipivot3*neg_y3 + neg_l4_3*neg_qdd4 - l5_3*neg_qdd5 + neg_l6_3*neg_qdd6 + &
+        neg_l7_3*neg_qdd7
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = -l7_2*qdd7 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5 + l6_2*qdd6)
-    t81 = l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5 + l6_1*qdd6
+    qdd2 = l7_2*neg_qdd7 - (ipivot2*neg_y2 + neg_l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 &
+        + neg_l6_2*neg_qdd6)
+    t143 = neg_y1*ipivot1 - neg_l2_1*qdd2 - l3_1*neg_qdd3 + neg_l4_1*neg_qdd4 - l5_1*neg_qdd5 + &
+        neg_l6_1*neg_qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -t81 - l7_1*qdd7
+    qdd1 = -neg_l7_1*neg_qdd7 - t143
+    t144 = -neg_qdd3
+    t145 = -neg_qdd4
+    t146 = -neg_qdd5
+    t147 = -neg_qdd6
+    t148 = -neg_qdd7
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = qdd3
-    qdd(4) = qdd4
-    qdd(5) = qdd5
-    qdd(6) = qdd6
-    qdd(7) = qdd7
+    qdd(3) = t144
+    qdd(4) = t145
+    qdd(5) = t146
+    qdd(6) = t147
+    qdd(7) = t148
   end subroutine
 end module

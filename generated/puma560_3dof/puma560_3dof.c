@@ -14,13 +14,15 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 3.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 88 multiplications, 72 additions = 160; 0 unary minus; 4 sine/cosine
+ *   inverse_dynamics: 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
  *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
- *   bias: 71 multiplications, 45 additions = 116; 0 unary minus; 4 sine/cosine
+ *   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 108 multiplications, 75 additions, 3 divisions = 186; 3 unary minus; 4
+ *   forward_dynamics: 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof.h"
@@ -28,7 +30,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 88 multiplications, 72 additions = 160; 0 unary minus; 4 sine/cosine */
+ * 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_inverse_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -44,107 +46,44 @@ void puma560_3dof_inverse_dynamics(
     const volatile puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real c23 = cos(angle23);
     const puma560_3dof_real s23 = sin(angle23);
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_z = qd[1] + qd[2];
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_3dof_real ww2_zz = qd[1]*qd[1];
     /* link 3: angular acceleration [rad/s^2] */
     const puma560_3dof_real alpha3_z = qdd[1] + qdd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_real neg_w2_x = qd[0]*s2;
-    const puma560_3dof_real neg_w2_y = qd[0]*c2;
-    const puma560_3dof_real t1 = 0.1501*qdd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real neg_a2_x = c2*t1 + 9.8*s2;
-    const puma560_3dof_real a2_y = s2*t1 - 9.8*c2;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real neg_ww2_yz = qd[1]*neg_w2_y;
-    const puma560_3dof_real neg_ww2_zx = qd[1]*neg_w2_x;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_real neg_alpha2_x = qdd[0]*s2 + neg_ww2_yz;
-    const puma560_3dof_real alpha2_y = neg_ww2_zx - qdd[0]*c2;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_3dof_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_3dof_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_3dof_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_3dof_real neg_lam2_12 = qdd[1] - ww2_xy;
-    const puma560_3dof_real lam2_13 = alpha2_y - neg_ww2_zx;
-    const puma560_3dof_real lam2_21 = qdd[1] + ww2_xy;
-    const puma560_3dof_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const puma560_3dof_real lam2_23 = neg_alpha2_x - neg_ww2_yz;
-    const puma560_3dof_real neg_lam2_31 = neg_ww2_zx + alpha2_y;
-    const puma560_3dof_real neg_lam2_32 = neg_ww2_yz + neg_alpha2_x;
-    const puma560_3dof_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a3_z = a2_z - 0.4318*neg_lam2_31;
     /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real neg_w3_x = qd[0]*s23;
-    const puma560_3dof_real neg_w3_y = qd[0]*c23;
-    const puma560_3dof_real t2 = 0.4318*neg_lam2_11;
-    const puma560_3dof_real t3 = 0.4318*lam2_21;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real neg_a3_x = c23*(t1 + (c2*t2 + s2*t3)) + s23*(s2*t2 - c2*t3 + 9.8);
+    const puma560_3dof_real w3_z = qd[1] + qd[2];
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real neg_ww3_yz = w3_z*neg_w3_y;
-    const puma560_3dof_real neg_ww3_zx = w3_z*neg_w3_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_real neg_alpha3_x = qdd[0]*s23 + neg_ww3_yz;
-    const puma560_3dof_real neg_alpha3_y = qdd[0]*c23 - neg_ww3_zx;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww3_xy = neg_w3_x*neg_w3_y;
-    const puma560_3dof_real ww3_xx = neg_w3_x*neg_w3_x;
-    const puma560_3dof_real ww3_yy = neg_w3_y*neg_w3_y;
     const puma560_3dof_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real neg_lam3_12 = alpha3_z - ww3_xy;
-    const puma560_3dof_real neg_lam3_13 = neg_ww3_zx + neg_alpha3_y;
-    const puma560_3dof_real lam3_21 = alpha3_z + ww3_xy;
-    const puma560_3dof_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_3dof_real lam3_31 = neg_alpha3_y - neg_ww3_zx;
-    const puma560_3dof_real neg_lam3_32 = neg_ww3_yz + neg_alpha3_x;
-    const puma560_3dof_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 2: force that moves the link [N] */
-    const puma560_3dof_real neg_fc2_x = 3.25584*neg_lam2_11 + 0.1044*neg_lam2_12;
-    const puma560_3dof_real fc2_y = 3.25584*lam2_21 - 0.1044*neg_lam2_22;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_real neg_nc2_x = 0.0731264*neg_lam2_32 - 0.00808056*(neg_lam2_22 -
-        neg_lam2_33) + (0.0070992*neg_lam2_31 + 0.12059664*lam2_21) + 0.01567044*ww1_zz;
-    const puma560_3dof_real nc2_y = 1.441923552*neg_lam2_31 - 0.12059664*(neg_lam2_11 - neg_lam2_33)
-        - (0.00808056*neg_lam2_12 - 0.0070992*neg_lam2_32) + 0.488701584*ww1_zz;
-    const puma560_3dof_real t4 = 1.441923552*lam2_21 + 0.0731264*neg_lam2_12 +
-        0.0070992*(neg_lam2_11 - neg_lam2_22) - (0.00808056*lam2_13 - 0.12059664*lam2_23);
-    const puma560_3dof_real nc2_z = t4 + (3.25584*a2_y + 0.1044*neg_a2_x);
-    /* link 3: force that moves the link [N] */
-    const puma560_3dof_real fc3_x = 0.336*neg_lam3_12;
-    const puma560_3dof_real fc3_y = 0.336*neg_lam3_22;
-    const puma560_3dof_real fc3_z = 0.336*neg_lam3_32;
+    const puma560_3dof_real t1 = 0.0015049505482314155*c2;
+    const puma560_3dof_real t2 = t1 - 5.866434376976675e-05*s2;
+    const puma560_3dof_real t3 = 0.03851*s23;
+    const puma560_3dof_real t4 = 0.1450848*c2;
+    const puma560_3dof_real t5 = t3 + t4;
+    const puma560_3dof_real t6 = t3 + t5;
+    const puma560_3dof_real t7 = 0.1450848*s2;
+    const puma560_3dof_real t8 = 0.0041505871655958945*c2;
+    const puma560_3dof_real t9 = t7*(s23 + 1668.1814005825509*(t2 + t8)) + 0.0070992;
+    const puma560_3dof_real t10 = t1 + t7;
+    const puma560_3dof_real t11 = (c23*(w3_z*t6) - qd[1]*t9)*qd[0] - (32.51361556999726*(t7*t10) -
+        (s23*t5 + 2.015870295))*qdd[0];
+    const puma560_3dof_real t12 = 4.199600674915636*(t8 + t10);
+    /* link 1: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_3dof_real tau1 = 404.8626213771833*(ww2_zz*t2) - (0.0551376*(c23*alpha3_z -
+        s23*ww3_zz) - (t11 + (t11 + qdd[1]*t12)));
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_3dof_real neg_lam2_33 = qd[0]*qd[0];
+    const puma560_3dof_real t13 = s23*t4 - c23*t7;
+    const puma560_3dof_real t14 = c23*t4 + s23*t7;
+    const puma560_3dof_real t15 = 0.10952*alpha3_z - (ww2_zz*t14 + (3.2928*s23 +
+        c23*(0.0551376*qdd[0] + t6*neg_lam2_33)));
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real nc3_y = 0.004704*neg_lam3_12 - 0.01625*lam3_31;
-    const puma560_3dof_real neg_nc3_x = 0.09327*neg_lam3_32 + 0.004704*(neg_lam3_22 - neg_lam3_33) +
-        0.336*a3_z;
-    const puma560_3dof_real nc3_z = 0.01625*lam3_21 + 0.09327*neg_lam3_12 - 0.004704*neg_lam3_13 -
-        0.336*neg_a3_x;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_real f03_x = c23*fc3_x - s23*fc3_y;
-    const puma560_3dof_real f03_y = s23*fc3_x + c23*fc3_y;
+    const puma560_3dof_real nc3_z = qdd[1]*t13 + t15;
+    const puma560_3dof_real t16 = 1.02312*s2 + nc3_z + t9*neg_lam2_33 + (alpha3_z*t13 -
+        (31.907232*c2 - ww3_zz*t14));
+    /* link 2: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_3dof_real tau2 = qdd[0]*t12 + (6.225049952*qdd[1] + t16);
     /* link 3: joint torque [N m], at a prismatic joint force [N] */
     const puma560_3dof_real tau3 = nc3_z + 0.83*qdd[2];
-    const puma560_3dof_real t5 = 0.4318*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_real n02_z = nc3_z + (nc2_z + (f03_y*t5 - f03_x*(0.4318*s2)));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_real f02_x = f03_x - (c2*neg_fc2_x + s2*fc2_y);
-    /* link 2: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real tau2 = n02_z + 4.71*qdd[1];
-    const puma560_3dof_real t6 = 0.1501*f02_x - (fc3_z*t5 - (c2*nc2_y - (s2*neg_nc2_x +
-        (s23*neg_nc3_x - c23*nc3_y))));
-    /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real tau1 = 2.573567038*qdd[0] - t6;
     tau[0] = tau1;
     tau[1] = tau2;
     tau[2] = tau3;
@@ -158,23 +97,24 @@ void puma560_3dof_gravity(const puma560_3dof_real q[3], puma560_3dof_real tau[3]
      * every libm has. */
     const volatile puma560_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
-    const puma560_3dof_real c2 = cos(q[1]);
-    const puma560_3dof_real s2 = sin(again[1]);
     const volatile puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real s23 = sin(angle23);
-    /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_real nc2_z = 1.02312*s2 - 31.907232*c2;
     /* link 3: moment that turns the link [N m] */
     const puma560_3dof_real nc3_z = -3.2928*s23;
+    /* sines and cosines of the joint angles */
+    const puma560_3dof_real c2 = cos(q[1]);
+    const puma560_3dof_real s2 = sin(again[1]);
+    /* link 2: moment that turns the link [N m] */
+    const puma560_3dof_real nc2_z = 1.02312*s2 - 31.907232*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_real n02_z = nc2_z + nc3_z;
+    const puma560_3dof_real n02_z = nc3_z + nc2_z;
     tau[0] = 0.0;
     tau[1] = n02_z;
     tau[2] = nc3_z;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 71 multiplications, 45 additions = 116; 0 unary minus; 4 sine/cosine */
+ * 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_bias(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -189,81 +129,31 @@ void puma560_3dof_bias(
     const volatile puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real c23 = cos(angle23);
     const puma560_3dof_real s23 = sin(angle23);
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_3dof_real ww2_zz = qd[1]*qd[1];
     /* link 3: angular velocity [rad/s] */
     const puma560_3dof_real w3_z = qd[1] + qd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_real neg_w2_x = qd[0]*s2;
-    const puma560_3dof_real neg_w2_y = qd[0]*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_3dof_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_3dof_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_3dof_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_3dof_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_3dof_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const puma560_3dof_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real a3_z = a2_z - 0.8636*alpha2_y;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real neg_w3_x = qd[0]*s23;
-    const puma560_3dof_real neg_w3_y = qd[0]*c23;
-    const puma560_3dof_real t1 = 0.4318*neg_lam2_11;
-    const puma560_3dof_real t2 = 0.4318*ww2_xy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real neg_a3_x = c23*(c2*t1 + s2*t2) + s23*(s2*t1 - c2*t2 + 9.8);
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_real neg_alpha3_x = w3_z*neg_w3_y;
-    const puma560_3dof_real alpha3_y = w3_z*neg_w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww3_xy = neg_w3_x*neg_w3_y;
-    const puma560_3dof_real ww3_xx = neg_w3_x*neg_w3_x;
-    const puma560_3dof_real ww3_yy = neg_w3_y*neg_w3_y;
     const puma560_3dof_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_3dof_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 2: force that moves the link [N] */
-    const puma560_3dof_real neg_fc2_x = 3.25584*neg_lam2_11 - 0.1044*ww2_xy;
-    const puma560_3dof_real fc2_y = 3.25584*ww2_xy - 0.1044*neg_lam2_22;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_real neg_nc2_x = 0.1462528*neg_alpha2_x - 0.00808056*(neg_lam2_22 -
-        neg_lam2_33) + (0.0141984*alpha2_y + 0.12059664*ww2_xy) + 0.01567044*ww1_zz;
-    const puma560_3dof_real nc2_y = 2.883847104*alpha2_y - 0.12059664*(neg_lam2_11 - neg_lam2_33) +
-        (0.00808056*ww2_xy + 0.0141984*neg_alpha2_x) + 0.488701584*ww1_zz;
-    const puma560_3dof_real nc2_z = 1.368797152*ww2_xy + 0.0070992*(neg_lam2_11 - neg_lam2_22) -
-        (31.907232*c2 - 1.02312*s2);
-    /* link 3: force that moves the link [N] */
-    const puma560_3dof_real neg_fc3_x = 0.336*ww3_xy;
-    const puma560_3dof_real fc3_y = 0.336*neg_lam3_22;
-    const puma560_3dof_real fc3_z = 0.672*neg_alpha3_x;
+    const puma560_3dof_real t1 = 0.0015049505482314155*c2 - 5.866434376976675e-05*s2;
+    const puma560_3dof_real t2 = 0.03851*s23;
+    const puma560_3dof_real t3 = 0.1450848*c2;
+    const puma560_3dof_real t4 = t2 + (t2 + t3);
+    const puma560_3dof_real t5 = 0.1450848*s2;
+    const puma560_3dof_real t6 = t5*(s23 + 1668.1814005825509*(t1 + 0.0041505871655958945*c2)) +
+        0.0070992;
+    /* link 1: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_3dof_real tau1 = 404.8626213771833*(ww2_zz*t1) + (0.0551376*(s23*ww3_zz) +
+        2.0*((c23*(w3_z*t4) - qd[1]*t6)*qd[0]));
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_3dof_real lam2_33 = -qd[0]*qd[0];
+    const puma560_3dof_real t7 = c23*t3 + s23*t5;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real nc3_y = 0.0325*alpha3_y - 0.004704*ww3_xy;
-    const puma560_3dof_real neg_nc3_x = 0.18654*neg_alpha3_x + 0.004704*(neg_lam3_22 - neg_lam3_33)
-        + 0.336*a3_z;
-    const puma560_3dof_real nc3_z = -0.336*neg_a3_x - 0.07702*ww3_xy;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_real neg_f03_x = c23*neg_fc3_x + s23*fc3_y;
-    const puma560_3dof_real neg_f03_y = s23*neg_fc3_x - c23*fc3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_real n03_y = c23*nc3_y - s23*neg_nc3_x;
-    const puma560_3dof_real t3 = 0.4318*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t3);
-    const puma560_3dof_real n02_z = nc3_z + (nc2_z - (neg_f03_y*t3 - neg_f03_x*(0.4318*s2)));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_real neg_f02_x = neg_f03_x + (c2*neg_fc2_x + s2*fc2_y);
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_real n1_z = 0.1501*neg_f02_x - n02_y;
-    tau[0] = n1_z;
-    tau[1] = n02_z;
+    const puma560_3dof_real nc3_z = c23*(t4*lam2_33) - 3.2928*s23 - ww2_zz*t7;
+    /* link 2: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_3dof_real tau2 = 1.02312*s2 + nc3_z - t6*lam2_33 - (31.907232*c2 - ww3_zz*t7);
+    tau[0] = tau1;
+    tau[1] = tau2;
     tau[2] = nc3_z;
 }
 
@@ -317,7 +207,7 @@ void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[
 }
 
 /* accelerations that the torques tau give
- * 108 multiplications, 75 additions, 3 divisions = 186; 3 unary minus; 4 sine/cosine */
+ * 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_forward_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -333,106 +223,57 @@ void puma560_3dof_forward_dynamics(
     const volatile puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real c23 = cos(angle23);
     const puma560_3dof_real s23 = sin(angle23);
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_3dof_real ww2_zz = qd[1]*qd[1];
+    /* link 3: angular velocity [rad/s] */
+    const puma560_3dof_real w3_z = qd[1] + qd[2];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_3dof_real ww3_zz = w3_z*w3_z;
+    const puma560_3dof_real t1 = 0.0015049505482314155*c2 - 5.866434376976675e-05*s2;
+    const puma560_3dof_real t2 = 0.03851*s23;
+    const puma560_3dof_real t3 = 0.1450848*c2;
+    const puma560_3dof_real t4 = t2 + (t2 + t3);
+    const puma560_3dof_real t5 = 0.1450848*s2;
+    const puma560_3dof_real t6 = t5*(s23 + 1668.1814005825509*(t1 + 0.0041505871655958945*c2)) +
+        0.0070992;
+    /* link 1: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_3dof_real tau1 = 404.8626213771833*(ww2_zz*t1) + (0.0551376*(s23*ww3_zz) +
+        2.0*((c23*(w3_z*t4) - qd[1]*t6)*qd[0]));
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_3dof_real lam2_33 = -qd[0]*qd[0];
+    const puma560_3dof_real t7 = c23*t3 + s23*t5;
+    /* link 3: moment that turns the link [N m] */
+    const puma560_3dof_real neg_nc3_z = 3.2928*s23 - c23*(t4*lam2_33) + ww2_zz*t7;
+    /* link 2: joint torque [N m], at a prismatic joint force [N] */
+    const puma560_3dof_real neg_tau2 = t6*lam2_33 - (1.02312*s2 - neg_nc3_z) + (31.907232*c2 -
+        ww3_zz*t7);
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_3dof_real h3_x = 0.336*s23;
     const puma560_3dof_real h3_y = -0.336*c23;
-    const puma560_3dof_real t1 = 0.07702*(c23*c23);
+    const puma560_3dof_real t8 = 0.07702*(c23*c23);
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_real k3_xx = 0.09327 - t1;
-    const puma560_3dof_real k3_yy = t1 + 0.01625;
+    const puma560_3dof_real k3_xx = 0.09327 - t8;
+    const puma560_3dof_real k3_yy = t8 + 0.01625;
     const puma560_3dof_real neg_k3_yz = 0.004704*c23;
-    const puma560_3dof_real t2 = 0.4318*c2;
-    const puma560_3dof_real t3 = 0.4318*s2;
+    const puma560_3dof_real t9 = 0.4318*c2;
+    const puma560_3dof_real t10 = 0.4318*s2;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_real m2_3 = t2*h3_x + t3*h3_y + 0.10952;
+    const puma560_3dof_real m2_3 = h3_x*t9 + h3_y*t10 + 0.10952;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_real m1_3 = -0.0551376*c23;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_3dof_real h2_y = h3_y + (3.25584*s2 + 0.1044*c2);
-    const puma560_3dof_real t4 = k3_xx + t2*(0.672*s23);
+    const puma560_3dof_real t11 = k3_xx + t9*(0.672*s23);
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_real k2_xx = t4 + (1.368797152*(c2*c2) - 0.0141984*(c2*s2) + 0.0731264);
+    const puma560_3dof_real k2_xx = t11 + (1.368797152*(c2*c2) - 0.0141984*(c2*s2) + 0.0731264);
     const puma560_3dof_real k2_yz = 0.12059664*s2 + 0.00808056*c2 - neg_k3_yz;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_real m2_2 = 6.225049952 - (t3*(0.672*c23) - k3_yy - t4);
+    const puma560_3dof_real m2_2 = 6.225049952 - (t10*(0.672*c23) - k3_yy - t11);
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_real m1_2 = k2_yz + 0.1501*h2_y;
     const puma560_3dof_real m1_1 = k2_xx + 2.573567038;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_z = qd[1] + qd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real neg_a2_z = 0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_real neg_w2_x = qd[0]*s2;
-    const puma560_3dof_real neg_w2_y = qd[0]*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_3dof_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_3dof_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_3dof_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_3dof_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_3dof_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const puma560_3dof_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real neg_a3_z = neg_a2_z + 0.8636*alpha2_y;
-    const puma560_3dof_real t5 = -qd[0];
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_real w3_x = t5*s23;
-    const puma560_3dof_real w3_y = t5*c23;
-    const puma560_3dof_real t6 = 0.4318*neg_lam2_11;
-    const puma560_3dof_real t7 = 0.4318*ww2_xy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_real neg_a3_x = c23*(c2*t6 + s2*t7) + s23*(s2*t6 - c2*t7 + 9.8);
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_real alpha3_x = w3_z*w3_y;
-    const puma560_3dof_real neg_alpha3_y = w3_z*w3_x;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_real ww3_xy = w3_x*w3_y;
-    const puma560_3dof_real ww3_xx = w3_x*w3_x;
-    const puma560_3dof_real ww3_yy = w3_y*w3_y;
-    const puma560_3dof_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_3dof_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 2: force that moves the link [N] */
-    const puma560_3dof_real fc2_x = 0.1044*ww2_xy - 3.25584*neg_lam2_11;
-    const puma560_3dof_real fc2_y = 3.25584*ww2_xy - 0.1044*neg_lam2_22;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_real nc2_x = -0.01567044*ww1_zz - (0.1462528*neg_alpha2_x -
-        0.00808056*(neg_lam2_22 - neg_lam2_33) + (0.0141984*alpha2_y + 0.12059664*ww2_xy));
-    const puma560_3dof_real nc2_y = 2.883847104*alpha2_y - 0.12059664*(neg_lam2_11 - neg_lam2_33) +
-        (0.00808056*ww2_xy + 0.0141984*neg_alpha2_x) + 0.488701584*ww1_zz;
-    const puma560_3dof_real nc2_z = 1.368797152*ww2_xy + 0.0070992*(neg_lam2_11 - neg_lam2_22) -
-        (31.907232*c2 - 1.02312*s2);
-    /* link 3: force that moves the link [N] */
-    const puma560_3dof_real fc3_x = -0.336*ww3_xy;
-    const puma560_3dof_real fc3_y = 0.336*neg_lam3_22;
-    const puma560_3dof_real fc3_z = -0.672*alpha3_x;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real nc3_y = -0.0325*neg_alpha3_y - 0.004704*ww3_xy;
-    const puma560_3dof_real nc3_x = 0.336*neg_a3_z - (0.004704*(neg_lam3_22 - neg_lam3_33) -
-        0.18654*alpha3_x);
-    const puma560_3dof_real nc3_z = -0.336*neg_a3_x - 0.07702*ww3_xy;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_real f03_x = c23*fc3_x - s23*fc3_y;
-    const puma560_3dof_real f03_y = s23*fc3_x + c23*fc3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_real n03_y = s23*nc3_x + c23*nc3_y;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_real n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + t2*fc3_z);
-    const puma560_3dof_real n02_z = nc3_z + (nc2_z - (t3*f03_x - t2*f03_y));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_real neg_f02_x = s2*fc2_y - c2*fc2_x - f03_x;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_real n1_z = 0.1501*neg_f02_x - n02_y;
     /* link 1: forward substitution */
-    const puma560_3dof_real y1 = tau[0] - n1_z;
+    const puma560_3dof_real y1 = tau[0] - tau1;
     /* factorisation M = L D L^T */
     const puma560_3dof_real ipivot1 = 1.0 / m1_1;
     const puma560_3dof_real l2_1 = m1_2*ipivot1;
@@ -444,15 +285,15 @@ void puma560_3dof_forward_dynamics(
     const puma560_3dof_real pivot3 = 0.93952 - m1_3*l3_1 - ld3_2*l3_2;
     const puma560_3dof_real ipivot3 = 1.0 / pivot3;
     /* link 2: forward substitution */
-    const puma560_3dof_real y2 = tau[1] - n02_z - y1*l2_1;
+    const puma560_3dof_real y2 = neg_tau2 + tau[1] - y1*l2_1;
     /* link 3: forward substitution */
-    const puma560_3dof_real y3 = tau[2] - nc3_z - y1*l3_1 - l3_2*y2;
+    const puma560_3dof_real y3 = neg_nc3_z + tau[2] - y1*l3_1 - l3_2*y2;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_real qdd3 = ipivot3*y3;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_real qdd2 = ipivot2*y2 - l3_2*qdd3;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_real qdd1 = -l3_1*qdd3 - (l2_1*qdd2 - y1*ipivot1);
+    const puma560_3dof_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

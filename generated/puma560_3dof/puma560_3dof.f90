@@ -13,13 +13,15 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
+! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+!   to the recursion without being written like it: robodyn --optimize full, seed 3.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 88 multiplications, 72 additions = 160; 0 unary minus; 4 sine/cosine
+!   inverse_dynamics: 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
 !   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
-!   bias: 71 multiplications, 45 additions = 116; 0 unary minus; 4 sine/cosine
+!   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
 !   mass_matrix: 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
-!   forward_dynamics: 108 multiplications, 75 additions, 3 divisions = 186; 3 unary minus; 4
+!   forward_dynamics: 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4
 !       sine/cosine
 module puma560_3dof_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,21 +37,15 @@ module puma560_3dof_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 88 multiplications, 72 additions = 160; 0 unary minus; 4 sine/cosine
+  ! 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="puma560_3dof_inverse_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: qdd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, angle23, c23, s23, w3_z, alpha3_z, ww1_zz, a2_z, neg_w2_x, neg_w2_y, t1
-    real(rk) :: neg_a2_x, a2_y, neg_ww2_yz, neg_ww2_zx, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx
-    real(rk) :: ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_12, lam2_13, lam2_21, neg_lam2_22, lam2_23
-    real(rk) :: neg_lam2_31, neg_lam2_32, neg_lam2_33, a3_z, neg_w3_x, neg_w3_y, t2, t3, neg_a3_x
-    real(rk) :: neg_ww3_yz, neg_ww3_zx, neg_alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz
-    real(rk) :: neg_lam3_12, neg_lam3_13, lam3_21, neg_lam3_22, lam3_31, neg_lam3_32, neg_lam3_33
-    real(rk) :: neg_fc2_x, fc2_y, neg_nc2_x, nc2_y, t4, nc2_z, fc3_x, fc3_y, fc3_z, nc3_y
-    real(rk) :: neg_nc3_x, nc3_z, f03_x, f03_y, tau3, t5, n02_z, f02_x, tau2, t6, tau1
+    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, alpha3_z, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6
+    real(rk) :: t7, t8, t9, t10, t11, t12, tau1, neg_lam2_33, t13, t14, t15, nc3_z, t16, tau2, tau3
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -57,105 +53,43 @@ contains
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
     ! link 3: angular acceleration [rad/s^2]
     alpha3_z = qdd(2) + qdd(3)
-    ! link 1: products of the angular velocity [1/s^2]
-    ww1_zz = qd(1)*qd(1)
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1501_rk*ww1_zz
-    ! link 2: angular velocity [rad/s]
-    neg_w2_x = qd(1)*s2
-    neg_w2_y = qd(1)*c2
-    t1 = 0.1501_rk*qdd(1)
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = c2*t1 + 9.8_rk*s2
-    a2_y = s2*t1 - 9.8_rk*c2
-    ! link 2: products of the angular velocity [1/s^2]
-    neg_ww2_yz = qd(2)*neg_w2_y
-    neg_ww2_zx = qd(2)*neg_w2_x
-    ! link 2: angular acceleration [rad/s^2]
-    neg_alpha2_x = qdd(1)*s2 + neg_ww2_yz
-    alpha2_y = neg_ww2_zx - qdd(1)*c2
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = neg_w2_x*neg_w2_y
-    ww2_xx = neg_w2_x*neg_w2_x
-    ww2_yy = neg_w2_y*neg_w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_12 = qdd(2) - ww2_xy
-    lam2_13 = alpha2_y - neg_ww2_zx
-    lam2_21 = qdd(2) + ww2_xy
-    neg_lam2_22 = ww2_xx + ww2_zz
-    lam2_23 = neg_alpha2_x - neg_ww2_yz
-    neg_lam2_31 = neg_ww2_zx + alpha2_y
-    neg_lam2_32 = neg_ww2_yz + neg_alpha2_x
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - 0.4318_rk*neg_lam2_31
     ! link 3: angular velocity [rad/s]
-    neg_w3_x = qd(1)*s23
-    neg_w3_y = qd(1)*c23
-    t2 = 0.4318_rk*neg_lam2_11
-    t3 = 0.4318_rk*lam2_21
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*(t1 + (c2*t2 + s2*t3)) + s23*(s2*t2 - c2*t3 + 9.8_rk)
+    w3_z = qd(2) + qd(3)
     ! link 3: products of the angular velocity [1/s^2]
-    neg_ww3_yz = w3_z*neg_w3_y
-    neg_ww3_zx = w3_z*neg_w3_x
-    ! link 3: angular acceleration [rad/s^2]
-    neg_alpha3_x = qdd(1)*s23 + neg_ww3_yz
-    neg_alpha3_y = qdd(1)*c23 - neg_ww3_zx
-    ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = neg_w3_x*neg_w3_y
-    ww3_xx = neg_w3_x*neg_w3_x
-    ww3_yy = neg_w3_y*neg_w3_y
     ww3_zz = w3_z*w3_z
-    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_12 = alpha3_z - ww3_xy
-    neg_lam3_13 = neg_ww3_zx + neg_alpha3_y
-    lam3_21 = alpha3_z + ww3_xy
-    neg_lam3_22 = ww3_xx + ww3_zz
-    lam3_31 = neg_alpha3_y - neg_ww3_zx
-    neg_lam3_32 = neg_ww3_yz + neg_alpha3_x
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 2: force that moves the link [N]
-    neg_fc2_x = 3.25584_rk*neg_lam2_11 + 0.1044_rk*neg_lam2_12
-    fc2_y = 3.25584_rk*lam2_21 - 0.1044_rk*neg_lam2_22
-    ! link 2: moment that turns the link [N m]
-    neg_nc2_x = 0.0731264_rk*neg_lam2_32 - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
-        (0.0070992_rk*neg_lam2_31 + 0.12059664_rk*lam2_21) + 0.01567044_rk*ww1_zz
-    nc2_y = 1.441923552_rk*neg_lam2_31 - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) - &
-        (0.00808056_rk*neg_lam2_12 - 0.0070992_rk*neg_lam2_32) + 0.488701584_rk*ww1_zz
-    t4 = 1.441923552_rk*lam2_21 + 0.0731264_rk*neg_lam2_12 + 0.0070992_rk*(neg_lam2_11 - &
-        neg_lam2_22) - (0.00808056_rk*lam2_13 - 0.12059664_rk*lam2_23)
-    nc2_z = t4 + (3.25584_rk*a2_y + 0.1044_rk*neg_a2_x)
-    ! link 3: force that moves the link [N]
-    fc3_x = 0.336_rk*neg_lam3_12
-    fc3_y = 0.336_rk*neg_lam3_22
-    fc3_z = 0.336_rk*neg_lam3_32
+    t1 = 0.0015049505482314155_rk*c2
+    t2 = t1 - 5.866434376976675e-05_rk*s2
+    t3 = 0.03851_rk*s23
+    t4 = 0.1450848_rk*c2
+    t5 = t3 + t4
+    t6 = t3 + t5
+    t7 = 0.1450848_rk*s2
+    t8 = 0.0041505871655958945_rk*c2
+    t9 = t7*(s23 + 1668.1814005825509_rk*(t2 + t8)) + 0.0070992_rk
+    t10 = t1 + t7
+    t11 = (c23*(w3_z*t6) - qd(2)*t9)*qd(1) - (32.51361556999726_rk*(t7*t10) - (s23*t5 + &
+        2.015870295_rk))*qdd(1)
+    t12 = 4.199600674915636_rk*(t8 + t10)
+    ! link 1: joint torque [N m], at a prismatic joint force [N]
+    tau1 = 404.8626213771833_rk*(ww2_zz*t2) - (0.0551376_rk*(c23*alpha3_z - s23*ww3_zz) - (t11 + &
+        (t11 + qdd(2)*t12)))
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_33 = qd(1)*qd(1)
+    t13 = s23*t4 - c23*t7
+    t14 = c23*t4 + s23*t7
+    t15 = 0.10952_rk*alpha3_z - (ww2_zz*t14 + (3.2928_rk*s23 + c23*(0.0551376_rk*qdd(1) + &
+        t6*neg_lam2_33)))
     ! link 3: moment that turns the link [N m]
-    nc3_y = 0.004704_rk*neg_lam3_12 - 0.01625_rk*lam3_31
-    neg_nc3_x = 0.09327_rk*neg_lam3_32 + 0.004704_rk*(neg_lam3_22 - neg_lam3_33) + 0.336_rk*a3_z
-    nc3_z = 0.01625_rk*lam3_21 + 0.09327_rk*neg_lam3_12 - 0.004704_rk*neg_lam3_13 - &
-        0.336_rk*neg_a3_x
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c23*fc3_x - s23*fc3_y
-    f03_y = s23*fc3_x + c23*fc3_y
+    nc3_z = qdd(2)*t13 + t15
+    t16 = 1.02312_rk*s2 + nc3_z + t9*neg_lam2_33 + (alpha3_z*t13 - (31.907232_rk*c2 - ww3_zz*t14))
+    ! link 2: joint torque [N m], at a prismatic joint force [N]
+    tau2 = qdd(1)*t12 + (6.225049952_rk*qdd(2) + t16)
     ! link 3: joint torque [N m], at a prismatic joint force [N]
     tau3 = nc3_z + 0.83_rk*qdd(3)
-    t5 = 0.4318_rk*c2
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = nc3_z + (nc2_z + (f03_y*t5 - f03_x*(0.4318_rk*s2)))
-    ! link 2: force through the joint, along the axes that its turn starts from [N]
-    f02_x = f03_x - (c2*neg_fc2_x + s2*fc2_y)
-    ! link 2: joint torque [N m], at a prismatic joint force [N]
-    tau2 = n02_z + 4.71_rk*qdd(2)
-    t6 = 0.1501_rk*f02_x - (fc3_z*t5 - (c2*nc2_y - (s2*neg_nc2_x + (s23*neg_nc3_x - c23*nc3_y))))
-    ! link 1: joint torque [N m], at a prismatic joint force [N]
-    tau1 = 2.573567038_rk*qdd(1) - t6
     tau(1) = tau1
     tau(2) = tau2
     tau(3) = tau3
@@ -167,37 +101,34 @@ contains
       bind(c, name="puma560_3dof_gravity_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, angle23, s23, nc2_z, nc3_z, n02_z
+    real(rk) :: angle23, s23, nc3_z, c2, s2, nc2_z, n02_z
 
+    ! sines and cosines of the joint angles
+    angle23 = q(2) + q(3)
+    s23 = sin(angle23)
+    ! link 3: moment that turns the link [N m]
+    nc3_z = -3.2928_rk*s23
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    angle23 = q(2) + q(3)
-    s23 = sin(angle23)
     ! link 2: moment that turns the link [N m]
     nc2_z = 1.02312_rk*s2 - 31.907232_rk*c2
-    ! link 3: moment that turns the link [N m]
-    nc3_z = -3.2928_rk*s23
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = nc2_z + nc3_z
+    n02_z = nc3_z + nc2_z
     tau(1) = 0.0_rk
     tau(2) = n02_z
     tau(3) = nc3_z
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 71 multiplications, 45 additions = 116; 0 unary minus; 4 sine/cosine
+  ! 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_bias(q, qd, tau) &
       bind(c, name="puma560_3dof_bias_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(out) :: tau(3)
-    real(rk) :: c2, s2, angle23, c23, s23, w3_z, ww1_zz, a2_z, neg_w2_x, neg_w2_y, neg_alpha2_x
-    real(rk) :: alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, neg_lam2_22, neg_lam2_33
-    real(rk) :: a3_z, neg_w3_x, neg_w3_y, t1, t2, neg_a3_x, neg_alpha3_x, alpha3_y, ww3_xy, ww3_xx
-    real(rk) :: ww3_yy, ww3_zz, neg_lam3_22, neg_lam3_33, neg_fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z
-    real(rk) :: neg_fc3_x, fc3_y, fc3_z, nc3_y, neg_nc3_x, nc3_z, neg_f03_x, neg_f03_y, n03_y, t3
-    real(rk) :: n02_y, n02_z, neg_f02_x, n1_z
+    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, tau1
+    real(rk) :: lam2_33, t7, nc3_z, tau2
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -205,80 +136,30 @@ contains
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
-    ! link 1: products of the angular velocity [1/s^2]
-    ww1_zz = qd(1)*qd(1)
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1501_rk*ww1_zz
-    ! link 2: angular velocity [rad/s]
-    neg_w2_x = qd(1)*s2
-    neg_w2_y = qd(1)*c2
-    ! link 2: angular acceleration [rad/s^2]
-    neg_alpha2_x = qd(2)*neg_w2_y
-    alpha2_y = qd(2)*neg_w2_x
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = neg_w2_x*neg_w2_y
-    ww2_xx = neg_w2_x*neg_w2_x
-    ww2_yy = neg_w2_y*neg_w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - 0.8636_rk*alpha2_y
-    ! link 3: angular velocity [rad/s]
-    neg_w3_x = qd(1)*s23
-    neg_w3_y = qd(1)*c23
-    t1 = 0.4318_rk*neg_lam2_11
-    t2 = 0.4318_rk*ww2_xy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*(c2*t1 + s2*t2) + s23*(s2*t1 - c2*t2 + 9.8_rk)
-    ! link 3: angular acceleration [rad/s^2]
-    neg_alpha3_x = w3_z*neg_w3_y
-    alpha3_y = w3_z*neg_w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = neg_w3_x*neg_w3_y
-    ww3_xx = neg_w3_x*neg_w3_x
-    ww3_yy = neg_w3_y*neg_w3_y
     ww3_zz = w3_z*w3_z
-    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_22 = ww3_xx + ww3_zz
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 2: force that moves the link [N]
-    neg_fc2_x = 3.25584_rk*neg_lam2_11 - 0.1044_rk*ww2_xy
-    fc2_y = 3.25584_rk*ww2_xy - 0.1044_rk*neg_lam2_22
-    ! link 2: moment that turns the link [N m]
-    neg_nc2_x = 0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
-        (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy) + 0.01567044_rk*ww1_zz
-    nc2_y = 2.883847104_rk*alpha2_y - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) + &
-        (0.00808056_rk*ww2_xy + 0.0141984_rk*neg_alpha2_x) + 0.488701584_rk*ww1_zz
-    nc2_z = 1.368797152_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (31.907232_rk*c2 - &
-        1.02312_rk*s2)
-    ! link 3: force that moves the link [N]
-    neg_fc3_x = 0.336_rk*ww3_xy
-    fc3_y = 0.336_rk*neg_lam3_22
-    fc3_z = 0.672_rk*neg_alpha3_x
+    t1 = 0.0015049505482314155_rk*c2 - 5.866434376976675e-05_rk*s2
+    t2 = 0.03851_rk*s23
+    t3 = 0.1450848_rk*c2
+    t4 = t2 + (t2 + t3)
+    t5 = 0.1450848_rk*s2
+    t6 = t5*(s23 + 1668.1814005825509_rk*(t1 + 0.0041505871655958945_rk*c2)) + 0.0070992_rk
+    ! link 1: joint torque [N m], at a prismatic joint force [N]
+    tau1 = 404.8626213771833_rk*(ww2_zz*t1) + (0.0551376_rk*(s23*ww3_zz) + 2.0_rk*((c23*(w3_z*t4) &
+        - qd(2)*t6)*qd(1)))
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam2_33 = -qd(1)*qd(1)
+    t7 = c23*t3 + s23*t5
     ! link 3: moment that turns the link [N m]
-    nc3_y = 0.0325_rk*alpha3_y - 0.004704_rk*ww3_xy
-    neg_nc3_x = 0.18654_rk*neg_alpha3_x + 0.004704_rk*(neg_lam3_22 - neg_lam3_33) + 0.336_rk*a3_z
-    nc3_z = -0.336_rk*neg_a3_x - 0.07702_rk*ww3_xy
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    neg_f03_x = c23*neg_fc3_x + s23*fc3_y
-    neg_f03_y = s23*neg_fc3_x - c23*fc3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = c23*nc3_y - s23*neg_nc3_x
-    t3 = 0.4318_rk*c2
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t3)
-    n02_z = nc3_z + (nc2_z - (neg_f03_y*t3 - neg_f03_x*(0.4318_rk*s2)))
-    ! link 2: force through the joint, along the axes that its turn starts from [N]
-    neg_f02_x = neg_f03_x + (c2*neg_fc2_x + s2*fc2_y)
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.1501_rk*neg_f02_x - n02_y
-    tau(1) = n1_z
-    tau(2) = n02_z
+    nc3_z = c23*(t4*lam2_33) - 3.2928_rk*s23 - ww2_zz*t7
+    ! link 2: joint torque [N m], at a prismatic joint force [N]
+    tau2 = 1.02312_rk*s2 + nc3_z - t6*lam2_33 - (31.907232_rk*c2 - ww3_zz*t7)
+    tau(1) = tau1
+    tau(2) = tau2
     tau(3) = nc3_z
   end subroutine
 
@@ -334,21 +215,17 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 108 multiplications, 75 additions, 3 divisions = 186; 3 unary minus; 4 sine/cosine
+  ! 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
-    real(rk) :: c2, s2, angle23, c23, s23, h3_x, h3_y, t1, k3_xx, k3_yy, neg_k3_yz, t2, t3, m2_3
-    real(rk) :: m1_3, h2_y, t4, k2_xx, k2_yz, m2_2, m1_2, m1_1, w3_z, ww1_zz, neg_a2_z, neg_w2_x
-    real(rk) :: neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
-    real(rk) :: neg_lam2_22, neg_lam2_33, neg_a3_z, t5, w3_x, w3_y, t6, t7, neg_a3_x, alpha3_x
-    real(rk) :: neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_22, neg_lam3_33, fc2_x
-    real(rk) :: fc2_y, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_y, nc3_x, nc3_z, f03_x, f03_y
-    real(rk) :: n03_y, n02_y, n02_z, neg_f02_x, n1_z, y1, ipivot1, l2_1, l3_1, pivot2, ipivot2
-    real(rk) :: ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2, qdd1
+    real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, tau1
+    real(rk) :: lam2_33, t7, neg_nc3_z, neg_tau2, h3_x, h3_y, t8, k3_xx, k3_yy, neg_k3_yz, t9, t10
+    real(rk) :: m2_3, m1_3, h2_y, t11, k2_xx, k2_yz, m2_2, m1_2, m1_1, y1, ipivot1, l2_1, l3_1
+    real(rk) :: pivot2, ipivot2, ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -356,105 +233,55 @@ contains
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_zz = w3_z*w3_z
+    t1 = 0.0015049505482314155_rk*c2 - 5.866434376976675e-05_rk*s2
+    t2 = 0.03851_rk*s23
+    t3 = 0.1450848_rk*c2
+    t4 = t2 + (t2 + t3)
+    t5 = 0.1450848_rk*s2
+    t6 = t5*(s23 + 1668.1814005825509_rk*(t1 + 0.0041505871655958945_rk*c2)) + 0.0070992_rk
+    ! link 1: joint torque [N m], at a prismatic joint force [N]
+    tau1 = 404.8626213771833_rk*(ww2_zz*t1) + (0.0551376_rk*(s23*ww3_zz) + 2.0_rk*((c23*(w3_z*t4) &
+        - qd(2)*t6)*qd(1)))
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam2_33 = -qd(1)*qd(1)
+    t7 = c23*t3 + s23*t5
+    ! link 3: moment that turns the link [N m]
+    neg_nc3_z = 3.2928_rk*s23 - c23*(t4*lam2_33) + ww2_zz*t7
+    ! link 2: joint torque [N m], at a prismatic joint force [N]
+    neg_tau2 = t6*lam2_33 - (1.02312_rk*s2 - neg_nc3_z) + (31.907232_rk*c2 - ww3_zz*t7)
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_x = 0.336_rk*s23
     h3_y = -0.336_rk*c23
-    t1 = 0.07702_rk*(c23*c23)
+    t8 = 0.07702_rk*(c23*c23)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.09327_rk - t1
-    k3_yy = t1 + 0.01625_rk
+    k3_xx = 0.09327_rk - t8
+    k3_yy = t8 + 0.01625_rk
     neg_k3_yz = 0.004704_rk*c23
-    t2 = 0.4318_rk*c2
-    t3 = 0.4318_rk*s2
+    t9 = 0.4318_rk*c2
+    t10 = 0.4318_rk*s2
     ! link 2: mass matrix, its row of this joint
-    m2_3 = t2*h3_x + t3*h3_y + 0.10952_rk
+    m2_3 = h3_x*t9 + h3_y*t10 + 0.10952_rk
     ! link 1: mass matrix, its row of this joint
     m1_3 = -0.0551376_rk*c23
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_y = h3_y + (3.25584_rk*s2 + 0.1044_rk*c2)
-    t4 = k3_xx + t2*(0.672_rk*s23)
+    t11 = k3_xx + t9*(0.672_rk*s23)
     ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t4 + (1.368797152_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
+    k2_xx = t11 + (1.368797152_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
     k2_yz = 0.12059664_rk*s2 + 0.00808056_rk*c2 - neg_k3_yz
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.225049952_rk - (t3*(0.672_rk*c23) - k3_yy - t4)
+    m2_2 = 6.225049952_rk - (t10*(0.672_rk*c23) - k3_yy - t11)
     ! link 1: mass matrix, its row of this joint
     m1_2 = k2_yz + 0.1501_rk*h2_y
     m1_1 = k2_xx + 2.573567038_rk
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
-    ! link 1: products of the angular velocity [1/s^2]
-    ww1_zz = qd(1)*qd(1)
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_z = 0.1501_rk*ww1_zz
-    ! link 2: angular velocity [rad/s]
-    neg_w2_x = qd(1)*s2
-    neg_w2_y = qd(1)*c2
-    ! link 2: angular acceleration [rad/s^2]
-    neg_alpha2_x = qd(2)*neg_w2_y
-    alpha2_y = qd(2)*neg_w2_x
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = neg_w2_x*neg_w2_y
-    ww2_xx = neg_w2_x*neg_w2_x
-    ww2_yy = neg_w2_y*neg_w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_z = neg_a2_z + 0.8636_rk*alpha2_y
-    t5 = -qd(1)
-    ! link 3: angular velocity [rad/s]
-    w3_x = t5*s23
-    w3_y = t5*c23
-    t6 = 0.4318_rk*neg_lam2_11
-    t7 = 0.4318_rk*ww2_xy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*(c2*t6 + s2*t7) + s23*(s2*t6 - c2*t7 + 9.8_rk)
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = w3_z*w3_y
-    neg_alpha3_y = w3_z*w3_x
-    ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
-    ww3_zz = w3_z*w3_z
-    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_22 = ww3_xx + ww3_zz
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 2: force that moves the link [N]
-    fc2_x = 0.1044_rk*ww2_xy - 3.25584_rk*neg_lam2_11
-    fc2_y = 3.25584_rk*ww2_xy - 0.1044_rk*neg_lam2_22
-    ! link 2: moment that turns the link [N m]
-    nc2_x = -0.01567044_rk*ww1_zz - (0.1462528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - &
-        neg_lam2_33) + (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy))
-    nc2_y = 2.883847104_rk*alpha2_y - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) + &
-        (0.00808056_rk*ww2_xy + 0.0141984_rk*neg_alpha2_x) + 0.488701584_rk*ww1_zz
-    nc2_z = 1.368797152_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (31.907232_rk*c2 - &
-        1.02312_rk*s2)
-    ! link 3: force that moves the link [N]
-    fc3_x = -0.336_rk*ww3_xy
-    fc3_y = 0.336_rk*neg_lam3_22
-    fc3_z = -0.672_rk*alpha3_x
-    ! link 3: moment that turns the link [N m]
-    nc3_y = -0.0325_rk*neg_alpha3_y - 0.004704_rk*ww3_xy
-    nc3_x = 0.336_rk*neg_a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.18654_rk*alpha3_x)
-    nc3_z = -0.336_rk*neg_a3_x - 0.07702_rk*ww3_xy
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c23*fc3_x - s23*fc3_y
-    f03_y = s23*fc3_x + c23*fc3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s23*nc3_x + c23*nc3_y
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + t2*fc3_z)
-    n02_z = nc3_z + (nc2_z - (t3*f03_x - t2*f03_y))
-    ! link 2: force through the joint, along the axes that its turn starts from [N]
-    neg_f02_x = s2*fc2_y - c2*fc2_x - f03_x
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.1501_rk*neg_f02_x - n02_y
     ! link 1: forward substitution
-    y1 = tau(1) - n1_z
+    y1 = tau(1) - tau1
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
     l2_1 = m1_2*ipivot1
@@ -466,15 +293,15 @@ contains
     pivot3 = 0.93952_rk - m1_3*l3_1 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
     ! link 2: forward substitution
-    y2 = tau(2) - n02_z - y1*l2_1
+    y2 = neg_tau2 + tau(2) - y1*l2_1
     ! link 3: forward substitution
-    y3 = tau(3) - nc3_z - y1*l3_1 - l3_2*y2
+    y3 = neg_nc3_z + tau(3) - y1*l3_1 - l3_2*y2
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd3 = ipivot3*y3
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = ipivot2*y2 - l3_2*qdd3
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -l3_1*qdd3 - (l2_1*qdd2 - y1*ipivot1)
+    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

@@ -14,13 +14,15 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 5.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 70 multiplications, 49 additions = 119; 0 unary minus; 4 sine/cosine
+ *   inverse_dynamics: 38 multiplications, 26 additions = 64; 0 unary minus; 4 sine/cosine
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
- *   bias: 59 multiplications, 29 additions = 88; 0 unary minus; 4 sine/cosine
+ *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
  *   mass_matrix: 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 91 multiplications, 55 additions, 3 divisions = 149; 1 unary minus; 4
+ *   forward_dynamics: 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d12.h"
@@ -28,7 +30,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 70 multiplications, 49 additions = 119; 0 unary minus; 4 sine/cosine */
+ * 38 multiplications, 26 additions = 64; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d12_inverse_dynamics(
     const puma560_3dof_d12_real q[3],
     const puma560_3dof_d12_real qd[3],
@@ -48,92 +50,32 @@ void puma560_3dof_d12_inverse_dynamics(
     const puma560_3dof_d12_real w3_z = qd[1] + qd[2];
     /* link 3: angular acceleration [rad/s^2] */
     const puma560_3dof_d12_real alpha3_z = qdd[1] + qdd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_d12_real neg_w2_x = qd[0]*s2;
-    const puma560_3dof_d12_real neg_w2_y = qd[0]*c2;
-    const puma560_3dof_d12_real t1 = 0.1501*qdd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real a2_y = s2*t1 - 9.8*c2;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real neg_ww2_yz = qd[1]*neg_w2_y;
-    const puma560_3dof_d12_real neg_ww2_zx = qd[1]*neg_w2_x;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_d12_real neg_alpha2_x = qdd[0]*s2 + neg_ww2_yz;
-    const puma560_3dof_d12_real alpha2_y = neg_ww2_zx - qdd[0]*c2;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_3dof_d12_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_3dof_d12_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_3dof_d12_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_d12_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_3dof_d12_real lam2_12 = ww2_xy - qdd[1];
-    const puma560_3dof_d12_real lam2_21 = qdd[1] + ww2_xy;
-    const puma560_3dof_d12_real lam2_23 = neg_alpha2_x - neg_ww2_yz;
-    const puma560_3dof_d12_real neg_lam2_31 = neg_ww2_zx + alpha2_y;
-    const puma560_3dof_d12_real neg_lam2_32 = neg_ww2_yz + neg_alpha2_x;
-    const puma560_3dof_d12_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real a3_z = a2_z - 0.4318*neg_lam2_31;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_d12_real neg_w3_x = qd[0]*s23;
-    const puma560_3dof_d12_real neg_w3_y = qd[0]*c23;
-    const puma560_3dof_d12_real t2 = 0.4318*neg_lam2_11;
-    const puma560_3dof_d12_real t3 = 0.4318*lam2_21;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real neg_a3_x = c23*(t1 + (c2*t2 + s2*t3)) + s23*(s2*t2 - c2*t3 + 9.8);
+    const puma560_3dof_d12_real neg_lam2_33 = qd[0]*qd[0];
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_3dof_d12_real ww2_zz = qd[1]*qd[1];
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real neg_ww3_yz = w3_z*neg_w3_y;
-    const puma560_3dof_d12_real neg_ww3_zx = w3_z*neg_w3_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_d12_real neg_alpha3_x = qdd[0]*s23 + neg_ww3_yz;
-    const puma560_3dof_d12_real neg_alpha3_y = qdd[0]*c23 - neg_ww3_zx;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww3_xy = neg_w3_x*neg_w3_y;
-    const puma560_3dof_d12_real ww3_xx = neg_w3_x*neg_w3_x;
     const puma560_3dof_d12_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_d12_real neg_lam3_12 = alpha3_z - ww3_xy;
-    const puma560_3dof_d12_real lam3_21 = alpha3_z + ww3_xy;
-    const puma560_3dof_d12_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_3dof_d12_real lam3_31 = neg_alpha3_y - neg_ww3_zx;
-    const puma560_3dof_d12_real neg_lam3_32 = neg_ww3_yz + neg_alpha3_x;
-    /* link 1: moment that turns the link [N m] */
-    const puma560_3dof_d12_real nc1_z = -0.0568082895*qdd[0];
-    /* link 2: force that moves the link [N] */
-    const puma560_3dof_d12_real neg_fc2_x = 1.42919*neg_lam2_11;
-    const puma560_3dof_d12_real fc2_y = 1.42919*lam2_21;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_d12_real neg_nc2_x = 2.4275*neg_lam2_32 - 0.11051088*lam2_21;
-    const puma560_3dof_d12_real nc2_y = 4.029987602*neg_lam2_31 + 0.11051088*(neg_lam2_11 -
-        neg_lam2_33) + 0.214521419*ww1_zz;
-    const puma560_3dof_d12_real nc2_z = 4.029987602*lam2_21 - 2.4275*lam2_12 - 0.11051088*lam2_23 +
-        1.42919*a2_y;
-    /* link 3: force that moves the link [N] */
-    const puma560_3dof_d12_real fc3_x = 0.4235*neg_lam3_12;
-    const puma560_3dof_d12_real fc3_y = 0.4235*neg_lam3_22;
-    const puma560_3dof_d12_real fc3_z = 0.4235*neg_lam3_32;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_d12_real nc3_y = -0.4327*lam3_31;
-    const puma560_3dof_d12_real neg_nc3_x = 0.638945*neg_lam3_32 + 0.4235*a3_z;
-    const puma560_3dof_d12_real nc3_z = 0.4327*lam3_21 + 0.638945*neg_lam3_12 - 0.4235*neg_a3_x;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d12_real f03_x = c23*fc3_x - s23*fc3_y;
-    const puma560_3dof_d12_real f03_y = s23*fc3_x + c23*fc3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d12_real n03_y = c23*nc3_y - s23*neg_nc3_x;
-    const puma560_3dof_d12_real t4 = 0.4318*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d12_real neg_n02_y = s2*neg_nc2_x - c2*nc2_y + fc3_z*t4 - n03_y;
-    const puma560_3dof_d12_real n02_z = nc3_z + (nc2_z + (f03_y*t4 - f03_x*(0.4318*s2)));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d12_real f02_x = f03_x - (c2*neg_fc2_x + s2*fc2_y);
+    const puma560_3dof_d12_real t1 = s2*qdd[1] + c2*ww2_zz;
+    const puma560_3dof_d12_real t2 = c2 + 1.1278396957793986*s23;
+    const puma560_3dof_d12_real t3 = 0.1828673*c23;
+    const puma560_3dof_d12_real t4 = w3_z*t3;
+    const puma560_3dof_d12_real t5 = 0.1828673*s23;
+    const puma560_3dof_d12_real t6 = 1.602487602*c2;
+    const puma560_3dof_d12_real t7 = t5 + t6;
+    const puma560_3dof_d12_real t8 = 0.104010539*qdd[0];
+    const puma560_3dof_d12_real t9 = alpha3_z*t3 - t5*ww3_zz;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_d12_real n1_z = neg_n02_y - (0.1501*f02_x - nc1_z);
+    const puma560_3dof_d12_real n1_z = 0.104010539*t1 + 2.0*(qd[0]*(t2*t4 - t7*(s2*qd[1]))) +
+        (t8*(1.558875134188362*(t2*t2 + 3.459309734072025*(t6*t6)) + 26.952958204552715) -
+        0.3476146364057434*t9);
+    /* link 3: moment that turns the link [N m] */
+    const puma560_3dof_d12_real nc3_z = t5*(c2*qdd[1] - 22.69569245020843 - s2*ww2_zz) +
+        (1.071645*alpha3_z - t3*(neg_lam2_33*t2 + (t1 + 0.3476146364057434*qdd[0])));
+    const puma560_3dof_d12_real t10 = c2*(alpha3_z*t5 + (w3_z*t4 - 14.006062)) + (s2*(neg_lam2_33*t7
+        + (t8 - t9)) + nc3_z);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_d12_real n02_z = 6.457487602*qdd[1] + t10;
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = nc3_z;
@@ -144,13 +86,14 @@ void puma560_3dof_d12_inverse_dynamics(
 void puma560_3dof_d12_gravity(const puma560_3dof_d12_real q[3], puma560_3dof_d12_real tau[3])
 {
     /* sines and cosines of the joint angles */
-    const puma560_3dof_d12_real c2 = cos(q[1]);
     const volatile puma560_3dof_d12_real angle23 = q[1] + q[2];
     const puma560_3dof_d12_real s23 = sin(angle23);
-    /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_d12_real neg_nc2_z = 14.006062*c2;
     /* link 3: moment that turns the link [N m] */
     const puma560_3dof_d12_real nc3_z = -4.1503*s23;
+    /* sines and cosines of the joint angles */
+    const puma560_3dof_d12_real c2 = cos(q[1]);
+    /* link 2: moment that turns the link [N m] */
+    const puma560_3dof_d12_real neg_nc2_z = 14.006062*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const puma560_3dof_d12_real n02_z = nc3_z - neg_nc2_z;
     tau[0] = 0.0;
@@ -159,7 +102,7 @@ void puma560_3dof_d12_gravity(const puma560_3dof_d12_real q[3], puma560_3dof_d12
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 59 multiplications, 29 additions = 88; 0 unary minus; 4 sine/cosine */
+ * 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_d12_bias(
     const puma560_3dof_d12_real q[3],
     const puma560_3dof_d12_real qd[3],
@@ -176,71 +119,26 @@ void puma560_3dof_d12_bias(
     const puma560_3dof_d12_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_3dof_d12_real w3_z = qd[1] + qd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_d12_real neg_w2_x = qd[0]*s2;
-    const puma560_3dof_d12_real neg_w2_y = qd[0]*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_d12_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_3dof_d12_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_3dof_d12_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_3dof_d12_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_3dof_d12_real ww2_zz = qd[1]*qd[1];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_d12_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_3dof_d12_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real a3_z = a2_z - 0.8636*alpha2_y;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_d12_real neg_w3_x = qd[0]*s23;
-    const puma560_3dof_d12_real neg_w3_y = qd[0]*c23;
-    const puma560_3dof_d12_real t1 = 0.4318*neg_lam2_11;
-    const puma560_3dof_d12_real t2 = 0.4318*ww2_xy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real neg_a3_x = c23*(c2*t1 + s2*t2) + s23*(s2*t1 - c2*t2 + 9.8);
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_d12_real neg_alpha3_x = w3_z*neg_w3_y;
-    const puma560_3dof_d12_real alpha3_y = w3_z*neg_w3_x;
+    const puma560_3dof_d12_real lam2_33 = -qd[0]*qd[0];
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_3dof_d12_real ww2_zz = qd[1]*qd[1];
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww3_xy = neg_w3_x*neg_w3_y;
-    const puma560_3dof_d12_real ww3_xx = neg_w3_x*neg_w3_x;
     const puma560_3dof_d12_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_d12_real neg_lam3_22 = ww3_xx + ww3_zz;
-    /* link 2: force that moves the link [N] */
-    const puma560_3dof_d12_real neg_fc2_x = 1.42919*neg_lam2_11;
-    const puma560_3dof_d12_real fc2_y = 1.42919*ww2_xy;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_d12_real neg_nc2_x = 4.855*neg_alpha2_x - 0.11051088*ww2_xy;
-    const puma560_3dof_d12_real nc2_y = 8.059975204*alpha2_y + 0.11051088*(neg_lam2_11 -
-        neg_lam2_33) + 0.214521419*ww1_zz;
-    const puma560_3dof_d12_real nc2_z = 1.602487602*ww2_xy - 14.006062*c2;
-    /* link 3: force that moves the link [N] */
-    const puma560_3dof_d12_real neg_fc3_x = 0.4235*ww3_xy;
-    const puma560_3dof_d12_real fc3_y = 0.4235*neg_lam3_22;
-    const puma560_3dof_d12_real fc3_z = 0.847*neg_alpha3_x;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_d12_real nc3_y = 0.8654*alpha3_y;
-    const puma560_3dof_d12_real neg_nc3_x = 1.27789*neg_alpha3_x + 0.4235*a3_z;
-    const puma560_3dof_d12_real nc3_z = -0.4235*neg_a3_x - 0.206245*ww3_xy;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d12_real neg_f03_x = c23*neg_fc3_x + s23*fc3_y;
-    const puma560_3dof_d12_real neg_f03_y = s23*neg_fc3_x - c23*fc3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d12_real n03_y = c23*nc3_y - s23*neg_nc3_x;
-    const puma560_3dof_d12_real t3 = 0.4318*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d12_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + fc3_z*t3);
-    const puma560_3dof_d12_real n02_z = nc3_z + (nc2_z - (neg_f03_y*t3 - neg_f03_x*(0.4318*s2)));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d12_real neg_f02_x = neg_f03_x + (c2*neg_fc2_x + s2*fc2_y);
+    const puma560_3dof_d12_real t1 = c2*ww2_zz;
+    const puma560_3dof_d12_real t2 = c2 + 1.1278396957793986*s23;
+    const puma560_3dof_d12_real t3 = 0.1828673*c23;
+    const puma560_3dof_d12_real t4 = w3_z*t3;
+    const puma560_3dof_d12_real t5 = 0.1828673*s23;
+    const puma560_3dof_d12_real t6 = t5 + 1.602487602*c2;
+    const puma560_3dof_d12_real t7 = t5*ww3_zz;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_d12_real n1_z = 0.1501*neg_f02_x - n02_y;
+    const puma560_3dof_d12_real n1_z = 0.104010539*t1 + 2.0*(qd[0]*(t2*t4 - t6*(s2*qd[1]))) +
+        0.3476146364057434*t7;
+    /* link 3: moment that turns the link [N m] */
+    const puma560_3dof_d12_real nc3_z = t3*(lam2_33*t2 - t1) - t5*(s2*ww2_zz + 22.69569245020843);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_d12_real n02_z = c2*(w3_z*t4 - 14.006062) + (s2*(t7 - lam2_33*t6) + nc3_z);
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = nc3_z;
@@ -296,7 +194,7 @@ void puma560_3dof_d12_mass_matrix(const puma560_3dof_d12_real q[3], puma560_3dof
 }
 
 /* accelerations that the torques tau give
- * 91 multiplications, 55 additions, 3 divisions = 149; 1 unary minus; 4 sine/cosine */
+ * 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_d12_forward_dynamics(
     const puma560_3dof_d12_real q[3],
     const puma560_3dof_d12_real qd[3],
@@ -312,119 +210,77 @@ void puma560_3dof_d12_forward_dynamics(
     const volatile puma560_3dof_d12_real angle23 = q[1] + q[2];
     const puma560_3dof_d12_real c23 = cos(angle23);
     const puma560_3dof_d12_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_3dof_d12_real w3_z = qd[1] + qd[2];
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_3dof_d12_real lam2_33 = -qd[0]*qd[0];
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_3dof_d12_real ww2_zz = qd[1]*qd[1];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_3dof_d12_real ww3_zz = w3_z*w3_z;
+    const puma560_3dof_d12_real t1 = c2*ww2_zz;
+    const puma560_3dof_d12_real t2 = c2 + 1.1278396957793986*s23;
+    const puma560_3dof_d12_real t3 = 0.1828673*c23;
+    const puma560_3dof_d12_real t4 = w3_z*t3;
+    const puma560_3dof_d12_real t5 = 0.1828673*s23;
+    const puma560_3dof_d12_real t6 = t5 + 1.602487602*c2;
+    const puma560_3dof_d12_real t7 = ww3_zz*t5;
+    /* link 1: moment through the joint, about the frame's origin [N m] */
+    const puma560_3dof_d12_real n1_z = 0.104010539*t1 + 2.0*(qd[0]*(t2*t4 - t6*(s2*qd[1]))) +
+        0.3476146364057434*t7;
+    /* link 3: moment that turns the link [N m] */
+    const puma560_3dof_d12_real neg_nc3_z = t3*(t1 - lam2_33*t2) + t5*(s2*ww2_zz +
+        22.69569245020843);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_3dof_d12_real n02_z = c2*(w3_z*t4 - 14.006062) + (s2*(t7 - lam2_33*t6) -
+        neg_nc3_z);
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_3dof_d12_real h3_x = 0.4235*s23;
-    const puma560_3dof_d12_real neg_h3_y = 0.4235*c23;
-    const puma560_3dof_d12_real t1 = 0.206245*(c23*c23);
+    const puma560_3dof_d12_real h3_y = -0.4235*c23;
+    const puma560_3dof_d12_real t8 = 0.206245*(c23*c23);
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d12_real neg_k3_xx = t1 - 0.638945;
-    const puma560_3dof_d12_real k3_yy = t1 + 0.4327;
-    const puma560_3dof_d12_real t2 = 0.4318*c2;
-    const puma560_3dof_d12_real t3 = 0.4318*s2;
+    const puma560_3dof_d12_real k3_xx = 0.638945 - t8;
+    const puma560_3dof_d12_real k3_yy = t8 + 0.4327;
+    const puma560_3dof_d12_real t9 = 0.4318*c2;
+    const puma560_3dof_d12_real t10 = 0.4318*s2;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m2_3 = t2*h3_x - t3*neg_h3_y + 1.071645;
+    const puma560_3dof_d12_real m2_3 = h3_x*t9 + h3_y*t10 + 1.071645;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real neg_m1_3 = 0.06356735*c23;
-    const puma560_3dof_d12_real t4 = neg_k3_xx - t2*(0.847*s23);
+    const puma560_3dof_d12_real m1_3 = -0.06356735*c23;
+    const puma560_3dof_d12_real t11 = k3_xx + t9*(0.847*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real neg_m2_2 = t4 - (k3_yy - t3*(0.847*c23)) - 6.457487602;
+    const puma560_3dof_d12_real m2_2 = k3_yy - t10*(0.847*c23) + t11 + 6.457487602;
     /* link 2: second moment of the composite body [kg m^2] */
     const puma560_3dof_d12_real neg_k2_yz = 0.11051088*s2;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d12_real h2_y = 1.42919*s2 - neg_h3_y;
+    const puma560_3dof_d12_real h2_y = h3_y + 1.42919*s2;
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d12_real k2_xx = 1.602487602*(c2*c2) + 2.4275 - t4;
+    const puma560_3dof_d12_real k2_xx = t11 + (1.602487602*(c2*c2) + 2.4275);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real neg_m1_2 = neg_k2_yz - 0.1501*h2_y;
-    const puma560_3dof_d12_real neg_m1_1 = 0.0568082895 - k2_xx;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_d12_real w3_z = qd[1] + qd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_3dof_d12_real neg_w2_x = qd[0]*s2;
-    const puma560_3dof_d12_real neg_w2_y = qd[0]*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_3dof_d12_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_3dof_d12_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_3dof_d12_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_3dof_d12_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_3dof_d12_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_d12_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_3dof_d12_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real a3_z = a2_z - 0.8636*alpha2_y;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_3dof_d12_real neg_w3_x = qd[0]*s23;
-    const puma560_3dof_d12_real neg_w3_y = qd[0]*c23;
-    const puma560_3dof_d12_real t5 = 0.4318*neg_lam2_11;
-    const puma560_3dof_d12_real t6 = 0.4318*ww2_xy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_3dof_d12_real neg_a3_x = c23*(c2*t5 + s2*t6) + s23*(s2*t5 - c2*t6 + 9.8);
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_3dof_d12_real neg_alpha3_x = w3_z*neg_w3_y;
-    const puma560_3dof_d12_real alpha3_y = w3_z*neg_w3_x;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_3dof_d12_real ww3_xy = neg_w3_x*neg_w3_y;
-    const puma560_3dof_d12_real ww3_xx = neg_w3_x*neg_w3_x;
-    const puma560_3dof_d12_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_d12_real neg_lam3_22 = ww3_xx + ww3_zz;
-    /* link 2: force that moves the link [N] */
-    const puma560_3dof_d12_real neg_fc2_x = 1.42919*neg_lam2_11;
-    const puma560_3dof_d12_real fc2_y = 1.42919*ww2_xy;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_3dof_d12_real neg_nc2_x = 4.855*neg_alpha2_x - 0.11051088*ww2_xy;
-    const puma560_3dof_d12_real nc2_y = 8.059975204*alpha2_y + 0.11051088*(neg_lam2_11 -
-        neg_lam2_33) + 0.214521419*ww1_zz;
-    const puma560_3dof_d12_real nc2_z = 1.602487602*ww2_xy - 14.006062*c2;
-    /* link 3: force that moves the link [N] */
-    const puma560_3dof_d12_real neg_fc3_x = 0.4235*ww3_xy;
-    const puma560_3dof_d12_real fc3_y = 0.4235*neg_lam3_22;
-    const puma560_3dof_d12_real fc3_z = 0.847*neg_alpha3_x;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_d12_real nc3_y = 0.8654*alpha3_y;
-    const puma560_3dof_d12_real neg_nc3_x = 1.27789*neg_alpha3_x + 0.4235*a3_z;
-    const puma560_3dof_d12_real neg_nc3_z = 0.206245*ww3_xy + 0.4235*neg_a3_x;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d12_real neg_f03_x = c23*neg_fc3_x + s23*fc3_y;
-    const puma560_3dof_d12_real neg_f03_y = s23*neg_fc3_x - c23*fc3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d12_real n03_y = c23*nc3_y - s23*neg_nc3_x;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_3dof_d12_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + t2*fc3_z);
-    const puma560_3dof_d12_real n02_z = nc2_z - (t2*neg_f03_y - t3*neg_f03_x) - neg_nc3_z;
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_3dof_d12_real neg_f02_x = neg_f03_x + (c2*neg_fc2_x + s2*fc2_y);
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_3dof_d12_real n1_z = 0.1501*neg_f02_x - n02_y;
+    const puma560_3dof_d12_real m1_2 = 0.1501*h2_y - neg_k2_yz;
+    const puma560_3dof_d12_real m1_1 = k2_xx - 0.0568082895;
     /* link 1: forward substitution */
     const puma560_3dof_d12_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
-    const puma560_3dof_d12_real neg_ipivot1 = 1.0 / neg_m1_1;
-    const puma560_3dof_d12_real l2_1 = neg_m1_2*neg_ipivot1;
-    const puma560_3dof_d12_real l3_1 = neg_m1_3*neg_ipivot1;
-    const puma560_3dof_d12_real neg_pivot2 = neg_m2_2 - neg_m1_2*l2_1;
-    const puma560_3dof_d12_real neg_ipivot2 = 1.0 / neg_pivot2;
-    const puma560_3dof_d12_real ld3_2 = m2_3 + neg_m1_2*l3_1;
-    const puma560_3dof_d12_real neg_l3_2 = neg_ipivot2*ld3_2;
-    const puma560_3dof_d12_real pivot3 = 1.071645 + neg_m1_3*l3_1 + ld3_2*neg_l3_2;
+    const puma560_3dof_d12_real ipivot1 = 1.0 / m1_1;
+    const puma560_3dof_d12_real l2_1 = m1_2*ipivot1;
+    const puma560_3dof_d12_real l3_1 = m1_3*ipivot1;
+    const puma560_3dof_d12_real pivot2 = m2_2 - m1_2*l2_1;
+    const puma560_3dof_d12_real ipivot2 = 1.0 / pivot2;
+    const puma560_3dof_d12_real ld3_2 = m2_3 - m1_2*l3_1;
+    const puma560_3dof_d12_real l3_2 = ipivot2*ld3_2;
+    const puma560_3dof_d12_real pivot3 = 1.071645 - m1_3*l3_1 - ld3_2*l3_2;
     const puma560_3dof_d12_real ipivot3 = 1.0 / pivot3;
     /* link 2: forward substitution */
     const puma560_3dof_d12_real y2 = tau[1] - n02_z - y1*l2_1;
     /* link 3: forward substitution */
-    const puma560_3dof_d12_real y3 = tau[2] + neg_nc3_z - y1*l3_1 + neg_l3_2*y2;
+    const puma560_3dof_d12_real y3 = neg_nc3_z + tau[2] - y1*l3_1 - l3_2*y2;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_d12_real qdd3 = ipivot3*y3;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d12_real qdd2 = neg_l3_2*qdd3 - neg_ipivot2*y2;
+    const puma560_3dof_d12_real qdd2 = ipivot2*y2 - l3_2*qdd3;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_d12_real qdd1 = -l3_1*qdd3 - (y1*neg_ipivot1 + l2_1*qdd2);
+    const puma560_3dof_d12_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

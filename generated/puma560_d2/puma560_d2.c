@@ -14,13 +14,15 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 6.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 167 multiplications, 125 additions = 292; 5 unary minus; 10 sine/cosine
- *   gravity: 19 multiplications, 8 additions = 27; 1 unary minus; 7 sine/cosine
- *   bias: 154 multiplications, 100 additions = 254; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 80 multiplications, 65 additions = 145; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 318 multiplications, 233 additions, 6 divisions = 557; 1 unary minus; 10
+ *   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
+ *   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
+ *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
+ *   mass_matrix: 80 multiplications, 62 additions = 142; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 283 multiplications, 213 additions, 6 divisions = 502; 2 unary minus; 8
  *       sine/cosine
  */
 #include "puma560_d2.h"
@@ -28,7 +30,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 167 multiplications, 125 additions = 292; 5 unary minus; 10 sine/cosine */
+ * 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine */
 void puma560_d2_inverse_dynamics(
     const puma560_d2_real q[6],
     const puma560_d2_real qd[6],
@@ -38,276 +40,206 @@ void puma560_d2_inverse_dynamics(
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_d2_real *const again = q;
+    /* link 3: angular velocity [rad/s] */
+    const puma560_d2_real w3_z = qd[1] + qd[2];
+    /* sines and cosines of the joint angles */
+    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_d2_real neg_w3_x = s23*qd[0];
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c23 = cos(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_d2_real neg_w3_y = qd[0]*c23;
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha3_z = qdd[1] + qdd[2];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_d2_real neg_ww3_yz = w3_z*neg_w3_y;
+    const puma560_d2_real neg_ww3_zx = w3_z*neg_w3_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha3_y = neg_ww3_zx - c23*qdd[0];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww3_xy = neg_w3_x*neg_w3_y;
+    const puma560_d2_real ww3_zz = w3_z*w3_z;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_12 = alpha3_z - ww3_xy;
+    const puma560_d2_real neg_lam3_31 = neg_ww3_zx + alpha3_y;
+    const puma560_d2_real lam3_21 = alpha3_z + ww3_xy;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real s4 = sin(again[3]);
+    const puma560_d2_real c4 = cos(q[3]);
+    /* link 4: angular velocity [rad/s] */
+    const puma560_d2_real w4_y = w3_z*c4 + neg_w3_x*s4;
+    const puma560_d2_real w4_z = neg_w3_y + qd[3];
+    const puma560_d2_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww4_yz = w4_y*w4_z;
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha4_z = qdd[3] - alpha3_y;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const puma560_d2_real neg_ww4_zx = w4_z*neg_w4_x;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c5 = cos(q[4]);
+    const puma560_d2_real s5 = sin(again[4]);
+    /* link 5: angular velocity [rad/s] */
+    const puma560_d2_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const puma560_d2_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
+    const puma560_d2_real w5_z = w4_y + qd[4];
+    /* link 5: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww5_xy = neg_w5_x*neg_w5_y;
+    const puma560_d2_real ww5_xx = neg_w5_x*neg_w5_x;
+    const puma560_d2_real ww5_zz = w5_z*w5_z;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c2 = cos(q[1]);
     const puma560_d2_real s2 = sin(again[1]);
-    const puma560_d2_real c4 = cos(q[3]);
-    const puma560_d2_real s4 = sin(again[3]);
-    const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
-    const puma560_d2_real c6 = cos(q[5]);
-    const puma560_d2_real s6 = sin(again[5]);
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
-    const puma560_d2_real c23 = cos(angle23);
-    const puma560_d2_real s23 = sin(angle23);
-    /* link 3: angular velocity [rad/s] */
-    const puma560_d2_real w3_z = qd[1] + qd[2];
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_d2_real alpha3_z = qdd[1] + qdd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a2_z = 0.1501*ww1_zz;
-    const puma560_d2_real t1 = -qd[0];
-    /* link 2: angular velocity [rad/s] */
-    const puma560_d2_real w2_x = t1*s2;
-    const puma560_d2_real w2_y = t1*c2;
-    const puma560_d2_real t2 = 0.1501*qdd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a2_y = s2*t2 - 9.8*c2;
     /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww2_yz = qd[1]*w2_y;
-    const puma560_d2_real ww2_zx = qd[1]*w2_x;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_d2_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const puma560_d2_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww2_xy = w2_x*w2_y;
-    const puma560_d2_real ww2_xx = w2_x*w2_x;
-    const puma560_d2_real ww2_yy = w2_y*w2_y;
     const puma560_d2_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_d2_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_d2_real lam2_12 = ww2_xy - qdd[1];
-    const puma560_d2_real lam2_21 = qdd[1] + ww2_xy;
-    const puma560_d2_real lam2_23 = ww2_yz - alpha2_x;
-    const puma560_d2_real lam2_31 = ww2_zx + neg_alpha2_y;
-    const puma560_d2_real lam2_32 = ww2_yz + alpha2_x;
-    const puma560_d2_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a3_z = 0.4318*lam2_31 - neg_a2_z;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_d2_real w3_x = t1*s23;
-    const puma560_d2_real w3_y = t1*c23;
-    const puma560_d2_real t3 = 0.4318*neg_lam2_11;
-    const puma560_d2_real t4 = 0.4318*lam2_21;
-    const puma560_d2_real t5 = t2 + (c2*t3 + s2*t4);
-    const puma560_d2_real t6 = s2*t3 - c2*t4 + 9.8;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a3_x = c23*t5 + s23*t6;
-    const puma560_d2_real a3_y = s23*t5 - c23*t6;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww3_yz = w3_z*w3_y;
-    const puma560_d2_real ww3_zx = w3_z*w3_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_d2_real alpha3_x = ww3_yz - qdd[0]*s23;
-    const puma560_d2_real alpha3_y = -qdd[0]*c23 - ww3_zx;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww3_xy = w3_x*w3_y;
-    const puma560_d2_real ww3_xx = w3_x*w3_x;
-    const puma560_d2_real ww3_yy = w3_y*w3_y;
-    const puma560_d2_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_d2_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_d2_real lam3_12 = ww3_xy - alpha3_z;
-    const puma560_d2_real lam3_21 = alpha3_z + ww3_xy;
-    const puma560_d2_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_d2_real neg_lam3_31 = alpha3_y - ww3_zx;
-    const puma560_d2_real lam3_32 = ww3_yz + alpha3_x;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a4_z = 0.0203*lam3_21 - 0.4331*neg_lam3_22 - a3_y;
-    /* link 4: angular velocity [rad/s] */
-    const puma560_d2_real w4_x = c4*w3_x + s4*w3_z;
-    const puma560_d2_real w4_y = c4*w3_z - s4*w3_x;
-    const puma560_d2_real t7 = a3_z + (0.0203*neg_lam3_31 - 0.4331*lam3_32);
-    const puma560_d2_real t8 = neg_a3_x + (0.4331*lam3_12 - 0.0203*neg_lam3_11);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a4_x = s4*t7 - c4*t8;
-    const puma560_d2_real a4_y = s4*t8 + c4*t7;
+    const puma560_d2_real neg_lam3_32 = s23*qdd[0] + 2.0*neg_ww3_yz;
+    const puma560_d2_real t1 = neg_lam3_12*s4 - c4*neg_lam3_32;
     /* link 4: angular acceleration [rad/s^2] */
-    const puma560_d2_real alpha4_x = qd[3]*w4_y - (-s4*alpha3_z - c4*alpha3_x);
-    const puma560_d2_real alpha4_y = c4*alpha3_z - s4*alpha3_x - qd[3]*w4_x;
-    const puma560_d2_real alpha4_z = qdd[3] - alpha3_y;
-    /* link 4: angular velocity [rad/s] */
-    const puma560_d2_real w4_z = qd[3] - w3_y;
-    /* link 4: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww4_yz = w4_y*w4_z;
-    const puma560_d2_real ww4_zx = w4_x*w4_z;
-    const puma560_d2_real ww4_xy = w4_x*w4_y;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_d2_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_d2_real t9 = -c5;
-    const puma560_d2_real w5_y = t9*w4_z - s5*w4_x;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a5_x = c5*a4_x - s5*a4_z;
+    const puma560_d2_real alpha4_x = ww4_yz + t1;
     /* link 5: angular acceleration [rad/s^2] */
-    const puma560_d2_real alpha5_y = t9*alpha4_z - s5*alpha4_x - qd[4]*w5_x;
-    const puma560_d2_real alpha5_z = qdd[4] + alpha4_y;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_d2_real w5_z = qd[4] + w4_y;
-    /* link 5: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww5_zx = w5_x*w5_z;
-    const puma560_d2_real ww5_xy = w5_x*w5_y;
-    const puma560_d2_real ww5_xx = w5_x*w5_x;
-    const puma560_d2_real ww5_zz = w5_z*w5_z;
+    const puma560_d2_real alpha5_y = neg_w5_x*qd[4] - (alpha4_z*c5 + s5*alpha4_x);
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_d2_real n06_z = 0.193*(qdd[5] - alpha5_y);
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam5_32 = alpha4_z*s5 + (neg_w5_y*(qd[4] + w5_z) - c5*alpha4_x);
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam2_33 = qd[0]*qd[0];
+    /* link 2: angular velocity [rad/s] */
+    const puma560_d2_real neg_w2_x = qd[0]*s2;
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww3_xx = neg_w3_x*neg_w3_x;
+    const puma560_d2_real ww3_yy = neg_lam2_33 - ww3_xx;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_11 = ww3_zz + ww3_yy;
+    const puma560_d2_real t2 = 0.1794*alpha5_y - n06_z;
+    const puma560_d2_real t3 = 0.193*(1.9295336787564767*neg_w5_y + qd[5]);
+    const puma560_d2_real t4 = 21.27093596059113*c2;
+    const puma560_d2_real t5 = neg_w2_x*(42.54187192118226*qd[1]);
+    const puma560_d2_real t6 = neg_lam3_31 - 7.394088669950739*neg_lam2_33 + (qdd[0]*t4 - t5);
+    const puma560_d2_real t7 = neg_lam5_32 - 299.234375*t1;
+    const puma560_d2_real t8 = 21.27093596059113*s2;
+    const puma560_d2_real t9 = qdd[1]*t8 + t4*ww2_zz;
+    const puma560_d2_real t10 = 0.06813163062899491*c2;
+    const puma560_d2_real t11 = t10*neg_lam2_33;
+    const puma560_d2_real t12 = t9 + 312.203535482957*(t11 + 0.023683552008828473*qdd[0]);
+    const puma560_d2_real t13 = qdd[1]*t4 - (t8*ww2_zz + 482.7586206896552);
+    const puma560_d2_real t14 = c23*t12 - (neg_lam3_11 + s23*t13);
+    const puma560_d2_real t15 = c4*t6 + (0.07129854439169339*t7 + s4*t14);
+    const puma560_d2_real t16 = 0.0174944385*t15;
+    const puma560_d2_real t17 = w5_z*t3 - 0.003341862043757506*(53.781451552625*neg_lam5_32 + t16);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n4_z = 0.0222*alpha4_z - (c5*t2 + s5*t17) - w4_y*(0.1791*neg_w4_x);
+    const puma560_d2_real t18 = neg_lam3_12*c4 + s4*neg_lam3_32;
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha4_y = neg_ww4_zx + t18;
+    /* link 5: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha5_z = alpha4_y + qdd[4];
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_d2_real lam5_12 = ww5_xy - alpha5_z;
-    const puma560_d2_real lam5_21 = alpha5_z + ww5_xy;
-    const puma560_d2_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const puma560_d2_real neg_lam5_31 = alpha5_y - ww5_zx;
-    const puma560_d2_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*alpha4_z - c5*alpha4_x);
-    /* link 6: angular velocity [rad/s] */
-    const puma560_d2_real w6_x = c6*w5_x + s6*w5_z;
-    const puma560_d2_real w6_y = c6*w5_z - s6*w5_x;
-    /* link 6: angular acceleration [rad/s^2] */
-    const puma560_d2_real alpha6_z = qdd[5] - alpha5_y;
-    /* link 6: angular velocity [rad/s] */
-    const puma560_d2_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww6_yz = w6_y*w6_z;
-    const puma560_d2_real ww6_zx = w6_x*w6_z;
-    /* link 1: moment that turns the link [N m] */
-    const puma560_d2_real nc1_z = -0.0651082895*qdd[0];
-    /* link 2: force that moves the link [N] */
-    const puma560_d2_real fc2_x = -1.42919*neg_lam2_11;
-    const puma560_d2_real fc2_y = 1.42919*lam2_21;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_d2_real nc2_x = 2.42815*lam2_32 + 0.11051088*lam2_21;
-    const puma560_d2_real nc2_y = 0.11051088*(neg_lam2_11 - neg_lam2_33) - 4.110437602*lam2_31 +
-        0.214521419*ww1_zz;
-    const puma560_d2_real nc2_z = 4.110437602*lam2_21 - 2.42815*lam2_12 - 0.11051088*lam2_23 +
-        1.42919*a2_y;
-    /* link 3: force that moves the link [N] */
-    const puma560_d2_real fc3_x = 0.025375*neg_lam3_11 - 0.861795*lam3_12;
-    const puma560_d2_real fc3_y = 0.861795*neg_lam3_22 - 0.025375*lam3_21;
-    const puma560_d2_real fc3_z = 0.025375*neg_lam3_31 - 0.861795*lam3_32;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_d2_real nc3_x = -0.861795*a3_z - (0.0106736385*neg_lam3_31 -
-        0.7429401365*lam3_32);
-    const puma560_d2_real nc3_y = 0.4439651125*neg_lam3_31 - 0.0106736385*lam3_32 + 0.025375*a3_z;
-    const puma560_d2_real nc3_z = 0.4439651125*lam3_21 - 0.7429401365*lam3_12 +
-        0.0106736385*(neg_lam3_11 - neg_lam3_22) - (0.025375*a3_y + 0.861795*neg_a3_x);
-    /* link 4: moment that turns the link [N m] */
-    const puma560_d2_real neg_nc4_y = 0.2013*ww4_zx;
-    const puma560_d2_real nc4_x = 0.1119*ww4_yz - 0.0894*alpha4_x;
-    const puma560_d2_real nc4_z = 0.0894*ww4_xy + 0.1119*alpha4_z;
-    /* link 5: force that moves the link [N] */
-    const puma560_d2_real fc5_x = -0.00288*lam5_12;
-    const puma560_d2_real fc5_y = 0.00288*neg_lam5_22;
-    const puma560_d2_real fc5_z = -0.00288*lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_d2_real nc5_y = 0.0897*neg_lam5_31;
-    const puma560_d2_real nc5_x = 0.09003436*lam5_32 - 0.00288*a4_y;
-    const puma560_d2_real nc5_z = 0.0897*lam5_21 - 0.09003436*lam5_12 + 0.00288*a5_x;
-    /* link 6: moment that turns the link [N m] */
-    const puma560_d2_real nc6_x = 0.193*ww6_yz;
-    const puma560_d2_real nc6_y = -0.193*ww6_zx;
-    const puma560_d2_real nc6_z = 0.193*alpha6_z;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n06_x = c6*nc6_x - s6*nc6_y;
-    const puma560_d2_real n06_y = s6*nc6_x + c6*nc6_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n5_x = nc5_x + n06_x;
-    const puma560_d2_real n5_y = nc5_y - nc6_z;
-    const puma560_d2_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f05_x = c5*fc5_x - s5*fc5_y;
-    const puma560_d2_real f05_y = s5*fc5_x + c5*fc5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n05_x = c5*n5_x - s5*n5_y;
-    const puma560_d2_real n05_y = s5*n5_x + c5*n5_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n4_x = nc4_x + n05_x;
-    const puma560_d2_real n4_y = n5_z - neg_nc4_y;
-    const puma560_d2_real n4_z = nc4_z - n05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f04_x = c4*f05_x - s4*fc5_z;
-    const puma560_d2_real f04_y = s4*f05_x + c4*fc5_z;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n04_x = c4*n4_x - s4*n4_y;
-    const puma560_d2_real n04_y = s4*n4_x + c4*n4_y;
+    const puma560_d2_real t19 = 0.0005151125*(t15 + 0.042198992554119415*t7);
+    const puma560_d2_real t20 = 5.8464e-05*s5;
+    const puma560_d2_real t21 = 5.8464e-05*c5;
+    const puma560_d2_real t22 = neg_lam5_22*t20 + t21*lam5_12;
+    const puma560_d2_real t23 = s4*t6 - c4*t14;
+    const puma560_d2_real t24 = t22 - 0.0174944385*(t18 + 0.029444357416787054*t23);
+    const puma560_d2_real t25 = c4*t19 - s4*t24;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n3_x = n04_x - (0.4331*f04_y - nc3_x);
-    const puma560_d2_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
-    const puma560_d2_real n3_z = n04_y + (nc3_z - (0.0203*f05_y - 0.4331*f04_x));
-    /* link 3: force through the joint [N] */
-    const puma560_d2_real f3_x = fc3_x + f04_x;
-    const puma560_d2_real f3_y = fc3_y + f05_y;
-    const puma560_d2_real f3_z = fc3_z + f04_y;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f03_x = c23*f3_x - s23*f3_y;
-    const puma560_d2_real f03_y = s23*f3_x + c23*f3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n03_y = s23*n3_x + c23*n3_y;
-    const puma560_d2_real t10 = 0.4318*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + f3_z*t10);
-    const puma560_d2_real n02_z = n3_z + (nc2_z + (f03_y*t10 - f03_x*(0.4318*s2)));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
+    const puma560_d2_real n3_y = 0.44345*neg_lam3_31 - (0.0068208*neg_lam3_32 + (n4_z - t25));
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_22 = ww3_zz + ww3_xx;
+    const puma560_d2_real t26 = lam3_21 - (21.334975369458128*neg_lam3_22 + (s23*t12 + c23*t13));
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n5_z = t21*(t23 + 21.334975369458128*t18) + (neg_w5_x*t3 - (t20*t26 +
+        0.17973436*lam5_12));
+    const puma560_d2_real t27 = n5_z + (0.7429401365*alpha4_y - (0.5416401365*neg_ww4_zx +
+        21.334975369458128*(t22 - 0.0008199886897945047*t23)));
+    const puma560_d2_real t28 = t16 + (0.1569*ww4_yz - (0.190596722*t1 - s5*t2) - c5*t17);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n3_x = 0.0068208*neg_lam3_31 - s4*t27 - c4*t28;
+    const puma560_d2_real t29 = c4*t24 + s4*t19;
+    const puma560_d2_real t30 = neg_lam5_22*t21 + (0.006504526*neg_lam3_22 - (t20*lam5_12 +
+        0.0005151125*t26));
+    const puma560_d2_real t31 = c23*t29 + s23*t30;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n1_z = nc1_z - 0.1501*f02_x - n02_y;
+    const puma560_d2_real n1_z = 0.001081008566929134*t9 + qdd[0]*(t4*t10 + 2.334879198) - (c23*n3_y
+        - (t4*t25 - (t10*t5 - 7.394088669950739*t31)) + s23*n3_x);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n3_z = 0.44345*lam3_21 + c4*t27 - (t30 + (0.0068208*(neg_lam3_11 -
+        neg_lam3_22) + s4*t28));
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_d2_real n02_z = t8*(0.001081008566929134*qdd[0] + (t11 + t31)) +
+        (6.305523552*qdd[1] + t4*(c23*t30 - (s23*t29 + 0.40978507086614174)) + n3_z);
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
-    tau[5] = nc6_z;
+    tau[5] = n06_z;
 }
 
 /* torques that hold the arm at rest
- * 19 multiplications, 8 additions = 27; 1 unary minus; 7 sine/cosine */
+ * 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine */
 void puma560_d2_gravity(const puma560_d2_real q[6], puma560_d2_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_d2_real *const again = q;
     /* sines and cosines of the joint angles */
-    const puma560_d2_real c2 = cos(q[1]);
-    const puma560_d2_real c4 = cos(q[3]);
-    const puma560_d2_real s4 = sin(again[3]);
-    const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
     const volatile puma560_d2_real angle23 = q[1] + q[2];
-    const puma560_d2_real c23 = cos(angle23);
     const puma560_d2_real s23 = sin(angle23);
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const puma560_d2_real a3_x = -9.8*s23;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c23 = cos(angle23);
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const puma560_d2_real a3_y = -9.8*c23;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c4 = cos(q[3]);
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a4_x = c4*a3_x;
-    const puma560_d2_real neg_a4_y = s4*a3_x;
+    const puma560_d2_real a4_x = a3_x*c4;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real s4 = sin(again[3]);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_d2_real neg_a4_y = a3_x*s4;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c5 = cos(q[4]);
+    const puma560_d2_real s5 = sin(again[4]);
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a5_x = c5*a4_x + s5*a3_y;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_d2_real neg_nc2_z = 14.006062*c2;
+    const puma560_d2_real a5_x = a4_x*c5 + a3_y*s5;
+    /* link 5: moment that turns the link [N m] */
+    const puma560_d2_real nc5_z = 0.00288*a5_x;
+    const puma560_d2_real nc5_x = 0.00288*neg_a4_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_d2_real n05_y = s5*nc5_x;
+    const puma560_d2_real n05_x = c5*nc5_x;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_d2_real n04_y = s4*n05_x + c4*nc5_z;
     /* link 3: moment that turns the link [N m] */
     const puma560_d2_real nc3_z = 0.248675*c23 - 8.445591*s23;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_d2_real nc5_x = 0.00288*neg_a4_y;
-    const puma560_d2_real nc5_z = 0.00288*a5_x;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n05_x = c5*nc5_x;
-    const puma560_d2_real neg_n05_y = -s5*nc5_x;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n04_x = c4*n05_x - s4*nc5_z;
-    const puma560_d2_real n04_y = s4*n05_x + c4*nc5_z;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n3_z = nc3_z + n04_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real neg_n03_y = c23*neg_n05_y - s23*n04_x;
+    const puma560_d2_real n3_z = n04_y + nc3_z;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c2 = cos(q[1]);
+    /* link 2: moment that turns the link [N m] */
+    const puma560_d2_real neg_nc2_z = 14.006062*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const puma560_d2_real n02_z = n3_z - neg_nc2_z;
-    tau[0] = neg_n03_y;
+    const puma560_d2_real t1 = -n05_y;
+    tau[0] = 0.0;
     tau[1] = n02_z;
     tau[2] = n3_z;
-    tau[3] = neg_n05_y;
+    tau[3] = t1;
     tau[4] = nc5_z;
     tau[5] = 0.0;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 154 multiplications, 100 additions = 254; 0 unary minus; 10 sine/cosine */
+ * 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine */
 void puma560_d2_bias(
     const puma560_d2_real q[6],
     const puma560_d2_real qd[6],
@@ -316,196 +248,138 @@ void puma560_d2_bias(
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_d2_real *const again = q;
-    /* sines and cosines of the joint angles */
-    const puma560_d2_real c2 = cos(q[1]);
-    const puma560_d2_real s2 = sin(again[1]);
-    const puma560_d2_real c4 = cos(q[3]);
-    const puma560_d2_real s4 = sin(again[3]);
-    const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
-    const puma560_d2_real c6 = cos(q[5]);
-    const puma560_d2_real s6 = sin(again[5]);
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
-    const puma560_d2_real c23 = cos(angle23);
-    const puma560_d2_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_d2_real w3_z = qd[1] + qd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_d2_real neg_w2_x = qd[0]*s2;
-    const puma560_d2_real neg_w2_y = qd[0]*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_d2_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_d2_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_d2_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_d2_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_d2_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_d2_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_d2_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a3_z = 0.8636*alpha2_y - a2_z;
+    /* sines and cosines of the joint angles */
+    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
-    const puma560_d2_real neg_w3_x = qd[0]*s23;
+    const puma560_d2_real neg_w3_x = s23*qd[0];
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c23 = cos(angle23);
+    /* link 3: angular velocity [rad/s] */
     const puma560_d2_real neg_w3_y = qd[0]*c23;
-    const puma560_d2_real t1 = 0.4318*neg_lam2_11;
-    const puma560_d2_real t2 = 0.4318*ww2_xy;
-    const puma560_d2_real t3 = c2*t1 + s2*t2;
-    const puma560_d2_real t4 = s2*t1 - c2*t2 + 9.8;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a3_x = c23*t3 + s23*t4;
-    const puma560_d2_real a3_y = s23*t3 - c23*t4;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_d2_real neg_alpha3_x = w3_z*neg_w3_y;
-    const puma560_d2_real alpha3_y = w3_z*neg_w3_x;
     /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_d2_real neg_ww3_yz = w3_z*neg_w3_y;
+    const puma560_d2_real neg_ww3_zx = w3_z*neg_w3_x;
     const puma560_d2_real ww3_xy = neg_w3_x*neg_w3_y;
-    const puma560_d2_real ww3_xx = neg_w3_x*neg_w3_x;
-    const puma560_d2_real ww3_yy = neg_w3_y*neg_w3_y;
     const puma560_d2_real ww3_zz = w3_z*w3_z;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_d2_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_d2_real neg_lam3_22 = ww3_xx + ww3_zz;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a4_z = a3_y - (0.0203*ww3_xy - 0.4331*neg_lam3_22);
+    const puma560_d2_real neg_lam3_31 = 2.0*neg_ww3_zx;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real s4 = sin(again[3]);
+    const puma560_d2_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
-    const puma560_d2_real neg_w4_x = c4*neg_w3_x - s4*w3_z;
-    const puma560_d2_real w4_y = s4*neg_w3_x + c4*w3_z;
-    const puma560_d2_real t5 = neg_a3_x - (0.0203*neg_lam3_11 - 0.4331*ww3_xy);
-    const puma560_d2_real t6 = neg_a3_z - (0.0406*alpha3_y + 0.8662*neg_alpha3_x);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a4_x = c4*t5 + s4*t6;
-    const puma560_d2_real a4_y = s4*t5 - c4*t6;
-    /* link 4: angular acceleration [rad/s^2] */
-    const puma560_d2_real neg_alpha4_x = c4*neg_alpha3_x - qd[3]*w4_y;
-    const puma560_d2_real alpha4_y = s4*neg_alpha3_x + qd[3]*neg_w4_x;
-    /* link 4: angular velocity [rad/s] */
-    const puma560_d2_real w4_z = qd[3] + neg_w3_y;
+    const puma560_d2_real w4_y = w3_z*c4 + neg_w3_x*s4;
+    const puma560_d2_real w4_z = neg_w3_y + qd[3];
+    const puma560_d2_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
     /* link 4: products of the angular velocity [1/s^2] */
     const puma560_d2_real ww4_yz = w4_y*w4_z;
-    const puma560_d2_real neg_ww4_zx = neg_w4_x*w4_z;
-    const puma560_d2_real neg_ww4_xy = neg_w4_x*w4_y;
+    const puma560_d2_real neg_ww4_zx = w4_z*neg_w4_x;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c5 = cos(q[4]);
+    const puma560_d2_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const puma560_d2_real neg_w5_x = c5*neg_w4_x + s5*w4_z;
-    const puma560_d2_real w5_y = s5*neg_w4_x - c5*w4_z;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a5_x = s5*neg_a4_z - c5*neg_a4_x;
-    /* link 5: angular acceleration [rad/s^2] */
-    const puma560_d2_real alpha5_y = s5*neg_alpha4_x + c5*alpha3_y + qd[4]*neg_w5_x;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_d2_real w5_z = qd[4] + w4_y;
+    const puma560_d2_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const puma560_d2_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
+    const puma560_d2_real w5_z = w4_y + qd[4];
     /* link 5: products of the angular velocity [1/s^2] */
-    const puma560_d2_real neg_ww5_zx = neg_w5_x*w5_z;
-    const puma560_d2_real neg_ww5_xy = neg_w5_x*w5_y;
+    const puma560_d2_real ww5_xy = neg_w5_x*neg_w5_y;
     const puma560_d2_real ww5_xx = neg_w5_x*neg_w5_x;
     const puma560_d2_real ww5_zz = w5_z*w5_z;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_d2_real neg_lam5_12 = alpha4_y + neg_ww5_xy;
-    const puma560_d2_real lam5_21 = alpha4_y - neg_ww5_xy;
     const puma560_d2_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const puma560_d2_real neg_lam5_31 = alpha5_y + neg_ww5_zx;
-    const puma560_d2_real neg_lam5_32 = c5*neg_alpha4_x - s5*alpha3_y - w5_y*(qd[4] + w5_z);
-    /* link 6: angular velocity [rad/s] */
-    const puma560_d2_real neg_w6_x = c6*neg_w5_x - s6*w5_z;
-    const puma560_d2_real w6_y = s6*neg_w5_x + c6*w5_z;
-    const puma560_d2_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww6_yz = w6_y*w6_z;
-    const puma560_d2_real neg_ww6_zx = neg_w6_x*w6_z;
-    /* link 2: force that moves the link [N] */
-    const puma560_d2_real neg_fc2_x = 1.42919*neg_lam2_11;
-    const puma560_d2_real fc2_y = 1.42919*ww2_xy;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_d2_real neg_nc2_x = 4.8563*neg_alpha2_x - 0.11051088*ww2_xy;
-    const puma560_d2_real nc2_y = 8.220875204*alpha2_y + 0.11051088*(neg_lam2_11 - neg_lam2_33) +
-        0.214521419*ww1_zz;
-    const puma560_d2_real nc2_z = 1.682287602*ww2_xy - 14.006062*c2;
-    /* link 3: force that moves the link [N] */
-    const puma560_d2_real fc3_x = 0.025375*neg_lam3_11 - 0.861795*ww3_xy;
-    const puma560_d2_real neg_fc3_y = 0.025375*ww3_xy - 0.861795*neg_lam3_22;
-    const puma560_d2_real fc3_z = 0.05075*alpha3_y + 1.72359*neg_alpha3_x;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_d2_real nc3_x = 0.861795*neg_a3_z - (1.485880273*neg_alpha3_x +
-        0.021347277*alpha3_y);
-    const puma560_d2_real nc3_y = 0.887930225*alpha3_y + 0.021347277*neg_alpha3_x -
-        0.025375*neg_a3_z;
-    const puma560_d2_real neg_nc3_z = 0.298975024*ww3_xy - 0.0106736385*(neg_lam3_11 - neg_lam3_22)
-        + (0.025375*a3_y + 0.861795*neg_a3_x);
-    /* link 4: moment that turns the link [N m] */
-    const puma560_d2_real nc4_y = 0.2013*neg_ww4_zx;
-    const puma560_d2_real nc4_x = 0.1119*ww4_yz + 0.0894*neg_alpha4_x;
-    const puma560_d2_real neg_nc4_z = 0.0894*neg_ww4_xy + 0.1119*alpha3_y;
-    /* link 5: force that moves the link [N] */
-    const puma560_d2_real fc5_x = 0.00288*neg_lam5_12;
-    const puma560_d2_real fc5_y = 0.00288*neg_lam5_22;
-    const puma560_d2_real fc5_z = 0.00288*neg_lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_d2_real nc5_y = 0.0897*neg_lam5_31;
-    const puma560_d2_real neg_nc5_x = 0.09003436*neg_lam5_32 + 0.00288*a4_y;
-    const puma560_d2_real nc5_z = 0.0897*lam5_21 + 0.09003436*neg_lam5_12 + 0.00288*a5_x;
-    /* link 6: moment that turns the link [N m] */
-    const puma560_d2_real nc6_x = 0.193*ww6_yz;
-    const puma560_d2_real nc6_y = 0.193*neg_ww6_zx;
-    const puma560_d2_real nc6_z = -0.193*alpha5_y;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c2 = cos(q[1]);
+    const puma560_d2_real s2 = sin(again[1]);
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww2_zz = qd[1]*qd[1];
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_32 = 2.0*neg_ww3_yz;
+    const puma560_d2_real t1 = ww3_xy*s4 + c4*neg_lam3_32;
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha4_x = ww4_yz - t1;
+    /* link 5: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha5_y = neg_w5_x*qd[4] + (neg_ww3_zx*c5 - s5*alpha4_x);
     /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n06_x = c6*nc6_x - s6*nc6_y;
-    const puma560_d2_real n06_y = s6*nc6_x + c6*nc6_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real neg_n5_x = neg_nc5_x - n06_x;
-    const puma560_d2_real n5_y = nc5_y - nc6_z;
-    const puma560_d2_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f05_x = c5*fc5_x - s5*fc5_y;
-    const puma560_d2_real f05_y = s5*fc5_x + c5*fc5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real neg_n05_x = c5*neg_n5_x + s5*n5_y;
-    const puma560_d2_real neg_n05_y = s5*neg_n5_x - c5*n5_y;
+    const puma560_d2_real n06_z = -0.193*alpha5_y;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real lam5_32 = neg_ww3_zx*s5 - (neg_w5_y*(qd[4] + w5_z) - c5*alpha4_x);
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam2_33 = qd[0]*qd[0];
+    /* link 2: angular velocity [rad/s] */
+    const puma560_d2_real neg_w2_x = qd[0]*s2;
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww3_xx = neg_w3_x*neg_w3_x;
+    const puma560_d2_real ww3_yy = neg_lam2_33 - ww3_xx;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_11 = ww3_zz + ww3_yy;
+    const puma560_d2_real t2 = 0.3724*alpha5_y;
+    const puma560_d2_real t3 = 0.193*(1.9295336787564767*neg_w5_y + qd[5]);
+    const puma560_d2_real t4 = neg_w2_x*(42.54187192118226*qd[1]);
+    const puma560_d2_real t5 = neg_lam3_31 - 7.394088669950739*neg_lam2_33 - t4;
+    const puma560_d2_real t6 = lam5_32 - 299.234375*t1;
+    const puma560_d2_real t7 = 21.27093596059113*c2;
+    const puma560_d2_real t8 = t7*ww2_zz;
+    const puma560_d2_real t9 = 0.06813163062899491*c2;
+    const puma560_d2_real t10 = t9*neg_lam2_33;
+    const puma560_d2_real t11 = t8 + 312.203535482957*t10;
+    const puma560_d2_real t12 = 21.27093596059113*s2;
+    const puma560_d2_real t13 = t12*ww2_zz + 482.7586206896552;
+    const puma560_d2_real t14 = c23*t11 - (neg_lam3_11 - s23*t13);
+    const puma560_d2_real t15 = c4*t5 - (0.07129854439169339*t6 - s4*t14);
+    const puma560_d2_real t16 = 0.0174944385*t15;
+    const puma560_d2_real t17 = w5_z*t3 + 0.003341862043757506*(53.781451552625*lam5_32 - t16);
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n4_x = nc4_x - neg_n05_x;
-    const puma560_d2_real n4_y = nc4_y + n5_z;
-    const puma560_d2_real n4_z = neg_n05_y - neg_nc4_z;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f04_x = c4*f05_x - s4*fc5_z;
-    const puma560_d2_real f04_y = s4*f05_x + c4*fc5_z;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n04_x = c4*n4_x - s4*n4_y;
-    const puma560_d2_real n04_y = s4*n4_x + c4*n4_y;
+    const puma560_d2_real n4_z = w4_y*(-0.1791*neg_w4_x) - (0.0222*neg_ww3_zx + (c5*t2 + s5*t17));
+    const puma560_d2_real t18 = ww3_xy*c4 - s4*neg_lam3_32;
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha4_y = neg_ww4_zx - t18;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real lam5_12 = ww5_xy - alpha4_y;
+    const puma560_d2_real t19 = 0.0005151125*(t15 - 0.042198992554119415*t6);
+    const puma560_d2_real t20 = 5.8464e-05*s5;
+    const puma560_d2_real t21 = 5.8464e-05*c5;
+    const puma560_d2_real t22 = neg_lam5_22*t20 + t21*lam5_12;
+    const puma560_d2_real t23 = s4*t5 - c4*t14;
+    const puma560_d2_real t24 = t22 + 0.0174944385*(t18 - 0.029444357416787054*t23);
+    const puma560_d2_real t25 = c4*t19 - s4*t24;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n3_x = n04_x - (0.4331*f04_y - nc3_x);
-    const puma560_d2_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
-    const puma560_d2_real n3_z = n04_y - (neg_nc3_z + (0.0203*f05_y - 0.4331*f04_x));
-    /* link 3: force through the joint [N] */
-    const puma560_d2_real f3_x = fc3_x + f04_x;
-    const puma560_d2_real neg_f3_y = neg_fc3_y - f05_y;
-    const puma560_d2_real f3_z = fc3_z + f04_y;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f03_x = c23*f3_x + s23*neg_f3_y;
-    const puma560_d2_real f03_y = s23*f3_x - c23*neg_f3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n03_y = s23*n3_x + c23*n3_y;
-    const puma560_d2_real t7 = 0.4318*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t7);
-    const puma560_d2_real n02_z = n3_z + (nc2_z + (f03_y*t7 - f03_x*(0.4318*s2)));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real neg_f02_x = c2*neg_fc2_x + s2*fc2_y - f03_x;
+    const puma560_d2_real n3_y = 0.8869*neg_ww3_zx - (0.0136416*neg_ww3_yz - (t25 - n4_z));
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_22 = ww3_zz + ww3_xx;
+    const puma560_d2_real t26 = ww3_xy - (21.334975369458128*neg_lam3_22 + (s23*t11 - c23*t13));
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n5_z = t21*(t23 - 21.334975369458128*t18) + (neg_w5_x*t3 - (t20*t26 +
+        0.17973436*lam5_12));
+    const puma560_d2_real t27 = n5_z + (0.7429401365*alpha4_y - (0.5416401365*neg_ww4_zx +
+        21.334975369458128*(t22 - 0.0008199886897945047*t23)));
+    const puma560_d2_real t28 = t16 + (0.1569*ww4_yz + (0.190596722*t1 + s5*t2) - c5*t17);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n3_x = 0.0136416*neg_ww3_zx - s4*t27 - c4*t28;
+    const puma560_d2_real t29 = c4*t24 + s4*t19;
+    const puma560_d2_real t30 = neg_lam5_22*t21 + (0.006504526*neg_lam3_22 - (t20*lam5_12 +
+        0.0005151125*t26));
+    const puma560_d2_real t31 = c23*t29 + s23*t30;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n1_z = 0.1501*neg_f02_x - n02_y;
+    const puma560_d2_real n1_z = 0.001081008566929134*t8 - (c23*n3_y - (t7*t25 - (t9*t4 -
+        7.394088669950739*t31)) + s23*n3_x);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n3_z = 0.44345*ww3_xy + c4*t27 - (t30 + (0.0068208*(neg_lam3_11 -
+        neg_lam3_22) + s4*t28));
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_d2_real n02_z = t12*(t10 + t31) + (t7*(c23*t30 - (s23*t29 + 0.40978507086614174))
+        + n3_z);
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
-    tau[5] = nc6_z;
+    tau[5] = n06_z;
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 80 multiplications, 65 additions = 145; 0 unary minus; 8 sine/cosine */
+ * 80 multiplications, 62 additions = 142; 0 unary minus; 8 sine/cosine */
 void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -565,7 +439,7 @@ void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
     const puma560_d2_real t4 = t1 - 0.01356564;
     const puma560_d2_real t5 = c4*c4*t4;
     /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_d2_real k4_xx = 0.10775 + t5;
+    const puma560_d2_real k4_xx = t5 + 0.10775;
     const puma560_d2_real k4_yy = t1 + 0.09418436 - t5;
     const puma560_d2_real k4_xy = t4*(c4*s4);
     const puma560_d2_real neg_k4_xz = c4*k5_xy;
@@ -603,20 +477,17 @@ void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
     const puma560_d2_real m2_3 = m3_3 + (t2*h3_x + t3*h3_y);
     /* link 1: mass matrix, its row of this joint */
     const puma560_d2_real m1_3 = k3_yz + 0.1501*h3_y;
-    const puma560_d2_real t12 = k4_yy - k3_yy;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_d2_real k2_zz = k3_yy + t12;
-    const puma560_d2_real t13 = k3_xx + t2*(2.0*h3_x);
+    const puma560_d2_real t12 = k3_xx + t2*(2.0*h3_x);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_2 = 6.538587602 - (t3*(-2.0*h3_y) - (k4_yy - t12) - t13);
+    const puma560_d2_real m2_2 = 6.538587602 - (t3*(-2.0*h3_y) - k3_yy - t12);
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_d2_real h2_y = h3_y + 1.42919*s2;
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_d2_real k2_xx = t13 + (1.682287602*(c2*c2) + 2.42815);
+    const puma560_d2_real k2_xx = t12 + (1.682287602*(c2*c2) + 2.42815);
     const puma560_d2_real k2_yz = k3_yz + t3*h4_y - 0.11051088*s2;
     /* link 1: mass matrix, its row of this joint */
     const puma560_d2_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_d2_real m1_1 = k2_xx + (k2_zz + 0.3002*h4_y) - 0.0651082895;
+    const puma560_d2_real m1_1 = k2_xx + (k4_yy + 0.3002*h4_y) - 0.0651082895;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -656,7 +527,7 @@ void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 318 multiplications, 233 additions, 6 divisions = 557; 1 unary minus; 10 sine/cosine */
+ * 283 multiplications, 213 additions, 6 divisions = 502; 2 unary minus; 8 sine/cosine */
 void puma560_d2_forward_dynamics(
     const puma560_d2_real q[6],
     const puma560_d2_real qd[6],
@@ -666,18 +537,129 @@ void puma560_d2_forward_dynamics(
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_d2_real *const again = q;
+    /* link 3: angular velocity [rad/s] */
+    const puma560_d2_real w3_z = qd[1] + qd[2];
+    /* sines and cosines of the joint angles */
+    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_d2_real neg_w3_x = s23*qd[0];
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c23 = cos(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_d2_real neg_w3_y = qd[0]*c23;
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_d2_real neg_ww3_yz = w3_z*neg_w3_y;
+    const puma560_d2_real neg_ww3_zx = w3_z*neg_w3_x;
+    const puma560_d2_real ww3_xy = neg_w3_x*neg_w3_y;
+    const puma560_d2_real ww3_zz = w3_z*w3_z;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_31 = 2.0*neg_ww3_zx;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real s4 = sin(again[3]);
+    const puma560_d2_real c4 = cos(q[3]);
+    /* link 4: angular velocity [rad/s] */
+    const puma560_d2_real w4_y = w3_z*c4 + neg_w3_x*s4;
+    const puma560_d2_real w4_z = neg_w3_y + qd[3];
+    const puma560_d2_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww4_yz = w4_y*w4_z;
+    const puma560_d2_real neg_ww4_zx = w4_z*neg_w4_x;
+    /* sines and cosines of the joint angles */
+    const puma560_d2_real c5 = cos(q[4]);
+    const puma560_d2_real s5 = sin(again[4]);
+    /* link 5: angular velocity [rad/s] */
+    const puma560_d2_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const puma560_d2_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
+    const puma560_d2_real w5_z = w4_y + qd[4];
+    /* link 5: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww5_xy = neg_w5_x*neg_w5_y;
+    const puma560_d2_real ww5_xx = neg_w5_x*neg_w5_x;
+    const puma560_d2_real ww5_zz = w5_z*w5_z;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c2 = cos(q[1]);
     const puma560_d2_real s2 = sin(again[1]);
-    const puma560_d2_real c4 = cos(q[3]);
-    const puma560_d2_real s4 = sin(again[3]);
-    const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
-    const puma560_d2_real c6 = cos(q[5]);
-    const puma560_d2_real s6 = sin(again[5]);
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
-    const puma560_d2_real c23 = cos(angle23);
-    const puma560_d2_real s23 = sin(angle23);
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww2_zz = qd[1]*qd[1];
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_32 = 2.0*neg_ww3_yz;
+    const puma560_d2_real t1 = ww3_xy*s4 + c4*neg_lam3_32;
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha4_x = ww4_yz - t1;
+    /* link 5: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha5_y = neg_w5_x*qd[4] + (neg_ww3_zx*c5 - s5*alpha4_x);
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_d2_real n06_z = -0.193*alpha5_y;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real lam5_32 = neg_ww3_zx*s5 - (neg_w5_y*(qd[4] + w5_z) - c5*alpha4_x);
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam2_33 = qd[0]*qd[0];
+    /* link 2: angular velocity [rad/s] */
+    const puma560_d2_real neg_w2_x = qd[0]*s2;
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_d2_real ww3_xx = neg_w3_x*neg_w3_x;
+    const puma560_d2_real ww3_yy = neg_lam2_33 - ww3_xx;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_11 = ww3_zz + ww3_yy;
+    const puma560_d2_real t2 = 0.3724*alpha5_y;
+    const puma560_d2_real t3 = 0.193*(1.9295336787564767*neg_w5_y + qd[5]);
+    const puma560_d2_real t4 = neg_w2_x*(42.54187192118226*qd[1]);
+    const puma560_d2_real t5 = neg_lam3_31 - 7.394088669950739*neg_lam2_33 - t4;
+    const puma560_d2_real t6 = lam5_32 - 299.234375*t1;
+    const puma560_d2_real t7 = 21.27093596059113*c2;
+    const puma560_d2_real t8 = ww2_zz*t7;
+    const puma560_d2_real t9 = 0.06813163062899491*c2;
+    const puma560_d2_real t10 = neg_lam2_33*t9;
+    const puma560_d2_real t11 = t8 + 312.203535482957*t10;
+    const puma560_d2_real t12 = 21.27093596059113*s2;
+    const puma560_d2_real t13 = ww2_zz*t12 + 482.7586206896552;
+    const puma560_d2_real t14 = c23*t11 - (neg_lam3_11 - s23*t13);
+    const puma560_d2_real t15 = c4*t5 - (0.07129854439169339*t6 - s4*t14);
+    const puma560_d2_real t16 = 0.0174944385*t15;
+    const puma560_d2_real t17 = w5_z*t3 + 0.003341862043757506*(53.781451552625*lam5_32 - t16);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real neg_n4_z = w4_y*(0.1791*neg_w4_x) + (0.0222*neg_ww3_zx + (c5*t2 +
+        s5*t17));
+    const puma560_d2_real t18 = ww3_xy*c4 - s4*neg_lam3_32;
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_d2_real alpha4_y = neg_ww4_zx - t18;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real lam5_12 = ww5_xy - alpha4_y;
+    const puma560_d2_real t19 = 0.0005151125*(t15 - 0.042198992554119415*t6);
+    const puma560_d2_real t20 = 5.8464e-05*s5;
+    const puma560_d2_real t21 = 5.8464e-05*c5;
+    const puma560_d2_real t22 = neg_lam5_22*t20 + lam5_12*t21;
+    const puma560_d2_real t23 = s4*t5 - c4*t14;
+    const puma560_d2_real t24 = t22 + 0.0174944385*(t18 - 0.029444357416787054*t23);
+    const puma560_d2_real t25 = c4*t19 - s4*t24;
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n3_y = 0.8869*neg_ww3_zx - (0.0136416*neg_ww3_yz - (neg_n4_z + t25));
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_d2_real neg_lam3_22 = ww3_zz + ww3_xx;
+    const puma560_d2_real t26 = ww3_xy - (21.334975369458128*neg_lam3_22 + (s23*t11 - c23*t13));
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n5_z = t21*(t23 - 21.334975369458128*t18) + (neg_w5_x*t3 - (t20*t26 +
+        0.17973436*lam5_12));
+    const puma560_d2_real t27 = n5_z + (0.7429401365*alpha4_y - (0.5416401365*neg_ww4_zx +
+        21.334975369458128*(t22 - 0.0008199886897945047*t23)));
+    const puma560_d2_real t28 = t16 + (0.1569*ww4_yz + (0.190596722*t1 + s5*t2) - c5*t17);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n3_x = 0.0136416*neg_ww3_zx - s4*t27 - c4*t28;
+    const puma560_d2_real t29 = c4*t24 + s4*t19;
+    const puma560_d2_real t30 = neg_lam5_22*t21 + (0.006504526*neg_lam3_22 - (lam5_12*t20 +
+        0.0005151125*t26));
+    const puma560_d2_real t31 = c23*t29 + s23*t30;
+    /* link 1: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n1_z = 0.001081008566929134*t8 - (c23*n3_y - (t7*t25 - (t4*t9 -
+        7.394088669950739*t31)) + s23*n3_x);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_d2_real n3_z = 0.44345*ww3_xy + c4*t27 - (t30 + (0.0068208*(neg_lam3_11 -
+        neg_lam3_22) + s4*t28));
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_d2_real n02_z = t12*(t10 + t31) + (n3_z + t7*(c23*t30 - (s23*t29 +
+        0.40978507086614174)));
     /* link 5: moment for a unit acceleration of a joint further out */
     const puma560_d2_real nu5_x = 0.193*s5;
     const puma560_d2_real neg_nu5_y = 0.193*c5;
@@ -685,13 +667,13 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real nu4_x = c4*nu5_x;
     const puma560_d2_real nu4_y = s4*nu5_x;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real nu3_y = s23*nu4_x - c23*neg_nu5_y;
+    const puma560_d2_real neg_nu3_y = c23*neg_nu5_y - s23*nu4_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_d2_real h5_x = 0.00288*s5;
     const puma560_d2_real neg_h5_y = 0.00288*c5;
-    const puma560_d2_real t1 = 0.19266564*(c5*c5);
+    const puma560_d2_real t32 = 0.19266564*(c5*c5);
     /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_d2_real neg_k5_yy = t1 - 0.1862;
+    const puma560_d2_real neg_k5_yy = t32 - 0.1862;
     const puma560_d2_real k5_xy = 0.19266564*(c5*s5);
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_d2_real fu4_x = c4*neg_h5_y;
@@ -700,31 +682,31 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real nu4_x_2 = -0.17973436*s4;
     const puma560_d2_real nu4_y_2 = 0.17973436*c4;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_5 = nu4_y_2 - (5.8464e-05*s5 - 0.4331*fu4_x);
+    const puma560_d2_real m3_5 = nu4_y_2 - (t20 - 0.4331*fu4_x);
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_d2_real fu3_x = c23*fu4_x - s23*h5_x;
     const puma560_d2_real fu3_y = s23*fu4_x + c23*h5_x;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real nu3_y_2 = c23*(0.0203*fu4_y) - s23*(0.4331*fu4_y - nu4_x_2);
-    const puma560_d2_real t2 = 0.4318*c2;
+    const puma560_d2_real nu3_y = c23*(0.0203*fu4_y) - s23*(0.4331*fu4_y - nu4_x_2);
+    const puma560_d2_real t33 = 0.4318*c2;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real neg_nu2_y = t2*fu4_y - nu3_y_2;
-    const puma560_d2_real t3 = 0.4318*s2;
+    const puma560_d2_real nu2_y = nu3_y - fu4_y*t33;
+    const puma560_d2_real t34 = 0.4318*s2;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x);
+    const puma560_d2_real m2_5 = m3_5 + (fu3_y*t33 - fu3_x*t34);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_5 = neg_nu2_y - 0.1501*fu3_x;
+    const puma560_d2_real neg_m1_5 = nu2_y + 0.1501*fu3_x;
     /* link 4: mass matrix, its row of this joint */
-    const puma560_d2_real m4_4 = t1 + 0.20193436;
+    const puma560_d2_real m4_4 = t32 + 0.20193436;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_d2_real h4_x = c4*h5_x;
     const puma560_d2_real h4_y = s4*h5_x;
-    const puma560_d2_real t4 = t1 - 0.01356564;
-    const puma560_d2_real t5 = c4*c4*t4;
+    const puma560_d2_real t35 = t32 - 0.01356564;
+    const puma560_d2_real t36 = c4*c4*t35;
     /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_d2_real k4_xx = t5 + 0.10775;
-    const puma560_d2_real k4_yy = t1 + 0.09418436 - t5;
-    const puma560_d2_real k4_xy = t4*(c4*s4);
+    const puma560_d2_real k4_xx = t36 + 0.10775;
+    const puma560_d2_real neg_k4_yy = t36 - (t32 + 0.09418436);
+    const puma560_d2_real k4_xy = t35*(s4*c4);
     const puma560_d2_real neg_k4_xz = c4*k5_xy;
     const puma560_d2_real neg_k4_yz = s4*k5_xy;
     /* link 3: mass matrix, its row of this joint */
@@ -732,285 +714,119 @@ void puma560_d2_forward_dynamics(
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_d2_real neg_fu3_x = c23*h4_y;
     const puma560_d2_real neg_fu3_y = s23*h4_y;
-    const puma560_d2_real t6 = 0.4331*h4_x;
+    const puma560_d2_real t37 = 0.4331*h4_x;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real nu3_y_3 = s23*(neg_k4_xz - t6) - c23*(m4_4 - 0.0203*h4_x);
+    const puma560_d2_real nu3_y_2 = s23*(neg_k4_xz - t37) - c23*(m4_4 - 0.0203*h4_x);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real nu2_y = nu3_y_3 - t2*h4_x;
+    const puma560_d2_real nu2_y_2 = nu3_y_2 - t33*h4_x;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x);
+    const puma560_d2_real m2_4 = m3_4 - (t33*neg_fu3_y - t34*neg_fu3_x);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real neg_m1_4 = nu2_y - 0.1501*neg_fu3_x;
-    const puma560_d2_real t7 = k4_xx - 0.0406*h4_x;
-    const puma560_d2_real t8 = neg_k5_yy - 0.002494656*c5;
+    const puma560_d2_real m1_4 = 0.1501*neg_fu3_x - nu2_y_2;
+    const puma560_d2_real t38 = k4_xx - 0.0406*h4_x;
+    const puma560_d2_real t39 = neg_k5_yy - 0.002494656*c5;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_3 = t7 - t8 + 1.086255249;
-    const puma560_d2_real t9 = h4_x - 0.025375;
-    const puma560_d2_real t10 = neg_h5_y + 0.861795;
+    const puma560_d2_real m3_3 = t38 - t39 + 1.086255249;
+    const puma560_d2_real t40 = h4_x - 0.025375;
+    const puma560_d2_real t41 = neg_h5_y + 0.861795;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h3_x = c23*t9 + s23*t10;
-    const puma560_d2_real h3_y = s23*t9 - c23*t10;
-    const puma560_d2_real t11 = c23*c23*(t7 + t8 - 0.198325024) + (t6 - (neg_k4_xz + 5.8464e-05*c5)
-        - 0.0106736385)*(2.0*(c23*s23));
+    const puma560_d2_real h3_x = c23*t40 + s23*t41;
+    const puma560_d2_real h3_y = s23*t40 - c23*t41;
+    const puma560_d2_real t42 = c23*c23*(t38 + t39 - 0.198325024) + (t37 - (t21 + neg_k4_xz) -
+        0.0106736385)*(2.0*(s23*c23));
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_d2_real neg_k3_xx = t8 - 0.6422901365 - t11;
-    const puma560_d2_real k3_yy = t7 + 0.4439651125 - t11;
+    const puma560_d2_real neg_k3_xx = t39 - 0.6422901365 - t42;
+    const puma560_d2_real neg_k3_yy = t42 - (t38 + 0.4439651125);
     const puma560_d2_real k3_yz = s23*(k4_xy - 0.0203*h4_y) + c23*m3_4;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_3 = m3_3 + (t2*h3_x + t3*h3_y);
+    const puma560_d2_real m2_3 = m3_3 + (t33*h3_x + t34*h3_y);
     /* link 1: mass matrix, its row of this joint */
     const puma560_d2_real m1_3 = k3_yz + 0.1501*h3_y;
-    const puma560_d2_real t12 = k4_yy - k3_yy;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_d2_real k2_zz = k3_yy + t12;
-    const puma560_d2_real t13 = neg_k3_xx - t2*(2.0*h3_x);
+    const puma560_d2_real t43 = neg_k3_xx - t33*(2.0*h3_x);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real neg_m2_2 = t13 - (k4_yy - t12 + t3*(2.0*h3_y)) - 6.538587602;
+    const puma560_d2_real neg_m2_2 = neg_k3_yy - t34*(2.0*h3_y) + t43 - 6.538587602;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_d2_real h2_y = h3_y + 1.42919*s2;
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_d2_real neg_k2_xx = t13 - (1.682287602*(c2*c2) + 2.42815);
-    const puma560_d2_real k2_yz = k3_yz + t3*h4_y - 0.11051088*s2;
+    const puma560_d2_real k2_xx = 1.682287602*(c2*c2) + 2.42815 - t43;
+    const puma560_d2_real k2_yz = k3_yz + t34*h4_y - 0.11051088*s2;
     /* link 1: mass matrix, its row of this joint */
     const puma560_d2_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_d2_real neg_m1_1 = neg_k2_xx - (k2_zz + 0.3002*h4_y) + 0.0651082895;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_d2_real w3_z = qd[1] + qd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_d2_real neg_w2_x = qd[0]*s2;
-    const puma560_d2_real neg_w2_y = qd[0]*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_d2_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_d2_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_d2_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_d2_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_d2_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_d2_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_d2_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a3_z = 0.8636*alpha2_y - a2_z;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_d2_real neg_w3_x = qd[0]*s23;
-    const puma560_d2_real neg_w3_y = qd[0]*c23;
-    const puma560_d2_real t14 = 0.4318*neg_lam2_11;
-    const puma560_d2_real t15 = 0.4318*ww2_xy;
-    const puma560_d2_real t16 = c2*t14 + s2*t15;
-    const puma560_d2_real t17 = s2*t14 - c2*t15 + 9.8;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a3_x = c23*t16 + s23*t17;
-    const puma560_d2_real a3_y = s23*t16 - c23*t17;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_d2_real neg_alpha3_x = w3_z*neg_w3_y;
-    const puma560_d2_real alpha3_y = w3_z*neg_w3_x;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww3_xy = neg_w3_x*neg_w3_y;
-    const puma560_d2_real ww3_xx = neg_w3_x*neg_w3_x;
-    const puma560_d2_real ww3_yy = neg_w3_y*neg_w3_y;
-    const puma560_d2_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_d2_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_d2_real neg_lam3_22 = ww3_xx + ww3_zz;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a4_z = a3_y - (0.0203*ww3_xy - 0.4331*neg_lam3_22);
-    /* link 4: angular velocity [rad/s] */
-    const puma560_d2_real neg_w4_x = c4*neg_w3_x - s4*w3_z;
-    const puma560_d2_real w4_y = s4*neg_w3_x + c4*w3_z;
-    const puma560_d2_real t18 = neg_a3_x - (0.0203*neg_lam3_11 - 0.4331*ww3_xy);
-    const puma560_d2_real t19 = neg_a3_z - (0.0406*alpha3_y + 0.8662*neg_alpha3_x);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real neg_a4_x = c4*t18 + s4*t19;
-    const puma560_d2_real a4_y = s4*t18 - c4*t19;
-    /* link 4: angular acceleration [rad/s^2] */
-    const puma560_d2_real neg_alpha4_x = c4*neg_alpha3_x - qd[3]*w4_y;
-    const puma560_d2_real alpha4_y = s4*neg_alpha3_x + qd[3]*neg_w4_x;
-    /* link 4: angular velocity [rad/s] */
-    const puma560_d2_real w4_z = qd[3] + neg_w3_y;
-    /* link 4: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww4_yz = w4_y*w4_z;
-    const puma560_d2_real neg_ww4_zx = neg_w4_x*w4_z;
-    const puma560_d2_real neg_ww4_xy = neg_w4_x*w4_y;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_d2_real neg_w5_x = c5*neg_w4_x + s5*w4_z;
-    const puma560_d2_real w5_y = s5*neg_w4_x - c5*w4_z;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_d2_real a5_x = s5*neg_a4_z - c5*neg_a4_x;
-    /* link 5: angular acceleration [rad/s^2] */
-    const puma560_d2_real alpha5_y = s5*neg_alpha4_x + c5*alpha3_y + qd[4]*neg_w5_x;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_d2_real w5_z = qd[4] + w4_y;
-    /* link 5: products of the angular velocity [1/s^2] */
-    const puma560_d2_real neg_ww5_zx = neg_w5_x*w5_z;
-    const puma560_d2_real neg_ww5_xy = neg_w5_x*w5_y;
-    const puma560_d2_real ww5_xx = neg_w5_x*neg_w5_x;
-    const puma560_d2_real ww5_zz = w5_z*w5_z;
-    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_d2_real neg_lam5_12 = alpha4_y + neg_ww5_xy;
-    const puma560_d2_real lam5_21 = alpha4_y - neg_ww5_xy;
-    const puma560_d2_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const puma560_d2_real neg_lam5_31 = alpha5_y + neg_ww5_zx;
-    const puma560_d2_real neg_lam5_32 = c5*neg_alpha4_x - s5*alpha3_y - w5_y*(qd[4] + w5_z);
-    /* link 6: angular velocity [rad/s] */
-    const puma560_d2_real neg_w6_x = c6*neg_w5_x - s6*w5_z;
-    const puma560_d2_real w6_y = s6*neg_w5_x + c6*w5_z;
-    const puma560_d2_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const puma560_d2_real ww6_yz = w6_y*w6_z;
-    const puma560_d2_real neg_ww6_zx = neg_w6_x*w6_z;
-    /* link 2: force that moves the link [N] */
-    const puma560_d2_real neg_fc2_x = 1.42919*neg_lam2_11;
-    const puma560_d2_real fc2_y = 1.42919*ww2_xy;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_d2_real neg_nc2_x = 4.8563*neg_alpha2_x - 0.11051088*ww2_xy;
-    const puma560_d2_real nc2_y = 8.220875204*alpha2_y + 0.11051088*(neg_lam2_11 - neg_lam2_33) +
-        0.214521419*ww1_zz;
-    const puma560_d2_real nc2_z = 1.682287602*ww2_xy - 14.006062*c2;
-    /* link 3: force that moves the link [N] */
-    const puma560_d2_real fc3_x = 0.025375*neg_lam3_11 - 0.861795*ww3_xy;
-    const puma560_d2_real neg_fc3_y = 0.025375*ww3_xy - 0.861795*neg_lam3_22;
-    const puma560_d2_real fc3_z = 0.05075*alpha3_y + 1.72359*neg_alpha3_x;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_d2_real nc3_x = 0.861795*neg_a3_z - (1.485880273*neg_alpha3_x +
-        0.021347277*alpha3_y);
-    const puma560_d2_real nc3_y = 0.887930225*alpha3_y + 0.021347277*neg_alpha3_x -
-        0.025375*neg_a3_z;
-    const puma560_d2_real neg_nc3_z = 0.298975024*ww3_xy - 0.0106736385*(neg_lam3_11 - neg_lam3_22)
-        + (0.025375*a3_y + 0.861795*neg_a3_x);
-    /* link 4: moment that turns the link [N m] */
-    const puma560_d2_real nc4_y = 0.2013*neg_ww4_zx;
-    const puma560_d2_real nc4_x = 0.1119*ww4_yz + 0.0894*neg_alpha4_x;
-    const puma560_d2_real neg_nc4_z = 0.0894*neg_ww4_xy + 0.1119*alpha3_y;
-    /* link 5: force that moves the link [N] */
-    const puma560_d2_real fc5_x = 0.00288*neg_lam5_12;
-    const puma560_d2_real fc5_y = 0.00288*neg_lam5_22;
-    const puma560_d2_real fc5_z = 0.00288*neg_lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_d2_real nc5_y = 0.0897*neg_lam5_31;
-    const puma560_d2_real neg_nc5_x = 0.09003436*neg_lam5_32 + 0.00288*a4_y;
-    const puma560_d2_real nc5_z = 0.0897*lam5_21 + 0.09003436*neg_lam5_12 + 0.00288*a5_x;
-    /* link 6: moment that turns the link [N m] */
-    const puma560_d2_real nc6_x = 0.193*ww6_yz;
-    const puma560_d2_real nc6_y = 0.193*neg_ww6_zx;
-    const puma560_d2_real nc6_z = -0.193*alpha5_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n06_x = c6*nc6_x - s6*nc6_y;
-    const puma560_d2_real n06_y = s6*nc6_x + c6*nc6_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real neg_n5_x = neg_nc5_x - n06_x;
-    const puma560_d2_real n5_y = nc5_y - nc6_z;
-    const puma560_d2_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f05_x = c5*fc5_x - s5*fc5_y;
-    const puma560_d2_real f05_y = s5*fc5_x + c5*fc5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real neg_n05_x = c5*neg_n5_x + s5*n5_y;
-    const puma560_d2_real neg_n05_y = s5*neg_n5_x - c5*n5_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n4_x = nc4_x - neg_n05_x;
-    const puma560_d2_real n4_y = nc4_y + n5_z;
-    const puma560_d2_real n4_z = neg_n05_y - neg_nc4_z;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f04_x = c4*f05_x - s4*fc5_z;
-    const puma560_d2_real f04_y = s4*f05_x + c4*fc5_z;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n04_x = c4*n4_x - s4*n4_y;
-    const puma560_d2_real n04_y = s4*n4_x + c4*n4_y;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real n3_x = n04_x - (0.4331*f04_y - nc3_x);
-    const puma560_d2_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
-    const puma560_d2_real n3_z = n04_y - (neg_nc3_z + (0.0203*f05_y - 0.4331*f04_x));
-    /* link 3: force through the joint [N] */
-    const puma560_d2_real f3_x = fc3_x + f04_x;
-    const puma560_d2_real neg_f3_y = neg_fc3_y - f05_y;
-    const puma560_d2_real f3_z = fc3_z + f04_y;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f03_x = c23*f3_x + s23*neg_f3_y;
-    const puma560_d2_real f03_y = s23*f3_x - c23*neg_f3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n03_y = s23*n3_x + c23*n3_y;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_d2_real n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + t2*f3_z);
-    const puma560_d2_real n02_z = n3_z + (nc2_z + (t2*f03_y - t3*f03_x));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_d2_real f02_x = f03_x - (c2*neg_fc2_x + s2*fc2_y);
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_d2_real neg_n1_z = n02_y + 0.1501*f02_x;
+    const puma560_d2_real neg_m1_1 = neg_k4_yy - 0.3002*h4_y - k2_xx + 0.0651082895;
     /* link 1: forward substitution */
-    const puma560_d2_real y1 = tau[0] + neg_n1_z;
+    const puma560_d2_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
     const puma560_d2_real neg_ipivot1 = 1.0 / neg_m1_1;
     const puma560_d2_real neg_l2_1 = m1_2*neg_ipivot1;
     const puma560_d2_real neg_l3_1 = m1_3*neg_ipivot1;
-    const puma560_d2_real l4_1 = neg_m1_4*neg_ipivot1;
-    const puma560_d2_real neg_l5_1 = m1_5*neg_ipivot1;
-    const puma560_d2_real l6_1 = nu3_y*neg_ipivot1;
+    const puma560_d2_real neg_l4_1 = m1_4*neg_ipivot1;
+    const puma560_d2_real l5_1 = neg_m1_5*neg_ipivot1;
+    const puma560_d2_real neg_l6_1 = neg_nu3_y*neg_ipivot1;
     const puma560_d2_real neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1;
     const puma560_d2_real neg_ipivot2 = 1.0 / neg_pivot2;
     const puma560_d2_real ld3_2 = m2_3 + m1_2*neg_l3_1;
     const puma560_d2_real neg_l3_2 = neg_ipivot2*ld3_2;
-    const puma560_d2_real ld4_2 = m2_4 - m1_2*l4_1;
+    const puma560_d2_real ld4_2 = m2_4 + m1_2*neg_l4_1;
     const puma560_d2_real neg_l4_2 = neg_ipivot2*ld4_2;
-    const puma560_d2_real ld5_2 = m2_5 + m1_2*neg_l5_1;
+    const puma560_d2_real ld5_2 = m2_5 - m1_2*l5_1;
     const puma560_d2_real neg_l5_2 = neg_ipivot2*ld5_2;
-    const puma560_d2_real ld6_2 = nu4_y - m1_2*l6_1;
+    const puma560_d2_real ld6_2 = nu4_y + m1_2*neg_l6_1;
     const puma560_d2_real neg_l6_2 = neg_ipivot2*ld6_2;
     const puma560_d2_real pivot3 = m3_3 + m1_3*neg_l3_1 + ld3_2*neg_l3_2;
     const puma560_d2_real ipivot3 = 1.0 / pivot3;
-    const puma560_d2_real ld4_3 = m3_4 - m1_3*l4_1 + ld3_2*neg_l4_2;
+    const puma560_d2_real ld4_3 = m3_4 + m1_3*neg_l4_1 + ld3_2*neg_l4_2;
     const puma560_d2_real l4_3 = ipivot3*ld4_3;
-    const puma560_d2_real ld5_3 = m3_5 + m1_3*neg_l5_1 + ld3_2*neg_l5_2;
+    const puma560_d2_real ld5_3 = m3_5 - m1_3*l5_1 + ld3_2*neg_l5_2;
     const puma560_d2_real l5_3 = ipivot3*ld5_3;
-    const puma560_d2_real ld6_3 = nu4_y - m1_3*l6_1 + ld3_2*neg_l6_2;
+    const puma560_d2_real ld6_3 = nu4_y + m1_3*neg_l6_1 + ld3_2*neg_l6_2;
     const puma560_d2_real l6_3 = ipivot3*ld6_3;
-    const puma560_d2_real pivot4 = m4_4 + neg_m1_4*l4_1 + ld4_2*neg_l4_2 - ld4_3*l4_3;
+    const puma560_d2_real pivot4 = m4_4 + m1_4*neg_l4_1 + ld4_2*neg_l4_2 - ld4_3*l4_3;
     const puma560_d2_real ipivot4 = 1.0 / pivot4;
-    const puma560_d2_real neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3;
+    const puma560_d2_real neg_ld5_4 = m1_4*l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3;
     const puma560_d2_real neg_l5_4 = ipivot4*neg_ld5_4;
-    const puma560_d2_real ld6_4 = neg_nu5_y + neg_m1_4*l6_1 + ld4_2*neg_l6_2 - ld4_3*l6_3;
+    const puma560_d2_real ld6_4 = neg_nu5_y + m1_4*neg_l6_1 + ld4_2*neg_l6_2 - ld4_3*l6_3;
     const puma560_d2_real l6_4 = ipivot4*ld6_4;
-    const puma560_d2_real pivot5 = m1_5*neg_l5_1 + 0.17973436 + ld5_2*neg_l5_2 - ld5_3*l5_3 -
+    const puma560_d2_real pivot5 = neg_m1_5*l5_1 + 0.17973436 + ld5_2*neg_l5_2 - ld5_3*l5_3 -
         neg_ld5_4*neg_l5_4;
     const puma560_d2_real ipivot5 = 1.0 / pivot5;
-    const puma560_d2_real neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 + ld5_3*l6_3 - neg_ld5_4*l6_4;
+    const puma560_d2_real neg_ld6_5 = neg_m1_5*neg_l6_1 - ld5_2*neg_l6_2 + ld5_3*l6_3 -
+        neg_ld5_4*l6_4;
     const puma560_d2_real neg_l6_5 = ipivot5*neg_ld6_5;
-    const puma560_d2_real pivot6 = nu3_y*l6_1 + 0.193 + ld6_2*neg_l6_2 - ld6_3*l6_3 - ld6_4*l6_4 -
-        neg_ld6_5*neg_l6_5;
+    const puma560_d2_real pivot6 = neg_nu3_y*neg_l6_1 + 0.193 + ld6_2*neg_l6_2 - ld6_3*l6_3 -
+        ld6_4*l6_4 - neg_ld6_5*neg_l6_5;
     const puma560_d2_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
-    const puma560_d2_real y2 = tau[1] - n02_z + y1*neg_l2_1;
+    const puma560_d2_real neg_y2 = n02_z - tau[1] + neg_y1*neg_l2_1;
     /* link 3: forward substitution */
-    const puma560_d2_real y3 = tau[2] - n3_z + y1*neg_l3_1 + neg_l3_2*y2;
+    const puma560_d2_real neg_y3 = n3_z - tau[2] + neg_y1*neg_l3_1 + neg_l3_2*neg_y2;
     /* link 4: forward substitution */
-    const puma560_d2_real y4 = tau[3] - n4_z - y1*l4_1 + neg_l4_2*y2 - l4_3*y3;
+    const puma560_d2_real y4 = neg_n4_z + tau[3] - neg_y1*neg_l4_1 - neg_l4_2*neg_y2 + l4_3*neg_y3;
     /* link 5: forward substitution */
-    const puma560_d2_real y5 = tau[4] - n5_z + y1*neg_l5_1 + neg_l5_2*y2 - l5_3*y3 + neg_l5_4*y4;
+    const puma560_d2_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 -
+        neg_l5_4*y4;
     /* link 6: forward substitution */
-    const puma560_d2_real y6 = tau[5] - nc6_z - y1*l6_1 + neg_l6_2*y2 - l6_3*y3 - l6_4*y4 +
-        neg_l6_5*y5;
+    const puma560_d2_real y6 = tau[5] - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 -
+        l6_4*y4 - neg_l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_d2_real qdd6 = ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_d2_real qdd5 = ipivot5*y5 + neg_l6_5*qdd6;
+    const puma560_d2_real neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_d2_real qdd4 = ipivot4*y4 + neg_l5_4*qdd5 - l6_4*qdd6;
+    const puma560_d2_real qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 - l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_d2_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6;
+    const puma560_d2_real neg_qdd3 = ipivot3*neg_y3 + l4_3*qdd4 - l5_3*neg_qdd5 + l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_d2_real qdd2 = neg_l6_2*qdd6 - (neg_ipivot2*y2 - neg_l3_2*qdd3 - neg_l4_2*qdd4 -
-        neg_l5_2*qdd5);
+    const puma560_d2_real qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 + neg_l4_2*qdd4 -
+        neg_l5_2*neg_qdd5 + neg_l6_2*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_d2_real qdd1 = -l6_1*qdd6 - (y1*neg_ipivot1 - neg_l2_1*qdd2 - neg_l3_1*qdd3 +
-        l4_1*qdd4 - neg_l5_1*qdd5);
+    const puma560_d2_real qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 +
+        neg_l4_1*qdd4 + l5_1*neg_qdd5 + neg_l6_1*qdd6;
+    const puma560_d2_real t44 = -neg_qdd3;
+    const puma560_d2_real t45 = -neg_qdd5;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
-    qdd[2] = qdd3;
+    qdd[2] = t44;
     qdd[3] = qdd4;
-    qdd[4] = qdd5;
+    qdd[4] = t45;
     qdd[5] = qdd6;
 }

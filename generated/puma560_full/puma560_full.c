@@ -15,13 +15,15 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 262 multiplications, 243 additions = 505; 5 unary minus; 10 sine/cosine
- *   gravity: 42 multiplications, 25 additions = 67; 0 unary minus; 10 sine/cosine
- *   bias: 244 multiplications, 211 additions = 455; 8 unary minus; 10 sine/cosine
- *   mass_matrix: 141 multiplications, 125 additions = 266; 3 unary minus; 10 sine/cosine
- *   forward_dynamics: 469 multiplications, 406 additions, 6 divisions = 881; 15 unary minus; 10
+ *   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
+ *   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
+ *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
+ *   mass_matrix: 141 multiplications, 122 additions = 263; 3 unary minus; 10 sine/cosine
+ *   forward_dynamics: 421 multiplications, 369 additions, 6 divisions = 796; 2 unary minus; 10
  *       sine/cosine
  */
 #include "puma560_full.h"
@@ -29,7 +31,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 262 multiplications, 243 additions = 505; 5 unary minus; 10 sine/cosine */
+ * 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine */
 void puma560_full_inverse_dynamics(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -39,311 +41,241 @@ void puma560_full_inverse_dynamics(
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_full_real *const again = q;
-    /* sines and cosines of the joint angles */
-    const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
-    const puma560_full_real c4 = cos(q[3]);
-    const puma560_full_real s4 = sin(again[3]);
-    const puma560_full_real c5 = cos(q[4]);
-    const puma560_full_real s5 = sin(again[4]);
-    const puma560_full_real c6 = cos(q[5]);
-    const puma560_full_real s6 = sin(again[5]);
-    const volatile puma560_full_real angle23 = q[1] + q[2];
-    const puma560_full_real c23 = cos(angle23);
-    const puma560_full_real s23 = sin(angle23);
-    /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_z = qd[1] + qd[2];
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha3_z = qdd[1] + qdd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_full_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a2_z = 0.1501*ww1_zz;
-    const puma560_full_real t1 = -qd[0];
-    /* link 2: angular velocity [rad/s] */
-    const puma560_full_real w2_x = t1*s2;
-    const puma560_full_real w2_y = t1*c2;
-    const puma560_full_real t2 = 0.1501*qdd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a2_x = c2*t2 + 9.8*s2;
-    const puma560_full_real a2_y = s2*t2 - 9.8*c2;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww2_yz = qd[1]*w2_y;
-    const puma560_full_real ww2_zx = qd[1]*w2_x;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const puma560_full_real neg_alpha2_y = qdd[0]*c2 + ww2_zx;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww2_xy = w2_x*w2_y;
-    const puma560_full_real ww2_xx = w2_x*w2_x;
-    const puma560_full_real ww2_yy = w2_y*w2_y;
-    const puma560_full_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_full_real lam2_12 = ww2_xy - qdd[1];
-    const puma560_full_real lam2_13 = ww2_zx - neg_alpha2_y;
-    const puma560_full_real lam2_21 = qdd[1] + ww2_xy;
-    const puma560_full_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const puma560_full_real lam2_23 = ww2_yz - alpha2_x;
-    const puma560_full_real lam2_31 = ww2_zx + neg_alpha2_y;
-    const puma560_full_real lam2_32 = ww2_yz + alpha2_x;
-    const puma560_full_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a3_z = 0.4318*lam2_31 - neg_a2_z;
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_x = t1*s23;
-    const puma560_full_real w3_y = t1*c23;
-    const puma560_full_real t3 = 0.4318*neg_lam2_11;
-    const puma560_full_real t4 = 0.4318*lam2_21;
-    const puma560_full_real t5 = t2 + (c2*t3 + s2*t4);
-    const puma560_full_real t6 = s2*t3 - c2*t4 + 9.8;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a3_x = c23*t5 + s23*t6;
-    const puma560_full_real a3_y = s23*t5 - c23*t6;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww3_yz = w3_z*w3_y;
-    const puma560_full_real ww3_zx = w3_z*w3_x;
+    const puma560_full_real w3_z = qd[1] + qd[2];
+    /* sines and cosines of the joint angles */
+    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real neg_w3_x = qd[0]*s23;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c23 = cos(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real neg_w3_y = qd[0]*c23;
     /* link 3: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha3_x = ww3_yz - qdd[0]*s23;
-    const puma560_full_real neg_alpha3_y = qdd[0]*c23 + ww3_zx;
+    const puma560_full_real alpha3_z = qdd[1] + qdd[2];
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam3_23 = s23*qdd[0];
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww3_xy = w3_x*w3_y;
-    const puma560_full_real ww3_xx = w3_x*w3_x;
-    const puma560_full_real ww3_yy = w3_y*w3_y;
+    const puma560_full_real neg_ww3_yz = w3_z*neg_w3_y;
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_full_real neg_alpha3_x = lam3_23 + neg_ww3_yz;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam3_13 = c23*qdd[0];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_full_real neg_ww3_zx = w3_z*neg_w3_x;
+    /* link 3: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha3_y = neg_ww3_zx - neg_lam3_13;
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_full_real ww3_yy = neg_w3_y*neg_w3_y;
     const puma560_full_real ww3_zz = w3_z*w3_z;
+    const puma560_full_real ww3_xy = neg_w3_x*neg_w3_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_full_real lam3_12 = ww3_xy - alpha3_z;
-    const puma560_full_real lam3_13 = ww3_zx - neg_alpha3_y;
+    const puma560_full_real neg_lam3_12 = alpha3_z - ww3_xy;
+    const puma560_full_real neg_lam3_31 = neg_ww3_zx + alpha3_y;
+    const puma560_full_real neg_lam3_32 = neg_ww3_yz + neg_alpha3_x;
     const puma560_full_real lam3_21 = alpha3_z + ww3_xy;
-    const puma560_full_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_full_real lam3_23 = ww3_yz - alpha3_x;
-    const puma560_full_real lam3_31 = ww3_zx + neg_alpha3_y;
-    const puma560_full_real lam3_32 = ww3_yz + alpha3_x;
-    const puma560_full_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_z = 0.0203*lam3_21 - 0.4331*neg_lam3_22 - a3_y;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c4 = cos(q[3]);
+    const puma560_full_real s4 = sin(again[3]);
     /* link 4: angular velocity [rad/s] */
-    const puma560_full_real w4_x = c4*w3_x + s4*w3_z;
-    const puma560_full_real w4_y = c4*w3_z - s4*w3_x;
-    const puma560_full_real t7 = a3_z + (-0.0203*lam3_31 - 0.4331*lam3_32);
-    const puma560_full_real t8 = neg_a3_x + (0.4331*lam3_12 - 0.0203*neg_lam3_11);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_x = s4*t7 - c4*t8;
-    const puma560_full_real a4_y = s4*t8 + c4*t7;
+    const puma560_full_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
+    const puma560_full_real w4_z = neg_w3_y + qd[3];
+    const puma560_full_real w4_y = neg_w3_x*s4 + w3_z*c4;
     /* link 4: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha4_x = qd[3]*w4_y - (-s4*alpha3_z - c4*alpha3_x);
-    const puma560_full_real alpha4_y = c4*alpha3_z - s4*alpha3_x - qd[3]*w4_x;
-    const puma560_full_real alpha4_z = qdd[3] + neg_alpha3_y;
-    /* link 4: angular velocity [rad/s] */
-    const puma560_full_real w4_z = qd[3] - w3_y;
+    const puma560_full_real alpha4_z = qdd[3] - alpha3_y;
     /* link 4: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww4_yz = w4_y*w4_z;
-    const puma560_full_real ww4_zx = w4_x*w4_z;
-    const puma560_full_real ww4_xy = w4_x*w4_y;
-    const puma560_full_real ww4_xx = w4_x*w4_x;
-    const puma560_full_real ww4_yy = w4_y*w4_y;
+    const puma560_full_real neg_ww4_xy = neg_w4_x*w4_y;
     const puma560_full_real ww4_zz = w4_z*w4_z;
+    const puma560_full_real ww4_yy = w4_y*w4_y;
+    const puma560_full_real ww4_yz = w4_z*w4_y;
+    const puma560_full_real neg_ww4_zx = neg_w4_x*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam4_11 = ww4_yy + ww4_zz;
-    const puma560_full_real lam4_12 = ww4_xy - alpha4_z;
-    const puma560_full_real lam4_13 = alpha4_y + ww4_zx;
-    const puma560_full_real lam4_21 = alpha4_z + ww4_xy;
-    const puma560_full_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const puma560_full_real lam4_23 = ww4_yz - alpha4_x;
-    const puma560_full_real lam4_31 = ww4_zx - alpha4_y;
-    const puma560_full_real lam4_32 = alpha4_x + ww4_yz;
-    const puma560_full_real neg_lam4_33 = ww4_xx + ww4_yy;
+    const puma560_full_real lam4_21 = alpha4_z - neg_ww4_xy;
+    const puma560_full_real neg_lam4_11 = ww4_zz + ww4_yy;
+    const puma560_full_real neg_lam4_12 = alpha4_z + neg_ww4_xy;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c5 = cos(q[4]);
+    const puma560_full_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const puma560_full_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_full_real t9 = -c5;
-    const puma560_full_real w5_y = t9*w4_z - s5*w4_x;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a5_x = c5*a4_x - s5*a4_z;
-    const puma560_full_real a5_y = t9*a4_z - s5*a4_x;
-    /* link 5: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha5_x = qd[4]*w5_y - (s5*alpha4_z - c5*alpha4_x);
-    const puma560_full_real alpha5_y = t9*alpha4_z - s5*alpha4_x - qd[4]*w5_x;
-    const puma560_full_real alpha5_z = qdd[4] + alpha4_y;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_full_real w5_z = qd[4] + w4_y;
+    const puma560_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const puma560_full_real w5_z = w4_y + qd[4];
+    const puma560_full_real w5_y = neg_w4_x*s5 - w4_z*c5;
     /* link 5: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww5_yz = w5_y*w5_z;
-    const puma560_full_real ww5_zx = w5_x*w5_z;
-    const puma560_full_real ww5_xy = w5_x*w5_y;
-    const puma560_full_real ww5_xx = w5_x*w5_x;
-    const puma560_full_real ww5_yy = w5_y*w5_y;
+    const puma560_full_real neg_ww5_zx = neg_w5_x*w5_z;
+    const puma560_full_real ww5_xx = neg_w5_x*neg_w5_x;
     const puma560_full_real ww5_zz = w5_z*w5_z;
-    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam5_11 = ww5_yy + ww5_zz;
-    const puma560_full_real lam5_12 = ww5_xy - alpha5_z;
-    const puma560_full_real lam5_13 = alpha5_y + ww5_zx;
-    const puma560_full_real lam5_21 = alpha5_z + ww5_xy;
-    const puma560_full_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const puma560_full_real lam5_23 = ww5_yz - alpha5_x;
-    const puma560_full_real neg_lam5_31 = alpha5_y - ww5_zx;
-    const puma560_full_real lam5_32 = alpha5_x + ww5_yz;
-    const puma560_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 6: angular velocity [rad/s] */
-    const puma560_full_real w6_x = c6*w5_x + s6*w5_z;
-    const puma560_full_real w6_y = c6*w5_z - s6*w5_x;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a6_x = c6*a5_x + s6*a4_y;
-    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
-    /* link 6: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha6_x = qd[5]*w6_y - (-s6*alpha5_z - c6*alpha5_x);
-    const puma560_full_real alpha6_y = c6*alpha5_z - s6*alpha5_x - qd[5]*w6_x;
-    const puma560_full_real alpha6_z = qdd[5] - alpha5_y;
+    const puma560_full_real ww5_yz = w5_z*w5_y;
+    const puma560_full_real neg_ww5_xy = neg_w5_x*w5_y;
     /* link 6: angular velocity [rad/s] */
     const puma560_full_real w6_z = qd[5] - w5_y;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c6 = cos(q[5]);
+    const puma560_full_real s6 = sin(again[5]);
+    const puma560_full_real c2 = cos(q[1]);
+    const puma560_full_real s2 = sin(again[1]);
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha4_x = alpha3_z*s4 - (neg_alpha3_x*c4 - qd[3]*w4_y);
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_23 = ww4_yz - alpha4_x;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_13 = w4_y*neg_w5_x + (alpha4_z*c5 + s5*alpha4_x);
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha4_y = neg_alpha3_x*s4 + (alpha3_z*c4 + neg_w4_x*qd[3]);
+    /* link 5: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha5_z = alpha4_y + qdd[4];
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_12 = neg_ww5_xy + alpha5_z;
+    /* link 5: angular acceleration [rad/s^2] */
+    const puma560_full_real neg_alpha5_x = alpha4_z*s5 - (qd[4]*w5_y + c5*alpha4_x);
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_32 = ww5_yz - neg_alpha5_x;
     /* link 6: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww6_yz = w6_y*w6_z;
-    const puma560_full_real ww6_zx = w6_x*w6_z;
-    const puma560_full_real ww6_xy = w6_x*w6_y;
-    const puma560_full_real ww6_xx = w6_x*w6_x;
-    const puma560_full_real ww6_yy = w6_y*w6_y;
     const puma560_full_real ww6_zz = w6_z*w6_z;
-    /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam6_11 = ww6_yy + ww6_zz;
-    const puma560_full_real lam6_12 = ww6_xy - alpha6_z;
-    const puma560_full_real lam6_13 = alpha6_y + ww6_zx;
-    const puma560_full_real lam6_21 = alpha6_z + ww6_xy;
-    const puma560_full_real neg_lam6_22 = ww6_xx + ww6_zz;
-    const puma560_full_real lam6_23 = ww6_yz - alpha6_x;
-    const puma560_full_real neg_lam6_31 = alpha6_y - ww6_zx;
-    const puma560_full_real lam6_32 = alpha6_x + ww6_yz;
-    const puma560_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 1: moment that turns the link [N m] */
-    const puma560_full_real nc1_z = 2.629303206180387*qdd[0];
-    /* link 2: force that moves the link [N] */
-    const puma560_full_real fc2_x = 0.1606745919581151*lam2_12 - 7.6631781603519995*neg_lam2_11;
-    const puma560_full_real fc2_y = 7.6631781603519995*lam2_21 - 0.1606745919581151*neg_lam2_22;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_full_real nc2_x = -0.024117256252913073*ww1_zz - (-0.20730445403579364*lam2_32 -
-        0.0507946745483177*(neg_lam2_22 - neg_lam2_33) + (0.017097472943757824*lam2_21 -
-        0.1174059800416141*lam2_31));
-    const puma560_full_real nc2_y = -3.522577799201274*lam2_31 - 0.017097472943757824*(neg_lam2_11 -
-        neg_lam2_33) - (0.1174059800416141*lam2_32 - 0.0507946745483177*lam2_12) +
-        1.1502430418688352*ww1_zz;
-    const puma560_full_real t10 = 3.522577799201274*lam2_21 - 0.20730445403579364*lam2_12 +
-        0.1174059800416141*(neg_lam2_11 - neg_lam2_22) - (0.0507946745483177*lam2_13 -
-        0.017097472943757824*lam2_23);
-    const puma560_full_real nc2_z = t10 + (7.6631781603519995*a2_y + 0.1606745919581151*neg_a2_x);
-    /* link 3: force that moves the link [N] */
-    const puma560_full_real fc3_x = -1.046378600789203*neg_lam3_11 - 5.729293810689829*lam3_12;
-    const puma560_full_real fc3_y = 1.046378600789203*lam3_21 + 5.729293810689829*neg_lam3_22;
-    const puma560_full_real fc3_z = 1.046378600789203*lam3_31 - 5.729293810689829*lam3_32;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_full_real nc3_x = -5.729293810689829*a3_z - (-3.4805327967608957*lam3_32 -
-        0.060845712710754084*(neg_lam3_22 - neg_lam3_33) + (0.01894848286257894*lam3_21 -
-        0.28615890025504537*lam3_31));
-    const puma560_full_real nc3_y = -0.47176417886368593*lam3_31 - 0.01894848286257894*(neg_lam3_11
-        - neg_lam3_33) - (0.28615890025504537*lam3_32 - 0.060845712710754084*lam3_12) -
-        1.046378600789203*a3_z;
-    const puma560_full_real t11 = 0.47176417886368593*lam3_21 - 3.4805327967608957*lam3_12 +
-        0.28615890025504537*(neg_lam3_11 - neg_lam3_22) - (0.060845712710754084*lam3_13 -
-        0.01894848286257894*lam3_23);
-    const puma560_full_real nc3_z = t11 + (1.046378600789203*a3_y - 5.729293810689829*neg_a3_x);
-    /* link 4: force that moves the link [N] */
-    const puma560_full_real fc4_x = 0.8719880516308344*lam4_12 - 0.7777930398944852*neg_lam4_11;
-    const puma560_full_real fc4_y = 0.7777930398944852*lam4_21 - 0.8719880516308344*neg_lam4_22;
-    const puma560_full_real fc4_z = 0.7777930398944852*lam4_31 + 0.8719880516308344*lam4_32;
-    /* link 4: moment that turns the link [N m] */
-    const puma560_full_real nc4_x = 0.8719880516308344*a4_z - (-0.2788425785236688*lam4_32 -
-        0.10734691974802549*(neg_lam4_22 - neg_lam4_33) + (0.2837491060266096*lam4_21 -
-        0.05337162017689789*lam4_31));
-    const puma560_full_real nc4_y = -0.3473260245772809*lam4_31 - 0.2837491060266096*(neg_lam4_11 -
-        neg_lam4_33) - (0.05337162017689789*lam4_32 - 0.10734691974802549*lam4_12) -
-        0.7777930398944852*a4_z;
-    const puma560_full_real t12 = 0.3473260245772809*lam4_21 - 0.2788425785236688*lam4_12 +
-        0.05337162017689789*(neg_lam4_11 - neg_lam4_22) + (0.2837491060266096*lam4_23 -
-        0.10734691974802549*lam4_13);
-    const puma560_full_real nc4_z = t12 + (0.7777930398944852*a4_y - 0.8719880516308344*a4_x);
-    /* link 5: force that moves the link [N] */
-    const puma560_full_real fc5_x = 0.47660058733283606*neg_lam5_11 - 0.15165250821211493*lam5_12;
-    const puma560_full_real fc5_y = 0.15165250821211493*neg_lam5_22 - 0.47660058733283606*lam5_21;
-    const puma560_full_real fc5_z = 0.47660058733283606*neg_lam5_31 - 0.15165250821211493*lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_full_real neg_nc5_x = 0.18116108322165295*(neg_lam5_22 - neg_lam5_33) -
-        0.3901127773977262*lam5_32 + (0.08058935149735619*neg_lam5_31 - 0.1558184212675505*lam5_21)
-        + 0.15165250821211493*a4_y;
-    const puma560_full_real nc5_y = 0.1513642331069161*neg_lam5_31 + 0.1558184212675505*(neg_lam5_11
-        - neg_lam5_33) + (-0.18116108322165295*lam5_12 - 0.08058935149735619*lam5_32) +
-        0.47660058733283606*a4_y;
-    const puma560_full_real t13 = 0.1513642331069161*lam5_21 - 0.3901127773977262*lam5_12 -
-        0.08058935149735619*(neg_lam5_22 - neg_lam5_11) - (0.1558184212675505*lam5_23 -
-        0.18116108322165295*lam5_13);
-    const puma560_full_real nc5_z = t13 - (0.47660058733283606*a5_y - 0.15165250821211493*a5_x);
-    /* link 6: force that moves the link [N] */
-    const puma560_full_real fc6_x = 1.1185374890947408*neg_lam6_11 + 1.2975168001325401*lam6_12;
-    const puma560_full_real fc6_y = -1.2975168001325401*neg_lam6_22 - 1.1185374890947408*lam6_21;
-    const puma560_full_real fc6_z = 1.1185374890947408*neg_lam6_31 + 1.2975168001325401*lam6_32;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_full_real ww2_zz = qd[1]*qd[1];
+    const puma560_full_real t1 = ww3_yy - ww3_zz;
+    const puma560_full_real t2 = ww1_zz - neg_lam3_11;
+    const puma560_full_real t3 = t1 - t2;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam3_22 = t3 - neg_lam3_11;
+    const puma560_full_real t4 = neg_lam5_13 + qdd[5];
+    /* link 6: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha6_z = t4 - neg_ww5_zx;
+    const puma560_full_real t5 = neg_ww5_zx - alpha6_z;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_31 = qdd[5] + t5;
+    const puma560_full_real t6 = 0.2519035474197792*c6 - 0.1902613160848803*s6;
+    const puma560_full_real t7 = 0.1902613160848803*c6 + 0.2519035474197792*s6;
+    const puma560_full_real t8 = 0.561954526137403*c6;
+    const puma560_full_real t9 = 0.062417998297925076*c6;
+    const puma560_full_real t10 = t8*t9 + 0.43637196239865417;
+    const puma560_full_real t11 = 0.561954526137403*s6;
+    const puma560_full_real t12 = t9*t11;
+    const puma560_full_real t13 = t10 + 22.918482381900507*t12;
+    const puma560_full_real t14 = t13 - 0.907820001453264;
+    const puma560_full_real t15 = 0.9969983837450935*c2;
+    const puma560_full_real t16 = 0.9969983837450935*s2;
+    const puma560_full_real t17 = qdd[1]*t15 - (ww2_zz*t16 + 22.627568690833527);
+    const puma560_full_real t18 = 0.3465712306626645*qdd[0] + (t15*(ww1_zz + ww2_zz) + qdd[1]*t16);
+    const puma560_full_real t19 = s23*t17 - c23*t18;
+    const puma560_full_real t20 = 0.04687139228815516*neg_lam3_11 + (neg_lam3_12 + t19);
+    const puma560_full_real t21 = qd[0]*qd[1];
+    const puma560_full_real t22 = 0.07491193080123078*s2;
+    const puma560_full_real t23 = qdd[0]*t15 - 0.3465712306626645*ww1_zz -
+        26.617879771127544*(t21*t22);
+    const puma560_full_real t24 = neg_lam3_32 + (0.04687139228815516*neg_lam3_31 + t23);
+    const puma560_full_real t25 = s4*t20 - c4*t24;
+    const puma560_full_real t26 = t11 + 0.4844385865269322*c6;
+    const puma560_full_real t27 = 0.04687139228815516*lam3_21 - s23*t18 - (c23*t17 - lam3_22);
+    const puma560_full_real t28 = c4*t20 + s4*t24;
+    const puma560_full_real t29 = s5*t27 - c5*t28;
+    const puma560_full_real t30 = t8 - 0.4844385865269322*s6;
+    const puma560_full_real t31 = ww5_xx + ww6_zz;
+    const puma560_full_real t32 = ww5_zz + ww6_zz;
+    const puma560_full_real t33 = t31 - t32;
+    const puma560_full_real t34 = t12 - (22.918482381900507*t10 - 10.402928354621762);
     /* link 6: moment that turns the link [N m] */
-    const puma560_full_real nc6_x = -1.2975168001325401*a5_y - (0.2519035474197792*(neg_lam6_22 -
-        neg_lam6_33) - 0.43637196239865417*lam6_32 - (0.4019452224328564*neg_lam6_31 -
-        0.1902613160848803*lam6_21));
-    const puma560_full_real nc6_y = 0.4714480390546099*neg_lam6_31 - 0.1902613160848803*(neg_lam6_11
-        - neg_lam6_33) + (0.4019452224328564*lam6_32 - 0.2519035474197792*lam6_12) -
-        1.1185374890947408*a5_y;
-    const puma560_full_real t14 = 0.4714480390546099*lam6_21 - 0.43637196239865417*lam6_12 -
-        0.4019452224328564*(neg_lam6_11 - neg_lam6_22) + (0.1902613160848803*lam6_23 +
-        0.2519035474197792*lam6_13);
-    const puma560_full_real nc6_z = t14 - (1.1185374890947408*a6_y + 1.2975168001325401*a6_x);
-    /* link 6: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f06_x = c6*fc6_x - s6*fc6_y;
-    const puma560_full_real f06_y = s6*fc6_x + c6*fc6_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
-    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_x = n06_x - neg_nc5_x;
-    const puma560_full_real n5_y = nc5_y - nc6_z;
-    const puma560_full_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint [N] */
-    const puma560_full_real f5_x = fc5_x + f06_x;
-    const puma560_full_real f5_y = fc5_y - fc6_z;
-    const puma560_full_real f5_z = fc5_z + f06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f05_x = c5*f5_x - s5*f5_y;
-    const puma560_full_real f05_y = s5*f5_x + c5*f5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
-    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
+    const puma560_full_real nc6_z = neg_lam5_12*t6 - lam5_32*t7 - (t4*t14 + t5*t13 - t25*t26) +
+        (t29*t30 - t33*t34);
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_13 = alpha4_y - neg_ww4_zx;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_21 = neg_ww5_xy - alpha5_z;
+    const puma560_full_real neg_lam5_22 = ww5_xx + ww5_zz;
+    const puma560_full_real t35 = ww4_zz - ww4_yy;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_22 = lam3_22 - t35;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_23 = ww5_yz + neg_alpha5_x;
+    const puma560_full_real t36 = 0.08058935149735619*lam5_32;
+    const puma560_full_real t37 = 0.37765802516131436*t29;
+    const puma560_full_real t38 = 0.18116108322165295*neg_lam5_12 - t36 - (0.1558184212675505*t33 +
+        t37 - 0.1513642331069161*neg_lam5_31 + 0.2064157143738513*t25 + nc6_z);
+    const puma560_full_real t39 = 0.2788425785236688*neg_lam5_13 - t38;
+    const puma560_full_real t40 = neg_lam4_11 + lam3_22;
+    const puma560_full_real t41 = qd[5] + w6_z;
+    const puma560_full_real t42 = alpha5_z + neg_w5_x*t41;
+    const puma560_full_real t43 = s5*t28 + c5*t27;
+    const puma560_full_real t44 = neg_lam5_22 + lam4_22;
+    const puma560_full_real t45 = neg_alpha5_x - w5_z*t41;
+    const puma560_full_real t46 = 0.06568070130666698*t25 - (t34*t42 - (t30 +
+        0.37765802516131436)*t43) + (t5*t7 - (0.18116108322165295*t44 + t6*(t31 - neg_lam5_22)) +
+        t14*t45);
+    const puma560_full_real t47 = 0.08058935149735619*neg_lam5_31 + (0.1558184212675505*neg_lam5_21
+        - (t46 + 0.3901127773977262*lam5_32) + 0.2788425785236688*lam5_23);
+    const puma560_full_real t48 = 0.3473260245772809*lam4_21 + (c5*t39 - 0.10734691974802549*lam4_13
+        - 0.05337162017689789*(t35 - t40)) + s5*t47;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = nc4_x + n05_x;
-    const puma560_full_real n4_y = nc4_y + n5_z;
-    const puma560_full_real n4_z = nc4_z - n05_y;
-    /* link 4: force through the joint [N] */
-    const puma560_full_real f4_x = fc4_x + f05_x;
-    const puma560_full_real f4_y = fc4_y + f5_z;
-    const puma560_full_real f4_z = fc4_z - f05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f04_x = c4*f4_x - s4*f4_y;
-    const puma560_full_real f04_y = s4*f4_x + c4*f4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n04_x = c4*n4_x - s4*n4_y;
-    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
+    const puma560_full_real n4_z = 0.2837491060266096*lam4_23 + (t48 - 0.33686216557830156*t25);
+    const puma560_full_real t49 = t33 + t44;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_11 = t49 - neg_lam5_22;
+    const puma560_full_real t50 = t26*t42 - (0.06568070130666698*neg_lam5_22 +
+        (0.37765802516131436*lam5_23 + 0.2064157143738513*neg_lam5_21)) - t30*t45;
+    const puma560_full_real t51 = -0.2064157143738513*lam5_11 - (t4*t30 - t32*t26) +
+        (0.06568070130666698*neg_lam5_12 - 0.37765802516131436*neg_lam5_13);
+    const puma560_full_real t52 = 0.33686216557830156*neg_lam4_11 + (9.668724351427649*t28 - s5*t50
+        - c5*t51);
+    const puma560_full_real t53 = t31*t30 - (9.668724351427649*t25 + t5*t26 -
+        0.8150047132321409*(t36 - 0.2532693504989058*neg_lam5_31)) - 0.37765802516131436*lam4_22;
+    const puma560_full_real t54 = 0.33686216557830156*lam4_21 - t53;
+    const puma560_full_real t55 = s4*t52 - c4*t54;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n3_x = n04_x + (nc3_x - 0.4331*f04_y);
-    const puma560_full_real n3_y = nc3_y + 0.0203*f04_y - n4_z;
-    const puma560_full_real n3_z = n04_y + (nc3_z - (-0.4331*f04_x - 0.0203*f4_z));
-    /* link 3: force through the joint [N] */
-    const puma560_full_real f3_x = fc3_x + f04_x;
-    const puma560_full_real f3_y = fc3_y - f4_z;
-    const puma560_full_real f3_z = fc3_z + f04_y;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f03_x = c23*f3_x - s23*f3_y;
-    const puma560_full_real f03_y = s23*f3_x + c23*f3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n03_y = s23*n3_x + c23*n3_y;
-    const puma560_full_real t15 = 0.4318*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + f3_z*t15);
-    const puma560_full_real n02_z = n3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t15));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f02_x = f03_x - (s2*fc2_y - c2*fc2_x);
+    const puma560_full_real neg_n3_y = 0.060845712710754084*neg_lam3_12 + n4_z -
+        (0.4930056644597067*neg_lam3_31 + (0.7393454722568493*neg_lam3_32 - (0.04687139228815516*t55
+        - 0.01894848286257894*t2)));
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam4_31 = neg_ww4_zx + alpha4_y;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n4_x = c5*t47 - (s5*t39 - 0.05337162017689789*neg_lam4_31 -
+        (0.2837491060266096*lam4_21 - 0.10734691974802549*t35));
+    const puma560_full_real t56 = 0.1513642331069161*neg_lam5_21 - t13*t42 +
+        0.17391580988809086*(t37 + 0.8959416706728075*lam5_23) - t43*(t26 + 0.2064157143738513);
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n5_z = t7*(ww5_xx - ww6_zz) - t56 + (t34*t45 +
+        0.3901127773977262*neg_lam5_12 + t4*t6) - (0.18116108322165295*neg_lam5_13 +
+        0.08058935149735619*t49);
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_32 = ww4_yz + alpha4_x;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n4_y = 0.10734691974802549*neg_lam4_12 - n5_z +
+        0.2837491060266096*t40 - 0.3473260245772809*neg_lam4_31 + (0.05337162017689789*lam4_32 +
+        0.33686216557830156*t27);
+    const puma560_full_real t57 = t55 + s4*neg_n4_y - (0.7393454722568493*neg_lam3_31 +
+        0.060845712710754084*(t1 + 216.1081950128016*neg_lam3_32) + 12.150081500837414*t23);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n3_x = 0.01894848286257894*lam3_21 + c4*neg_n4_x - t57;
+    const puma560_full_real t58 = 4.508184091221399*s2 + 0.07491193080123078*c2;
+    const puma560_full_real t59 = 0.2348119600832282*c2;
+    const puma560_full_real t60 = s2*t59;
+    const puma560_full_real t61 = c2*t59;
+    const puma560_full_real t62 = 55.04847880816545*t60 + (t61 - 0.1174059800416141);
+    const puma560_full_real t63 = t21*t62;
+    const puma560_full_real t64 = c4*t52 + s4*t54;
+    const puma560_full_real t65 = 12.150081500837414*neg_lam3_12 - t64;
+    const puma560_full_real t66 = 0.33686216557830156*neg_lam4_31 + (s5*t51 - c5*t50 +
+        9.668724351427649*t27);
+    const puma560_full_real t67 = t66 - 12.150081500837414*lam3_22;
+    const puma560_full_real t68 = c23*t65 - s23*t67;
+    const puma560_full_real t69 = ww2_zz*(t22 - 4.508184091221399*c2) + qdd[0]*(t60 -
+        (55.04847880816545*t61 + 3.9979337853179913)) + (t63 - s23*neg_n3_x);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n1_z = nc1_z - 0.1501*f02_x - n02_y;
+    const puma560_full_real n1_z = c23*neg_n3_y + (qdd[1]*t58 - (t63 + 0.3465712306626645*t68 + (t69
+        + t15*(t55 - 12.150081500837414*neg_lam3_32))));
+    const puma560_full_real t70 = c4*neg_n4_y - 12.150081500837414*t19 -
+        (0.01894848286257894*lam3_23 + (0.4930056644597067*lam3_21 + 0.7393454722568493*t3) -
+        0.04687139228815516*t66);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n3_z = 0.060845712710754084*neg_lam3_13 - (t64 -
+        (13.149257148188545*neg_lam3_12 - s4*neg_n4_x)) - t70;
+    const puma560_full_real t71 = n3_z + t15*(s23*t65 + c23*t67) + (qdd[0]*t58 -
+        293.22217760906653*(c2 - 0.005370026967362786*s2) - t16*t68);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n02_z = 13.340650116616965*qdd[1] + ww1_zz*t62 + t71;
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = n3_z;
@@ -353,76 +285,81 @@ void puma560_full_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 42 multiplications, 25 additions = 67; 0 unary minus; 10 sine/cosine */
+ * 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine */
 void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_full_real *const again = q;
     /* sines and cosines of the joint angles */
-    const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
-    const puma560_full_real c4 = cos(q[3]);
-    const puma560_full_real s4 = sin(again[3]);
-    const puma560_full_real c5 = cos(q[4]);
-    const puma560_full_real s5 = sin(again[4]);
-    const puma560_full_real c6 = cos(q[5]);
-    const puma560_full_real s6 = sin(again[5]);
     const volatile puma560_full_real angle23 = q[1] + q[2];
-    const puma560_full_real c23 = cos(angle23);
     const puma560_full_real s23 = sin(angle23);
     /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const puma560_full_real neg_a3_x = 9.8*s23;
-    const puma560_full_real neg_a3_y = 9.8*c23;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c23 = cos(angle23);
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a3_y = -9.8*c23;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c4 = cos(q[3]);
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a4_x = c4*neg_a3_x;
-    const puma560_full_real a4_y = s4*neg_a3_x;
+    const puma560_full_real a4_x = -neg_a3_x*c4;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real s4 = sin(again[3]);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const puma560_full_real a4_y = neg_a3_x*s4;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c5 = cos(q[4]);
+    const puma560_full_real s5 = sin(again[4]);
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a5_x = c5*neg_a4_x + s5*neg_a3_y;
-    const puma560_full_real neg_a5_y = c5*neg_a3_y - s5*neg_a4_x;
+    const puma560_full_real a5_x = a4_x*c5 + a3_y*s5;
+    const puma560_full_real a5_y = a3_y*c5 - a4_x*s5;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real s6 = sin(again[5]);
+    const puma560_full_real c6 = cos(q[5]);
     /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a6_x = s6*a4_y - c6*neg_a5_x;
-    const puma560_full_real a6_y = s6*neg_a5_x + c6*a4_y;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_full_real nc2_z = 1.5746110011895278*s2 - 75.09914597144959*c2;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_full_real neg_nc3_z = 10.254510287734192*c23 + 56.14707934476033*s23;
-    /* link 4: moment that turns the link [N m] */
-    const puma560_full_real nc4_x = 8.545482905982176*c23;
-    const puma560_full_real neg_nc4_y = 7.622371790965955*c23;
-    const puma560_full_real nc4_z = 0.7777930398944852*a4_y + 0.8719880516308344*neg_a4_x;
+    const puma560_full_real a6_y = a4_y*c6 - a5_x*s6;
+    const puma560_full_real neg_a6_x = -a4_y*s6 - a5_x*c6;
+    /* link 6: moment that turns the link [N m] */
+    const puma560_full_real nc6_z = 1.2975168001325401*neg_a6_x - 1.1185374890947408*a6_y;
+    const puma560_full_real nc6_x = -1.2975168001325401*a5_y;
+    const puma560_full_real nc6_y = -1.1185374890947408*a5_y;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
+    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
     /* link 5: moment that turns the link [N m] */
+    const puma560_full_real nc5_z = 0.15165250821211493*a5_x - 0.47660058733283606*a5_y;
     const puma560_full_real neg_nc5_x = 0.15165250821211493*a4_y;
     const puma560_full_real nc5_y = 0.47660058733283606*a4_y;
-    const puma560_full_real nc5_z = 0.47660058733283606*neg_a5_y - 0.15165250821211493*neg_a5_x;
-    /* link 6: moment that turns the link [N m] */
-    const puma560_full_real nc6_x = 1.2975168001325401*neg_a5_y;
-    const puma560_full_real nc6_y = 1.1185374890947408*neg_a5_y;
-    const puma560_full_real nc6_z = -1.2975168001325401*a6_x - 1.1185374890947408*a6_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
-    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n5_x = neg_nc5_x - n06_x;
+    const puma560_full_real n5_z = n06_y + nc5_z;
+    const puma560_full_real n5_x = n06_x - neg_nc5_x;
     const puma560_full_real n5_y = nc5_y - nc6_z;
-    const puma560_full_real n5_z = nc5_z + n06_y;
     /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real neg_n05_x = c5*neg_n5_x + s5*n5_y;
-    const puma560_full_real n05_y = c5*n5_y - s5*neg_n5_x;
+    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
+    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
+    /* link 4: moment that turns the link [N m] */
+    const puma560_full_real nc4_z = 0.7777930398944852*a4_y - 0.8719880516308344*a4_x;
+    const puma560_full_real nc4_x = 8.545482905982176*c23;
+    const puma560_full_real neg_nc4_y = 7.622371790965955*c23;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = nc4_x - neg_n05_x;
-    const puma560_full_real neg_n4_y = neg_nc4_y - n5_z;
     const puma560_full_real n4_z = nc4_z - n05_y;
+    const puma560_full_real n4_x = n05_x + nc4_x;
+    const puma560_full_real n4_y = n5_z - neg_nc4_y;
     /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n04_x = c4*n4_x + s4*neg_n4_y;
-    const puma560_full_real n04_y = s4*n4_x - c4*neg_n4_y;
+    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
+    /* link 3: moment that turns the link [N m] */
+    const puma560_full_real neg_nc3_z = 10.254510287734192*c23 + 56.14707934476033*s23;
     /* link 3: moment through the joint, about the frame's origin [N m] */
     const puma560_full_real n3_z = n04_y - neg_nc3_z;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real neg_n03_y = c23*n4_z - s23*n04_x;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c2 = cos(q[1]);
+    const puma560_full_real s2 = sin(again[1]);
+    /* link 2: moment that turns the link [N m] */
+    const puma560_full_real nc2_z = 1.5746110011895278*s2 - 75.09914597144959*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n02_z = nc2_z + n3_z;
-    tau[0] = neg_n03_y;
+    const puma560_full_real n02_z = n3_z + nc2_z;
+    tau[0] = 0.0;
     tau[1] = n02_z;
     tau[2] = n3_z;
     tau[3] = n4_z;
@@ -431,7 +368,7 @@ void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6]
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 244 multiplications, 211 additions = 455; 8 unary minus; 10 sine/cosine */
+ * 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine */
 void puma560_full_bias(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -440,279 +377,211 @@ void puma560_full_bias(
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_full_real *const again = q;
-    /* sines and cosines of the joint angles */
-    const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
-    const puma560_full_real c4 = cos(q[3]);
-    const puma560_full_real s4 = sin(again[3]);
-    const puma560_full_real c5 = cos(q[4]);
-    const puma560_full_real s5 = sin(again[4]);
-    const puma560_full_real c6 = cos(q[5]);
-    const puma560_full_real s6 = sin(again[5]);
-    const volatile puma560_full_real angle23 = q[1] + q[2];
-    const puma560_full_real c23 = cos(angle23);
-    const puma560_full_real s23 = sin(angle23);
-    /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_z = qd[1] + qd[2];
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_full_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_full_real neg_w2_x = qd[0]*s2;
-    const puma560_full_real neg_w2_y = qd[0]*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_full_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_full_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_full_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_full_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_full_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_full_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const puma560_full_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a3_z = a2_z - 0.8636*alpha2_y;
-    const puma560_full_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_x = t1*s23;
-    const puma560_full_real w3_y = t1*c23;
-    const puma560_full_real t2 = 0.4318*neg_lam2_11;
-    const puma560_full_real t3 = 0.4318*ww2_xy;
-    const puma560_full_real t4 = c2*t2 + s2*t3;
-    const puma560_full_real t5 = s2*t2 - c2*t3 + 9.8;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a3_x = c23*t4 + s23*t5;
-    const puma560_full_real a3_y = s23*t4 - c23*t5;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha3_x = w3_z*w3_y;
-    const puma560_full_real alpha3_y = -w3_z*w3_x;
+    const puma560_full_real w3_z = qd[1] + qd[2];
+    /* sines and cosines of the joint angles */
+    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real neg_w3_x = qd[0]*s23;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c23 = cos(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real neg_w3_y = qd[0]*c23;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww3_xy = w3_x*w3_y;
-    const puma560_full_real ww3_xx = w3_x*w3_x;
-    const puma560_full_real ww3_yy = w3_y*w3_y;
+    const puma560_full_real neg_ww3_yz = w3_z*neg_w3_y;
+    const puma560_full_real neg_ww3_zx = w3_z*neg_w3_x;
+    const puma560_full_real ww3_yy = neg_w3_y*neg_w3_y;
     const puma560_full_real ww3_zz = w3_z*w3_z;
+    const puma560_full_real ww3_xy = neg_w3_x*neg_w3_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_full_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_full_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_z = 0.0203*ww3_xy - 0.4331*neg_lam3_22 - a3_y;
+    const puma560_full_real lam3_32 = -2.0*neg_ww3_yz;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c4 = cos(q[3]);
+    const puma560_full_real s4 = sin(again[3]);
     /* link 4: angular velocity [rad/s] */
-    const puma560_full_real w4_x = c4*w3_x + s4*w3_z;
-    const puma560_full_real w4_y = c4*w3_z - s4*w3_x;
-    const puma560_full_real t6 = a3_z + (0.0406*alpha3_y - 0.8662*alpha3_x);
-    const puma560_full_real t7 = neg_a3_x + (0.4331*ww3_xy - 0.0203*neg_lam3_11);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_x = s4*t6 - c4*t7;
-    const puma560_full_real a4_y = s4*t7 + c4*t6;
-    /* link 4: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
-    const puma560_full_real alpha4_y = -qd[3]*w4_x - s4*alpha3_x;
-    /* link 4: angular velocity [rad/s] */
-    const puma560_full_real w4_z = qd[3] - w3_y;
+    const puma560_full_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
+    const puma560_full_real w4_z = neg_w3_y + qd[3];
+    const puma560_full_real w4_y = neg_w3_x*s4 + w3_z*c4;
     /* link 4: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww4_yz = w4_y*w4_z;
-    const puma560_full_real ww4_zx = w4_x*w4_z;
-    const puma560_full_real ww4_xy = w4_x*w4_y;
-    const puma560_full_real ww4_xx = w4_x*w4_x;
-    const puma560_full_real ww4_yy = w4_y*w4_y;
+    const puma560_full_real neg_ww4_xy = neg_w4_x*w4_y;
     const puma560_full_real ww4_zz = w4_z*w4_z;
+    const puma560_full_real ww4_yy = w4_y*w4_y;
+    const puma560_full_real ww4_yz = w4_z*w4_y;
+    const puma560_full_real neg_ww4_zx = neg_w4_x*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam4_11 = ww4_yy + ww4_zz;
-    const puma560_full_real lam4_12 = alpha3_y + ww4_xy;
-    const puma560_full_real lam4_13 = alpha4_y + ww4_zx;
-    const puma560_full_real lam4_21 = ww4_xy - alpha3_y;
-    const puma560_full_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const puma560_full_real lam4_23 = ww4_yz - alpha4_x;
-    const puma560_full_real lam4_31 = ww4_zx - alpha4_y;
-    const puma560_full_real lam4_32 = alpha4_x + ww4_yz;
-    const puma560_full_real neg_lam4_33 = ww4_xx + ww4_yy;
+    const puma560_full_real neg_lam4_21 = neg_ww3_zx + neg_ww4_xy;
+    const puma560_full_real neg_lam4_11 = ww4_zz + ww4_yy;
+    const puma560_full_real lam4_12 = neg_ww3_zx - neg_ww4_xy;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c5 = cos(q[4]);
+    const puma560_full_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const puma560_full_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_full_real t8 = -c5;
-    const puma560_full_real w5_y = t8*w4_z - s5*w4_x;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a5_x = c5*a4_x - s5*a4_z;
-    const puma560_full_real a5_y = t8*a4_z - s5*a4_x;
-    /* link 5: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha5_x = qd[4]*w5_y - (-s5*alpha3_y - c5*alpha4_x);
-    const puma560_full_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_full_real w5_z = qd[4] + w4_y;
+    const puma560_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const puma560_full_real w5_z = w4_y + qd[4];
+    const puma560_full_real w5_y = neg_w4_x*s5 - w4_z*c5;
     /* link 5: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww5_yz = w5_y*w5_z;
-    const puma560_full_real ww5_zx = w5_x*w5_z;
-    const puma560_full_real ww5_xy = w5_x*w5_y;
-    const puma560_full_real ww5_xx = w5_x*w5_x;
-    const puma560_full_real ww5_yy = w5_y*w5_y;
+    const puma560_full_real neg_ww5_zx = neg_w5_x*w5_z;
+    const puma560_full_real ww5_xx = neg_w5_x*neg_w5_x;
     const puma560_full_real ww5_zz = w5_z*w5_z;
-    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam5_11 = ww5_yy + ww5_zz;
-    const puma560_full_real lam5_12 = ww5_xy - alpha4_y;
-    const puma560_full_real lam5_13 = alpha5_y + ww5_zx;
-    const puma560_full_real lam5_21 = alpha4_y + ww5_xy;
-    const puma560_full_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const puma560_full_real lam5_23 = ww5_yz - alpha5_x;
-    const puma560_full_real neg_lam5_31 = alpha5_y - ww5_zx;
-    const puma560_full_real lam5_32 = alpha5_x + ww5_yz;
-    const puma560_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 6: angular velocity [rad/s] */
-    const puma560_full_real w6_x = c6*w5_x + s6*w5_z;
-    const puma560_full_real w6_y = c6*w5_z - s6*w5_x;
-    const puma560_full_real t9 = -s6;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a6_x = t9*a4_y - c6*a5_x;
-    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
-    /* link 6: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha6_x = qd[5]*w6_y - (t9*alpha4_y - c6*alpha5_x);
-    const puma560_full_real alpha6_y = c6*alpha4_y - s6*alpha5_x - qd[5]*w6_x;
+    const puma560_full_real ww5_yz = w5_z*w5_y;
+    const puma560_full_real neg_ww5_xy = neg_w5_x*w5_y;
     /* link 6: angular velocity [rad/s] */
     const puma560_full_real w6_z = qd[5] - w5_y;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c6 = cos(q[5]);
+    const puma560_full_real s6 = sin(again[5]);
+    const puma560_full_real c2 = cos(q[1]);
+    const puma560_full_real s2 = sin(again[1]);
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_full_real neg_alpha4_x = neg_ww3_yz*c4 - qd[3]*w4_y;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_23 = ww4_yz + neg_alpha4_x;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_13 = w4_y*neg_w5_x - (neg_ww3_zx*c5 + s5*neg_alpha4_x);
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha4_y = neg_ww3_yz*s4 + neg_w4_x*qd[3];
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_12 = neg_ww5_xy + alpha4_y;
+    /* link 5: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha5_x = neg_ww3_zx*s5 + (qd[4]*w5_y - c5*neg_alpha4_x);
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_32 = ww5_yz + alpha5_x;
     /* link 6: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww6_yz = w6_y*w6_z;
-    const puma560_full_real ww6_zx = w6_x*w6_z;
-    const puma560_full_real ww6_xy = w6_x*w6_y;
-    const puma560_full_real ww6_xx = w6_x*w6_x;
-    const puma560_full_real ww6_yy = w6_y*w6_y;
     const puma560_full_real ww6_zz = w6_z*w6_z;
-    /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam6_11 = ww6_yy + ww6_zz;
-    const puma560_full_real lam6_12 = alpha5_y + ww6_xy;
-    const puma560_full_real lam6_13 = alpha6_y + ww6_zx;
-    const puma560_full_real lam6_21 = ww6_xy - alpha5_y;
-    const puma560_full_real neg_lam6_22 = ww6_xx + ww6_zz;
-    const puma560_full_real lam6_23 = ww6_yz - alpha6_x;
-    const puma560_full_real neg_lam6_31 = alpha6_y - ww6_zx;
-    const puma560_full_real lam6_32 = alpha6_x + ww6_yz;
-    const puma560_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 2: force that moves the link [N] */
-    const puma560_full_real fc2_x = 0.1606745919581151*ww2_xy - 7.6631781603519995*neg_lam2_11;
-    const puma560_full_real fc2_y = 7.6631781603519995*ww2_xy - 0.1606745919581151*neg_lam2_22;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_full_real nc2_x = -0.024117256252913073*ww1_zz - (0.4146089080715873*neg_alpha2_x
-        - 0.0507946745483177*(neg_lam2_22 - neg_lam2_33) + (0.2348119600832282*alpha2_y +
-        0.017097472943757824*ww2_xy));
-    const puma560_full_real nc2_y = 7.045155598402548*alpha2_y - 0.017097472943757824*(neg_lam2_11 -
-        neg_lam2_33) + (0.0507946745483177*ww2_xy + 0.2348119600832282*neg_alpha2_x) +
-        1.1502430418688352*ww1_zz;
-    const puma560_full_real nc2_z = 3.31527334516548*ww2_xy + 0.1174059800416141*(neg_lam2_11 -
-        neg_lam2_22) - (75.09914597144959*c2 - 1.5746110011895278*s2);
-    /* link 3: force that moves the link [N] */
-    const puma560_full_real fc3_x = -1.046378600789203*neg_lam3_11 - 5.729293810689829*ww3_xy;
-    const puma560_full_real fc3_y = 1.046378600789203*ww3_xy + 5.729293810689829*neg_lam3_22;
-    const puma560_full_real fc3_z = -11.458587621379658*alpha3_x - 2.092757201578406*alpha3_y;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_full_real nc3_x = -5.729293810689829*a3_z - (-6.961065593521791*alpha3_x -
-        0.060845712710754084*(neg_lam3_22 - neg_lam3_33) + (0.5723178005100907*alpha3_y +
-        0.01894848286257894*ww3_xy));
-    const puma560_full_real nc3_y = 0.9435283577273719*alpha3_y - 0.01894848286257894*(neg_lam3_11 -
-        neg_lam3_33) + (0.060845712710754084*ww3_xy - 0.5723178005100907*alpha3_x) -
-        1.046378600789203*a3_z;
-    const puma560_full_real nc3_z = 1.046378600789203*a3_y - 5.729293810689829*neg_a3_x -
-        (3.0087686178972097*ww3_xy - 0.28615890025504537*(neg_lam3_11 - neg_lam3_22));
-    /* link 4: force that moves the link [N] */
-    const puma560_full_real fc4_x = 0.8719880516308344*lam4_12 - 0.7777930398944852*neg_lam4_11;
-    const puma560_full_real fc4_y = 0.7777930398944852*lam4_21 - 0.8719880516308344*neg_lam4_22;
-    const puma560_full_real fc4_z = 0.7777930398944852*lam4_31 + 0.8719880516308344*lam4_32;
-    /* link 4: moment that turns the link [N m] */
-    const puma560_full_real nc4_x = 0.8719880516308344*a4_z - (-0.2788425785236688*lam4_32 -
-        0.10734691974802549*(neg_lam4_22 - neg_lam4_33) + (0.2837491060266096*lam4_21 -
-        0.05337162017689789*lam4_31));
-    const puma560_full_real nc4_y = -0.3473260245772809*lam4_31 - 0.2837491060266096*(neg_lam4_11 -
-        neg_lam4_33) + (0.10734691974802549*lam4_12 - 0.05337162017689789*lam4_32) -
-        0.7777930398944852*a4_z;
-    const puma560_full_real t10 = 0.2788425785236688*lam4_12 - 0.3473260245772809*lam4_21 -
-        0.05337162017689789*(neg_lam4_11 - neg_lam4_22) - (0.2837491060266096*lam4_23 -
-        0.10734691974802549*lam4_13);
-    const puma560_full_real nc4_z = 0.7777930398944852*a4_y - 0.8719880516308344*a4_x - t10;
-    /* link 5: force that moves the link [N] */
-    const puma560_full_real fc5_x = 0.47660058733283606*neg_lam5_11 - 0.15165250821211493*lam5_12;
-    const puma560_full_real fc5_y = 0.15165250821211493*neg_lam5_22 - 0.47660058733283606*lam5_21;
-    const puma560_full_real fc5_z = 0.47660058733283606*neg_lam5_31 - 0.15165250821211493*lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_full_real neg_nc5_x = 0.18116108322165295*(neg_lam5_22 - neg_lam5_33) -
-        0.3901127773977262*lam5_32 + (0.08058935149735619*neg_lam5_31 - 0.1558184212675505*lam5_21)
-        + 0.15165250821211493*a4_y;
-    const puma560_full_real nc5_y = 0.1513642331069161*neg_lam5_31 + 0.1558184212675505*(neg_lam5_11
-        - neg_lam5_33) + (-0.18116108322165295*lam5_12 - 0.08058935149735619*lam5_32) +
-        0.47660058733283606*a4_y;
-    const puma560_full_real t11 = 0.1513642331069161*lam5_21 - 0.3901127773977262*lam5_12 -
-        0.08058935149735619*(neg_lam5_22 - neg_lam5_11) - (0.1558184212675505*lam5_23 -
-        0.18116108322165295*lam5_13);
-    const puma560_full_real nc5_z = t11 - (0.47660058733283606*a5_y - 0.15165250821211493*a5_x);
-    /* link 6: force that moves the link [N] */
-    const puma560_full_real fc6_x = 1.1185374890947408*neg_lam6_11 + 1.2975168001325401*lam6_12;
-    const puma560_full_real fc6_y = -1.2975168001325401*neg_lam6_22 - 1.1185374890947408*lam6_21;
-    const puma560_full_real fc6_z = 1.1185374890947408*neg_lam6_31 + 1.2975168001325401*lam6_32;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_full_real ww2_zz = qd[1]*qd[1];
+    const puma560_full_real t1 = ww3_yy - ww3_zz;
+    const puma560_full_real t2 = ww1_zz - neg_lam3_11;
+    const puma560_full_real t3 = t1 - t2;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam3_22 = t3 - neg_lam3_11;
+    /* link 6: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha6_z = neg_lam5_13 - neg_ww5_zx;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_31 = neg_ww5_zx - alpha6_z;
+    const puma560_full_real t4 = 0.2519035474197792*c6 - 0.1902613160848803*s6;
+    const puma560_full_real t5 = 0.1902613160848803*c6 + 0.2519035474197792*s6;
+    const puma560_full_real t6 = 0.561954526137403*c6;
+    const puma560_full_real t7 = 0.062417998297925076*c6;
+    const puma560_full_real t8 = t6*t7 + 0.43637196239865417;
+    const puma560_full_real t9 = 0.561954526137403*s6;
+    const puma560_full_real t10 = t7*t9;
+    const puma560_full_real t11 = t8 + 22.918482381900507*t10;
+    const puma560_full_real t12 = t11 - 0.907820001453264;
+    const puma560_full_real t13 = 0.9969983837450935*s2;
+    const puma560_full_real t14 = ww2_zz*t13 + 22.627568690833527;
+    const puma560_full_real t15 = 0.9969983837450935*c2;
+    const puma560_full_real t16 = t15*(ww1_zz + ww2_zz);
+    const puma560_full_real t17 = s23*t14 + c23*t16;
+    const puma560_full_real t18 = 0.04687139228815516*neg_lam3_11 - (ww3_xy + t17);
+    const puma560_full_real t19 = qd[0]*qd[1];
+    const puma560_full_real t20 = 0.07491193080123078*s2;
+    const puma560_full_real t21 = 0.3465712306626645*ww1_zz + 26.617879771127544*(t19*t20);
+    const puma560_full_real t22 = 0.09374278457631031*neg_ww3_zx - t21 - lam3_32;
+    const puma560_full_real t23 = s4*t18 - c4*t22;
+    const puma560_full_real t24 = t9 + 0.4844385865269322*c6;
+    const puma560_full_real t25 = 0.04687139228815516*ww3_xy - s23*t16 + (c23*t14 + lam3_22);
+    const puma560_full_real t26 = c4*t18 + s4*t22;
+    const puma560_full_real t27 = s5*t25 - c5*t26;
+    const puma560_full_real t28 = t6 - 0.4844385865269322*s6;
+    const puma560_full_real t29 = ww5_xx + ww6_zz;
+    const puma560_full_real t30 = ww5_zz + ww6_zz;
+    const puma560_full_real t31 = t29 - t30;
+    const puma560_full_real t32 = t10 - (22.918482381900507*t8 - 10.402928354621762);
     /* link 6: moment that turns the link [N m] */
-    const puma560_full_real nc6_x = -1.2975168001325401*a5_y - (0.2519035474197792*(neg_lam6_22 -
-        neg_lam6_33) - 0.43637196239865417*lam6_32 - (0.4019452224328564*neg_lam6_31 -
-        0.1902613160848803*lam6_21));
-    const puma560_full_real nc6_y = 0.4714480390546099*neg_lam6_31 - 0.1902613160848803*(neg_lam6_11
-        - neg_lam6_33) - (0.2519035474197792*lam6_12 - 0.4019452224328564*lam6_32) -
-        1.1185374890947408*a5_y;
-    const puma560_full_real t12 = 0.43637196239865417*lam6_12 - 0.4714480390546099*lam6_21 +
-        0.4019452224328564*(neg_lam6_11 - neg_lam6_22) - (0.1902613160848803*lam6_23 +
-        0.2519035474197792*lam6_13);
-    const puma560_full_real nc6_z = 1.2975168001325401*neg_a6_x - 1.1185374890947408*a6_y - t12;
-    /* link 6: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f06_x = c6*fc6_x - s6*fc6_y;
-    const puma560_full_real f06_y = s6*fc6_x + c6*fc6_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
-    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_x = n06_x - neg_nc5_x;
-    const puma560_full_real n5_y = nc5_y - nc6_z;
-    const puma560_full_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint [N] */
-    const puma560_full_real f5_x = fc5_x + f06_x;
-    const puma560_full_real f5_y = fc5_y - fc6_z;
-    const puma560_full_real f5_z = fc5_z + f06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f05_x = c5*f5_x - s5*f5_y;
-    const puma560_full_real f05_y = s5*f5_x + c5*f5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
-    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
+    const puma560_full_real nc6_z = neg_lam5_12*t4 - lam5_32*t5 - (neg_lam5_13*t12 + neg_lam5_31*t11
+        - t23*t24) + (t27*t28 - t31*t32);
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_13 = alpha4_y - neg_ww4_zx;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_21 = neg_ww5_xy - alpha4_y;
+    const puma560_full_real neg_lam5_22 = ww5_xx + ww5_zz;
+    const puma560_full_real t33 = ww4_zz - ww4_yy;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_22 = lam3_22 - t33;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_23 = ww5_yz - alpha5_x;
+    const puma560_full_real t34 = 0.08058935149735619*lam5_32;
+    const puma560_full_real t35 = 0.37765802516131436*t27;
+    const puma560_full_real t36 = 0.18116108322165295*neg_lam5_12 - t34 - (0.1558184212675505*t31 +
+        t35 - 0.1513642331069161*neg_lam5_31 + 0.2064157143738513*t23 + nc6_z);
+    const puma560_full_real t37 = 0.2788425785236688*neg_lam5_13 - t36;
+    const puma560_full_real t38 = neg_lam4_11 + lam3_22;
+    const puma560_full_real t39 = qd[5] + w6_z;
+    const puma560_full_real t40 = alpha5_x + w5_z*t39;
+    const puma560_full_real t41 = neg_lam5_22 + lam4_22;
+    const puma560_full_real t42 = t28 + 0.37765802516131436;
+    const puma560_full_real t43 = s5*t26 + c5*t25;
+    const puma560_full_real t44 = alpha4_y + neg_w5_x*t39;
+    const puma560_full_real t45 = t4*(t29 - neg_lam5_22) + (0.18116108322165295*t41 - (t42*t43 -
+        (t32*t44 + (0.1558184212675505*neg_lam5_21 - 0.06568070130666698*t23))));
+    const puma560_full_real t46 = 0.2788425785236688*lam5_23 - (0.3901127773977262*lam5_32 -
+        (t12*t40 + t45)) - neg_lam5_31*(t5 - 0.08058935149735619);
+    const puma560_full_real t47 = 0.3473260245772809*neg_lam4_21 - (c5*t37 -
+        0.10734691974802549*lam4_13 - 0.05337162017689789*(t33 - t38)) - s5*t46;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = nc4_x + n05_x;
-    const puma560_full_real n4_y = nc4_y + n5_z;
-    const puma560_full_real n4_z = nc4_z - n05_y;
-    /* link 4: force through the joint [N] */
-    const puma560_full_real f4_x = fc4_x + f05_x;
-    const puma560_full_real f4_y = fc4_y + f5_z;
-    const puma560_full_real f4_z = fc4_z - f05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f04_x = c4*f4_x - s4*f4_y;
-    const puma560_full_real neg_f04_y = -c4*f4_y - s4*f4_x;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n04_x = c4*n4_x - s4*n4_y;
-    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
+    const puma560_full_real n4_z = 0.2837491060266096*lam4_23 - (t47 + 0.33686216557830156*t23);
+    const puma560_full_real t48 = t31 + t41;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_11 = t48 - neg_lam5_22;
+    const puma560_full_real t49 = t24*t44 - (0.06568070130666698*neg_lam5_22 +
+        (0.37765802516131436*lam5_23 + 0.2064157143738513*neg_lam5_21)) + t28*t40;
+    const puma560_full_real t50 = 0.06568070130666698*neg_lam5_12 + (t30*t24 -
+        0.2064157143738513*lam5_11) - neg_lam5_13*t42;
+    const puma560_full_real t51 = 0.33686216557830156*neg_lam4_11 + (9.668724351427649*t26 - s5*t49
+        - c5*t50);
+    const puma560_full_real t52 = t29*t28 - (9.668724351427649*t23 + neg_lam5_31*t24 -
+        0.8150047132321409*(t34 - 0.2532693504989058*neg_lam5_31)) - 0.37765802516131436*lam4_22;
+    const puma560_full_real t53 = 0.33686216557830156*neg_lam4_21 + t52;
+    const puma560_full_real t54 = s4*t51 + c4*t53;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n3_x = n04_x + (nc3_x + 0.4331*neg_f04_y);
-    const puma560_full_real n3_y = nc3_y - 0.0203*neg_f04_y - n4_z;
-    const puma560_full_real n3_z = n04_y - (-0.4331*f04_x - 0.0203*f4_z - nc3_z);
-    /* link 3: force through the joint [N] */
-    const puma560_full_real f3_x = fc3_x + f04_x;
-    const puma560_full_real f3_y = fc3_y - f4_z;
-    const puma560_full_real f3_z = fc3_z - neg_f04_y;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f03_x = c23*f3_x - s23*f3_y;
-    const puma560_full_real f03_y = s23*f3_x + c23*f3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n03_y = s23*n3_x + c23*n3_y;
-    const puma560_full_real t13 = 0.4318*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + f3_z*t13);
-    const puma560_full_real n02_z = n3_z + (nc2_z - (f03_x*(0.4318*s2) - f03_y*t13));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real neg_f02_x = s2*fc2_y - c2*fc2_x - f03_x;
+    const puma560_full_real n3_y = 0.060845712710754084*ww3_xy - n4_z +
+        (0.9860113289194135*neg_ww3_zx + (1.4786909445136986*neg_ww3_yz - (0.04687139228815516*t54 -
+        0.01894848286257894*t2)));
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam4_31 = neg_ww4_zx + alpha4_y;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n4_x = c5*t46 - (s5*t37 - 0.05337162017689789*neg_lam4_31 +
+        (0.2837491060266096*neg_lam4_21 + 0.10734691974802549*t33));
+    const puma560_full_real t55 = 0.17391580988809086*(t35 + 0.8959416706728075*lam5_23) - (t11*t44
+        + (t5*(ww5_xx - ww6_zz) - 0.1513642331069161*neg_lam5_21));
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n5_z = neg_lam5_13*(t4 - 0.18116108322165295) - (0.08058935149735619*t48
+        - (0.3901127773977262*neg_lam5_12 - (t32*t40 - (t43*(t24 + 0.2064157143738513) - t55))));
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_32 = ww4_yz - neg_alpha4_x;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n4_y = 0.10734691974802549*lam4_12 + n5_z - 0.2837491060266096*t38 +
+        0.3473260245772809*neg_lam4_31 - (0.05337162017689789*lam4_32 + 0.33686216557830156*t25);
+    const puma560_full_real t56 = t54 - s4*n4_y - (1.4786909445136986*neg_ww3_zx +
+        0.060845712710754084*(t1 + 432.2163900256032*neg_ww3_yz) - 12.150081500837414*t21);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n3_x = 0.01894848286257894*ww3_xy + c4*neg_n4_x - t56;
+    const puma560_full_real t57 = 0.2348119600832282*c2;
+    const puma560_full_real t58 = 55.04847880816545*(s2*t57) + (c2*t57 - 0.1174059800416141);
+    const puma560_full_real t59 = t19*t58;
+    const puma560_full_real t60 = t15*(24.30016300167483*neg_ww3_yz - t54) - (ww2_zz*(t20 -
+        4.508184091221399*c2) + (t59 - s23*neg_n3_x));
+    const puma560_full_real t61 = c4*t51 - s4*t53;
+    const puma560_full_real t62 = 12.150081500837414*ww3_xy + t61;
+    const puma560_full_real t63 = 0.33686216557830156*neg_lam4_31 + (s5*t50 - c5*t49 +
+        9.668724351427649*t25);
+    const puma560_full_real t64 = t63 - 12.150081500837414*lam3_22;
+    const puma560_full_real t65 = c23*t62 + s23*t64;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n1_z = 0.1501*neg_f02_x - n02_y;
+    const puma560_full_real n1_z = t60 - (t59 - 0.3465712306626645*t65) - c23*n3_y;
+    const puma560_full_real t66 = 0.04687139228815516*t63 - (0.7393454722568493*t3 -
+        (12.150081500837414*t17 - (c4*n4_y - (t61 + s4*neg_n4_x))));
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n3_z = -12.656251483728838*ww3_xy - t66;
+    const puma560_full_real t67 = t15*(s23*t62 - c23*t64) - n3_z + (293.22217760906653*(c2 -
+        0.005370026967362786*s2) - t13*t65);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n02_z = ww1_zz*t58 - t67;
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = n3_z;
@@ -722,7 +591,7 @@ void puma560_full_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 141 multiplications, 125 additions = 266; 3 unary minus; 10 sine/cosine */
+ * 141 multiplications, 122 additions = 263; 3 unary minus; 10 sine/cosine */
 void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -869,23 +738,20 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     const puma560_full_real m2_3 = m3_3 - (t4*neg_h3_y - t3*h3_x);
     /* link 1: mass matrix, its row of this joint */
     const puma560_full_real m1_3 = k3_yz - 0.1501*neg_h3_y;
-    const puma560_full_real t29 = k4_yy - k3_yy;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_full_real k2_zz = k3_yy + t29;
-    const puma560_full_real t30 = k3_xx - t3*(-2.0*h3_x);
+    const puma560_full_real t29 = k3_xx - t3*(-2.0*h3_x);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_2 = t30 + (k4_yy - t29 - t4*(2.0*neg_h3_y)) + 3.7298822532370677;
+    const puma560_full_real m2_2 = t29 - (t4*(2.0*neg_h3_y) - k3_yy) + 3.7298822532370677;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_full_real h2_y = 7.6631781603519995*s2 + 0.1606745919581151*c2 - neg_h3_y;
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_full_real k2_xx = t30 + (3.31527334516548*(c2*c2) - 0.2348119600832282*(c2*s2) +
+    const puma560_full_real k2_xx = t29 + (3.31527334516548*(c2*c2) - 0.2348119600832282*(c2*s2) +
         0.20730445403579364);
     const puma560_full_real k2_yz = k3_yz + t4*h4_y + (0.017097472943757824*s2 +
         0.0507946745483177*c2);
     /* link 1: mass matrix, its row of this joint */
     const puma560_full_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_full_real m1_1 = k2_xx - (-0.3002*h4_y - k2_zz) + 2.629303206180387;
-    const puma560_full_real t31 = -k6_yz;
+    const puma560_full_real m1_1 = k2_xx + (k4_yy + 0.3002*h4_y) + 2.629303206180387;
+    const puma560_full_real t30 = -k6_yz;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -915,17 +781,17 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     M[26] = m3_5;
     M[27] = k5_yz;
     M[28] = m5_5;
-    M[29] = t31;
+    M[29] = t30;
     M[30] = m1_6;
     M[31] = m2_6;
     M[32] = m3_6;
     M[33] = neg_nu5_y;
-    M[34] = t31;
+    M[34] = t30;
     M[35] = 0.907820001453264;
 }
 
 /* accelerations that the torques tau give
- * 469 multiplications, 406 additions, 6 divisions = 881; 15 unary minus; 10 sine/cosine */
+ * 421 multiplications, 369 additions, 6 divisions = 796; 2 unary minus; 10 sine/cosine */
 void puma560_full_forward_dynamics(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -935,27 +801,222 @@ void puma560_full_forward_dynamics(
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile puma560_full_real *const again = q;
+    /* link 1: products of the angular velocity [1/s^2] */
+    const puma560_full_real ww1_zz = qd[0]*qd[0];
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
+    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real s23 = sin(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real neg_w3_x = qd[0]*s23;
+    /* sines and cosines of the joint angles */
+    const puma560_full_real c23 = cos(angle23);
+    /* link 3: angular velocity [rad/s] */
+    const puma560_full_real neg_w3_y = qd[0]*c23;
+    /* link 3: products of the angular velocity [1/s^2] */
+    const puma560_full_real neg_ww3_yz = w3_z*neg_w3_y;
+    const puma560_full_real neg_ww3_zx = w3_z*neg_w3_x;
+    const puma560_full_real ww3_yy = neg_w3_y*neg_w3_y;
+    const puma560_full_real ww3_zz = w3_z*w3_z;
+    const puma560_full_real ww3_xy = neg_w3_x*neg_w3_y;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam3_11 = ww3_yy + ww3_zz;
+    const puma560_full_real lam3_32 = -2.0*neg_ww3_yz;
+    /* sines and cosines of the joint angles */
     const puma560_full_real c4 = cos(q[3]);
     const puma560_full_real s4 = sin(again[3]);
+    /* link 4: angular velocity [rad/s] */
+    const puma560_full_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
+    const puma560_full_real w4_z = neg_w3_y + qd[3];
+    const puma560_full_real w4_y = neg_w3_x*s4 + w3_z*c4;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const puma560_full_real neg_ww4_xy = neg_w4_x*w4_y;
+    const puma560_full_real ww4_zz = w4_z*w4_z;
+    const puma560_full_real ww4_yy = w4_y*w4_y;
+    const puma560_full_real ww4_yz = w4_z*w4_y;
+    const puma560_full_real neg_ww4_zx = neg_w4_x*w4_z;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam4_21 = neg_ww3_zx + neg_ww4_xy;
+    const puma560_full_real neg_lam4_11 = ww4_zz + ww4_yy;
+    const puma560_full_real lam4_12 = neg_ww3_zx - neg_ww4_xy;
+    /* sines and cosines of the joint angles */
     const puma560_full_real c5 = cos(q[4]);
     const puma560_full_real s5 = sin(again[4]);
+    /* link 5: angular velocity [rad/s] */
+    const puma560_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const puma560_full_real w5_z = w4_y + qd[4];
+    const puma560_full_real w5_y = neg_w4_x*s5 - w4_z*c5;
+    /* link 5: products of the angular velocity [1/s^2] */
+    const puma560_full_real neg_ww5_zx = neg_w5_x*w5_z;
+    const puma560_full_real ww5_xx = neg_w5_x*neg_w5_x;
+    const puma560_full_real ww5_zz = w5_z*w5_z;
+    const puma560_full_real ww5_yz = w5_z*w5_y;
+    const puma560_full_real neg_ww5_xy = neg_w5_x*w5_y;
+    /* link 6: angular velocity [rad/s] */
+    const puma560_full_real w6_z = qd[5] - w5_y;
+    /* sines and cosines of the joint angles */
     const puma560_full_real c6 = cos(q[5]);
     const puma560_full_real s6 = sin(again[5]);
-    const volatile puma560_full_real angle23 = q[1] + q[2];
-    const puma560_full_real c23 = cos(angle23);
-    const puma560_full_real s23 = sin(angle23);
-    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h6_x = -1.2975168001325401*s6 - 1.1185374890947408*c6;
-    const puma560_full_real neg_h6_y = 1.1185374890947408*s6 - 1.2975168001325401*c6;
-    const puma560_full_real t1 = c6*s6;
-    const puma560_full_real t2 = c6*c6;
+    const puma560_full_real c2 = cos(q[1]);
+    const puma560_full_real s2 = sin(again[1]);
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_full_real neg_alpha4_x = neg_ww3_yz*c4 - qd[3]*w4_y;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_23 = ww4_yz + neg_alpha4_x;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_13 = w4_y*neg_w5_x - (neg_ww3_zx*c5 + s5*neg_alpha4_x);
+    /* link 4: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha4_y = neg_ww3_yz*s4 + neg_w4_x*qd[3];
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_12 = neg_ww5_xy + alpha4_y;
+    /* link 5: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha5_x = neg_ww3_zx*s5 + (qd[4]*w5_y - c5*neg_alpha4_x);
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_32 = ww5_yz + alpha5_x;
+    /* link 6: products of the angular velocity [1/s^2] */
+    const puma560_full_real ww6_zz = w6_z*w6_z;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const puma560_full_real ww2_zz = qd[1]*qd[1];
+    const puma560_full_real t1 = ww3_yy - ww3_zz;
+    const puma560_full_real t2 = ww1_zz - neg_lam3_11;
+    const puma560_full_real t3 = t1 - t2;
+    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam3_22 = neg_lam3_11 - t3;
+    /* link 6: angular acceleration [rad/s^2] */
+    const puma560_full_real alpha6_z = neg_lam5_13 - neg_ww5_zx;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_31 = neg_ww5_zx - alpha6_z;
     /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real k6_xy = 0.03507607665595572*t1 - 0.4019452224328564*(2.0*t2 - 1.0);
+    const puma560_full_real neg_k6_yz = 0.2519035474197792*c6 - 0.1902613160848803*s6;
     const puma560_full_real k6_xz = 0.1902613160848803*c6 + 0.2519035474197792*s6;
-    const puma560_full_real k6_yz = 0.1902613160848803*s6 - 0.2519035474197792*c6;
+    const puma560_full_real t4 = 0.561954526137403*c6;
+    const puma560_full_real t5 = 0.062417998297925076*c6;
+    const puma560_full_real t6 = t4*t5 + 0.43637196239865417;
+    const puma560_full_real t7 = 0.561954526137403*s6;
+    const puma560_full_real t8 = t5*t7;
+    const puma560_full_real t9 = t6 + 22.918482381900507*t8;
+    const puma560_full_real t10 = t9 - 0.907820001453264;
+    const puma560_full_real t11 = 0.9969983837450935*s2;
+    const puma560_full_real t12 = ww2_zz*t11 + 22.627568690833527;
+    const puma560_full_real t13 = 0.9969983837450935*c2;
+    const puma560_full_real t14 = t13*(ww1_zz + ww2_zz);
+    const puma560_full_real t15 = s23*t12 + c23*t14;
+    const puma560_full_real t16 = 0.04687139228815516*neg_lam3_11 - (ww3_xy + t15);
+    const puma560_full_real t17 = qd[0]*qd[1];
+    const puma560_full_real t18 = 0.07491193080123078*s2;
+    const puma560_full_real t19 = 0.3465712306626645*ww1_zz + 26.617879771127544*(t17*t18);
+    const puma560_full_real t20 = 0.09374278457631031*neg_ww3_zx - t19 - lam3_32;
+    const puma560_full_real t21 = s4*t16 - c4*t20;
+    const puma560_full_real t22 = t7 + 0.4844385865269322*c6;
+    const puma560_full_real t23 = 0.04687139228815516*ww3_xy - s23*t14 - (neg_lam3_22 - c23*t12);
+    const puma560_full_real t24 = c4*t16 + s4*t20;
+    const puma560_full_real t25 = s5*t23 - c5*t24;
+    const puma560_full_real t26 = t4 - 0.4844385865269322*s6;
+    const puma560_full_real t27 = ww5_xx + ww6_zz;
+    const puma560_full_real t28 = ww5_zz + ww6_zz;
+    const puma560_full_real t29 = t27 - t28;
+    const puma560_full_real t30 = t8 - (22.918482381900507*t6 - 10.402928354621762);
+    /* link 6: moment that turns the link [N m] */
+    const puma560_full_real nc6_z = neg_lam5_12*neg_k6_yz - lam5_32*k6_xz - (neg_lam5_13*t10 +
+        neg_lam5_31*t9 - t21*t22) + (t25*t26 - t29*t30);
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_13 = alpha4_y - neg_ww4_zx;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam5_21 = neg_ww5_xy - alpha4_y;
+    const puma560_full_real neg_lam5_22 = ww5_xx + ww5_zz;
+    const puma560_full_real t31 = ww4_zz - ww4_yy;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam4_22 = neg_lam3_22 + t31;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_23 = ww5_yz - alpha5_x;
+    const puma560_full_real t32 = 0.08058935149735619*lam5_32;
+    const puma560_full_real t33 = 0.37765802516131436*t25;
+    const puma560_full_real t34 = 0.18116108322165295*neg_lam5_12 - t32 - (nc6_z +
+        (0.1558184212675505*t29 + t33 - 0.1513642331069161*neg_lam5_31 + 0.2064157143738513*t21));
+    const puma560_full_real t35 = 0.2788425785236688*neg_lam5_13 - t34;
+    const puma560_full_real t36 = neg_lam4_11 - neg_lam3_22;
+    const puma560_full_real t37 = qd[5] + w6_z;
+    const puma560_full_real t38 = alpha5_x + w5_z*t37;
+    const puma560_full_real t39 = neg_lam5_22 - neg_lam4_22;
+    const puma560_full_real t40 = t26 + 0.37765802516131436;
+    const puma560_full_real t41 = s5*t24 + c5*t23;
+    const puma560_full_real t42 = alpha4_y + neg_w5_x*t37;
+    const puma560_full_real t43 = neg_k6_yz*(t27 - neg_lam5_22) + (0.18116108322165295*t39 -
+        (t40*t41 - (t30*t42 + (0.1558184212675505*neg_lam5_21 - 0.06568070130666698*t21))));
+    const puma560_full_real t44 = k6_xz - 0.08058935149735619;
+    const puma560_full_real t45 = 0.2788425785236688*lam5_23 - (0.3901127773977262*lam5_32 -
+        (t10*t38 + t43)) - neg_lam5_31*t44;
+    const puma560_full_real t46 = 0.3473260245772809*neg_lam4_21 - (c5*t35 -
+        0.10734691974802549*lam4_13 - 0.05337162017689789*(t31 - t36)) - s5*t45;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n4_z = 0.2837491060266096*lam4_23 - (t46 + 0.33686216557830156*t21);
+    const puma560_full_real t47 = t29 + t39;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam5_11 = t47 - neg_lam5_22;
+    const puma560_full_real t48 = t22*t42 - (0.06568070130666698*neg_lam5_22 +
+        (0.37765802516131436*lam5_23 + 0.2064157143738513*neg_lam5_21)) + t26*t38;
+    const puma560_full_real t49 = 0.06568070130666698*neg_lam5_12 + (t22*t28 -
+        0.2064157143738513*lam5_11) - neg_lam5_13*t40;
+    const puma560_full_real t50 = 0.33686216557830156*neg_lam4_11 + (9.668724351427649*t24 - s5*t48
+        - c5*t49);
+    const puma560_full_real t51 = t26*t27 - (9.668724351427649*t21 + neg_lam5_31*t22 -
+        0.8150047132321409*(t32 - 0.2532693504989058*neg_lam5_31)) +
+        0.37765802516131436*neg_lam4_22;
+    const puma560_full_real t52 = 0.33686216557830156*neg_lam4_21 + t51;
+    const puma560_full_real t53 = s4*t50 + c4*t52;
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n3_y = n4_z - 0.060845712710754084*ww3_xy -
+        (0.9860113289194135*neg_ww3_zx + (1.4786909445136986*neg_ww3_yz - (0.04687139228815516*t53 -
+        0.01894848286257894*t2)));
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real neg_lam4_31 = neg_ww4_zx + alpha4_y;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n4_x = c5*t45 - (s5*t35 - 0.05337162017689789*neg_lam4_31 +
+        (0.2837491060266096*neg_lam4_21 + 0.10734691974802549*t31));
+    const puma560_full_real t54 = neg_k6_yz - 0.18116108322165295;
+    const puma560_full_real t55 = 0.17391580988809086*(t33 + 0.8959416706728075*lam5_23) - (t9*t42 +
+        (k6_xz*(ww5_xx - ww6_zz) - 0.1513642331069161*neg_lam5_21));
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n5_z = neg_lam5_13*t54 - (0.08058935149735619*t47 -
+        (0.3901127773977262*neg_lam5_12 - (t30*t38 - (t41*(t22 + 0.2064157143738513) - t55))));
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const puma560_full_real lam4_32 = ww4_yz - neg_alpha4_x;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n4_y = n5_z + 0.10734691974802549*lam4_12 - 0.2837491060266096*t36 +
+        0.3473260245772809*neg_lam4_31 - (0.05337162017689789*lam4_32 + 0.33686216557830156*t23);
+    const puma560_full_real t56 = t53 - s4*n4_y - (1.4786909445136986*neg_ww3_zx +
+        0.060845712710754084*(t1 + 432.2163900256032*neg_ww3_yz) - 12.150081500837414*t19);
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n3_x = 0.01894848286257894*ww3_xy + c4*neg_n4_x - t56;
+    const puma560_full_real t57 = 0.2348119600832282*c2;
+    const puma560_full_real t58 = 55.04847880816545*(s2*t57) + (c2*t57 - 0.1174059800416141);
+    const puma560_full_real t59 = t17*t58;
+    const puma560_full_real t60 = t13*(t53 - 24.30016300167483*neg_ww3_yz) + (ww2_zz*(t18 -
+        4.508184091221399*c2) + (t59 - s23*neg_n3_x));
+    const puma560_full_real t61 = c4*t50 - s4*t52;
+    const puma560_full_real t62 = 12.150081500837414*ww3_xy + t61;
+    const puma560_full_real t63 = 0.33686216557830156*neg_lam4_31 + (s5*t49 - c5*t48 +
+        9.668724351427649*t23);
+    const puma560_full_real t64 = t63 + 12.150081500837414*neg_lam3_22;
+    const puma560_full_real t65 = c23*t62 + s23*t64;
+    /* link 1: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real n1_z = c23*neg_n3_y - (t60 + (t59 - 0.3465712306626645*t65));
+    const puma560_full_real t66 = 0.04687139228815516*t63 - (0.7393454722568493*t3 -
+        (12.150081500837414*t15 - (c4*n4_y - (t61 + s4*neg_n4_x))));
+    /* link 3: moment through the joint, about the frame's origin [N m] */
+    const puma560_full_real neg_n3_z = 12.656251483728838*ww3_xy + t66;
+    const puma560_full_real t67 = neg_n3_z + t13*(s23*t62 - c23*t64) + (293.22217760906653*(c2 -
+        0.005370026967362786*s2) - t11*t65);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const puma560_full_real n02_z = ww1_zz*t58 - t67;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real neg_h6_x = 1.2975168001325401*s6 + 1.1185374890947408*c6;
+    const puma560_full_real neg_h6_y = 1.1185374890947408*s6 - 1.2975168001325401*c6;
+    const puma560_full_real t68 = c6*s6;
+    const puma560_full_real t69 = c6*c6;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const puma560_full_real k6_xy = 0.03507607665595572*t68 - 0.4019452224328564*(2.0*t69 - 1.0);
     /* link 5: force for a unit acceleration of a joint further out */
     const puma560_full_real fu5_x = c5*neg_h6_y;
     const puma560_full_real fu5_y = s5*neg_h6_y;
@@ -963,45 +1024,43 @@ void puma560_full_forward_dynamics(
     const puma560_full_real nu5_x = 0.907820001453264*s5 - c5*k6_xz;
     const puma560_full_real neg_nu5_y = s5*k6_xz + 0.907820001453264*c5;
     /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu4_x = c4*fu5_x - s4*h6_x;
-    const puma560_full_real fu4_y = s4*fu5_x + c4*h6_x;
+    const puma560_full_real fu4_x = c4*fu5_x + s4*neg_h6_x;
+    const puma560_full_real fu4_y = s4*fu5_x - c4*neg_h6_x;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu4_x = c4*nu5_x + s4*k6_yz;
-    const puma560_full_real nu4_y = s4*nu5_x - c4*k6_yz;
+    const puma560_full_real nu4_x = c4*nu5_x - s4*neg_k6_yz;
+    const puma560_full_real nu4_y = s4*nu5_x + c4*neg_k6_yz;
     /* link 3: mass matrix, its row of this joint */
     const puma560_full_real m3_6 = nu4_y - (0.0203*fu5_y - 0.4331*fu4_x);
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_full_real fu3_x = c23*fu4_x - s23*fu5_y;
     const puma560_full_real fu3_y = s23*fu4_x + c23*fu5_y;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_y = c23*(0.0203*fu4_y - neg_nu5_y) - s23*(0.4331*fu4_y - nu4_x);
-    const puma560_full_real t3 = 0.4318*c2;
+    const puma560_full_real nu3_y = s23*(nu4_x - 0.4331*fu4_y) - c23*(neg_nu5_y - 0.0203*fu4_y);
+    const puma560_full_real t70 = 0.4318*c2;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_y = nu3_y - t3*fu4_y;
-    const puma560_full_real t4 = 0.4318*s2;
+    const puma560_full_real neg_nu2_y = fu4_y*t70 - nu3_y;
+    const puma560_full_real t71 = 0.4318*s2;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_6 = m3_6 + (t3*fu3_y - t4*fu3_x);
+    const puma560_full_real m2_6 = m3_6 + (fu3_y*t70 - fu3_x*t71);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_6 = -0.1501*fu3_x - nu2_y;
-    const puma560_full_real t5 = 0.03507607665595572*t2 + 0.8038904448657128*t1;
+    const puma560_full_real m1_6 = neg_nu2_y - 0.1501*fu3_x;
+    const puma560_full_real t72 = 0.03507607665595572*t69 + 0.8038904448657128*t68;
     /* link 5: mass matrix, its row of this joint */
-    const puma560_full_real m5_5 = t5 + 0.9778489729032964;
-    const puma560_full_real t6 = 0.47660058733283606 - h6_x;
+    const puma560_full_real m5_5 = t72 + 0.9778489729032964;
+    const puma560_full_real t73 = neg_h6_x + 0.47660058733283606;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h5_x = 0.15165250821211493*s5 - c5*t6;
-    const puma560_full_real neg_h5_y = s5*t6 + 0.15165250821211493*c5;
-    const puma560_full_real t7 = c5*c5;
-    const puma560_full_real t8 = t5 + 0.1976234181078441;
-    const puma560_full_real t9 = k6_xz - 0.08058935149735619;
-    const puma560_full_real t10 = c5*s5;
-    const puma560_full_real t11 = t7*t8 + t9*(2.0*t10);
+    const puma560_full_real h5_x = 0.15165250821211493*s5 - c5*t73;
+    const puma560_full_real neg_h5_y = s5*t73 + 0.15165250821211493*c5;
+    const puma560_full_real t74 = c5*c5;
+    const puma560_full_real t75 = t72 + 0.1976234181078441;
+    const puma560_full_real t76 = c5*s5;
+    const puma560_full_real t77 = t74*t75 + t44*(2.0*t76);
     /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_yy = t5 + 0.5877361955055702 - t11;
-    const puma560_full_real k5_xy = t8*t10 + t9*(1.0 - 2.0*t7);
-    const puma560_full_real t12 = k6_xy - 0.1558184212675505;
-    const puma560_full_real t13 = k6_yz + 0.18116108322165295;
-    const puma560_full_real k5_xz = c5*t12 + s5*t13;
-    const puma560_full_real k5_yz = s5*t12 - c5*t13;
+    const puma560_full_real k5_yy = t72 + 0.5877361955055702 - t77;
+    const puma560_full_real k5_xy = t75*t76 + t44*(1.0 - 2.0*t74);
+    const puma560_full_real t78 = k6_xy - 0.1558184212675505;
+    const puma560_full_real k5_xz = c5*t78 - s5*t54;
+    const puma560_full_real k5_yz = s5*t78 + c5*t54;
     /* link 4: force for a unit acceleration of a joint further out */
     const puma560_full_real fu4_x_2 = c4*neg_h5_y;
     const puma560_full_real fu4_y_2 = s4*neg_h5_y;
@@ -1014,343 +1073,81 @@ void puma560_full_forward_dynamics(
     const puma560_full_real fu3_x_2 = c23*fu4_x_2 - s23*h5_x;
     const puma560_full_real fu3_y_2 = s23*fu4_x_2 + c23*h5_x;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_y_2 = c23*(0.0203*fu4_y_2 - k5_yz) - s23*(neg_nu4_x +
+    const puma560_full_real neg_nu3_y = c23*(k5_yz - 0.0203*fu4_y_2) + s23*(neg_nu4_x +
         0.4331*fu4_y_2);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_y_2 = nu3_y_2 - t3*fu4_y_2;
+    const puma560_full_real neg_nu2_y_2 = neg_nu3_y + t70*fu4_y_2;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_5 = m3_5 + (t3*fu3_y_2 - t4*fu3_x_2);
+    const puma560_full_real m2_5 = m3_5 + (t70*fu3_y_2 - t71*fu3_x_2);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_5 = -0.1501*fu3_x_2 - nu2_y_2;
+    const puma560_full_real m1_5 = neg_nu2_y_2 - 0.1501*fu3_x_2;
     /* link 4: mass matrix, its row of this joint */
-    const puma560_full_real m4_4 = 1.4877294195532857 - (t5 - t11);
-    const puma560_full_real t14 = h5_x + 0.7777930398944852;
-    const puma560_full_real t15 = 0.8719880516308344 - neg_h6_y;
+    const puma560_full_real m4_4 = 1.4877294195532857 - (t72 - t77);
+    const puma560_full_real t79 = h5_x + 0.7777930398944852;
+    const puma560_full_real t80 = neg_h6_y - 0.8719880516308344;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h4_x = c4*t14 - s4*t15;
-    const puma560_full_real h4_y = s4*t14 + c4*t15;
-    const puma560_full_real t16 = c4*c4;
-    const puma560_full_real t17 = t5 + t11 - 0.012851815603271595;
-    const puma560_full_real t18 = k5_xz + 0.05337162017689789;
-    const puma560_full_real t19 = c4*s4;
-    const puma560_full_real t20 = t16*t17 - t18*(2.0*t19);
+    const puma560_full_real h4_x = c4*t79 + s4*t80;
+    const puma560_full_real h4_y = s4*t79 - c4*t80;
+    const puma560_full_real t81 = c4*c4;
+    const puma560_full_real t82 = t72 + t77 - 0.012851815603271595;
+    const puma560_full_real t83 = k5_xz + 0.05337162017689789;
+    const puma560_full_real t84 = c4*s4;
+    const puma560_full_real t85 = t81*t82 - t83*(2.0*t84);
     /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_full_real k4_xx = t20 - (t5 - 0.7502906175782786);
-    const puma560_full_real k4_yy = t11 + 0.7374388019750071 - t20;
-    const puma560_full_real k4_xy = t17*t19 - t18*(1.0 - 2.0*t16);
-    const puma560_full_real t21 = k5_yz - 0.10734691974802549;
-    const puma560_full_real t22 = k5_xy - 0.2837491060266096;
-    const puma560_full_real k4_xz = s4*t21 - c4*t22;
-    const puma560_full_real neg_k4_yz = s4*t22 + c4*t21;
+    const puma560_full_real k4_xx = t85 - (t72 - 0.7502906175782786);
+    const puma560_full_real neg_k4_yy = t85 - (t77 + 0.7374388019750071);
+    const puma560_full_real k4_xy = t82*t84 - t83*(1.0 - 2.0*t81);
+    const puma560_full_real t86 = k5_yz - 0.10734691974802549;
+    const puma560_full_real t87 = k5_xy - 0.2837491060266096;
+    const puma560_full_real k4_xz = s4*t86 - c4*t87;
+    const puma560_full_real neg_k4_yz = s4*t87 + c4*t86;
     /* link 3: mass matrix, its row of this joint */
     const puma560_full_real m3_4 = neg_k4_yz - 0.4331*h4_y;
     /* link 3: force for a unit acceleration of a joint further out */
     const puma560_full_real neg_fu3_x = c23*h4_y;
-    const puma560_full_real fu3_y_3 = -s23*h4_y;
-    const puma560_full_real t23 = -0.4331*h4_x;
+    const puma560_full_real neg_fu3_y = s23*h4_y;
+    const puma560_full_real t88 = 0.4331*h4_x;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_y_3 = s23*(t23 - k4_xz) - c23*(m4_4 - 0.0203*h4_x);
+    const puma560_full_real nu3_y_2 = c23*(0.0203*h4_x - m4_4) - s23*(k4_xz + t88);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_y_3 = nu3_y_3 - t3*h4_x;
+    const puma560_full_real nu2_y = nu3_y_2 - t70*h4_x;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_4 = m3_4 + (t3*fu3_y_3 + t4*neg_fu3_x);
+    const puma560_full_real m2_4 = m3_4 - (t70*neg_fu3_y - t71*neg_fu3_x);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_4 = 0.1501*neg_fu3_x - nu2_y_3;
-    const puma560_full_real t24 = 0.0406*h4_x - k4_xx;
-    const puma560_full_real t25 = k5_yy + 0.8662*neg_h5_y;
+    const puma560_full_real m1_4 = 0.1501*neg_fu3_x - nu2_y;
+    const puma560_full_real t89 = k4_xx - 0.0406*h4_x;
+    const puma560_full_real t90 = k5_yy + 0.8662*neg_h5_y;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_3 = 3.9522969756245816 - (t24 - t25);
-    const puma560_full_real t26 = neg_h5_y + 5.729293810689829;
-    const puma560_full_real t27 = -h4_x - 1.046378600789203;
+    const puma560_full_real m3_3 = t89 + t90 + 3.9522969756245816;
+    const puma560_full_real t91 = neg_h5_y + 5.729293810689829;
+    const puma560_full_real t92 = h4_x + 1.046378600789203;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h3_x = s23*t26 - c23*t27;
-    const puma560_full_real neg_h3_y = s23*t27 + c23*t26;
-    const puma560_full_real t28 = c23*c23*(t24 + t25 + 3.0087686178972097) + (t23 + (0.0203*neg_h5_y
-        - k4_xz) + 0.28615890025504537)*(2.0*(c23*s23));
+    const puma560_full_real h3_x = s23*t91 + c23*t92;
+    const puma560_full_real h3_y = s23*t92 - c23*t91;
+    const puma560_full_real t93 = c23*c23*(t89 - t90 - 3.0087686178972097) + (t88 + (k4_xz -
+        0.0203*neg_h5_y) - 0.28615890025504537)*(2.0*(s23*c23));
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real k3_xx = t25 + 3.4805327967608957 - t28;
-    const puma560_full_real k3_yy = t28 - (t24 - 0.47176417886368593);
+    const puma560_full_real k3_xx = t90 + 3.4805327967608957 + t93;
+    const puma560_full_real neg_k3_yy = t93 - (t89 + 0.47176417886368593);
     const puma560_full_real k3_yz = s23*(k4_xy - 0.0203*h4_y + 0.01894848286257894) + c23*(m3_4 +
         0.060845712710754084);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_3 = m3_3 - (t4*neg_h3_y - t3*h3_x);
+    const puma560_full_real m2_3 = m3_3 + (t71*h3_y + t70*h3_x);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_3 = k3_yz - 0.1501*neg_h3_y;
-    const puma560_full_real t29 = k4_yy - k3_yy;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_full_real k2_zz = k3_yy + t29;
-    const puma560_full_real t30 = k3_xx - t3*(-2.0*h3_x);
+    const puma560_full_real m1_3 = k3_yz + 0.1501*h3_y;
+    const puma560_full_real t94 = k3_xx + t70*(2.0*h3_x);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_2 = t30 + (k4_yy - t29 - t4*(2.0*neg_h3_y)) + 3.7298822532370677;
+    const puma560_full_real m2_2 = t94 - (neg_k3_yy - t71*(2.0*h3_y)) + 3.7298822532370677;
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h2_y = 7.6631781603519995*s2 + 0.1606745919581151*c2 - neg_h3_y;
+    const puma560_full_real h2_y = h3_y + (7.6631781603519995*s2 + 0.1606745919581151*c2);
     /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_full_real k2_xx = t30 + (3.31527334516548*(c2*c2) - 0.2348119600832282*(c2*s2) +
+    const puma560_full_real k2_xx = t94 + (3.31527334516548*(c2*c2) - 0.2348119600832282*(c2*s2) +
         0.20730445403579364);
-    const puma560_full_real k2_yz = k3_yz + t4*h4_y + (0.017097472943757824*s2 +
+    const puma560_full_real k2_yz = k3_yz + t71*h4_y + (0.017097472943757824*s2 +
         0.0507946745483177*c2);
     /* link 1: mass matrix, its row of this joint */
     const puma560_full_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_full_real m1_1 = k2_xx - (-0.3002*h4_y - k2_zz) + 2.629303206180387;
-    /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_z = qd[1] + qd[2];
-    /* link 1: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a2_z = -0.1501*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const puma560_full_real neg_w2_x = qd[0]*s2;
-    const puma560_full_real neg_w2_y = qd[0]*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const puma560_full_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const puma560_full_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww2_xy = neg_w2_x*neg_w2_y;
-    const puma560_full_real ww2_xx = neg_w2_x*neg_w2_x;
-    const puma560_full_real ww2_yy = neg_w2_y*neg_w2_y;
-    const puma560_full_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const puma560_full_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const puma560_full_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a3_z = a2_z - 0.8636*alpha2_y;
-    const puma560_full_real t31 = -qd[0];
-    /* link 3: angular velocity [rad/s] */
-    const puma560_full_real w3_x = t31*s23;
-    const puma560_full_real w3_y = t31*c23;
-    const puma560_full_real t32 = 0.4318*neg_lam2_11;
-    const puma560_full_real t33 = 0.4318*ww2_xy;
-    const puma560_full_real t34 = c2*t32 + s2*t33;
-    const puma560_full_real t35 = s2*t32 - c2*t33 + 9.8;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real neg_a3_x = c23*t34 + s23*t35;
-    const puma560_full_real a3_y = s23*t34 - c23*t35;
-    /* link 3: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha3_x = w3_z*w3_y;
-    const puma560_full_real alpha3_y = -w3_z*w3_x;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww3_xy = w3_x*w3_y;
-    const puma560_full_real ww3_xx = w3_x*w3_x;
-    const puma560_full_real ww3_yy = w3_y*w3_y;
-    const puma560_full_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_full_real neg_lam3_22 = ww3_xx + ww3_zz;
-    const puma560_full_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_z = 0.0203*ww3_xy - 0.4331*neg_lam3_22 - a3_y;
-    /* link 4: angular velocity [rad/s] */
-    const puma560_full_real w4_x = c4*w3_x + s4*w3_z;
-    const puma560_full_real w4_y = c4*w3_z - s4*w3_x;
-    const puma560_full_real t36 = a3_z + (0.0406*alpha3_y - 0.8662*alpha3_x);
-    const puma560_full_real t37 = neg_a3_x + (0.4331*ww3_xy - 0.0203*neg_lam3_11);
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a4_x = s4*t36 - c4*t37;
-    const puma560_full_real a4_y = s4*t37 + c4*t36;
-    /* link 4: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha4_x = c4*alpha3_x + qd[3]*w4_y;
-    const puma560_full_real alpha4_y = -qd[3]*w4_x - s4*alpha3_x;
-    /* link 4: angular velocity [rad/s] */
-    const puma560_full_real w4_z = qd[3] - w3_y;
-    /* link 4: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww4_yz = w4_y*w4_z;
-    const puma560_full_real ww4_zx = w4_x*w4_z;
-    const puma560_full_real ww4_xy = w4_x*w4_y;
-    const puma560_full_real ww4_xx = w4_x*w4_x;
-    const puma560_full_real ww4_yy = w4_y*w4_y;
-    const puma560_full_real ww4_zz = w4_z*w4_z;
-    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam4_11 = ww4_yy + ww4_zz;
-    const puma560_full_real lam4_12 = alpha3_y + ww4_xy;
-    const puma560_full_real lam4_13 = alpha4_y + ww4_zx;
-    const puma560_full_real lam4_21 = ww4_xy - alpha3_y;
-    const puma560_full_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const puma560_full_real lam4_23 = ww4_yz - alpha4_x;
-    const puma560_full_real lam4_31 = ww4_zx - alpha4_y;
-    const puma560_full_real lam4_32 = alpha4_x + ww4_yz;
-    const puma560_full_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_full_real w5_x = c5*w4_x - s5*w4_z;
-    const puma560_full_real t38 = -c5;
-    const puma560_full_real w5_y = t38*w4_z - s5*w4_x;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a5_x = c5*a4_x - s5*a4_z;
-    const puma560_full_real a5_y = t38*a4_z - s5*a4_x;
-    /* link 5: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha5_x = qd[4]*w5_y - (-s5*alpha3_y - c5*alpha4_x);
-    const puma560_full_real alpha5_y = c5*alpha3_y - s5*alpha4_x - qd[4]*w5_x;
-    /* link 5: angular velocity [rad/s] */
-    const puma560_full_real w5_z = qd[4] + w4_y;
-    /* link 5: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww5_yz = w5_y*w5_z;
-    const puma560_full_real ww5_zx = w5_x*w5_z;
-    const puma560_full_real ww5_xy = w5_x*w5_y;
-    const puma560_full_real ww5_xx = w5_x*w5_x;
-    const puma560_full_real ww5_yy = w5_y*w5_y;
-    const puma560_full_real ww5_zz = w5_z*w5_z;
-    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam5_11 = ww5_yy + ww5_zz;
-    const puma560_full_real lam5_12 = ww5_xy - alpha4_y;
-    const puma560_full_real lam5_13 = alpha5_y + ww5_zx;
-    const puma560_full_real lam5_21 = alpha4_y + ww5_xy;
-    const puma560_full_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const puma560_full_real lam5_23 = ww5_yz - alpha5_x;
-    const puma560_full_real neg_lam5_31 = alpha5_y - ww5_zx;
-    const puma560_full_real lam5_32 = alpha5_x + ww5_yz;
-    const puma560_full_real neg_lam5_33 = ww5_xx + ww5_yy;
-    /* link 6: angular velocity [rad/s] */
-    const puma560_full_real w6_x = c6*w5_x + s6*w5_z;
-    const puma560_full_real w6_y = c6*w5_z - s6*w5_x;
-    /* link 6: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const puma560_full_real a6_x = c6*a5_x + s6*a4_y;
-    const puma560_full_real a6_y = c6*a4_y - s6*a5_x;
-    /* link 6: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha6_x = qd[5]*w6_y - (-s6*alpha4_y - c6*alpha5_x);
-    const puma560_full_real alpha6_y = c6*alpha4_y - s6*alpha5_x - qd[5]*w6_x;
-    /* link 6: angular velocity [rad/s] */
-    const puma560_full_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const puma560_full_real ww6_yz = w6_y*w6_z;
-    const puma560_full_real ww6_zx = w6_x*w6_z;
-    const puma560_full_real ww6_xy = w6_x*w6_y;
-    const puma560_full_real ww6_xx = w6_x*w6_x;
-    const puma560_full_real ww6_yy = w6_y*w6_y;
-    const puma560_full_real ww6_zz = w6_z*w6_z;
-    /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam6_11 = ww6_yy + ww6_zz;
-    const puma560_full_real lam6_12 = alpha5_y + ww6_xy;
-    const puma560_full_real lam6_13 = alpha6_y + ww6_zx;
-    const puma560_full_real lam6_21 = ww6_xy - alpha5_y;
-    const puma560_full_real neg_lam6_22 = ww6_xx + ww6_zz;
-    const puma560_full_real lam6_23 = ww6_yz - alpha6_x;
-    const puma560_full_real neg_lam6_31 = alpha6_y - ww6_zx;
-    const puma560_full_real lam6_32 = alpha6_x + ww6_yz;
-    const puma560_full_real neg_lam6_33 = ww6_xx + ww6_yy;
-    /* link 2: force that moves the link [N] */
-    const puma560_full_real fc2_x = 0.1606745919581151*ww2_xy - 7.6631781603519995*neg_lam2_11;
-    const puma560_full_real fc2_y = 7.6631781603519995*ww2_xy - 0.1606745919581151*neg_lam2_22;
-    /* link 2: moment that turns the link [N m] */
-    const puma560_full_real nc2_x = -0.024117256252913073*ww1_zz - (0.4146089080715873*neg_alpha2_x
-        - 0.0507946745483177*(neg_lam2_22 - neg_lam2_33) + (0.2348119600832282*alpha2_y +
-        0.017097472943757824*ww2_xy));
-    const puma560_full_real nc2_y = 7.045155598402548*alpha2_y - 0.017097472943757824*(neg_lam2_11 -
-        neg_lam2_33) + (0.0507946745483177*ww2_xy + 0.2348119600832282*neg_alpha2_x) +
-        1.1502430418688352*ww1_zz;
-    const puma560_full_real nc2_z = 3.31527334516548*ww2_xy + 0.1174059800416141*(neg_lam2_11 -
-        neg_lam2_22) - (75.09914597144959*c2 - 1.5746110011895278*s2);
-    /* link 3: force that moves the link [N] */
-    const puma560_full_real fc3_x = -1.046378600789203*neg_lam3_11 - 5.729293810689829*ww3_xy;
-    const puma560_full_real fc3_y = 1.046378600789203*ww3_xy + 5.729293810689829*neg_lam3_22;
-    const puma560_full_real fc3_z = -11.458587621379658*alpha3_x - 2.092757201578406*alpha3_y;
-    /* link 3: moment that turns the link [N m] */
-    const puma560_full_real nc3_x = -5.729293810689829*a3_z - (-6.961065593521791*alpha3_x -
-        0.060845712710754084*(neg_lam3_22 - neg_lam3_33) + (0.5723178005100907*alpha3_y +
-        0.01894848286257894*ww3_xy));
-    const puma560_full_real nc3_y = 0.9435283577273719*alpha3_y - 0.01894848286257894*(neg_lam3_11 -
-        neg_lam3_33) + (0.060845712710754084*ww3_xy - 0.5723178005100907*alpha3_x) -
-        1.046378600789203*a3_z;
-    const puma560_full_real nc3_z = 1.046378600789203*a3_y - 5.729293810689829*neg_a3_x -
-        (3.0087686178972097*ww3_xy - 0.28615890025504537*(neg_lam3_11 - neg_lam3_22));
-    /* link 4: force that moves the link [N] */
-    const puma560_full_real fc4_x = 0.8719880516308344*lam4_12 - 0.7777930398944852*neg_lam4_11;
-    const puma560_full_real fc4_y = 0.7777930398944852*lam4_21 - 0.8719880516308344*neg_lam4_22;
-    const puma560_full_real fc4_z = 0.7777930398944852*lam4_31 + 0.8719880516308344*lam4_32;
-    /* link 4: moment that turns the link [N m] */
-    const puma560_full_real nc4_x = 0.8719880516308344*a4_z - (-0.2788425785236688*lam4_32 -
-        0.10734691974802549*(neg_lam4_22 - neg_lam4_33) + (0.2837491060266096*lam4_21 -
-        0.05337162017689789*lam4_31));
-    const puma560_full_real nc4_y = -0.3473260245772809*lam4_31 - 0.2837491060266096*(neg_lam4_11 -
-        neg_lam4_33) + (0.10734691974802549*lam4_12 - 0.05337162017689789*lam4_32) -
-        0.7777930398944852*a4_z;
-    const puma560_full_real t39 = 0.2788425785236688*lam4_12 - 0.3473260245772809*lam4_21 -
-        0.05337162017689789*(neg_lam4_11 - neg_lam4_22) - (0.2837491060266096*lam4_23 -
-        0.10734691974802549*lam4_13);
-    const puma560_full_real nc4_z = 0.7777930398944852*a4_y - 0.8719880516308344*a4_x - t39;
-    /* link 5: force that moves the link [N] */
-    const puma560_full_real fc5_x = 0.47660058733283606*neg_lam5_11 - 0.15165250821211493*lam5_12;
-    const puma560_full_real fc5_y = 0.15165250821211493*neg_lam5_22 - 0.47660058733283606*lam5_21;
-    const puma560_full_real fc5_z = 0.47660058733283606*neg_lam5_31 - 0.15165250821211493*lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const puma560_full_real neg_nc5_x = 0.18116108322165295*(neg_lam5_22 - neg_lam5_33) -
-        0.3901127773977262*lam5_32 + (0.08058935149735619*neg_lam5_31 - 0.1558184212675505*lam5_21)
-        + 0.15165250821211493*a4_y;
-    const puma560_full_real nc5_y = 0.1513642331069161*neg_lam5_31 + 0.1558184212675505*(neg_lam5_11
-        - neg_lam5_33) + (-0.18116108322165295*lam5_12 - 0.08058935149735619*lam5_32) +
-        0.47660058733283606*a4_y;
-    const puma560_full_real t40 = 0.1513642331069161*lam5_21 - 0.3901127773977262*lam5_12 -
-        0.08058935149735619*(neg_lam5_22 - neg_lam5_11) - (0.1558184212675505*lam5_23 -
-        0.18116108322165295*lam5_13);
-    const puma560_full_real nc5_z = t40 - (0.47660058733283606*a5_y - 0.15165250821211493*a5_x);
-    /* link 6: force that moves the link [N] */
-    const puma560_full_real fc6_x = 1.1185374890947408*neg_lam6_11 + 1.2975168001325401*lam6_12;
-    const puma560_full_real fc6_y = -1.2975168001325401*neg_lam6_22 - 1.1185374890947408*lam6_21;
-    const puma560_full_real fc6_z = 1.1185374890947408*neg_lam6_31 + 1.2975168001325401*lam6_32;
-    /* link 6: moment that turns the link [N m] */
-    const puma560_full_real nc6_x = -1.2975168001325401*a5_y - (0.2519035474197792*(neg_lam6_22 -
-        neg_lam6_33) - 0.43637196239865417*lam6_32 - (0.4019452224328564*neg_lam6_31 -
-        0.1902613160848803*lam6_21));
-    const puma560_full_real nc6_y = 0.4714480390546099*neg_lam6_31 - 0.1902613160848803*(neg_lam6_11
-        - neg_lam6_33) - (0.2519035474197792*lam6_12 - 0.4019452224328564*lam6_32) -
-        1.1185374890947408*a5_y;
-    const puma560_full_real t41 = 0.43637196239865417*lam6_12 - 0.4714480390546099*lam6_21 +
-        0.4019452224328564*(neg_lam6_11 - neg_lam6_22) - (0.1902613160848803*lam6_23 +
-        0.2519035474197792*lam6_13);
-    const puma560_full_real neg_nc6_z = t41 + (1.1185374890947408*a6_y + 1.2975168001325401*a6_x);
-    /* link 6: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f06_x = c6*fc6_x - s6*fc6_y;
-    const puma560_full_real f06_y = s6*fc6_x + c6*fc6_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n06_x = c6*nc6_x - s6*nc6_y;
-    const puma560_full_real n06_y = s6*nc6_x + c6*nc6_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_x = n06_x - neg_nc5_x;
-    const puma560_full_real n5_y = nc5_y + neg_nc6_z;
-    const puma560_full_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint [N] */
-    const puma560_full_real f5_x = fc5_x + f06_x;
-    const puma560_full_real f5_y = fc5_y - fc6_z;
-    const puma560_full_real f5_z = fc5_z + f06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f05_x = c5*f5_x - s5*f5_y;
-    const puma560_full_real f05_y = s5*f5_x + c5*f5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n05_x = c5*n5_x - s5*n5_y;
-    const puma560_full_real n05_y = s5*n5_x + c5*n5_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_x = nc4_x + n05_x;
-    const puma560_full_real n4_y = nc4_y + n5_z;
-    const puma560_full_real n4_z = nc4_z - n05_y;
-    /* link 4: force through the joint [N] */
-    const puma560_full_real f4_x = fc4_x + f05_x;
-    const puma560_full_real f4_y = fc4_y + f5_z;
-    const puma560_full_real f4_z = fc4_z - f05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f04_x = c4*f4_x - s4*f4_y;
-    const puma560_full_real neg_f04_y = -c4*f4_y - s4*f4_x;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n04_x = c4*n4_x - s4*n4_y;
-    const puma560_full_real n04_y = s4*n4_x + c4*n4_y;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n3_x = n04_x + (nc3_x + 0.4331*neg_f04_y);
-    const puma560_full_real n3_y = nc3_y - 0.0203*neg_f04_y - n4_z;
-    const puma560_full_real n3_z = n04_y - (-0.4331*f04_x - 0.0203*f4_z - nc3_z);
-    /* link 3: force through the joint [N] */
-    const puma560_full_real f3_x = fc3_x + f04_x;
-    const puma560_full_real f3_y = fc3_y - f4_z;
-    const puma560_full_real f3_z = fc3_z - neg_f04_y;
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real f03_x = c23*f3_x - s23*f3_y;
-    const puma560_full_real f03_y = s23*f3_x + c23*f3_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n03_y = s23*n3_x + c23*n3_y;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + t3*f3_z);
-    const puma560_full_real n02_z = n3_z + (nc2_z - (t4*f03_x - t3*f03_y));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const puma560_full_real neg_f02_x = s2*fc2_y - c2*fc2_x - f03_x;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n1_z = 0.1501*neg_f02_x - n02_y;
+    const puma560_full_real m1_1 = k2_xx - (neg_k4_yy - 0.3002*h4_y) + 2.629303206180387;
     /* link 1: forward substitution */
     const puma560_full_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
@@ -1362,64 +1159,68 @@ void puma560_full_forward_dynamics(
     const puma560_full_real l6_1 = m1_6*ipivot1;
     const puma560_full_real pivot2 = m2_2 - m1_2*l2_1;
     const puma560_full_real ipivot2 = 1.0 / pivot2;
-    const puma560_full_real neg_ld3_2 = m1_2*l3_1 - m2_3;
-    const puma560_full_real l3_2 = -ipivot2*neg_ld3_2;
+    const puma560_full_real ld3_2 = m2_3 - m1_2*l3_1;
+    const puma560_full_real l3_2 = ipivot2*ld3_2;
     const puma560_full_real ld4_2 = m2_4 - m1_2*l4_1;
     const puma560_full_real l4_2 = ipivot2*ld4_2;
     const puma560_full_real ld5_2 = m2_5 - m1_2*l5_1;
     const puma560_full_real l5_2 = ipivot2*ld5_2;
     const puma560_full_real ld6_2 = m2_6 - m1_2*l6_1;
     const puma560_full_real l6_2 = ipivot2*ld6_2;
-    const puma560_full_real pivot3 = neg_ld3_2*l3_2 - (m1_3*l3_1 - m3_3);
+    const puma560_full_real pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2;
     const puma560_full_real ipivot3 = 1.0 / pivot3;
-    const puma560_full_real ld4_3 = m3_4 - m1_3*l4_1 + neg_ld3_2*l4_2;
+    const puma560_full_real ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2;
     const puma560_full_real l4_3 = ipivot3*ld4_3;
-    const puma560_full_real ld5_3 = neg_ld3_2*l5_2 - (m1_3*l5_1 - m3_5);
+    const puma560_full_real ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2;
     const puma560_full_real l5_3 = ipivot3*ld5_3;
-    const puma560_full_real ld6_3 = neg_ld3_2*l6_2 - (m1_3*l6_1 - m3_6);
+    const puma560_full_real ld6_3 = m3_6 - m1_3*l6_1 - ld3_2*l6_2;
     const puma560_full_real l6_3 = ipivot3*ld6_3;
-    const puma560_full_real t42 = -ld4_2;
-    const puma560_full_real pivot4 = t42*l4_2 - (m1_4*l4_1 - m4_4) - ld4_3*l4_3;
-    const puma560_full_real ipivot4 = 1.0 / pivot4;
+    const puma560_full_real neg_pivot4 = m1_4*l4_1 - m4_4 + ld4_2*l4_2 + ld4_3*l4_3;
+    const puma560_full_real neg_ipivot4 = 1.0 / neg_pivot4;
     const puma560_full_real ld5_4 = k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
-    const puma560_full_real l5_4 = ipivot4*ld5_4;
-    const puma560_full_real ld6_4 = t42*l6_2 - (m1_4*l6_1 - neg_nu5_y) - ld4_3*l6_3;
-    const puma560_full_real l6_4 = ipivot4*ld6_4;
-    const puma560_full_real pivot5 = m5_5 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
+    const puma560_full_real neg_l5_4 = neg_ipivot4*ld5_4;
+    const puma560_full_real ld6_4 = neg_nu5_y - m1_4*l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
+    const puma560_full_real neg_l6_4 = neg_ipivot4*ld6_4;
+    const puma560_full_real pivot5 = m5_5 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 + ld5_4*neg_l5_4;
     const puma560_full_real ipivot5 = 1.0 / pivot5;
-    const puma560_full_real neg_ld6_5 = k6_yz + m1_5*l6_1 + ld5_2*l6_2 + ld5_3*l6_3 + ld5_4*l6_4;
-    const puma560_full_real l6_5 = -ipivot5*neg_ld6_5;
-    const puma560_full_real pivot6 = neg_ld6_5*l6_5 - (m1_6*l6_1 - 0.907820001453264 + ld6_2*l6_2 +
-        ld6_3*l6_3 + ld6_4*l6_4);
+    const puma560_full_real ld6_5 = neg_k6_yz - m1_5*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 +
+        ld5_4*neg_l6_4;
+    const puma560_full_real l6_5 = ipivot5*ld6_5;
+    const puma560_full_real pivot6 = 0.907820001453264 - m1_6*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 +
+        ld6_4*neg_l6_4 - ld6_5*l6_5;
     const puma560_full_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
-    const puma560_full_real y2 = tau[1] - n02_z - y1*l2_1;
+    const puma560_full_real neg_y2 = n02_z - tau[1] + y1*l2_1;
     /* link 3: forward substitution */
-    const puma560_full_real y3 = tau[2] - n3_z - y1*l3_1 - l3_2*y2;
+    const puma560_full_real y3 = neg_n3_z + tau[2] - y1*l3_1 + l3_2*neg_y2;
     /* link 4: forward substitution */
-    const puma560_full_real y4 = tau[3] - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3;
+    const puma560_full_real neg_y4 = n4_z - tau[3] + y1*l4_1 - l4_2*neg_y2 + l4_3*y3;
     /* link 5: forward substitution */
-    const puma560_full_real y5 = tau[4] - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4;
+    const puma560_full_real neg_y5 = n5_z - tau[4] + y1*l5_1 - l5_2*neg_y2 + l5_3*y3 +
+        neg_l5_4*neg_y4;
     /* link 6: forward substitution */
-    const puma560_full_real y6 = tau[5] + neg_nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 -
-        l6_5*y5;
+    const puma560_full_real neg_y6 = nc6_z - tau[5] + y1*l6_1 - l6_2*neg_y2 + l6_3*y3 +
+        neg_l6_4*neg_y4 - l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd6 = ipivot6*y6;
+    const puma560_full_real neg_qdd6 = ipivot6*neg_y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd5 = ipivot5*y5 - l6_5*qdd6;
+    const puma560_full_real neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd4 = -l6_4*qdd6 - (l5_4*qdd5 - ipivot4*y4);
+    const puma560_full_real qdd4 = neg_ipivot4*neg_y4 - neg_l5_4*neg_qdd5 - neg_l6_4*neg_qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd3 = -l5_3*qdd5 - (l4_3*qdd4 - ipivot3*y3) - l6_3*qdd6;
+    const puma560_full_real qdd3 = ipivot3*y3 - l4_3*qdd4 + l5_3*neg_qdd5 + l6_3*neg_qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6;
+    const puma560_full_real qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 + l3_2*qdd3 + l4_2*qdd4 -
+        l5_2*neg_qdd5);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 -
-        l6_1*qdd6;
+    const puma560_full_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 + l5_1*neg_qdd5 +
+        l6_1*neg_qdd6;
+    const puma560_full_real t95 = -neg_qdd5;
+    const puma560_full_real t96 = -neg_qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;
     qdd[3] = qdd4;
-    qdd[4] = qdd5;
-    qdd[5] = qdd6;
+    qdd[4] = t95;
+    qdd[5] = t96;
 }

@@ -13,13 +13,15 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
+! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+!   to the recursion without being written like it: robodyn --optimize full, seed 3.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
-!   inverse_dynamics: 182 multiplications, 146 additions = 328; 4 unary minus; 10 sine/cosine
-!   gravity: 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
-!   bias: 165 multiplications, 116 additions = 281; 0 unary minus; 10 sine/cosine
-!   mass_matrix: 84 multiplications, 69 additions = 153; 0 unary minus; 8 sine/cosine
-!   forward_dynamics: 333 multiplications, 253 additions, 6 divisions = 592; 12 unary minus; 10
+!   inverse_dynamics: 139 multiplications, 115 additions = 254; 0 unary minus; 8 sine/cosine
+!   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
+!   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
+!   mass_matrix: 84 multiplications, 66 additions = 150; 0 unary minus; 8 sine/cosine
+!   forward_dynamics: 293 multiplications, 224 additions, 6 divisions = 523; 2 unary minus; 8
 !       sine/cosine
 module puma560_rotor_in_link_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -35,522 +37,381 @@ module puma560_rotor_in_link_dynamics
 contains
 
   ! torques that give the accelerations qdd
-  ! 182 multiplications, 146 additions = 328; 4 unary minus; 10 sine/cosine
+  ! 139 multiplications, 115 additions = 254; 0 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="puma560_rotor_in_link_inverse_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: qdd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, w3_z, alpha3_z, ww1_zz, neg_a2_z
-    real(rk) :: t1, w2_x, w2_y, t2, neg_a2_x, a2_y, ww2_yz, ww2_zx, alpha2_x, neg_alpha2_y, ww2_xy
-    real(rk) :: ww2_xx, ww2_yy, ww2_zz, neg_lam2_11, lam2_12, lam2_13, lam2_21, neg_lam2_22
-    real(rk) :: lam2_23, lam2_31, lam2_32, neg_lam2_33, a3_z, w3_x, w3_y, t3, t4, t5, t6, neg_a3_x
-    real(rk) :: a3_y, ww3_yz, ww3_zx, alpha3_x, neg_alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz
-    real(rk) :: neg_lam3_11, lam3_12, lam3_13, lam3_21, neg_lam3_22, lam3_31, lam3_32, neg_lam3_33
-    real(rk) :: a4_z, w4_x, w4_y, t7, t8, a4_x, a4_y, alpha4_x, alpha4_y, alpha4_z, w4_z, ww4_yz
-    real(rk) :: ww4_zx, ww4_xy, w5_x, t9, w5_y, a5_x, alpha5_y, alpha5_z, w5_z, ww5_zx, ww5_xy
-    real(rk) :: ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22, neg_lam5_31, lam5_32, w6_x, w6_y
-    real(rk) :: alpha6_z, w6_z, ww6_yz, ww6_zx, nc1_z, fc2_x, fc2_y, nc2_x, nc2_y, t10, nc2_z
-    real(rk) :: fc3_x, fc3_y, fc3_z, nc3_x, nc3_y, nc3_z, neg_nc4_y, nc4_x, nc4_z, fc5_x, fc5_y
-    real(rk) :: fc5_z, nc5_y, nc5_x, nc5_z, nc6_x, nc6_y, nc6_z, n06_x, n06_y, n5_x, n5_y, n5_z
-    real(rk) :: f05_x, f05_y, n05_x, n05_y, n4_x, n4_y, n4_z, f04_x, f04_y, n04_x, n04_y, n3_x
-    real(rk) :: n3_y, n3_z, f3_x, f3_y, f3_z, f03_x, f03_y, n03_y, t11, n02_y, n02_z, f02_x, n1_z
+    real(rk) :: w3_z, angle23, c23, neg_w3_y, s23, neg_w3_x, alpha3_z, neg_ww3_yz, neg_alpha3_x
+    real(rk) :: neg_lam3_13, neg_ww3_zx, neg_alpha3_y, ww3_yy, ww3_zz, ww3_xy, neg_lam2_33
+    real(rk) :: neg_lam3_11, neg_lam3_12, lam3_31, neg_lam3_32, lam3_21, s4, c4, w4_y, neg_w4_x
+    real(rk) :: w4_z, alpha4_z, c5, s5, neg_w5_x, neg_w5_y, w5_z, ww5_xy, neg_ww5_zx, ww5_xx
+    real(rk) :: ww5_zz, neg_lam5_22, w6_z, t1, n06_y, c2, s2, ww2_zz, alpha4_y, alpha5_z, lam5_12
+    real(rk) :: alpha4_x, lam5_32, t2, neg_lam3_22, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13
+    real(rk) :: t14, t15, t16, t17, n5_z, alpha5_y, n06_z, t18, t19, t20, t21, t22, t23, t24, t25
+    real(rk) :: t26, t27, neg_n3_x, n4_z, n3_y, t28, t29, t30, t31, t32, t33, t34, t35, t36, t37
+    real(rk) :: t38, n1_z, t39, n3_z, t40, n02_z
 
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! sines and cosines of the joint angles
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    ! link 3: angular velocity [rad/s]
+    neg_w3_y = c23*qd(1)
+    ! sines and cosines of the joint angles
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    neg_w3_x = qd(1)*s23
+    ! link 3: angular acceleration [rad/s^2]
+    alpha3_z = qdd(2) + qdd(3)
+    ! link 3: products of the angular velocity [1/s^2]
+    neg_ww3_yz = w3_z*neg_w3_y
+    ! link 3: angular acceleration [rad/s^2]
+    neg_alpha3_x = neg_ww3_yz + s23*qdd(1)
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_13 = c23*qdd(1)
+    ! link 3: products of the angular velocity [1/s^2]
+    neg_ww3_zx = w3_z*neg_w3_x
+    ! link 3: angular acceleration [rad/s^2]
+    neg_alpha3_y = neg_lam3_13 - neg_ww3_zx
+    ! link 3: products of the angular velocity [1/s^2]
+    ww3_yy = neg_w3_y*neg_w3_y
+    ww3_zz = w3_z*w3_z
+    ww3_xy = neg_w3_y*neg_w3_x
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_33 = qd(1)*qd(1)
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    neg_lam3_12 = alpha3_z - ww3_xy
+    lam3_31 = neg_alpha3_y - neg_ww3_zx
+    neg_lam3_32 = neg_ww3_yz + neg_alpha3_x
+    lam3_21 = alpha3_z + ww3_xy
+    ! sines and cosines of the joint angles
+    s4 = sin(q(4))
+    c4 = cos(q(4))
+    ! link 4: angular velocity [rad/s]
+    w4_y = w3_z*c4 + neg_w3_x*s4
+    neg_w4_x = neg_w3_x*c4 - w3_z*s4
+    w4_z = neg_w3_y + qd(4)
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_z = neg_alpha3_y + qdd(4)
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    ! link 5: angular velocity [rad/s]
+    neg_w5_x = neg_w4_x*c5 + w4_z*s5
+    neg_w5_y = w4_z*c5 - neg_w4_x*s5
+    w5_z = w4_y + qd(5)
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_xy = neg_w5_x*neg_w5_y
+    neg_ww5_zx = neg_w5_x*w5_z
+    ww5_xx = neg_w5_x*neg_w5_x
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_22 = ww5_xx + ww5_zz
+    ! link 6: angular velocity [rad/s]
+    w6_z = neg_w5_y + qd(6)
+    t1 = 0.19304_rk*w6_z
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_y = neg_w5_x*t1
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    angle23 = q(2) + q(3)
-    c23 = cos(angle23)
-    s23 = sin(angle23)
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_z = qdd(2) + qdd(3)
-    ! link 1: products of the angular velocity [1/s^2]
-    ww1_zz = qd(1)*qd(1)
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_z = 0.1501_rk*ww1_zz
-    t1 = -qd(1)
-    ! link 2: angular velocity [rad/s]
-    w2_x = t1*s2
-    w2_y = t1*c2
-    t2 = 0.1501_rk*qdd(1)
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a2_x = c2*t2 + 9.8_rk*s2
-    a2_y = s2*t2 - 9.8_rk*c2
     ! link 2: products of the angular velocity [1/s^2]
-    ww2_yz = qd(2)*w2_y
-    ww2_zx = qd(2)*w2_x
-    ! link 2: angular acceleration [rad/s^2]
-    alpha2_x = ww2_yz - qdd(1)*s2
-    neg_alpha2_y = qdd(1)*c2 + ww2_zx
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = w2_x*w2_y
-    ww2_xx = w2_x*w2_x
-    ww2_yy = w2_y*w2_y
     ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    lam2_12 = ww2_xy - qdd(2)
-    lam2_13 = ww2_zx - neg_alpha2_y
-    lam2_21 = qdd(2) + ww2_xy
-    neg_lam2_22 = ww2_xx + ww2_zz
-    lam2_23 = ww2_yz - alpha2_x
-    lam2_31 = ww2_zx + neg_alpha2_y
-    lam2_32 = ww2_yz + alpha2_x
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = 0.4318_rk*lam2_31 - neg_a2_z
-    ! link 3: angular velocity [rad/s]
-    w3_x = t1*s23
-    w3_y = t1*c23
-    t3 = 0.4318_rk*neg_lam2_11
-    t4 = 0.4318_rk*lam2_21
-    t5 = t2 + (c2*t3 + s2*t4)
-    t6 = s2*t3 - c2*t4 + 9.8_rk
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*t5 + s23*t6
-    a3_y = s23*t5 - c23*t6
-    ! link 3: products of the angular velocity [1/s^2]
-    ww3_yz = w3_z*w3_y
-    ww3_zx = w3_z*w3_x
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = ww3_yz - qdd(1)*s23
-    neg_alpha3_y = qdd(1)*c23 + ww3_zx
-    ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
-    ww3_zz = w3_z*w3_z
-    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_12 = ww3_xy - alpha3_z
-    lam3_13 = ww3_zx - neg_alpha3_y
-    lam3_21 = alpha3_z + ww3_xy
-    neg_lam3_22 = ww3_xx + ww3_zz
-    lam3_31 = ww3_zx + neg_alpha3_y
-    lam3_32 = ww3_yz + alpha3_x
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = 0.0203_rk*lam3_21 - 0.4331_rk*neg_lam3_22 - a3_y
-    ! link 4: angular velocity [rad/s]
-    w4_x = c4*w3_x + s4*w3_z
-    w4_y = c4*w3_z - s4*w3_x
-    t7 = a3_z + (-0.0203_rk*lam3_31 - 0.4331_rk*lam3_32)
-    t8 = neg_a3_x + (0.4331_rk*lam3_12 - 0.0203_rk*neg_lam3_11)
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = s4*t7 - c4*t8
-    a4_y = s4*t8 + c4*t7
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - (-s4*alpha3_z - c4*alpha3_x)
-    alpha4_y = c4*alpha3_z - s4*alpha3_x - qd(4)*w4_x
-    alpha4_z = qdd(4) + neg_alpha3_y
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) - w3_y
-    ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
-    ww4_xy = w4_x*w4_y
-    ! link 5: angular velocity [rad/s]
-    w5_x = c5*w4_x - s5*w4_z
-    t9 = -c5
-    w5_y = t9*w4_z - s5*w4_x
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x - s5*a4_z
+    alpha4_y = alpha3_z*c4 + (neg_alpha3_x*s4 + neg_w4_x*qd(4))
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_y = t9*alpha4_z - s5*alpha4_x - qd(5)*w5_x
-    alpha5_z = qdd(5) + alpha4_y
-    ! link 5: angular velocity [rad/s]
-    w5_z = qd(5) + w4_y
-    ! link 5: products of the angular velocity [1/s^2]
-    ww5_zx = w5_x*w5_z
-    ww5_xy = w5_x*w5_y
-    ww5_xx = w5_x*w5_x
-    ww5_zz = w5_z*w5_z
+    alpha5_z = alpha4_y + qdd(5)
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_12 = ww5_xy - alpha5_z
-    lam5_21 = alpha5_z + ww5_xy
-    neg_lam5_22 = ww5_xx + ww5_zz
-    neg_lam5_31 = alpha5_y - ww5_zx
-    lam5_32 = w5_y*(qd(5) + w5_z) - (s5*alpha4_z - c5*alpha4_x)
-    ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x + s6*w5_z
-    w6_y = c6*w5_z - s6*w5_x
-    ! link 6: angular acceleration [rad/s^2]
-    alpha6_z = qdd(6) - alpha5_y
-    ! link 6: angular velocity [rad/s]
-    w6_z = qd(6) - w5_y
-    ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
-    ww6_zx = w6_x*w6_z
-    ! link 1: moment that turns the link [N m]
-    nc1_z = -0.1682704495_rk*qdd(1)
-    ! link 2: force that moves the link [N]
-    fc2_x = 0.1044_rk*lam2_12 - 3.79559_rk*neg_lam2_11
-    fc2_y = 3.79559_rk*lam2_21 - 0.1044_rk*neg_lam2_22
-    ! link 2: moment that turns the link [N m]
-    nc2_x = -0.01567044_rk*ww1_zz - (-2.4281264_rk*lam2_32 - 0.00808056_rk*(neg_lam2_22 - &
-        neg_lam2_33) + (0.12059664_rk*lam2_21 - 0.0070992_rk*lam2_31))
-    nc2_y = -4.029987602_rk*lam2_31 - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) - &
-        (0.0070992_rk*lam2_32 - 0.00808056_rk*lam2_12) + 0.569718059_rk*ww1_zz
-    t10 = 4.029987602_rk*lam2_21 - 2.4281264_rk*lam2_12 + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) &
-        - (0.00808056_rk*lam2_13 - 0.12059664_rk*lam2_23)
-    nc2_z = t10 + (3.79559_rk*a2_y + 0.1044_rk*neg_a2_x)
-    ! link 3: force that moves the link [N]
-    fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*lam3_12
-    fc3_y = 0.861795_rk*neg_lam3_22 - 0.025375_rk*lam3_21
-    fc3_z = -0.025375_rk*lam3_31 - 0.861795_rk*lam3_32
-    ! link 3: moment that turns the link [N m]
-    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 0.7313401365_rk*lam3_32 &
-        - 0.0106736385_rk*lam3_31)
-    nc3_y = -0.004704_rk*lam3_12 - 0.0106736385_rk*lam3_32 - 0.4317651125_rk*lam3_31 + &
-        0.025375_rk*a3_z
-    nc3_z = 0.4317651125_rk*lam3_21 - 0.7313401365_rk*lam3_12 + 0.0106736385_rk*(neg_lam3_11 - &
-        neg_lam3_22) + 0.004704_rk*lam3_13 - (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
-    ! link 4: moment that turns the link [N m]
-    neg_nc4_y = 0.2013_rk*ww4_zx
-    nc4_x = 0.1119_rk*ww4_yz - 0.0894_rk*alpha4_x
-    nc4_z = 0.0894_rk*ww4_xy + 0.1119_rk*alpha4_z
-    ! link 5: force that moves the link [N]
-    fc5_x = -0.00288_rk*lam5_12
-    fc5_y = 0.00288_rk*neg_lam5_22
-    fc5_z = -0.00288_rk*lam5_32
-    ! link 5: moment that turns the link [N m]
-    nc5_y = 0.0897_rk*neg_lam5_31
-    nc5_x = 0.08994216_rk*lam5_32 - 0.00288_rk*a4_y
-    nc5_z = 0.0897_rk*lam5_21 - 0.08994216_rk*lam5_12 + 0.00288_rk*a5_x
-    ! link 6: moment that turns the link [N m]
-    nc6_x = 0.19304_rk*ww6_yz
-    nc6_y = -0.19304_rk*ww6_zx
-    nc6_z = 0.19304_rk*alpha6_z
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*nc6_x - s6*nc6_y
-    n06_y = s6*nc6_x + c6*nc6_y
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = alpha3_z*s4 + (w4_y*qd(4) - neg_alpha3_x*c4)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_32 = c5*alpha4_x - (alpha4_z*s5 + neg_w5_y*(qd(5) + w5_z))
+    t2 = ww3_yy - ww3_zz
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_22 = neg_lam2_33 - t2
+    t3 = 21.27093596059113_rk*c2
+    t4 = 21.27093596059113_rk*s2
+    t5 = t3*(neg_lam2_33 + ww2_zz) + qdd(2)*t4 + 7.394088669950739_rk*qdd(1)
+    t6 = t4*ww2_zz - (qdd(2)*t3 - 482.7586206896552_rk)
+    t7 = c23*t5 + s23*t6
+    t8 = neg_lam3_11 + 21.334975369458128_rk*neg_lam3_12 - t7
+    t9 = 2.0_rk*(qd(2)*qd(1))
+    t10 = qdd(1)*t3 - 7.394088669950739_rk*neg_lam2_33 - t4*t9
+    t11 = 21.334975369458128_rk*neg_lam3_32
+    t12 = t11 - lam3_31
+    t13 = t10 + t12
+    t14 = c4*t8 + s4*t13
+    t15 = 5.8464e-05_rk*c5
+    t16 = 5.8464e-05_rk*s5
+    t17 = lam3_21 - 21.334975369458128_rk*neg_lam3_22 - (s23*t5 - c23*t6)
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + n06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = c5*fc5_x - s5*fc5_y
-    f05_y = s5*fc5_x + c5*fc5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = c5*n5_x - s5*n5_y
-    n05_y = s5*n5_x + c5*n5_y
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + n05_x
-    n4_y = n5_z - neg_nc4_y
-    n4_z = nc4_z - n05_y
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = c4*f05_x - s4*fc5_z
-    f04_y = s4*f05_x + c4*fc5_z
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = c4*n4_x - s4*n4_y
-    n04_y = s4*n4_x + c4*n4_y
+    n5_z = t14*t15 + (n06_y + 0.17964216_rk*(alpha5_z - 0.0013480131835422152_rk*ww5_xy)) - &
+        t16*t17
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = neg_w5_x*qd(5) - s5*alpha4_x - alpha4_z*c5
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_z = 0.19304_rk*(qdd(6) - alpha5_y)
+    t18 = 0.0005151125_rk*t14 - (neg_lam5_22*t16 + lam5_12*t15)
+    t19 = s4*t8 - c4*t13
+    t20 = -0.00054216_rk*lam5_32 - 0.00477684375_rk*t19
+    t21 = 0.10783532536520585_rk*t20
+    t22 = s4*t18 + c4*t21
+    t23 = 3280.019999836749_rk*t22
+    t24 = 0.2013_rk*alpha4_y + n5_z
+    t25 = 0.1791_rk*neg_ww5_zx - (n06_z - 0.0003_rk*alpha5_y)
+    t26 = t20 - (w5_z*(t1 - 0.1788_rk*neg_w5_y) - 0.00471837975_rk*t19)
+    t27 = s5*t25 + (c5*t26 - 0.2013_rk*alpha4_x)
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = n04_x - (0.4331_rk*f04_y - nc3_x)
-    n3_y = nc3_y + 0.0203_rk*f04_y - n4_z
-    n3_z = n04_y + (nc3_z - (0.0203_rk*f05_y - 0.4331_rk*f04_x))
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    f3_y = fc3_y + f05_y
-    f3_z = fc3_z + f04_y
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c23*f3_x - s23*f3_y
-    f03_y = s23*f3_x + c23*f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s23*n3_x + c23*n3_y
-    t11 = 0.4318_rk*c2
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + f3_z*t11)
-    n02_z = n3_z + (nc2_z + (f03_y*t11 - f03_x*(0.4318_rk*s2)))
-    ! link 2: force through the joint, along the axes that its turn starts from [N]
-    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
+    neg_n3_x = 0.006504526_rk*(t10 + t23) + s4*t24 - (0.004704_rk*t2 + &
+        (-0.014170080666358808_rk*lam3_31 - (0.013853806666358808_rk*t12 + c4*t27)))
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_z = 0.2013_rk*alpha4_z + s5*t26 - c5*t25
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_y = 0.004704_rk*neg_lam3_12 - n4_z + (t22 - 9.201024402078819_rk*neg_lam3_32 + &
+        0.43125_rk*t12)
+    t28 = 0.0011165940250115794_rk*(t3 + 545.6756980171745_rk*s2)
+    t29 = c4*t18 - s4*t21
+    t30 = t29 + 0.006504526_rk*neg_lam3_12
+    t31 = t16*lam5_12 - neg_lam5_22*t15 + 0.0005151125_rk*t17
+    t32 = 0.006504526_rk*neg_lam3_22 - t31
+    t33 = c23*t30 - s23*t32
+    t34 = 0.06435058403334877_rk*c2
+    t35 = t3*t34
+    t36 = t4*t34
+    t37 = 7.394088669950739_rk*t33 - (ww2_zz*(0.609298224_rk*c2 - 0.023751_rk*s2) - c23*n3_y) - &
+        qdd(1)*(t35 + 2.231693438_rk - 0.010372902938360292_rk*t36)
+    t38 = 0.010372902938360292_rk*t35 + (t36 - 0.0070992_rk)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = nc1_z - 0.1501_rk*f02_x - n02_y
+    n1_z = s23*neg_n3_x + qdd(2)*t28 - (t37 + (t9*t38 - 0.006485001909027938_rk*c2*(t11 + t23)))
+    t39 = 21.334975369458128_rk*(t29 - 0.00030487618979450475_rk*t7) + (t31 + c4*t24) - (s4*t27 + &
+        0.004704_rk*neg_lam3_13)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_z = 0.8625_rk*(ww3_xy + 0.8426905785507246_rk*neg_lam3_12) - (0.000316274_rk*(neg_lam3_11 - &
+        neg_lam3_22) - t39)
+    t40 = n3_z + (neg_lam2_33*t38 + 6.225049952_rk*qdd(2) + t3*(s23*t30 + (c23*t32 - &
+        1.5019138889382213_rk)))
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = t40 + (t28*(qdd(1) + 1.6791777157715793_rk) - t4*t33)
     tau(1) = n1_z
     tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = n5_z
-    tau(6) = nc6_z
+    tau(6) = n06_z
   end subroutine
 
   ! torques that hold the arm at rest
-  ! 20 multiplications, 9 additions = 29; 1 unary minus; 8 sine/cosine
+  ! 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_gravity(q, tau) &
       bind(c, name="puma560_rotor_in_link_gravity_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, a3_x, a3_y, a4_x, neg_a4_y, a5_x, nc2_z
-    real(rk) :: nc3_z, nc5_x, nc5_z, n05_x, neg_n05_y, n04_x, n04_y, n3_z, neg_n03_y, n02_z
+    real(rk) :: angle23, s23, a3_x, c23, a3_y, c4, a4_x, s4, neg_a4_y, c5, s5, a5_x, nc5_z, nc5_x
+    real(rk) :: n05_y, n05_x, n04_y, nc3_z, n3_z, c2, s2, nc2_z, n02_z, t1
 
     ! sines and cosines of the joint angles
-    c2 = cos(q(2))
-    s2 = sin(q(2))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
     angle23 = q(2) + q(3)
-    c23 = cos(angle23)
     s23 = sin(angle23)
     ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_x = -9.8_rk*s23
+    ! sines and cosines of the joint angles
+    c23 = cos(angle23)
+    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
     a3_y = -9.8_rk*c23
+    ! sines and cosines of the joint angles
+    c4 = cos(q(4))
     ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = c4*a3_x
-    neg_a4_y = s4*a3_x
+    a4_x = a3_x*c4
+    ! sines and cosines of the joint angles
+    s4 = sin(q(4))
+    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
+    neg_a4_y = a3_x*s4
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x + s5*a3_y
-    ! link 2: moment that turns the link [N m]
-    nc2_z = 1.02312_rk*s2 - 37.196782_rk*c2
+    a5_x = a4_x*c5 + a3_y*s5
+    ! link 5: moment that turns the link [N m]
+    nc5_z = 0.00288_rk*a5_x
+    nc5_x = 0.00288_rk*neg_a4_y
+    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
+    n05_y = s5*nc5_x
+    n05_x = c5*nc5_x
+    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
+    n04_y = s4*n05_x + c4*nc5_z
     ! link 3: moment that turns the link [N m]
     nc3_z = 0.248675_rk*c23 - 8.445591_rk*s23
-    ! link 5: moment that turns the link [N m]
-    nc5_x = 0.00288_rk*neg_a4_y
-    nc5_z = 0.00288_rk*a5_x
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = c5*nc5_x
-    neg_n05_y = -s5*nc5_x
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = c4*n05_x - s4*nc5_z
-    n04_y = s4*n05_x + c4*nc5_z
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = nc3_z + n04_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    neg_n03_y = c23*neg_n05_y - s23*n04_x
+    n3_z = n04_y + nc3_z
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    ! link 2: moment that turns the link [N m]
+    nc2_z = 1.02312_rk*s2 - 37.196782_rk*c2
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = nc2_z + n3_z
-    tau(1) = neg_n03_y
+    n02_z = n3_z + nc2_z
+    t1 = -n05_y
+    tau(1) = 0.0_rk
     tau(2) = n02_z
     tau(3) = n3_z
-    tau(4) = neg_n05_y
+    tau(4) = t1
     tau(5) = nc5_z
     tau(6) = 0.0_rk
   end subroutine
 
   ! torques at zero acceleration: Coriolis, centrifugal, gravity, friction
-  ! 165 multiplications, 116 additions = 281; 0 unary minus; 10 sine/cosine
+  ! 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_bias(q, qd, tau) &
       bind(c, name="puma560_rotor_in_link_bias_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(out) :: tau(6)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, w3_z, ww1_zz, a2_z, neg_w2_x
-    real(rk) :: neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz, neg_lam2_11
-    real(rk) :: neg_lam2_22, neg_lam2_33, neg_a3_z, neg_w3_x, neg_w3_y, t1, t2, t3, t4, neg_a3_x
-    real(rk) :: a3_y, neg_alpha3_x, alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11
-    real(rk) :: neg_lam3_22, neg_lam3_33, neg_a4_z, neg_w4_x, w4_y, t5, t6, neg_a4_x, a4_y
-    real(rk) :: neg_alpha4_x, alpha4_y, w4_z, ww4_yz, neg_ww4_zx, neg_ww4_xy, neg_w5_x, w5_y, a5_x
-    real(rk) :: alpha5_y, w5_z, neg_ww5_zx, neg_ww5_xy, ww5_xx, ww5_zz, neg_lam5_12, lam5_21
-    real(rk) :: neg_lam5_22, neg_lam5_31, neg_lam5_32, neg_w6_x, w6_y, w6_z, ww6_yz, neg_ww6_zx
-    real(rk) :: neg_fc2_x, fc2_y, neg_nc2_x, nc2_y, nc2_z, fc3_x, neg_fc3_y, fc3_z, nc3_x, nc3_y
-    real(rk) :: neg_nc3_z, nc4_y, nc4_x, neg_nc4_z, fc5_x, fc5_y, fc5_z, nc5_y, neg_nc5_x, nc5_z
-    real(rk) :: nc6_x, nc6_y, nc6_z, n06_x, n06_y, neg_n5_x, n5_y, n5_z, f05_x, f05_y, neg_n05_x
-    real(rk) :: neg_n05_y, n4_x, n4_y, n4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x
-    real(rk) :: neg_f3_y, f3_z, f03_x, f03_y, n03_y, t7, n02_y, n02_z, neg_f02_x, n1_z
+    real(rk) :: w3_z, angle23, c23, neg_w3_y, s23, neg_w3_x, neg_ww3_yz, neg_ww3_zx, ww3_yy, ww3_zz
+    real(rk) :: ww3_xy, neg_lam2_33, neg_lam3_11, lam3_31, s4, c4, w4_y, neg_w4_x, w4_z, c5, s5
+    real(rk) :: neg_w5_x, neg_w5_y, w5_z, ww5_xy, neg_ww5_zx, ww5_xx, ww5_zz, neg_lam5_22, w6_z, t1
+    real(rk) :: n06_y, c2, s2, ww2_zz, alpha4_y, lam5_12, alpha4_x, lam5_32, t2, neg_lam3_22, t3
+    real(rk) :: t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, n5_z, alpha5_y
+    real(rk) :: n06_z, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, n3_x, n4_z, neg_n3_y, t28
+    real(rk) :: t29, t30, t31, t32, t33, t34, t35, n1_z, t36, n3_z, n02_z
 
-    ! sines and cosines of the joint angles
-    c2 = cos(q(2))
-    s2 = sin(q(2))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    angle23 = q(2) + q(3)
-    c23 = cos(angle23)
-    s23 = sin(angle23)
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
-    ! link 1: products of the angular velocity [1/s^2]
-    ww1_zz = qd(1)*qd(1)
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1501_rk*ww1_zz
-    ! link 2: angular velocity [rad/s]
-    neg_w2_x = qd(1)*s2
-    neg_w2_y = qd(1)*c2
-    ! link 2: angular acceleration [rad/s^2]
-    neg_alpha2_x = qd(2)*neg_w2_y
-    alpha2_y = qd(2)*neg_w2_x
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = neg_w2_x*neg_w2_y
-    ww2_xx = neg_w2_x*neg_w2_x
-    ww2_yy = neg_w2_y*neg_w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_z = 0.8636_rk*alpha2_y - a2_z
+    ! sines and cosines of the joint angles
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    ! link 3: angular velocity [rad/s]
+    neg_w3_y = c23*qd(1)
+    ! sines and cosines of the joint angles
+    s23 = sin(angle23)
     ! link 3: angular velocity [rad/s]
     neg_w3_x = qd(1)*s23
-    neg_w3_y = qd(1)*c23
-    t1 = 0.4318_rk*neg_lam2_11
-    t2 = 0.4318_rk*ww2_xy
-    t3 = c2*t1 + s2*t2
-    t4 = s2*t1 - c2*t2 + 9.8_rk
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*t3 + s23*t4
-    a3_y = s23*t3 - c23*t4
-    ! link 3: angular acceleration [rad/s^2]
-    neg_alpha3_x = w3_z*neg_w3_y
-    alpha3_y = w3_z*neg_w3_x
     ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = neg_w3_x*neg_w3_y
-    ww3_xx = neg_w3_x*neg_w3_x
+    neg_ww3_yz = w3_z*neg_w3_y
+    neg_ww3_zx = w3_z*neg_w3_x
     ww3_yy = neg_w3_y*neg_w3_y
     ww3_zz = w3_z*w3_z
+    ww3_xy = neg_w3_y*neg_w3_x
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_33 = qd(1)*qd(1)
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    neg_lam3_22 = ww3_xx + ww3_zz
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_z = a3_y - (0.0203_rk*ww3_xy - 0.4331_rk*neg_lam3_22)
+    lam3_31 = -2.0_rk*neg_ww3_zx
+    ! sines and cosines of the joint angles
+    s4 = sin(q(4))
+    c4 = cos(q(4))
     ! link 4: angular velocity [rad/s]
-    neg_w4_x = c4*neg_w3_x - s4*w3_z
-    w4_y = s4*neg_w3_x + c4*w3_z
-    t5 = neg_a3_x - (0.0203_rk*neg_lam3_11 - 0.4331_rk*ww3_xy)
-    t6 = neg_a3_z - (0.0406_rk*alpha3_y + 0.8662_rk*neg_alpha3_x)
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a4_x = c4*t5 + s4*t6
-    a4_y = s4*t5 - c4*t6
-    ! link 4: angular acceleration [rad/s^2]
-    neg_alpha4_x = c4*neg_alpha3_x - qd(4)*w4_y
-    alpha4_y = s4*neg_alpha3_x + qd(4)*neg_w4_x
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) + neg_w3_y
-    ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    neg_ww4_zx = neg_w4_x*w4_z
-    neg_ww4_xy = neg_w4_x*w4_y
+    w4_y = w3_z*c4 + neg_w3_x*s4
+    neg_w4_x = neg_w3_x*c4 - w3_z*s4
+    w4_z = neg_w3_y + qd(4)
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    neg_w5_x = c5*neg_w4_x + s5*w4_z
-    w5_y = s5*neg_w4_x - c5*w4_z
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = s5*neg_a4_z - c5*neg_a4_x
-    ! link 5: angular acceleration [rad/s^2]
-    alpha5_y = s5*neg_alpha4_x + c5*alpha3_y + qd(5)*neg_w5_x
-    ! link 5: angular velocity [rad/s]
-    w5_z = qd(5) + w4_y
+    neg_w5_x = neg_w4_x*c5 + w4_z*s5
+    neg_w5_y = w4_z*c5 - neg_w4_x*s5
+    w5_z = w4_y + qd(5)
     ! link 5: products of the angular velocity [1/s^2]
+    ww5_xy = neg_w5_x*neg_w5_y
     neg_ww5_zx = neg_w5_x*w5_z
-    neg_ww5_xy = neg_w5_x*w5_y
     ww5_xx = neg_w5_x*neg_w5_x
     ww5_zz = w5_z*w5_z
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_12 = alpha4_y + neg_ww5_xy
-    lam5_21 = alpha4_y - neg_ww5_xy
     neg_lam5_22 = ww5_xx + ww5_zz
-    neg_lam5_31 = alpha5_y + neg_ww5_zx
-    neg_lam5_32 = c5*neg_alpha4_x - s5*alpha3_y - w5_y*(qd(5) + w5_z)
     ! link 6: angular velocity [rad/s]
-    neg_w6_x = c6*neg_w5_x - s6*w5_z
-    w6_y = s6*neg_w5_x + c6*w5_z
-    w6_z = qd(6) - w5_y
-    ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
-    neg_ww6_zx = neg_w6_x*w6_z
-    ! link 2: force that moves the link [N]
-    neg_fc2_x = 3.79559_rk*neg_lam2_11 - 0.1044_rk*ww2_xy
-    fc2_y = 3.79559_rk*ww2_xy - 0.1044_rk*neg_lam2_22
-    ! link 2: moment that turns the link [N m]
-    neg_nc2_x = 4.8562528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - neg_lam2_33) + &
-        (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy) + 0.01567044_rk*ww1_zz
-    nc2_y = 8.059975204_rk*alpha2_y - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) + &
-        (0.00808056_rk*ww2_xy + 0.0141984_rk*neg_alpha2_x) + 0.569718059_rk*ww1_zz
-    nc2_z = 1.601861202_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (37.196782_rk*c2 - &
-        1.02312_rk*s2)
-    ! link 3: force that moves the link [N]
-    fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*ww3_xy
-    neg_fc3_y = 0.025375_rk*ww3_xy - 0.861795_rk*neg_lam3_22
-    fc3_z = 0.05075_rk*alpha3_y + 1.72359_rk*neg_alpha3_x
-    ! link 3: moment that turns the link [N m]
-    nc3_x = 0.861795_rk*neg_a3_z - (1.462680273_rk*neg_alpha3_x + 0.004704_rk*(neg_lam3_22 - &
-        neg_lam3_33) + 0.021347277_rk*alpha3_y)
-    nc3_y = 0.863530225_rk*alpha3_y - (0.004704_rk*ww3_xy - 0.021347277_rk*neg_alpha3_x) - &
-        0.025375_rk*neg_a3_z
-    neg_nc3_z = 0.299575024_rk*ww3_xy - 0.0106736385_rk*(neg_lam3_11 - neg_lam3_22) + &
-        (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
-    ! link 4: moment that turns the link [N m]
-    nc4_y = 0.2013_rk*neg_ww4_zx
-    nc4_x = 0.1119_rk*ww4_yz + 0.0894_rk*neg_alpha4_x
-    neg_nc4_z = 0.0894_rk*neg_ww4_xy + 0.1119_rk*alpha3_y
-    ! link 5: force that moves the link [N]
-    fc5_x = 0.00288_rk*neg_lam5_12
-    fc5_y = 0.00288_rk*neg_lam5_22
-    fc5_z = 0.00288_rk*neg_lam5_32
-    ! link 5: moment that turns the link [N m]
-    nc5_y = 0.0897_rk*neg_lam5_31
-    neg_nc5_x = 0.08994216_rk*neg_lam5_32 + 0.00288_rk*a4_y
-    nc5_z = 0.0897_rk*lam5_21 + 0.08994216_rk*neg_lam5_12 + 0.00288_rk*a5_x
-    ! link 6: moment that turns the link [N m]
-    nc6_x = 0.19304_rk*ww6_yz
-    nc6_y = 0.19304_rk*neg_ww6_zx
-    nc6_z = -0.19304_rk*alpha5_y
+    w6_z = neg_w5_y + qd(6)
+    t1 = 0.19304_rk*w6_z
     ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*nc6_x - s6*nc6_y
-    n06_y = s6*nc6_x + c6*nc6_y
+    n06_y = neg_w5_x*t1
+    ! sines and cosines of the joint angles
+    c2 = cos(q(2))
+    s2 = sin(q(2))
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_y = neg_ww3_yz*s4 + neg_w4_x*qd(4)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = ww5_xy - alpha4_y
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = w4_y*qd(4) - neg_ww3_yz*c4
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_32 = neg_ww3_zx*s5 - neg_w5_y*(qd(5) + w5_z) + c5*alpha4_x
+    t2 = ww3_yy - ww3_zz
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_22 = neg_lam2_33 - t2
+    t3 = 21.27093596059113_rk*c2
+    t4 = t3*(neg_lam2_33 + ww2_zz)
+    t5 = 21.27093596059113_rk*s2
+    t6 = t5*ww2_zz + 482.7586206896552_rk
+    t7 = c23*t4 + s23*t6
+    t8 = neg_lam3_11 - 21.334975369458128_rk*ww3_xy - t7
+    t9 = 2.0_rk*(qd(2)*qd(1))
+    t10 = 7.394088669950739_rk*neg_lam2_33 + t5*t9
+    t11 = 42.669950738916256_rk*neg_ww3_yz
+    t12 = t11 - lam3_31
+    t13 = t10 - t12
+    t14 = c4*t8 - s4*t13
+    t15 = 5.8464e-05_rk*c5
+    t16 = 5.8464e-05_rk*s5
+    t17 = ww3_xy - 21.334975369458128_rk*neg_lam3_22 - (s23*t4 - c23*t6)
     ! link 5: moment through the joint, about the frame's origin [N m]
-    neg_n5_x = neg_nc5_x - n06_x
-    n5_y = nc5_y - nc6_z
-    n5_z = nc5_z + n06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = c5*fc5_x - s5*fc5_y
-    f05_y = s5*fc5_x + c5*fc5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    neg_n05_x = c5*neg_n5_x + s5*n5_y
-    neg_n05_y = s5*neg_n5_x - c5*n5_y
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x - neg_n05_x
-    n4_y = nc4_y + n5_z
-    n4_z = neg_n05_y - neg_nc4_z
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = c4*f05_x - s4*fc5_z
-    f04_y = s4*f05_x + c4*fc5_z
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = c4*n4_x - s4*n4_y
-    n04_y = s4*n4_x + c4*n4_y
+    n5_z = t14*t15 + (n06_y + 0.17964216_rk*(alpha4_y - 0.0013480131835422152_rk*ww5_xy)) - &
+        t16*t17
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = neg_ww3_zx*c5 + (neg_w5_x*qd(5) - s5*alpha4_x)
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_z = -0.19304_rk*alpha5_y
+    t18 = 0.0005151125_rk*t14 - (neg_lam5_22*t16 + lam5_12*t15)
+    t19 = s4*t8 + c4*t13
+    t20 = 0.00054216_rk*lam5_32 + 0.00477684375_rk*t19
+    t21 = 0.10783532536520585_rk*t20
+    t22 = s4*t18 - c4*t21
+    t23 = 3280.019999836749_rk*t22
+    t24 = 0.2013_rk*alpha4_y + n5_z
+    t25 = 0.1791_rk*neg_ww5_zx + 0.19334_rk*alpha5_y
+    t26 = t20 + (w5_z*(t1 - 0.1788_rk*neg_w5_y) - 0.00471837975_rk*t19)
+    t27 = s5*t25 - (c5*t26 + 0.2013_rk*alpha4_x)
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = n04_x - (0.4331_rk*f04_y - nc3_x)
-    n3_y = nc3_y + 0.0203_rk*f04_y - n4_z
-    n3_z = n04_y - (neg_nc3_z + (0.0203_rk*f05_y - 0.4331_rk*f04_x))
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    neg_f3_y = neg_fc3_y - f05_y
-    f3_z = fc3_z + f04_y
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c23*f3_x + s23*neg_f3_y
-    f03_y = s23*f3_x - c23*neg_f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s23*n3_x + c23*n3_y
-    t7 = 0.4318_rk*c2
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (s2*neg_nc2_x - c2*nc2_y + f3_z*t7)
-    n02_z = n3_z + (nc2_z + (f03_y*t7 - f03_x*(0.4318_rk*s2)))
-    ! link 2: force through the joint, along the axes that its turn starts from [N]
-    neg_f02_x = c2*neg_fc2_x + s2*fc2_y - f03_x
+    n3_x = 0.006504526_rk*(t10 - t23) - s4*t24 + (0.004704_rk*t2 + &
+        (0.028340161332717616_rk*neg_ww3_zx - (0.013853806666358808_rk*t12 + c4*t27)))
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    n4_z = -c5*t25 - (0.2013_rk*neg_ww3_zx + s5*t26)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    neg_n3_y = 0.004704_rk*ww3_xy + n4_z - (t22 - 18.402048804157637_rk*neg_ww3_yz + &
+        0.43125_rk*t12)
+    t28 = 0.06435058403334877_rk*c2
+    t29 = 0.010372902938360292_rk*(t3*t28) + (t5*t28 - 0.0070992_rk)
+    t30 = c4*t18 + s4*t21
+    t31 = t30 - 0.006504526_rk*ww3_xy
+    t32 = t16*lam5_12 - neg_lam5_22*t15 + 0.0005151125_rk*t17
+    t33 = 0.006504526_rk*neg_lam3_22 - t32
+    t34 = c23*t31 - s23*t33
+    t35 = 0.006485001909027938_rk*c2*(t11 + t23) - t9*t29 - (7.394088669950739_rk*t34 - &
+        (ww2_zz*(0.609298224_rk*c2 - 0.023751_rk*s2) + c23*neg_n3_y))
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.1501_rk*neg_f02_x - n02_y
+    n1_z = t35 - s23*n3_x
+    t36 = 0.000316274_rk*(neg_lam3_11 - neg_lam3_22) - (21.334975369458128_rk*(t30 - &
+        0.00030487618979450475_rk*t7) + (t32 + c4*t24) - s4*t27)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_z = 0.135679376_rk*ww3_xy - t36
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = n3_z + (neg_lam2_33*t29 + t3*(s23*t31 + (c23*t33 - 1.5019138889382213_rk))) + &
+        (0.0018749598043631376_rk*(t3 + 545.6756980171745_rk*s2) - t5*t34)
     tau(1) = n1_z
     tau(2) = n02_z
     tau(3) = n3_z
     tau(4) = n4_z
     tau(5) = n5_z
-    tau(6) = nc6_z
+    tau(6) = n06_z
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 84 multiplications, 69 additions = 153; 0 unary minus; 8 sine/cosine
+  ! 84 multiplications, 66 additions = 150; 0 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_mass_matrix(q, M) &
       bind(c, name="puma560_rotor_in_link_mass_matrix_f")
     real(rk), intent(in) :: q(6)
@@ -560,7 +421,7 @@ contains
     real(rk) :: fu3_x, fu3_y, nu3_y, t2, nu2_y, t3, m2_5, m1_5, m4_4, h4_x, h4_y, t4, t5, k4_xx
     real(rk) :: k4_yy, k4_xy, neg_k4_xz, neg_k4_yz, m3_4, neg_fu3_x, neg_fu3_y, t6, nu3_y_2
     real(rk) :: nu2_y_2, m2_4, m1_4, t7, t8, m3_3, t9, t10, h3_x, h3_y, t11, k3_xx, k3_yy, k3_yz
-    real(rk) :: m2_3, m1_3, t12, k2_zz, t13, m2_2, h2_y, k2_xx, k2_yz, m1_2, m1_1
+    real(rk) :: m2_3, m1_3, t12, m2_2, h2_y, k2_xx, k2_yz, m1_2, m1_1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -616,7 +477,7 @@ contains
     t4 = t1 - 0.01369784_rk
     t5 = c4*c4*t4
     ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = 0.10777_rk + t5
+    k4_xx = t5 + 0.10777_rk
     k4_yy = t1 + 0.09407216_rk - t5
     k4_xy = t4*(c4*s4)
     neg_k4_xz = c4*k5_xy
@@ -654,20 +515,17 @@ contains
     m2_3 = m3_3 + (t2*h3_x + t3*h3_y)
     ! link 1: mass matrix, its row of this joint
     m1_3 = k3_yz + 0.1501_rk*h3_y
-    t12 = k4_yy - k3_yy
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = k3_yy + t12
-    t13 = k3_xx + t2*(2.0_rk*h3_x)
+    t12 = k3_xx + t2*(2.0_rk*h3_x)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.458114002_rk - (t3*(-2.0_rk*h3_y) - (k4_yy - t12) - t13)
+    m2_2 = 6.458114002_rk - (t3*(-2.0_rk*h3_y) - k3_yy - t12)
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_y = h3_y + (3.79559_rk*s2 + 0.1044_rk*c2)
     ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t13 + (1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 2.4281264_rk)
+    k2_xx = t12 + (1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 2.4281264_rk)
     k2_yz = k3_yz + t3*h4_y + (0.12059664_rk*s2 + 0.00808056_rk*c2)
     ! link 1: mass matrix, its row of this joint
     m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx + (k2_zz + 0.3002_rk*h4_y) - 0.1682704495_rk
+    m1_1 = k2_xx + (k4_yy + 0.3002_rk*h4_y) - 0.1682704495_rk
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -707,94 +565,201 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 333 multiplications, 253 additions, 6 divisions = 592; 12 unary minus; 10 sine/cosine
+  ! 293 multiplications, 224 additions, 6 divisions = 523; 2 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_rotor_in_link_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: tau(6)
     real(rk), intent(out) :: qdd(6)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, nu5_x, nu5_y, nu4_x, nu4_y
-    real(rk) :: nu3_y, h5_x, neg_h5_y, t1, k5_yy, k5_xy, fu4_x, fu4_y, neg_nu4_x, nu4_y_2, m3_5
-    real(rk) :: fu3_x, fu3_y, nu3_y_2, t2, nu2_y, t3, m2_5, m1_5, m4_4, h4_x, h4_y, t4, t5, k4_xx
-    real(rk) :: k4_yy, k4_xy, neg_k4_xz, neg_k4_yz, m3_4, neg_fu3_x, neg_fu3_y, t6, nu3_y_3
-    real(rk) :: nu2_y_2, m2_4, m1_4, t7, t8, m3_3, t9, t10, h3_x, h3_y, t11, k3_xx, k3_yy, k3_yz
-    real(rk) :: m2_3, m1_3, t12, k2_zz, t13, m2_2, h2_y, k2_xx, k2_yz, m1_2, m1_1, w3_z, ww1_zz
-    real(rk) :: a2_z, neg_w2_x, neg_w2_y, neg_alpha2_x, alpha2_y, ww2_xy, ww2_xx, ww2_yy, ww2_zz
-    real(rk) :: neg_lam2_11, neg_lam2_22, neg_lam2_33, a3_z, t14, w3_x, w3_y, t15, t16, t17, t18
-    real(rk) :: neg_a3_x, a3_y, alpha3_x, alpha3_y, ww3_xy, ww3_xx, ww3_yy, ww3_zz, neg_lam3_11
-    real(rk) :: neg_lam3_22, neg_lam3_33, a4_z, w4_x, w4_y, t19, t20, a4_x, a4_y, alpha4_x
-    real(rk) :: alpha4_y, w4_z, ww4_yz, ww4_zx, ww4_xy, w5_x, w5_y, a5_x, alpha5_y, w5_z, ww5_zx
-    real(rk) :: ww5_xy, ww5_xx, ww5_zz, lam5_12, lam5_21, neg_lam5_22, lam5_31, lam5_32, w6_x, w6_y
-    real(rk) :: w6_z, ww6_yz, ww6_zx, fc2_x, fc2_y, nc2_x, nc2_y, nc2_z, fc3_x, fc3_y, fc3_z, nc3_x
-    real(rk) :: nc3_y, neg_nc3_z, neg_nc4_y, nc4_x, nc4_z, fc5_x, fc5_y, fc5_z, neg_nc5_y, nc5_x
-    real(rk) :: nc5_z, nc6_x, nc6_y, neg_nc6_z, n06_x, n06_y, n5_x, n5_y, n5_z, f05_x, f05_y, n05_x
-    real(rk) :: n05_y, n4_x, n4_y, n4_z, f04_x, f04_y, n04_x, n04_y, n3_x, n3_y, n3_z, f3_x, f3_y
-    real(rk) :: f3_z, f03_x, f03_y, n03_y, n02_y, n02_z, f02_x, neg_n1_z, y1, ipivot1, l2_1, l3_1
-    real(rk) :: l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2
-    real(rk) :: l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4
-    real(rk) :: ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2, y3, y4
-    real(rk) :: y5, y6, qdd6, qdd5, qdd4, qdd3, qdd2, qdd1
+    real(rk) :: w3_z, angle23, c23, neg_w3_y, s23, neg_w3_x, neg_ww3_yz, neg_ww3_zx, ww3_yy, ww3_zz
+    real(rk) :: ww3_xy, neg_lam2_33, neg_lam3_11, lam3_31, s4, c4, w4_y, neg_w4_x, w4_z, c5, s5
+    real(rk) :: neg_w5_x, neg_w5_y, w5_z, ww5_xy, neg_ww5_zx, ww5_xx, ww5_zz, neg_lam5_22, w6_z, t1
+    real(rk) :: n06_y, c2, s2, ww2_zz, alpha4_y, lam5_12, alpha4_x, lam5_32, t2, neg_lam3_22, t3
+    real(rk) :: t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, n5_z, alpha5_y
+    real(rk) :: n06_z, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, n3_x, neg_n4_z, n3_y, t28
+    real(rk) :: t29, t30, t31, t32, t33, t34, t35, n1_z, t36, n3_z, n02_z, nu5_x, neg_nu5_y, nu4_x
+    real(rk) :: nu4_y, neg_nu3_y, h5_x, neg_h5_y, t37, neg_k5_yy, k5_xy, fu4_x, fu4_y, nu4_x_2
+    real(rk) :: nu4_y_2, m3_5, fu3_x, fu3_y, nu3_y, t38, nu2_y, t39, m2_5, neg_m1_5, m4_4, h4_x
+    real(rk) :: h4_y, t40, t41, k4_xx, neg_k4_yy, k4_xy, neg_k4_xz, neg_k4_yz, m3_4, neg_fu3_x
+    real(rk) :: neg_fu3_y, t42, nu3_y_2, nu2_y_2, m2_4, m1_4, t43, t44, m3_3, t45, t46, h3_x, h3_y
+    real(rk) :: t47, neg_k3_xx, neg_k3_yy, k3_yz, m2_3, m1_3, t48, neg_m2_2, h2_y, k2_xx, k2_yz
+    real(rk) :: m1_2, neg_m1_1, neg_y1, neg_ipivot1, neg_l2_1, neg_l3_1, neg_l4_1, l5_1, neg_l6_1
+    real(rk) :: neg_pivot2, neg_ipivot2, ld3_2, neg_l3_2, ld4_2, neg_l4_2, ld5_2, neg_l5_2, ld6_2
+    real(rk) :: neg_l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4
+    real(rk) :: neg_ld5_4, neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, neg_ld6_5, neg_l6_5, pivot6
+    real(rk) :: ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, qdd6, neg_qdd5, qdd4, neg_qdd3, qdd2, qdd1
+    real(rk) :: t49, t50
 
+    ! link 3: angular velocity [rad/s]
+    w3_z = qd(2) + qd(3)
+    ! sines and cosines of the joint angles
+    angle23 = q(2) + q(3)
+    c23 = cos(angle23)
+    ! link 3: angular velocity [rad/s]
+    neg_w3_y = c23*qd(1)
+    ! sines and cosines of the joint angles
+    s23 = sin(angle23)
+    ! link 3: angular velocity [rad/s]
+    neg_w3_x = qd(1)*s23
+    ! link 3: products of the angular velocity [1/s^2]
+    neg_ww3_yz = w3_z*neg_w3_y
+    neg_ww3_zx = w3_z*neg_w3_x
+    ww3_yy = neg_w3_y*neg_w3_y
+    ww3_zz = w3_z*w3_z
+    ww3_xy = neg_w3_y*neg_w3_x
+    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam2_33 = qd(1)*qd(1)
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_11 = ww3_yy + ww3_zz
+    lam3_31 = -2.0_rk*neg_ww3_zx
+    ! sines and cosines of the joint angles
+    s4 = sin(q(4))
+    c4 = cos(q(4))
+    ! link 4: angular velocity [rad/s]
+    w4_y = w3_z*c4 + neg_w3_x*s4
+    neg_w4_x = neg_w3_x*c4 - w3_z*s4
+    w4_z = neg_w3_y + qd(4)
+    ! sines and cosines of the joint angles
+    c5 = cos(q(5))
+    s5 = sin(q(5))
+    ! link 5: angular velocity [rad/s]
+    neg_w5_x = neg_w4_x*c5 + w4_z*s5
+    neg_w5_y = w4_z*c5 - neg_w4_x*s5
+    w5_z = w4_y + qd(5)
+    ! link 5: products of the angular velocity [1/s^2]
+    ww5_xy = neg_w5_x*neg_w5_y
+    neg_ww5_zx = neg_w5_x*w5_z
+    ww5_xx = neg_w5_x*neg_w5_x
+    ww5_zz = w5_z*w5_z
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam5_22 = ww5_xx + ww5_zz
+    ! link 6: angular velocity [rad/s]
+    w6_z = neg_w5_y + qd(6)
+    t1 = 0.19304_rk*w6_z
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_y = neg_w5_x*t1
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
-    c4 = cos(q(4))
-    s4 = sin(q(4))
-    c5 = cos(q(5))
-    s5 = sin(q(5))
-    c6 = cos(q(6))
-    s6 = sin(q(6))
-    angle23 = q(2) + q(3)
-    c23 = cos(angle23)
-    s23 = sin(angle23)
+    ! link 2: products of the angular velocity [1/s^2]
+    ww2_zz = qd(2)*qd(2)
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_y = neg_ww3_yz*s4 + neg_w4_x*qd(4)
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_12 = ww5_xy - alpha4_y
+    ! link 4: angular acceleration [rad/s^2]
+    alpha4_x = w4_y*qd(4) - neg_ww3_yz*c4
+    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
+    lam5_32 = neg_ww3_zx*s5 - neg_w5_y*(qd(5) + w5_z) + c5*alpha4_x
+    t2 = ww3_yy - ww3_zz
+    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
+    neg_lam3_22 = neg_lam2_33 - t2
+    t3 = 21.27093596059113_rk*c2
+    t4 = t3*(neg_lam2_33 + ww2_zz)
+    t5 = 21.27093596059113_rk*s2
+    t6 = ww2_zz*t5 + 482.7586206896552_rk
+    t7 = c23*t4 + s23*t6
+    t8 = neg_lam3_11 - 21.334975369458128_rk*ww3_xy - t7
+    t9 = 2.0_rk*(qd(2)*qd(1))
+    t10 = 7.394088669950739_rk*neg_lam2_33 + t5*t9
+    t11 = 42.669950738916256_rk*neg_ww3_yz
+    t12 = t11 - lam3_31
+    t13 = t10 - t12
+    t14 = c4*t8 - s4*t13
+    t15 = 5.8464e-05_rk*c5
+    t16 = 5.8464e-05_rk*s5
+    t17 = ww3_xy - 21.334975369458128_rk*neg_lam3_22 - (s23*t4 - c23*t6)
+    ! link 5: moment through the joint, about the frame's origin [N m]
+    n5_z = t14*t15 + (n06_y + 0.17964216_rk*(alpha4_y - 0.0013480131835422152_rk*ww5_xy)) - &
+        t16*t17
+    ! link 5: angular acceleration [rad/s^2]
+    alpha5_y = neg_ww3_zx*c5 + (neg_w5_x*qd(5) - s5*alpha4_x)
+    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
+    n06_z = -0.19304_rk*alpha5_y
+    t18 = 0.0005151125_rk*t14 - (neg_lam5_22*t16 + lam5_12*t15)
+    t19 = s4*t8 + c4*t13
+    t20 = 0.00054216_rk*lam5_32 + 0.00477684375_rk*t19
+    t21 = 0.10783532536520585_rk*t20
+    t22 = s4*t18 - c4*t21
+    t23 = 3280.019999836749_rk*t22
+    t24 = n5_z + 0.2013_rk*alpha4_y
+    t25 = 0.1791_rk*neg_ww5_zx + 0.19334_rk*alpha5_y
+    t26 = t20 + (w5_z*(t1 - 0.1788_rk*neg_w5_y) - 0.00471837975_rk*t19)
+    t27 = s5*t25 - (c5*t26 + 0.2013_rk*alpha4_x)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_x = 0.006504526_rk*(t10 - t23) - s4*t24 + (0.004704_rk*t2 + &
+        (0.028340161332717616_rk*neg_ww3_zx - (0.013853806666358808_rk*t12 + c4*t27)))
+    ! link 4: moment through the joint, about the frame's origin [N m]
+    neg_n4_z = c5*t25 + (0.2013_rk*neg_ww3_zx + s5*t26)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_y = neg_n4_z - 0.004704_rk*ww3_xy + (t22 - 18.402048804157637_rk*neg_ww3_yz + &
+        0.43125_rk*t12)
+    t28 = 0.06435058403334877_rk*c2
+    t29 = 0.010372902938360292_rk*(t3*t28) + (t5*t28 - 0.0070992_rk)
+    t30 = c4*t18 + s4*t21
+    t31 = t30 - 0.006504526_rk*ww3_xy
+    t32 = lam5_12*t16 - neg_lam5_22*t15 + 0.0005151125_rk*t17
+    t33 = 0.006504526_rk*neg_lam3_22 - t32
+    t34 = c23*t31 - s23*t33
+    t35 = 0.006485001909027938_rk*c2*(t11 + t23) - t9*t29 - (7.394088669950739_rk*t34 - &
+        (ww2_zz*(0.609298224_rk*c2 - 0.023751_rk*s2) - c23*n3_y))
+    ! link 1: moment through the joint, about the frame's origin [N m]
+    n1_z = t35 - s23*n3_x
+    t36 = 0.000316274_rk*(neg_lam3_11 - neg_lam3_22) - (21.334975369458128_rk*(t30 - &
+        0.00030487618979450475_rk*t7) + (t32 + c4*t24) - s4*t27)
+    ! link 3: moment through the joint, about the frame's origin [N m]
+    n3_z = 0.135679376_rk*ww3_xy - t36
+    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
+    n02_z = n3_z + (neg_lam2_33*t29 + t3*(s23*t31 + (c23*t33 - 1.5019138889382213_rk))) + &
+        (0.0018749598043631376_rk*(t3 + 545.6756980171745_rk*s2) - t5*t34)
     ! link 5: moment for a unit acceleration of a joint further out
     nu5_x = 0.19304_rk*s5
-    nu5_y = -0.19304_rk*c5
+    neg_nu5_y = 0.19304_rk*c5
     ! link 4: moment for a unit acceleration of a joint further out
     nu4_x = c4*nu5_x
     nu4_y = s4*nu5_x
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = s23*nu4_x + c23*nu5_y
+    neg_nu3_y = c23*neg_nu5_y - s23*nu4_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.00288_rk*s5
     neg_h5_y = 0.00288_rk*c5
-    t1 = 0.19279784_rk*(c5*c5)
+    t37 = 0.19279784_rk*(c5*c5)
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = 0.18622_rk - t1
+    neg_k5_yy = t37 - 0.18622_rk
     k5_xy = 0.19279784_rk*(c5*s5)
     ! link 4: force for a unit acceleration of a joint further out
     fu4_x = c4*neg_h5_y
     fu4_y = s4*neg_h5_y
     ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = 0.17964216_rk*s4
+    nu4_x_2 = -0.17964216_rk*s4
     nu4_y_2 = 0.17964216_rk*c4
     ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 - (5.8464e-05_rk*s5 - 0.4331_rk*fu4_x)
+    m3_5 = nu4_y_2 - (t16 - 0.4331_rk*fu4_x)
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = c23*fu4_x - s23*h5_x
     fu3_y = s23*fu4_x + c23*h5_x
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = c23*(0.0203_rk*fu4_y) - s23*(neg_nu4_x + 0.4331_rk*fu4_y)
-    t2 = 0.4318_rk*c2
+    nu3_y = c23*(0.0203_rk*fu4_y) - s23*(0.4331_rk*fu4_y - nu4_x_2)
+    t38 = 0.4318_rk*c2
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y_2 - t2*fu4_y
-    t3 = 0.4318_rk*s2
+    nu2_y = nu3_y - fu4_y*t38
+    t39 = 0.4318_rk*s2
     ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x)
+    m2_5 = m3_5 + (fu3_y*t38 - fu3_x*t39)
     ! link 1: mass matrix, its row of this joint
-    m1_5 = -0.1501_rk*fu3_x - nu2_y
+    neg_m1_5 = nu2_y + 0.1501_rk*fu3_x
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t1 + 0.20184216_rk
+    m4_4 = t37 + 0.20184216_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = c4*h5_x
     h4_y = s4*h5_x
-    t4 = t1 - 0.01369784_rk
-    t5 = c4*c4*t4
+    t40 = t37 - 0.01369784_rk
+    t41 = c4*c4*t40
     ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t5 + 0.10777_rk
-    k4_yy = t1 + 0.09407216_rk - t5
-    k4_xy = t4*(c4*s4)
+    k4_xx = t41 + 0.10777_rk
+    neg_k4_yy = t41 - (t37 + 0.09407216_rk)
+    k4_xy = t40*(s4*c4)
     neg_k4_xz = c4*k5_xy
     neg_k4_yz = s4*k5_xy
     ! link 3: mass matrix, its row of this joint
@@ -802,286 +767,117 @@ contains
     ! link 3: force for a unit acceleration of a joint further out
     neg_fu3_x = c23*h4_y
     neg_fu3_y = s23*h4_y
-    t6 = 0.4331_rk*h4_x
+    t42 = 0.4331_rk*h4_x
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_3 = c23*(0.0203_rk*h4_x - m4_4) - s23*(t6 - neg_k4_xz)
+    nu3_y_2 = s23*(neg_k4_xz - t42) - c23*(m4_4 - 0.0203_rk*h4_x)
     ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_3 - t2*h4_x
+    nu2_y_2 = nu3_y_2 - t38*h4_x
     ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x)
+    m2_4 = m3_4 - (t38*neg_fu3_y - t39*neg_fu3_x)
     ! link 1: mass matrix, its row of this joint
     m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_2
-    t7 = k4_xx - 0.0406_rk*h4_x
-    t8 = k5_yy + 0.002494656_rk*c5
+    t43 = k4_xx - 0.0406_rk*h4_x
+    t44 = neg_k5_yy - 0.002494656_rk*c5
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t7 + t8 + 1.062455249_rk
-    t9 = h4_x - 0.025375_rk
-    t10 = neg_h5_y + 0.861795_rk
+    m3_3 = t43 - t44 + 1.062455249_rk
+    t45 = h4_x - 0.025375_rk
+    t46 = neg_h5_y + 0.861795_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c23*t9 + s23*t10
-    h3_y = s23*t9 - c23*t10
-    t11 = c23*c23*(t7 - t8 - 0.198925024_rk) + (t6 - (neg_k4_xz + 5.8464e-05_rk*c5) - &
+    h3_x = c23*t45 + s23*t46
+    h3_y = s23*t45 - c23*t46
+    t47 = c23*c23*(t43 + t44 - 0.198925024_rk) + (t42 - (t15 + neg_k4_xz) - &
         0.0106736385_rk)*(2.0_rk*(c23*s23))
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t8 + 0.6306901365_rk + t11
-    k3_yy = t7 + 0.4317651125_rk - t11
+    neg_k3_xx = t44 - 0.6306901365_rk - t47
+    neg_k3_yy = t47 - (t43 + 0.4317651125_rk)
     k3_yz = s23*(k4_xy - 0.0203_rk*h4_y) + c23*(m3_4 - 0.004704_rk)
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t2*h3_x + t3*h3_y)
+    m2_3 = m3_3 + (t38*h3_x + t39*h3_y)
     ! link 1: mass matrix, its row of this joint
     m1_3 = k3_yz + 0.1501_rk*h3_y
-    t12 = k4_yy - k3_yy
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = k3_yy + t12
-    t13 = k3_xx + t2*(2.0_rk*h3_x)
+    t48 = neg_k3_xx - t38*(2.0_rk*h3_x)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.458114002_rk - (t3*(-2.0_rk*h3_y) - (k4_yy - t12) - t13)
+    neg_m2_2 = neg_k3_yy - t39*(2.0_rk*h3_y) + t48 - 6.458114002_rk
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
     h2_y = h3_y + (3.79559_rk*s2 + 0.1044_rk*c2)
     ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t13 + (1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 2.4281264_rk)
-    k2_yz = k3_yz + t3*h4_y + (0.12059664_rk*s2 + 0.00808056_rk*c2)
+    k2_xx = 1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 2.4281264_rk - t48
+    k2_yz = k3_yz + t39*h4_y + (0.12059664_rk*s2 + 0.00808056_rk*c2)
     ! link 1: mass matrix, its row of this joint
     m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx + (k2_zz + 0.3002_rk*h4_y) - 0.1682704495_rk
-    ! link 3: angular velocity [rad/s]
-    w3_z = qd(2) + qd(3)
-    ! link 1: products of the angular velocity [1/s^2]
-    ww1_zz = qd(1)*qd(1)
-    ! link 2: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a2_z = -0.1501_rk*ww1_zz
-    ! link 2: angular velocity [rad/s]
-    neg_w2_x = qd(1)*s2
-    neg_w2_y = qd(1)*c2
-    ! link 2: angular acceleration [rad/s^2]
-    neg_alpha2_x = qd(2)*neg_w2_y
-    alpha2_y = qd(2)*neg_w2_x
-    ! link 2: products of the angular velocity [1/s^2]
-    ww2_xy = neg_w2_x*neg_w2_y
-    ww2_xx = neg_w2_x*neg_w2_x
-    ww2_yy = neg_w2_y*neg_w2_y
-    ww2_zz = qd(2)*qd(2)
-    ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam2_11 = ww2_yy + ww2_zz
-    neg_lam2_22 = ww2_xx + ww2_zz
-    neg_lam2_33 = ww2_xx + ww2_yy
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a3_z = a2_z - 0.8636_rk*alpha2_y
-    t14 = -qd(1)
-    ! link 3: angular velocity [rad/s]
-    w3_x = t14*s23
-    w3_y = t14*c23
-    t15 = 0.4318_rk*neg_lam2_11
-    t16 = 0.4318_rk*ww2_xy
-    t17 = c2*t15 + s2*t16
-    t18 = s2*t15 - c2*t16 + 9.8_rk
-    ! link 3: acceleration of the frame's origin, gravity taken off [m/s^2]
-    neg_a3_x = c23*t17 + s23*t18
-    a3_y = s23*t17 - c23*t18
-    ! link 3: angular acceleration [rad/s^2]
-    alpha3_x = w3_z*w3_y
-    alpha3_y = -w3_z*w3_x
-    ! link 3: products of the angular velocity [1/s^2]
-    ww3_xy = w3_x*w3_y
-    ww3_xx = w3_x*w3_x
-    ww3_yy = w3_y*w3_y
-    ww3_zz = w3_z*w3_z
-    ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_11 = ww3_yy + ww3_zz
-    neg_lam3_22 = ww3_xx + ww3_zz
-    neg_lam3_33 = ww3_xx + ww3_yy
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_z = 0.0203_rk*ww3_xy - 0.4331_rk*neg_lam3_22 - a3_y
-    ! link 4: angular velocity [rad/s]
-    w4_x = c4*w3_x + s4*w3_z
-    w4_y = c4*w3_z - s4*w3_x
-    t19 = a3_z + (0.0406_rk*alpha3_y - 0.8662_rk*alpha3_x)
-    t20 = neg_a3_x + (0.4331_rk*ww3_xy - 0.0203_rk*neg_lam3_11)
-    ! link 4: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a4_x = s4*t19 - c4*t20
-    a4_y = s4*t20 + c4*t19
-    ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = c4*alpha3_x + qd(4)*w4_y
-    alpha4_y = -qd(4)*w4_x - s4*alpha3_x
-    ! link 4: angular velocity [rad/s]
-    w4_z = qd(4) - w3_y
-    ! link 4: products of the angular velocity [1/s^2]
-    ww4_yz = w4_y*w4_z
-    ww4_zx = w4_x*w4_z
-    ww4_xy = w4_x*w4_y
-    ! link 5: angular velocity [rad/s]
-    w5_x = c5*w4_x - s5*w4_z
-    w5_y = -c5*w4_z - s5*w4_x
-    ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
-    a5_x = c5*a4_x - s5*a4_z
-    ! link 5: angular acceleration [rad/s^2]
-    alpha5_y = c5*alpha3_y - s5*alpha4_x - qd(5)*w5_x
-    ! link 5: angular velocity [rad/s]
-    w5_z = qd(5) + w4_y
-    ! link 5: products of the angular velocity [1/s^2]
-    ww5_zx = w5_x*w5_z
-    ww5_xy = w5_x*w5_y
-    ww5_xx = w5_x*w5_x
-    ww5_zz = w5_z*w5_z
-    ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_12 = ww5_xy - alpha4_y
-    lam5_21 = alpha4_y + ww5_xy
-    neg_lam5_22 = ww5_xx + ww5_zz
-    lam5_31 = ww5_zx - alpha5_y
-    lam5_32 = w5_y*(qd(5) + w5_z) - (-s5*alpha3_y - c5*alpha4_x)
-    ! link 6: angular velocity [rad/s]
-    w6_x = c6*w5_x + s6*w5_z
-    w6_y = c6*w5_z - s6*w5_x
-    w6_z = qd(6) - w5_y
-    ! link 6: products of the angular velocity [1/s^2]
-    ww6_yz = w6_y*w6_z
-    ww6_zx = w6_x*w6_z
-    ! link 2: force that moves the link [N]
-    fc2_x = 0.1044_rk*ww2_xy - 3.79559_rk*neg_lam2_11
-    fc2_y = 3.79559_rk*ww2_xy - 0.1044_rk*neg_lam2_22
-    ! link 2: moment that turns the link [N m]
-    nc2_x = -0.01567044_rk*ww1_zz - (4.8562528_rk*neg_alpha2_x - 0.00808056_rk*(neg_lam2_22 - &
-        neg_lam2_33) + (0.0141984_rk*alpha2_y + 0.12059664_rk*ww2_xy))
-    nc2_y = 8.059975204_rk*alpha2_y - 0.12059664_rk*(neg_lam2_11 - neg_lam2_33) + &
-        (0.00808056_rk*ww2_xy + 0.0141984_rk*neg_alpha2_x) + 0.569718059_rk*ww1_zz
-    nc2_z = 1.601861202_rk*ww2_xy + 0.0070992_rk*(neg_lam2_11 - neg_lam2_22) - (37.196782_rk*c2 - &
-        1.02312_rk*s2)
-    ! link 3: force that moves the link [N]
-    fc3_x = 0.025375_rk*neg_lam3_11 - 0.861795_rk*ww3_xy
-    fc3_y = 0.861795_rk*neg_lam3_22 - 0.025375_rk*ww3_xy
-    fc3_z = 0.05075_rk*alpha3_y - 1.72359_rk*alpha3_x
-    ! link 3: moment that turns the link [N m]
-    nc3_x = -0.861795_rk*a3_z - (0.004704_rk*(neg_lam3_22 - neg_lam3_33) - 1.462680273_rk*alpha3_x &
-        + 0.021347277_rk*alpha3_y)
-    nc3_y = 0.863530225_rk*alpha3_y - (0.004704_rk*ww3_xy + 0.021347277_rk*alpha3_x) + &
-        0.025375_rk*a3_z
-    neg_nc3_z = 0.299575024_rk*ww3_xy - 0.0106736385_rk*(neg_lam3_11 - neg_lam3_22) + &
-        (0.025375_rk*a3_y + 0.861795_rk*neg_a3_x)
-    ! link 4: moment that turns the link [N m]
-    neg_nc4_y = 0.2013_rk*ww4_zx
-    nc4_x = 0.1119_rk*ww4_yz - 0.0894_rk*alpha4_x
-    nc4_z = 0.0894_rk*ww4_xy - 0.1119_rk*alpha3_y
-    ! link 5: force that moves the link [N]
-    fc5_x = -0.00288_rk*lam5_12
-    fc5_y = 0.00288_rk*neg_lam5_22
-    fc5_z = -0.00288_rk*lam5_32
-    ! link 5: moment that turns the link [N m]
-    neg_nc5_y = 0.0897_rk*lam5_31
-    nc5_x = 0.08994216_rk*lam5_32 - 0.00288_rk*a4_y
-    nc5_z = 0.0897_rk*lam5_21 - 0.08994216_rk*lam5_12 + 0.00288_rk*a5_x
-    ! link 6: moment that turns the link [N m]
-    nc6_x = 0.19304_rk*ww6_yz
-    nc6_y = -0.19304_rk*ww6_zx
-    neg_nc6_z = 0.19304_rk*alpha5_y
-    ! link 6: moment through the joint, along the axes that its turn starts from [N m]
-    n06_x = c6*nc6_x - s6*nc6_y
-    n06_y = s6*nc6_x + c6*nc6_y
-    ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = nc5_x + n06_x
-    n5_y = neg_nc6_z - neg_nc5_y
-    n5_z = nc5_z + n06_y
-    ! link 5: force through the joint, along the axes that its turn starts from [N]
-    f05_x = c5*fc5_x - s5*fc5_y
-    f05_y = s5*fc5_x + c5*fc5_y
-    ! link 5: moment through the joint, along the axes that its turn starts from [N m]
-    n05_x = c5*n5_x - s5*n5_y
-    n05_y = s5*n5_x + c5*n5_y
-    ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = nc4_x + n05_x
-    n4_y = n5_z - neg_nc4_y
-    n4_z = nc4_z - n05_y
-    ! link 4: force through the joint, along the axes that its turn starts from [N]
-    f04_x = c4*f05_x - s4*fc5_z
-    f04_y = s4*f05_x + c4*fc5_z
-    ! link 4: moment through the joint, along the axes that its turn starts from [N m]
-    n04_x = c4*n4_x - s4*n4_y
-    n04_y = s4*n4_x + c4*n4_y
-    ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = n04_x - (0.4331_rk*f04_y - nc3_x)
-    n3_y = nc3_y + 0.0203_rk*f04_y - n4_z
-    n3_z = n04_y - (neg_nc3_z + (0.0203_rk*f05_y - 0.4331_rk*f04_x))
-    ! link 3: force through the joint [N]
-    f3_x = fc3_x + f04_x
-    f3_y = fc3_y + f05_y
-    f3_z = fc3_z + f04_y
-    ! link 3: force through the joint, along the axes that its turn starts from [N]
-    f03_x = c23*f3_x - s23*f3_y
-    f03_y = s23*f3_x + c23*f3_y
-    ! link 3: moment through the joint, along the axes that its turn starts from [N m]
-    n03_y = s23*n3_x + c23*n3_y
-    ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_y = n03_y - (-c2*nc2_y - s2*nc2_x + t2*f3_z)
-    n02_z = n3_z + (nc2_z + (t2*f03_y - t3*f03_x))
-    ! link 2: force through the joint, along the axes that its turn starts from [N]
-    f02_x = f03_x - (s2*fc2_y - c2*fc2_x)
-    ! link 1: moment through the joint, about the frame's origin [N m]
-    neg_n1_z = n02_y + 0.1501_rk*f02_x
+    neg_m1_1 = neg_k4_yy - 0.3002_rk*h4_y - k2_xx + 0.1682704495_rk
     ! link 1: forward substitution
-    y1 = tau(1) + neg_n1_z
+    neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    l2_1 = m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    l4_1 = m1_4*ipivot1
-    l5_1 = m1_5*ipivot1
-    l6_1 = -nu3_y*ipivot1
-    pivot2 = m2_2 - m1_2*l2_1
-    ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - m1_2*l3_1
-    l3_2 = ipivot2*ld3_2
-    ld4_2 = m2_4 - m1_2*l4_1
-    l4_2 = ipivot2*ld4_2
+    neg_ipivot1 = 1.0_rk / neg_m1_1
+    neg_l2_1 = m1_2*neg_ipivot1
+    neg_l3_1 = m1_3*neg_ipivot1
+    neg_l4_1 = m1_4*neg_ipivot1
+    l5_1 = neg_m1_5*neg_ipivot1
+    neg_l6_1 = neg_nu3_y*neg_ipivot1
+    neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    ld3_2 = m2_3 + m1_2*neg_l3_1
+    neg_l3_2 = neg_ipivot2*ld3_2
+    ld4_2 = m2_4 + m1_2*neg_l4_1
+    neg_l4_2 = neg_ipivot2*ld4_2
     ld5_2 = m2_5 - m1_2*l5_1
-    l5_2 = ipivot2*ld5_2
-    ld6_2 = nu4_y - m1_2*l6_1
-    l6_2 = ipivot2*ld6_2
-    pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2
+    neg_l5_2 = neg_ipivot2*ld5_2
+    ld6_2 = nu4_y + m1_2*neg_l6_1
+    neg_l6_2 = neg_ipivot2*ld6_2
+    pivot3 = m3_3 + m1_3*neg_l3_1 + ld3_2*neg_l3_2
     ipivot3 = 1.0_rk / pivot3
-    ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2
+    ld4_3 = m3_4 + m1_3*neg_l4_1 + ld3_2*neg_l4_2
     l4_3 = ipivot3*ld4_3
-    ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2
+    ld5_3 = m3_5 - m1_3*l5_1 + ld3_2*neg_l5_2
     l5_3 = ipivot3*ld5_3
-    ld6_3 = nu4_y - m1_3*l6_1 - ld3_2*l6_2
+    ld6_3 = nu4_y + m1_3*neg_l6_1 + ld3_2*neg_l6_2
     l6_3 = ipivot3*ld6_3
-    pivot4 = m4_4 - m1_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    pivot4 = m4_4 + m1_4*neg_l4_1 + ld4_2*neg_l4_2 - ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    ld5_4 = -ld4_3*l5_3 - (m1_4*l5_1 + ld4_2*l5_2)
-    l5_4 = ipivot4*ld5_4
-    ld6_4 = -ld4_2*l6_2 - (nu5_y + m1_4*l6_1) - ld4_3*l6_3
+    neg_ld5_4 = m1_4*l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3
+    neg_l5_4 = ipivot4*neg_ld5_4
+    ld6_4 = neg_nu5_y + m1_4*neg_l6_1 + ld4_2*neg_l6_2 - ld4_3*l6_3
     l6_4 = ipivot4*ld6_4
-    pivot5 = 0.17964216_rk - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    pivot5 = neg_m1_5*l5_1 + 0.17964216_rk + ld5_2*neg_l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = -ld5_3*l6_3 - (m1_5*l6_1 + ld5_2*l6_2) - ld5_4*l6_4
-    l6_5 = ipivot5*ld6_5
-    pivot6 = nu3_y*l6_1 + 0.19304_rk - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - ld6_5*l6_5
+    neg_ld6_5 = neg_m1_5*neg_l6_1 - ld5_2*neg_l6_2 + ld5_3*l6_3 - neg_ld5_4*l6_4
+    neg_l6_5 = ipivot5*neg_ld6_5
+    pivot6 = neg_nu3_y*neg_l6_1 + 0.19304_rk + ld6_2*neg_l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - &
+        neg_ld6_5*neg_l6_5
     ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
-    y2 = tau(2) - n02_z - y1*l2_1
+    neg_y2 = n02_z - tau(2) + neg_y1*neg_l2_1
     ! link 3: forward substitution
-    y3 = tau(3) - n3_z - y1*l3_1 - l3_2*y2
+    neg_y3 = n3_z - tau(3) + neg_y1*neg_l3_1 + neg_l3_2*neg_y2
     ! link 4: forward substitution
-    y4 = tau(4) - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3
+    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 - neg_l4_2*neg_y2 + l4_3*neg_y3
     ! link 5: forward substitution
-    y5 = tau(5) - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 - neg_l5_4*y4
     ! link 6: forward substitution
-    y6 = tau(6) + neg_nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5
+    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 - l6_4*y4 - &
+        neg_l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd6 = ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = ipivot5*y5 - l6_5*qdd6
+    neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6
+    qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 - l6_4*qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6
+    neg_qdd3 = ipivot3*neg_y3 + l4_3*qdd4 - l5_3*neg_qdd5 + l6_3*qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = -(l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5) - l6_2*qdd6
+    qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 + neg_l4_2*qdd4 - neg_l5_2*neg_qdd5 + &
+        neg_l6_2*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -l6_1*qdd6 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5)
+    qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 + neg_l4_1*qdd4 + l5_1*neg_qdd5 &
+        + neg_l6_1*qdd6
+    t49 = -neg_qdd3
+    t50 = -neg_qdd5
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = qdd3
+    qdd(3) = t49
     qdd(4) = qdd4
-    qdd(5) = qdd5
+    qdd(5) = t50
     qdd(6) = qdd6
   end subroutine
 end module

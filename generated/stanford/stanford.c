@@ -14,13 +14,15 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 6.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine
- *   gravity: 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine
- *   bias: 118 multiplications, 77 additions = 195; 6 unary minus; 8 sine/cosine
- *   mass_matrix: 56 multiplications, 45 additions = 101; 3 unary minus; 6 sine/cosine
- *   forward_dynamics: 260 multiplications, 189 additions, 6 divisions = 455; 15 unary minus; 8
+ *   inverse_dynamics: 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine
+ *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
+ *   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
+ *   mass_matrix: 56 multiplications, 38 additions = 94; 3 unary minus; 6 sine/cosine
+ *   forward_dynamics: 244 multiplications, 175 additions, 6 divisions = 425; 2 unary minus; 6
  *       sine/cosine
  */
 #include "stanford.h"
@@ -28,7 +30,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 131 multiplications, 98 additions = 229; 6 unary minus; 8 sine/cosine */
+ * 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine */
 void stanford_inverse_dynamics(
     const stanford_real q[6],
     const stanford_real qd[6],
@@ -39,188 +41,156 @@ void stanford_inverse_dynamics(
      * every libm has. */
     const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_real c2 = cos(q[1]);
     const stanford_real s2 = sin(again[1]);
-    const stanford_real c4 = cos(q[3]);
-    const stanford_real s4 = sin(again[3]);
-    const stanford_real c5 = cos(q[4]);
-    const stanford_real s5 = sin(again[4]);
-    const stanford_real c6 = cos(q[5]);
-    const stanford_real s6 = sin(again[5]);
-    /* link 1: products of the angular velocity [1/s^2] */
-    const stanford_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_z = -0.1524*ww1_zz;
-    const stanford_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
-    const stanford_real w2_x = t1*s2;
-    const stanford_real w2_y = t1*c2;
-    const stanford_real t2 = 0.1524*qdd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_x = -9.8*s2 - c2*t2;
-    const stanford_real a2_y = s2*t2 - 9.8*c2;
+    const stanford_real w2_x = -s2*qd[0];
+    /* sines and cosines of the joint angles */
+    const stanford_real c2 = cos(q[1]);
+    /* link 2: angular velocity [rad/s] */
+    const stanford_real w2_y = -qd[0]*c2;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam2_13 = -c2*qdd[0];
     /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_real ww2_yz = qd[1]*w2_y;
-    const stanford_real ww2_zx = qd[1]*w2_x;
+    const stanford_real ww2_zx = w2_x*qd[1];
     /* link 2: angular acceleration [rad/s^2] */
-    const stanford_real alpha2_x = ww2_yz - qdd[0]*s2;
-    const stanford_real alpha2_y = -qdd[0]*c2 - ww2_zx;
+    const stanford_real alpha2_y = lam2_13 - ww2_zx;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const stanford_real ww2_yz = w2_y*qd[1];
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam2_23 = s2*qdd[0];
     /* link 2: products of the angular velocity [1/s^2] */
     const stanford_real ww2_xy = w2_x*w2_y;
-    const stanford_real ww2_xx = w2_x*w2_x;
-    const stanford_real ww2_zz = qd[1]*qd[1];
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a2_x = 9.8*s2;
+    const stanford_real neg_a2_y = 9.8*c2;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_real lam2_12 = ww2_xy - qdd[1];
-    const stanford_real lam2_21 = qdd[1] + ww2_xy;
-    const stanford_real lam2_22 = -ww2_xx - ww2_zz;
-    const stanford_real neg_lam2_31 = alpha2_y - ww2_zx;
-    const stanford_real lam2_32 = ww2_yz + alpha2_x;
-    const stanford_real t3 = 2.0*qd[2];
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a3_x = a2_x - q[2]*lam2_12 + qd[1]*t3;
-    const stanford_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t3;
-    const stanford_real a3_z = qdd[2] - (a2_y - q[2]*lam2_22);
+    /* sines and cosines of the joint angles */
+    const stanford_real c4 = cos(q[3]);
+    const stanford_real s4 = sin(again[3]);
     /* link 4: angular velocity [rad/s] */
-    const stanford_real w4_x = c4*w2_x + qd[1]*s4;
-    const stanford_real w4_y = qd[1]*c4 - s4*w2_x;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a4_x = c4*a3_x + s4*a3_y;
-    const stanford_real a4_y = c4*a3_y - s4*a3_x;
-    /* link 4: angular acceleration [rad/s^2] */
-    const stanford_real alpha4_x = qd[3]*w4_y - (-qdd[1]*s4 - c4*alpha2_x);
-    const stanford_real alpha4_y = qdd[1]*c4 - s4*alpha2_x - qd[3]*w4_x;
-    const stanford_real alpha4_z = qdd[3] - alpha2_y;
-    /* link 4: angular velocity [rad/s] */
+    const stanford_real w4_x = w2_x*c4 + qd[1]*s4;
+    const stanford_real w4_y = qd[1]*c4 - w2_x*s4;
     const stanford_real w4_z = qd[3] - w2_y;
     /* link 4: products of the angular velocity [1/s^2] */
     const stanford_real ww4_yz = w4_y*w4_z;
-    const stanford_real ww4_zx = w4_x*w4_z;
     const stanford_real ww4_xy = w4_x*w4_y;
-    const stanford_real ww4_xx = w4_x*w4_x;
-    const stanford_real ww4_yy = w4_y*w4_y;
     const stanford_real ww4_zz = w4_z*w4_z;
-    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam4_12 = ww4_xy - alpha4_z;
-    const stanford_real lam4_13 = alpha4_y + ww4_zx;
-    const stanford_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const stanford_real lam4_32 = alpha4_x + ww4_yz;
-    const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
+    /* sines and cosines of the joint angles */
+    const stanford_real c5 = cos(q[4]);
+    const stanford_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const stanford_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_real t4 = -c5;
-    const stanford_real w5_y = t4*w4_z - s5*w4_x;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a5_x = c5*a4_x - s5*a3_z;
-    /* link 5: angular acceleration [rad/s^2] */
-    const stanford_real alpha5_y = t4*alpha4_z - s5*alpha4_x - qd[4]*w5_x;
-    const stanford_real alpha5_z = qdd[4] + alpha4_y;
-    /* link 5: angular velocity [rad/s] */
-    const stanford_real w5_z = qd[4] + w4_y;
+    const stanford_real w5_x = w4_x*c5 - w4_z*s5;
+    const stanford_real w5_z = w4_y + qd[4];
+    const stanford_real neg_w5_y = w4_z*c5 + w4_x*s5;
     /* link 5: products of the angular velocity [1/s^2] */
     const stanford_real ww5_zx = w5_x*w5_z;
-    const stanford_real ww5_xy = w5_x*w5_y;
+    const stanford_real ww5_xy = -w5_x*neg_w5_y;
     const stanford_real ww5_xx = w5_x*w5_x;
     const stanford_real ww5_zz = w5_z*w5_z;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam5_12 = ww5_xy - alpha5_z;
-    const stanford_real lam5_21 = alpha5_z + ww5_xy;
-    const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const stanford_real neg_lam5_31 = alpha5_y - ww5_zx;
-    const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*alpha4_z - c5*alpha4_x);
+    const stanford_real lam5_22 = -ww5_xx - ww5_zz;
     /* link 6: angular velocity [rad/s] */
-    const stanford_real w6_x = c6*w5_x + s6*w5_z;
-    const stanford_real w6_y = c6*w5_z - s6*w5_x;
-    /* link 6: angular acceleration [rad/s^2] */
-    const stanford_real alpha6_z = qdd[5] - alpha5_y;
-    /* link 6: angular velocity [rad/s] */
-    const stanford_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const stanford_real ww6_yz = w6_y*w6_z;
-    const stanford_real ww6_zx = w6_x*w6_z;
+    const stanford_real w6_z = neg_w5_y + qd[5];
+    const stanford_real t1 = 0.0003*w6_z;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real neg_n06_y = w5_x*t1;
+    const stanford_real n06_x = w5_z*t1;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam2_32 = 2.0*ww2_yz - lam2_23;
     /* link 2: moment that turns the link [N m] */
     const stanford_real nc2_x = 4.2875532937*lam2_32;
-    const stanford_real nc2_y = 0.008*neg_lam2_31;
-    const stanford_real nc2_z = 0.008*lam2_21 - 4.2875532937*lam2_12;
-    /* link 3: force that moves the link [N] */
-    const stanford_real fc3_x = 6.47*a3_x - 2.730039*lam2_12;
-    const stanford_real fc3_y = 6.47*a3_y - 2.730039*lam2_32;
-    const stanford_real fc3_z = 6.47*a3_z + 2.730039*lam2_22;
-    /* link 3: moment that turns the link [N m] */
-    const stanford_real neg_nc3_x = 2.730039*a3_y;
-    const stanford_real nc3_y = 2.730039*a3_x;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam4_12 = alpha2_y + ww4_xy - qdd[3];
+    const stanford_real lam4_32 = ww4_yz + c4*lam2_32 + (ww4_yz - lam2_12*s4);
+    const stanford_real t2 = w5_z*neg_w5_y;
+    const stanford_real t3 = t2 - s5*lam4_12 - c5*lam4_32;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam5_32 = t2 + t3;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam4_22 = ww5_xx + neg_w5_y*neg_w5_y;
+    /* link 4: force through the joint [N] */
+    const stanford_real f4_y = 0.005832*(neg_lam4_22 + 19.703703703703702*neg_lam5_32);
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam4_13 = lam2_12*c4 + s4*lam2_32;
+    /* link 5: angular acceleration [rad/s^2] */
+    const stanford_real alpha5_z = qdd[4] - neg_lam4_13 - w4_x*w4_z;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam5_12 = ww5_xy - alpha5_z;
     /* link 4: force that moves the link [N] */
     const stanford_real neg_fc4_x = 0.005832*lam4_12;
-    const stanford_real fc4_y = 0.005832*neg_lam4_22;
-    const stanford_real fc4_z = -0.005832*lam4_32;
+    const stanford_real t4 = 0.114912*s5;
+    const stanford_real t5 = 0.114912*c5;
+    /* link 4: force through the joint [N] */
+    const stanford_real f4_x = lam5_22*t4 - neg_fc4_x - lam5_12*t5;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam2_33 = qd[0]*qd[0];
+    const stanford_real t6 = 2.0*qd[2];
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a3_y = -lam2_32*q[2] - w2_x*t6 - 0.1524*neg_lam2_33;
+    /* link 3: force that moves the link [N] */
+    const stanford_real fc3_y = 6.47*(a3_y - 0.4219534775888717*lam2_32);
+    /* link 3: force through the joint [N] */
+    const stanford_real f3_y = c4*f4_y + (fc3_y + s4*f4_x);
+    const stanford_real t7 = ww4_zz - w4_y*w4_y;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam2_22 = t7 - neg_lam4_22;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a3_z = neg_a2_y + (q[2]*lam2_22 - (0.1524*lam2_23 - qdd[2]));
+    /* link 4: force that moves the link [N] */
+    const stanford_real neg_fc4_z = 0.005832*lam4_32;
+    /* link 3: force through the joint [N] */
+    const stanford_real f3_z = 6.47*a3_z + lam5_12*t4 - (neg_fc4_z + (-2.730039*lam2_22 -
+        lam5_22*t5));
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a3_x = 0.1524*lam2_13 + (qd[1]*t6 - lam2_12*q[2] - neg_a2_x);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a4_y = c4*a3_y - s4*a3_x;
+    /* link 5: angular acceleration [rad/s^2] */
+    const stanford_real alpha5_y = c5*lam4_12 - s5*lam4_32 - ww5_zx;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real neg_n06_z = 0.0003*(alpha5_y - qdd[5]);
+    const stanford_real t8 = n06_x - (0.0289028216*t2 + 0.114912*a4_y + 0.0313658072*t3);
+    const stanford_real t9 = -0.0010314928*ww5_zx - (neg_n06_z + 0.0014314928*alpha5_y);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n4_x = 5.36544e-05*t7 - (0.005832*a3_z - c5*t8) + s5*t9;
     /* link 4: moment that turns the link [N m] */
     const stanford_real nc4_y = 5.36544e-05*lam4_12;
-    const stanford_real neg_nc4_x = -0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 - neg_lam4_33)
-        + 0.005832*a3_z;
-    const stanford_real nc4_z = -0.0012314928*lam4_12 - 5.36544e-05*lam4_13 + 0.005832*a4_x;
-    /* link 5: force that moves the link [N] */
-    const stanford_real fc5_x = -0.114912*lam5_12;
-    const stanford_real fc5_y = 0.114912*neg_lam5_22;
-    const stanford_real neg_fc5_z = 0.114912*lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const stanford_real nc5_y = 0.0002*neg_lam5_31;
-    const stanford_real nc5_x = 0.0301343144*lam5_32 - 0.114912*a4_y;
-    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 + 0.114912*a5_x;
-    /* link 6: moment that turns the link [N m] */
-    const stanford_real nc6_x = 0.0003*ww6_yz;
-    const stanford_real nc6_y = -0.0003*ww6_zx;
-    const stanford_real nc6_z = 0.0003*alpha6_z;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n06_x = c6*nc6_x - s6*nc6_y;
-    const stanford_real n06_y = s6*nc6_x + c6*nc6_y;
-    /* link 6: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_real tau6 = nc6_z + 0.02*qdd[5];
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a4_x = c4*a3_x + s4*a3_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n5_x = nc5_x + n06_x;
-    const stanford_real n5_y = nc5_y - nc6_z;
-    const stanford_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f05_x = c5*fc5_x - s5*fc5_y;
-    const stanford_real f05_y = s5*fc5_x + c5*fc5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n05_x = c5*n5_x - s5*n5_y;
-    const stanford_real n05_y = s5*n5_x + c5*n5_y;
-    /* link 5: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_real tau5 = n5_z + 0.097*qdd[4];
+    const stanford_real n5_z = t5*a4_x - neg_n06_y - (t4*a3_z + 0.0299343144*(lam5_12 -
+        0.013362590993565565*alpha5_z));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = n05_x - neg_nc4_x;
     const stanford_real n4_y = nc4_y + n5_z;
-    const stanford_real n4_z = nc4_z - n05_y;
-    /* link 4: force through the joint [N] */
-    const stanford_real f4_x = f05_x - neg_fc4_x;
-    const stanford_real f4_y = fc4_y - neg_fc5_z;
-    const stanford_real f4_z = fc4_z - f05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f04_x = c4*f4_x - s4*f4_y;
-    const stanford_real f04_y = s4*f4_x + c4*f4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n04_x = c4*n4_x - s4*n4_y;
-    const stanford_real n04_y = s4*n4_x + c4*n4_y;
-    /* link 4: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_real tau4 = n4_z + 0.106*qdd[3];
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = n04_x - neg_nc3_x;
-    const stanford_real n3_y = nc3_y + n04_y;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n2_x = nc2_x - q[2]*f3_y - (2.730039*(a3_y - 0.055823378347342294*f3_z) -
+        c4*n4_x + s4*n4_y);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n4_z = 5.36544e-05*neg_lam4_13 + 0.005832*a4_x + c5*t9 - s5*t8;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam2_31 = ww2_zx - alpha2_y;
+    /* link 2: moment that turns the link [N m] */
+    const stanford_real neg_nc2_y = 0.008*lam2_31;
     /* link 3: force through the joint [N] */
-    const stanford_real f3_x = fc3_x + f04_x;
-    const stanford_real f3_y = fc3_y + f04_y;
-    const stanford_real f3_z = fc3_z + f4_z;
+    const stanford_real f3_x = c4*f4_x + 6.47*a3_x - s4*f4_y - 2.730039*lam2_12;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n2_y = 0.1524*f3_x - neg_nc2_y - n4_z;
+    /* link 1: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau1 = 1.4431532925*qdd[0] - s2*n2_x - c2*n2_y;
+    /* link 3: moment that turns the link [N m] */
+    const stanford_real nc3_y = 2.730039*a3_x;
+    /* link 2: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau2 = s4*n4_x + (6.4885532937*qdd[1] + c4*n4_y) - (4.2795532937*ww2_xy -
+        q[2]*f3_x - nc3_y);
     /* link 3: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau3 = f3_z + 0.782*qdd[2];
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
-    const stanford_real n2_y = nc2_y - n4_z;
-    const stanford_real n2_z = n3_y + (nc2_z + q[2]*f3_x);
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real neg_f02_x = -s2*f3_z - c2*f3_x;
-    /* link 2: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_real tau2 = n2_z + 2.193*qdd[1];
-    /* link 1: joint torque [N m], at a prismatic joint force [N] */
-    const stanford_real tau1 = 0.1524*neg_f02_x - (s2*n2_x + c2*n2_y) + 1.4431532925*qdd[0];
+    /* link 4: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau4 = n4_z + 0.106*qdd[3];
+    /* link 5: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau5 = n5_z + 0.097*qdd[4];
+    /* link 6: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau6 = 0.02*qdd[5] - neg_n06_z;
     tau[0] = tau1;
     tau[1] = tau2;
     tau[2] = tau3;
@@ -230,58 +200,57 @@ void stanford_inverse_dynamics(
 }
 
 /* torques that hold the arm at rest
- * 25 multiplications, 10 additions = 35; 0 unary minus; 6 sine/cosine */
+ * 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine */
 void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_real c2 = cos(q[1]);
     const stanford_real s2 = sin(again[1]);
-    const stanford_real c4 = cos(q[3]);
-    const stanford_real s4 = sin(again[3]);
-    const stanford_real c5 = cos(q[4]);
-    const stanford_real s5 = sin(again[4]);
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_real a2_x = -9.8*s2;
+    /* sines and cosines of the joint angles */
+    const stanford_real c2 = cos(q[1]);
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_real a2_y = -9.8*c2;
+    /* sines and cosines of the joint angles */
+    const stanford_real c4 = cos(q[3]);
     /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a4_x = c4*a2_x;
-    const stanford_real neg_a4_y = s4*a2_x;
+    const stanford_real a4_x = a2_x*c4;
+    /* sines and cosines of the joint angles */
+    const stanford_real s4 = sin(again[3]);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a4_y = a2_x*s4;
+    /* sines and cosines of the joint angles */
+    const stanford_real c5 = cos(q[4]);
+    const stanford_real s5 = sin(again[4]);
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a5_x = c5*a4_x + s5*a2_y;
+    const stanford_real a5_x = a4_x*c5 + a2_y*s5;
+    /* link 5: moment that turns the link [N m] */
+    const stanford_real nc5_z = 0.114912*a5_x;
+    const stanford_real nc5_x = 0.114912*neg_a4_y;
+    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n05_y = s5*nc5_x;
+    const stanford_real n05_x = c5*nc5_x;
+    /* link 4: moment that turns the link [N m] */
+    const stanford_real nc4_z = 0.005832*a4_x;
+    const stanford_real neg_nc4_x = 0.0571536*c2;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n4_z = nc4_z - n05_y;
+    const stanford_real n4_x = n05_x - neg_nc4_x;
+    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n04_y = s4*n4_x + c4*nc5_z;
     /* link 3: force that moves the link [N] */
-    const stanford_real fc3_x = -63.406*s2;
     const stanford_real fc3_z = 63.406*c2;
+    const stanford_real fc3_x = -63.406*s2;
     /* link 3: moment that turns the link [N m] */
     const stanford_real neg_nc3_y = 26.7543822*s2;
-    /* link 4: moment that turns the link [N m] */
-    const stanford_real neg_nc4_x = 0.0571536*c2;
-    const stanford_real nc4_z = 0.005832*a4_x;
-    /* link 5: moment that turns the link [N m] */
-    const stanford_real nc5_x = 0.114912*neg_a4_y;
-    const stanford_real nc5_z = 0.114912*a5_x;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n05_x = c5*nc5_x;
-    const stanford_real n05_y = s5*nc5_x;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = n05_x - neg_nc4_x;
-    const stanford_real n4_z = nc4_z - n05_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n04_x = c4*n4_x - s4*nc5_z;
-    const stanford_real n04_y = s4*n4_x + c4*nc5_z;
     /* link 3: moment through the joint, about the frame's origin [N m] */
     const stanford_real n3_y = n04_y - neg_nc3_y;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n2_z = n3_y + q[2]*fc3_x;
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f02_x = c2*fc3_x + s2*fc3_z;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real neg_n02_y = c2*n4_z - s2*n04_x;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = neg_n02_y - 0.1524*f02_x;
-    tau[0] = n1_z;
+    const stanford_real n2_z = n3_y + fc3_x*q[2];
+    tau[0] = 0.0;
     tau[1] = n2_z;
     tau[2] = fc3_z;
     tau[3] = n4_z;
@@ -290,184 +259,152 @@ void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 118 multiplications, 77 additions = 195; 6 unary minus; 8 sine/cosine */
+ * 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine */
 void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_real c2 = cos(q[1]);
     const stanford_real s2 = sin(again[1]);
-    const stanford_real c4 = cos(q[3]);
-    const stanford_real s4 = sin(again[3]);
-    const stanford_real c5 = cos(q[4]);
-    const stanford_real s5 = sin(again[4]);
-    const stanford_real c6 = cos(q[5]);
-    const stanford_real s6 = sin(again[5]);
-    /* link 1: products of the angular velocity [1/s^2] */
-    const stanford_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_z = -0.1524*ww1_zz;
-    const stanford_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
-    const stanford_real w2_x = t1*s2;
-    const stanford_real w2_y = t1*c2;
+    const stanford_real neg_w2_x = s2*qd[0];
+    /* sines and cosines of the joint angles */
+    const stanford_real c2 = cos(q[1]);
+    /* link 2: angular velocity [rad/s] */
+    const stanford_real neg_w2_y = qd[0]*c2;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const stanford_real neg_ww2_zx = neg_w2_x*qd[1];
+    const stanford_real neg_ww2_yz = neg_w2_y*qd[1];
+    const stanford_real ww2_xy = neg_w2_x*neg_w2_y;
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_real neg_a2_x = 9.8*s2;
     const stanford_real neg_a2_y = 9.8*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const stanford_real alpha2_x = qd[1]*w2_y;
-    const stanford_real neg_alpha2_y = qd[1]*w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_real ww2_xy = w2_x*w2_y;
-    const stanford_real ww2_xx = w2_x*w2_x;
-    const stanford_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam2_22 = -ww2_xx - ww2_zz;
-    const stanford_real lam2_32 = 2.0*alpha2_x;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a3_z = neg_a2_y + q[2]*lam2_22;
-    const stanford_real t2 = 2.0*qd[2];
-    const stanford_real a3_x = qd[1]*t2 - (neg_a2_x + q[2]*ww2_xy);
-    const stanford_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t2;
+    /* sines and cosines of the joint angles */
+    const stanford_real c4 = cos(q[3]);
+    const stanford_real s4 = sin(again[3]);
     /* link 4: angular velocity [rad/s] */
-    const stanford_real w4_x = c4*w2_x + qd[1]*s4;
-    const stanford_real w4_y = qd[1]*c4 - s4*w2_x;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a4_x = c4*a3_x + s4*a3_y;
-    const stanford_real a4_y = c4*a3_y - s4*a3_x;
-    /* link 4: angular acceleration [rad/s^2] */
-    const stanford_real alpha4_x = c4*alpha2_x + qd[3]*w4_y;
-    const stanford_real alpha4_y = -qd[3]*w4_x - s4*alpha2_x;
-    /* link 4: angular velocity [rad/s] */
-    const stanford_real w4_z = qd[3] - w2_y;
+    const stanford_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
+    const stanford_real w4_y = qd[1]*c4 + neg_w2_x*s4;
+    const stanford_real w4_z = neg_w2_y + qd[3];
     /* link 4: products of the angular velocity [1/s^2] */
     const stanford_real ww4_yz = w4_y*w4_z;
-    const stanford_real ww4_zx = w4_x*w4_z;
-    const stanford_real ww4_xy = w4_x*w4_y;
-    const stanford_real ww4_xx = w4_x*w4_x;
-    const stanford_real ww4_yy = w4_y*w4_y;
+    const stanford_real neg_ww4_xy = neg_w4_x*w4_y;
     const stanford_real ww4_zz = w4_z*w4_z;
-    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam4_12 = ww4_xy - neg_alpha2_y;
-    const stanford_real lam4_13 = alpha4_y + ww4_zx;
-    const stanford_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const stanford_real lam4_32 = alpha4_x + ww4_yz;
-    const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
+    /* sines and cosines of the joint angles */
+    const stanford_real c5 = cos(q[4]);
+    const stanford_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const stanford_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_real w5_y = -c5*w4_z - s5*w4_x;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a5_x = c5*a4_x - s5*a3_z;
-    /* link 5: angular acceleration [rad/s^2] */
-    const stanford_real alpha5_y = -s5*alpha4_x - c5*neg_alpha2_y - qd[4]*w5_x;
-    /* link 5: angular velocity [rad/s] */
-    const stanford_real w5_z = qd[4] + w4_y;
+    const stanford_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const stanford_real w5_z = w4_y + qd[4];
+    const stanford_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
     /* link 5: products of the angular velocity [1/s^2] */
-    const stanford_real ww5_zx = w5_x*w5_z;
-    const stanford_real ww5_xy = w5_x*w5_y;
-    const stanford_real ww5_xx = w5_x*w5_x;
+    const stanford_real neg_ww5_zx = neg_w5_x*w5_z;
+    const stanford_real ww5_xy = neg_w5_x*neg_w5_y;
+    const stanford_real ww5_xx = neg_w5_x*neg_w5_x;
     const stanford_real ww5_zz = w5_z*w5_z;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam5_12 = ww5_xy - alpha4_y;
-    const stanford_real lam5_21 = alpha4_y + ww5_xy;
     const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const stanford_real neg_lam5_31 = alpha5_y - ww5_zx;
-    const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*neg_alpha2_y - c5*alpha4_x);
     /* link 6: angular velocity [rad/s] */
-    const stanford_real w6_x = c6*w5_x + s6*w5_z;
-    const stanford_real w6_y = c6*w5_z - s6*w5_x;
-    const stanford_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const stanford_real ww6_yz = w6_y*w6_z;
-    const stanford_real ww6_zx = w6_x*w6_z;
+    const stanford_real w6_z = neg_w5_y + qd[5];
+    const stanford_real t1 = 0.0003*w6_z;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n06_y = neg_w5_x*t1;
+    const stanford_real n06_x = w5_z*t1;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam2_32 = 2.0*neg_ww2_yz;
     /* link 2: moment that turns the link [N m] */
-    const stanford_real nc2_x = 8.5751065874*alpha2_x;
-    const stanford_real nc2_y = -0.016*neg_alpha2_y;
-    const stanford_real neg_nc2_z = 4.2795532937*ww2_xy;
-    /* link 3: force that moves the link [N] */
-    const stanford_real fc3_x = 6.47*a3_x - 2.730039*ww2_xy;
-    const stanford_real fc3_y = 6.47*a3_y - 5.460078*alpha2_x;
-    const stanford_real fc3_z = 6.47*a3_z + 2.730039*lam2_22;
-    /* link 3: moment that turns the link [N m] */
-    const stanford_real neg_nc3_x = 2.730039*a3_y;
-    const stanford_real nc3_y = 2.730039*a3_x;
+    const stanford_real nc2_x = -8.5751065874*neg_ww2_yz;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam4_12 = neg_ww2_zx - neg_ww4_xy;
+    const stanford_real lam4_32 = ww4_yz - c4*neg_lam2_32 + (ww4_yz - ww2_xy*s4);
+    const stanford_real t2 = w5_z*neg_w5_y;
+    const stanford_real t3 = t2 - s5*lam4_12 - c5*lam4_32;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam5_32 = t2 + t3;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam4_22 = ww5_xx + neg_w5_y*neg_w5_y;
+    /* link 4: force through the joint [N] */
+    const stanford_real f4_y = 0.005832*(neg_lam4_22 + 19.703703703703702*neg_lam5_32);
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam4_13 = s4*neg_lam2_32 - ww2_xy*c4;
+    /* link 5: angular acceleration [rad/s^2] */
+    const stanford_real alpha5_z = lam4_13 + neg_w4_x*w4_z;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam5_12 = ww5_xy - alpha5_z;
     /* link 4: force that moves the link [N] */
-    const stanford_real neg_fc4_x = 0.005832*lam4_12;
-    const stanford_real fc4_y = 0.005832*neg_lam4_22;
+    const stanford_real fc4_x = -0.005832*lam4_12;
+    const stanford_real t4 = 0.114912*c5;
+    const stanford_real t5 = 0.114912*s5;
+    /* link 4: force through the joint [N] */
+    const stanford_real neg_f4_x = lam5_12*t4 + (neg_lam5_22*t5 - fc4_x);
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam2_33 = qd[0]*qd[0];
+    const stanford_real t6 = 2.0*qd[2];
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a3_y = neg_w2_x*t6 + neg_lam2_32*q[2] - 0.1524*neg_lam2_33;
+    /* link 3: force that moves the link [N] */
+    const stanford_real fc3_y = 6.47*(a3_y + 0.8439069551777434*neg_ww2_yz);
+    /* link 3: force through the joint [N] */
+    const stanford_real f3_y = c4*f4_y + (fc3_y - s4*neg_f4_x);
+    const stanford_real t7 = ww4_zz - w4_y*w4_y;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam2_22 = neg_lam4_22 - t7;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a3_z = neg_a2_y - q[2]*neg_lam2_22;
+    /* link 4: force that moves the link [N] */
     const stanford_real fc4_z = -0.005832*lam4_32;
+    /* link 3: force through the joint [N] */
+    const stanford_real f3_z = 6.47*a3_z + lam5_12*t5 - (2.730039*neg_lam2_22 + neg_lam5_22*t4 -
+        fc4_z);
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a3_x = neg_a2_x - (qd[1]*t6 - ww2_xy*q[2]);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a4_y = c4*a3_y + s4*neg_a3_x;
+    /* link 5: angular acceleration [rad/s^2] */
+    const stanford_real alpha5_y = neg_ww5_zx + (c5*lam4_12 - s5*lam4_32);
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n06_z = -0.0003*alpha5_y;
+    const stanford_real t8 = n06_x - (0.0289028216*t2 + 0.114912*a4_y + 0.0313658072*t3);
+    const stanford_real t9 = 0.0010314928*neg_ww5_zx - 0.0017314928*alpha5_y;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n4_x = 5.36544e-05*t7 - (0.005832*a3_z - c5*t8) + s5*t9;
     /* link 4: moment that turns the link [N m] */
     const stanford_real nc4_y = 5.36544e-05*lam4_12;
-    const stanford_real neg_nc4_x = -0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 - neg_lam4_33)
-        + 0.005832*a3_z;
-    const stanford_real nc4_z = 0.005832*a4_x - (0.0012314928*lam4_12 + 5.36544e-05*lam4_13);
-    /* link 5: force that moves the link [N] */
-    const stanford_real fc5_x = -0.114912*lam5_12;
-    const stanford_real fc5_y = 0.114912*neg_lam5_22;
-    const stanford_real neg_fc5_z = 0.114912*lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const stanford_real nc5_y = 0.0002*neg_lam5_31;
-    const stanford_real nc5_x = 0.0301343144*lam5_32 - 0.114912*a4_y;
-    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 + 0.114912*a5_x;
-    /* link 6: moment that turns the link [N m] */
-    const stanford_real nc6_x = 0.0003*ww6_yz;
-    const stanford_real nc6_y = -0.0003*ww6_zx;
-    const stanford_real nc6_z = -0.0003*alpha5_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n06_x = c6*nc6_x - s6*nc6_y;
-    const stanford_real n06_y = s6*nc6_x + c6*nc6_y;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a4_x = c4*neg_a3_x - s4*a3_y;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n5_x = nc5_x + n06_x;
-    const stanford_real n5_y = nc5_y - nc6_z;
-    const stanford_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f05_x = c5*fc5_x - s5*fc5_y;
-    const stanford_real f05_y = s5*fc5_x + c5*fc5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n05_x = c5*n5_x - s5*n5_y;
-    const stanford_real n05_y = s5*n5_x + c5*n5_y;
+    const stanford_real n5_z = n06_y - t4*neg_a4_x - (t5*a3_z + 0.0299343144*(lam5_12 -
+        0.013362590993565565*alpha5_z));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = n05_x - neg_nc4_x;
     const stanford_real n4_y = nc4_y + n5_z;
-    const stanford_real n4_z = nc4_z - n05_y;
-    /* link 4: force through the joint [N] */
-    const stanford_real f4_x = f05_x - neg_fc4_x;
-    const stanford_real f4_y = fc4_y - neg_fc5_z;
-    const stanford_real f4_z = fc4_z - f05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f04_x = c4*f4_x - s4*f4_y;
-    const stanford_real f04_y = s4*f4_x + c4*f4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n04_x = c4*n4_x - s4*n4_y;
-    const stanford_real n04_y = s4*n4_x + c4*n4_y;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = n04_x - neg_nc3_x;
-    const stanford_real n3_y = nc3_y + n04_y;
-    /* link 3: force through the joint [N] */
-    const stanford_real f3_x = fc3_x + f04_x;
-    const stanford_real f3_y = fc3_y + f04_y;
-    const stanford_real f3_z = fc3_z + f4_z;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
-    const stanford_real n2_y = nc2_y - n4_z;
-    const stanford_real n2_z = n3_y + (q[2]*f3_x - neg_nc2_z);
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real neg_f02_x = -s2*f3_z - c2*f3_x;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n02_y = s2*n2_x + c2*n2_y;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = 0.1524*neg_f02_x - n02_y;
-    tau[0] = n1_z;
-    tau[1] = n2_z;
+    const stanford_real neg_n2_x = q[2]*f3_y - nc2_x + (2.730039*(a3_y - 0.055823378347342294*f3_z)
+        - c4*n4_x + s4*n4_y);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n4_z = -5.36544e-05*lam4_13 - 0.005832*neg_a4_x + c5*t9 - s5*t8;
+    /* link 2: moment that turns the link [N m] */
+    const stanford_real nc2_y = 0.016*neg_ww2_zx;
+    /* link 3: force through the joint [N] */
+    const stanford_real neg_f3_x = 2.730039*ww2_xy + (s4*f4_y + (c4*neg_f4_x + 6.47*neg_a3_x));
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_real neg_n2_y = n4_z - (nc2_y - 0.1524*neg_f3_x);
+    /* link 1: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau1 = s2*neg_n2_x + c2*neg_n2_y;
+    /* link 3: moment that turns the link [N m] */
+    const stanford_real nc3_y = -2.730039*neg_a3_x;
+    /* link 2: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau2 = s4*n4_x + c4*n4_y - (4.2795532937*ww2_xy + q[2]*neg_f3_x - nc3_y);
+    tau[0] = tau1;
+    tau[1] = tau2;
     tau[2] = f3_z;
     tau[3] = n4_z;
     tau[4] = n5_z;
-    tau[5] = nc6_z;
+    tau[5] = n06_z;
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 56 multiplications, 45 additions = 101; 3 unary minus; 6 sine/cosine */
+ * 56 multiplications, 38 additions = 94; 3 unary minus; 6 sine/cosine */
 void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -518,7 +455,6 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
     const stanford_real t2 = t1 - 0.0286028216;
     const stanford_real t3 = c4*c4*t2;
     /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_real k4_xx = 0.0013814928 - t3;
     const stanford_real k4_yy = k5_xx + t3;
     const stanford_real k4_xy = t2*(-c4*s4);
     const stanford_real k4_xz = -5.36544e-05*s4 - c4*k5_xy;
@@ -534,33 +470,25 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
     const stanford_real neg_nu2_y_3 = s2*t4 + c2*nu3_z;
     /* link 1: mass matrix, its row of this joint */
     const stanford_real m1_4 = neg_nu2_y_3 - 0.1524*fu2_x_2;
-    const stanford_real t5 = k5_yy - k4_yy;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const stanford_real k3_zz = k4_yy + t5;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_real h3_z = neg_h5_y + 2.730039;
-    const stanford_real t6 = k5_yy - t5;
-    const stanford_real t7 = t6 - k4_xx;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const stanford_real k3_xx = t6 - t7;
-    const stanford_real k3_yy = k4_xx + t7;
     /* link 1: mass matrix, its row of this joint */
     const stanford_real m1_3 = s2*(neg_h4_y - 0.986028);
-    const stanford_real t8 = 6.47*q[2];
+    const stanford_real t5 = 6.47*q[2];
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h2_y = s2*h4_x - c2*(h3_z + t8);
-    const stanford_real t9 = k3_zz + q[2]*(t8 + 2.0*h3_z);
+    const stanford_real h2_y = s2*h4_x - c2*(h3_z + t5);
+    const stanford_real t6 = k5_yy + q[2]*(t5 + 2.0*h3_z);
     /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_real k2_xx = t9 + 4.2875532937 + (c2*c2*(k3_xx - t9 - 4.2795532937) +
+    const stanford_real k2_xx = t6 + 4.2875532937 - (c2*c2*(t3 + t6 + 4.2781718009) -
         t4*(2.0*(c2*s2)));
     const stanford_real k2_yz = s2*k4_xy + c2*m2_4;
     /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_2 = k3_xx + t9 + 6.4885532937;
+    const stanford_real m2_2 = 6.4899347865 - (t3 - t6);
     /* link 1: mass matrix, its row of this joint */
     const stanford_real m1_2 = k2_yz + 0.1524*h2_y;
-    const stanford_real m1_1 = k2_xx + (k3_yy + 0.1524*(0.986028 - 2.0*neg_h4_y)) + 1.4431532925;
-    const stanford_real t10 = -h4_x;
-    const stanford_real t11 = -h5_x;
+    const stanford_real m1_1 = k2_xx + (k4_yy + 0.1524*(0.986028 - 2.0*neg_h4_y)) + 1.4431532925;
+    const stanford_real t7 = -h4_x;
+    const stanford_real t8 = -h5_x;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -569,15 +497,15 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
     M[5] = neg_nu2_y;
     M[6] = m1_2;
     M[7] = m2_2;
-    M[8] = t10;
+    M[8] = t7;
     M[9] = m2_4;
     M[10] = m2_5;
     M[11] = nu4_y;
     M[12] = m1_3;
-    M[13] = t10;
+    M[13] = t7;
     M[14] = 7.252;
     M[15] = 0.0;
-    M[16] = t11;
+    M[16] = t8;
     M[17] = 0.0;
     M[18] = m1_4;
     M[19] = m2_4;
@@ -587,7 +515,7 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
     M[23] = neg_nu5_y;
     M[24] = m1_5;
     M[25] = m2_5;
-    M[26] = t11;
+    M[26] = t8;
     M[27] = 0.0;
     M[28] = 0.1273343144;
     M[29] = 0.0;
@@ -600,7 +528,7 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 260 multiplications, 189 additions, 6 divisions = 455; 15 unary minus; 8 sine/cosine */
+ * 244 multiplications, 175 additions, 6 divisions = 425; 2 unary minus; 6 sine/cosine */
 void stanford_forward_dynamics(
     const stanford_real q[6],
     const stanford_real qd[6],
@@ -611,315 +539,277 @@ void stanford_forward_dynamics(
      * every libm has. */
     const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_real c2 = cos(q[1]);
     const stanford_real s2 = sin(again[1]);
+    /* link 2: angular velocity [rad/s] */
+    const stanford_real neg_w2_x = s2*qd[0];
+    /* sines and cosines of the joint angles */
+    const stanford_real c2 = cos(q[1]);
+    /* link 2: angular velocity [rad/s] */
+    const stanford_real neg_w2_y = qd[0]*c2;
+    /* link 2: products of the angular velocity [1/s^2] */
+    const stanford_real neg_ww2_zx = neg_w2_x*qd[1];
+    const stanford_real neg_ww2_yz = neg_w2_y*qd[1];
+    const stanford_real ww2_xy = neg_w2_x*neg_w2_y;
+    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a2_x = 9.8*s2;
+    const stanford_real neg_a2_y = 9.8*c2;
+    /* sines and cosines of the joint angles */
     const stanford_real c4 = cos(q[3]);
     const stanford_real s4 = sin(again[3]);
+    /* link 4: angular velocity [rad/s] */
+    const stanford_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
+    const stanford_real w4_y = qd[1]*c4 + neg_w2_x*s4;
+    const stanford_real w4_z = neg_w2_y + qd[3];
+    /* link 4: products of the angular velocity [1/s^2] */
+    const stanford_real ww4_yz = w4_y*w4_z;
+    const stanford_real neg_ww4_xy = neg_w4_x*w4_y;
+    const stanford_real ww4_zz = w4_z*w4_z;
+    /* sines and cosines of the joint angles */
     const stanford_real c5 = cos(q[4]);
     const stanford_real s5 = sin(again[4]);
-    const stanford_real c6 = cos(q[5]);
-    const stanford_real s6 = sin(again[5]);
+    /* link 5: angular velocity [rad/s] */
+    const stanford_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const stanford_real w5_z = w4_y + qd[4];
+    const stanford_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
+    /* link 5: products of the angular velocity [1/s^2] */
+    const stanford_real neg_ww5_zx = neg_w5_x*w5_z;
+    const stanford_real ww5_xy = neg_w5_x*neg_w5_y;
+    const stanford_real ww5_xx = neg_w5_x*neg_w5_x;
+    const stanford_real ww5_zz = w5_z*w5_z;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
+    /* link 6: angular velocity [rad/s] */
+    const stanford_real w6_z = neg_w5_y + qd[5];
+    const stanford_real t1 = 0.0003*w6_z;
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n06_y = neg_w5_x*t1;
+    const stanford_real n06_x = w5_z*t1;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam2_32 = 2.0*neg_ww2_yz;
+    /* link 2: moment that turns the link [N m] */
+    const stanford_real nc2_x = -8.5751065874*neg_ww2_yz;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam4_12 = neg_ww2_zx - neg_ww4_xy;
+    const stanford_real lam4_32 = ww4_yz - c4*neg_lam2_32 + (ww4_yz - ww2_xy*s4);
+    const stanford_real t2 = w5_z*neg_w5_y;
+    const stanford_real t3 = t2 - s5*lam4_12 - c5*lam4_32;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam5_32 = t2 + t3;
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam4_22 = ww5_xx + neg_w5_y*neg_w5_y;
+    /* link 4: force through the joint [N] */
+    const stanford_real f4_y = 0.005832*(neg_lam4_22 + 19.703703703703702*neg_lam5_32);
+    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam4_13 = s4*neg_lam2_32 - ww2_xy*c4;
+    /* link 5: angular acceleration [rad/s^2] */
+    const stanford_real alpha5_z = lam4_13 + neg_w4_x*w4_z;
+    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real lam5_12 = ww5_xy - alpha5_z;
+    /* link 4: force that moves the link [N] */
+    const stanford_real fc4_x = -0.005832*lam4_12;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_real neg_h5_y = 0.114912*c5;
+    const stanford_real h5_x = 0.114912*s5;
+    /* link 4: force through the joint [N] */
+    const stanford_real neg_f4_x = lam5_12*neg_h5_y + (neg_lam5_22*h5_x - fc4_x);
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam2_33 = qd[0]*qd[0];
+    const stanford_real t4 = 2.0*qd[2];
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a3_y = neg_w2_x*t4 + neg_lam2_32*q[2] - 0.1524*neg_lam2_33;
+    /* link 3: force that moves the link [N] */
+    const stanford_real fc3_y = 6.47*(a3_y + 0.8439069551777434*neg_ww2_yz);
+    /* link 3: force through the joint [N] */
+    const stanford_real f3_y = c4*f4_y + (fc3_y - s4*neg_f4_x);
+    const stanford_real t5 = ww4_zz - w4_y*w4_y;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_real neg_lam2_22 = neg_lam4_22 - t5;
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a3_z = neg_a2_y - q[2]*neg_lam2_22;
+    /* link 4: force that moves the link [N] */
+    const stanford_real fc4_z = -0.005832*lam4_32;
+    /* link 3: force through the joint [N] */
+    const stanford_real f3_z = 6.47*a3_z + lam5_12*h5_x - (2.730039*neg_lam2_22 +
+        neg_lam5_22*neg_h5_y - fc4_z);
+    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a3_x = neg_a2_x - (qd[1]*t4 - ww2_xy*q[2]);
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real a4_y = c4*a3_y + s4*neg_a3_x;
+    /* link 5: angular acceleration [rad/s^2] */
+    const stanford_real alpha5_y = neg_ww5_zx + (c5*lam4_12 - s5*lam4_32);
+    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
+    const stanford_real n06_z = -0.0003*alpha5_y;
+    const stanford_real t6 = n06_x - (0.0289028216*t2 + 0.114912*a4_y + 0.0313658072*t3);
+    const stanford_real t7 = 0.0010314928*neg_ww5_zx - 0.0017314928*alpha5_y;
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n4_x = 5.36544e-05*t5 - (0.005832*a3_z - c5*t6) + s5*t7;
+    /* link 4: moment that turns the link [N m] */
+    const stanford_real nc4_y = 5.36544e-05*lam4_12;
+    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
+    const stanford_real neg_a4_x = c4*neg_a3_x - s4*a3_y;
+    /* link 5: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n5_z = n06_y - neg_h5_y*neg_a4_x - (h5_x*a3_z + 0.0299343144*(lam5_12 -
+        0.013362590993565565*alpha5_z));
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n4_y = nc4_y + n5_z;
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_real neg_n2_x = q[2]*f3_y - nc2_x + (2.730039*(a3_y - 0.055823378347342294*f3_z)
+        - c4*n4_x + s4*n4_y);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const stanford_real neg_n4_z = 5.36544e-05*lam4_13 + 0.005832*neg_a4_x - c5*t7 + s5*t6;
+    /* link 2: moment that turns the link [N m] */
+    const stanford_real nc2_y = 0.016*neg_ww2_zx;
+    /* link 3: force through the joint [N] */
+    const stanford_real neg_f3_x = 2.730039*ww2_xy + (s4*f4_y + (c4*neg_f4_x + 6.47*neg_a3_x));
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_real n2_y = neg_n4_z + (nc2_y - 0.1524*neg_f3_x);
+    /* link 1: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau1 = s2*neg_n2_x - c2*n2_y;
+    /* link 3: moment that turns the link [N m] */
+    const stanford_real nc3_y = -2.730039*neg_a3_x;
+    /* link 2: joint torque [N m], at a prismatic joint force [N] */
+    const stanford_real tau2 = s4*n4_x + c4*n4_y - (4.2795532937*ww2_xy + q[2]*neg_f3_x - nc3_y);
     /* link 5: moment for a unit acceleration of a joint further out */
     const stanford_real nu5_x = 0.0003*s5;
-    const stanford_real nu5_y = -0.0003*c5;
+    const stanford_real neg_nu5_y = 0.0003*c5;
     /* link 4: moment for a unit acceleration of a joint further out */
     const stanford_real nu4_x = c4*nu5_x;
     const stanford_real nu4_y = s4*nu5_x;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real nu2_y = s2*nu4_x + c2*nu5_y;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h5_x = 0.114912*s5;
-    const stanford_real neg_h5_y = 0.114912*c5;
-    const stanford_real t1 = 0.0296343144*(c5*c5);
+    const stanford_real neg_nu2_y = c2*neg_nu5_y - s2*nu4_x;
+    const stanford_real t8 = 0.0296343144*(c5*c5);
     /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_real k5_xx = 0.0299843144 - t1;
-    const stanford_real k5_yy = t1 + 0.00035;
-    const stanford_real k5_xy = -0.0296343144*(c5*s5);
+    const stanford_real neg_k5_xx = t8 - 0.0299843144;
+    const stanford_real k5_yy = t8 + 0.00035;
+    const stanford_real neg_k5_xy = 0.0296343144*(c5*s5);
     /* link 4: force for a unit acceleration of a joint further out */
     const stanford_real fu4_x = c4*neg_h5_y;
     const stanford_real fu4_y = s4*neg_h5_y;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu4_x = 0.0303343144*s4;
+    const stanford_real nu4_x_2 = -0.0303343144*s4;
     const stanford_real nu4_y_2 = 0.0303343144*c4;
     /* link 2: mass matrix, its row of this joint */
     const stanford_real m2_5 = nu4_y_2 + q[2]*fu4_x;
     /* link 2: force for a unit acceleration of a joint further out */
     const stanford_real fu2_x = c2*fu4_x - s2*h5_x;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_y = s2*(neg_nu4_x + q[2]*fu4_y);
+    const stanford_real neg_nu2_y_2 = s2*(q[2]*fu4_y - nu4_x_2);
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_5 = neg_nu2_y - 0.1524*fu2_x;
+    const stanford_real m1_5 = neg_nu2_y_2 - 0.1524*fu2_x;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real nu3_z = 0.0313658072 - t1;
+    const stanford_real neg_nu3_z = t8 - 0.0313658072;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_real h4_x = c4*h5_x + 0.005832*s4;
     const stanford_real neg_h4_y = 0.005832*c4 - s4*h5_x;
-    const stanford_real t2 = t1 - 0.0286028216;
-    const stanford_real t3 = c4*c4*t2;
+    const stanford_real t9 = t8 - 0.0286028216;
+    const stanford_real t10 = c4*c4*t9;
     /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_real k4_xx = 0.0013814928 - t3;
-    const stanford_real k4_yy = k5_xx + t3;
-    const stanford_real k4_xy = t2*(-c4*s4);
-    const stanford_real k4_xz = -5.36544e-05*s4 - c4*k5_xy;
-    const stanford_real k4_yz = 5.36544e-05*c4 - s4*k5_xy;
+    const stanford_real neg_k4_yy = neg_k5_xx - t10;
+    const stanford_real neg_k4_xy = t9*(c4*s4);
+    const stanford_real neg_k4_xz = 5.36544e-05*s4 - c4*neg_k5_xy;
+    const stanford_real k4_yz = 5.36544e-05*c4 + s4*neg_k5_xy;
     /* link 4: mass matrix, its row of this joint */
-    const stanford_real m4_4 = 0.1373658072 - t1;
+    const stanford_real m4_4 = 0.1373658072 - t8;
     /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_4 = q[2]*neg_h4_y - k4_yz;
+    const stanford_real neg_m2_4 = k4_yz - q[2]*neg_h4_y;
     /* link 2: force for a unit acceleration of a joint further out */
     const stanford_real fu2_x_2 = c2*neg_h4_y;
-    const stanford_real t4 = k4_xz + q[2]*h4_x;
+    const stanford_real t11 = neg_k4_xz - q[2]*h4_x;
     /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_y_2 = s2*t4 + c2*nu3_z;
+    const stanford_real nu2_y = s2*t11 + c2*neg_nu3_z;
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_4 = neg_nu2_y_2 - 0.1524*fu2_x_2;
-    const stanford_real t5 = k5_yy - k4_yy;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const stanford_real k3_zz = k4_yy + t5;
+    const stanford_real neg_m1_4 = nu2_y + 0.1524*fu2_x_2;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_real h3_z = neg_h5_y + 2.730039;
-    const stanford_real t6 = k5_yy - t5;
-    const stanford_real t7 = t6 - k4_xx;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const stanford_real k3_xx = t6 - t7;
-    const stanford_real k3_yy = k4_xx + t7;
     /* link 1: mass matrix, its row of this joint */
     const stanford_real m1_3 = s2*(neg_h4_y - 0.986028);
-    const stanford_real t8 = 6.47*q[2];
+    const stanford_real t12 = 6.47*q[2];
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h2_y = s2*h4_x - c2*(h3_z + t8);
-    const stanford_real t9 = k3_zz + q[2]*(t8 + 2.0*h3_z);
+    const stanford_real h2_y = s2*h4_x - c2*(h3_z + t12);
+    const stanford_real t13 = k5_yy + q[2]*(t12 + 2.0*h3_z);
     /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_real k2_xx = t9 + 4.2875532937 + (c2*c2*(k3_xx - t9 - 4.2795532937) +
-        t4*(2.0*(c2*s2)));
-    const stanford_real k2_yz = s2*k4_xy + c2*m2_4;
+    const stanford_real k2_xx = t13 + 4.2875532937 - (c2*c2*(t10 + t13 + 4.2781718009) +
+        t11*(2.0*(s2*c2)));
+    const stanford_real neg_k2_yz = s2*neg_k4_xy + c2*neg_m2_4;
     /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_2 = k3_xx + t9 + 6.4885532937;
+    const stanford_real m2_2 = 6.4899347865 - (t10 - t13);
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_2 = k2_yz + 0.1524*h2_y;
-    const stanford_real m1_1 = k2_xx + (k3_yy + 0.1524*(0.986028 - 2.0*neg_h4_y)) + 1.4431532925;
-    /* link 1: products of the angular velocity [1/s^2] */
-    const stanford_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a2_z = -0.1524*ww1_zz;
-    const stanford_real t10 = -qd[0];
-    /* link 2: angular velocity [rad/s] */
-    const stanford_real w2_x = t10*s2;
-    const stanford_real w2_y = t10*c2;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real neg_a2_x = 9.8*s2;
-    const stanford_real neg_a2_y = 9.8*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const stanford_real alpha2_x = qd[1]*w2_y;
-    const stanford_real neg_alpha2_y = qd[1]*w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_real ww2_xy = w2_x*w2_y;
-    const stanford_real ww2_xx = w2_x*w2_x;
-    const stanford_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam2_22 = -ww2_xx - ww2_zz;
-    const stanford_real lam2_32 = 2.0*alpha2_x;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a3_z = neg_a2_y + q[2]*lam2_22;
-    const stanford_real t11 = 2.0*qd[2];
-    const stanford_real a3_x = qd[1]*t11 - (neg_a2_x + q[2]*ww2_xy);
-    const stanford_real a3_y = a2_z - q[2]*lam2_32 - w2_x*t11;
-    /* link 4: angular velocity [rad/s] */
-    const stanford_real w4_x = c4*w2_x + qd[1]*s4;
-    const stanford_real w4_y = qd[1]*c4 - s4*w2_x;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a4_x = c4*a3_x + s4*a3_y;
-    const stanford_real a4_y = c4*a3_y - s4*a3_x;
-    /* link 4: angular acceleration [rad/s^2] */
-    const stanford_real alpha4_x = c4*alpha2_x + qd[3]*w4_y;
-    const stanford_real alpha4_y = -qd[3]*w4_x - s4*alpha2_x;
-    /* link 4: angular velocity [rad/s] */
-    const stanford_real w4_z = qd[3] - w2_y;
-    /* link 4: products of the angular velocity [1/s^2] */
-    const stanford_real ww4_yz = w4_y*w4_z;
-    const stanford_real ww4_zx = w4_x*w4_z;
-    const stanford_real ww4_xy = w4_x*w4_y;
-    const stanford_real ww4_xx = w4_x*w4_x;
-    const stanford_real ww4_yy = w4_y*w4_y;
-    const stanford_real ww4_zz = w4_z*w4_z;
-    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam4_12 = ww4_xy - neg_alpha2_y;
-    const stanford_real lam4_13 = alpha4_y + ww4_zx;
-    const stanford_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const stanford_real lam4_32 = alpha4_x + ww4_yz;
-    const stanford_real neg_lam4_33 = ww4_xx + ww4_yy;
-    /* link 5: angular velocity [rad/s] */
-    const stanford_real w5_x = c5*w4_x - s5*w4_z;
-    const stanford_real w5_y = -c5*w4_z - s5*w4_x;
-    /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_real a5_x = c5*a4_x - s5*a3_z;
-    /* link 5: angular acceleration [rad/s^2] */
-    const stanford_real alpha5_y = -s5*alpha4_x - c5*neg_alpha2_y - qd[4]*w5_x;
-    /* link 5: angular velocity [rad/s] */
-    const stanford_real w5_z = qd[4] + w4_y;
-    /* link 5: products of the angular velocity [1/s^2] */
-    const stanford_real ww5_zx = w5_x*w5_z;
-    const stanford_real ww5_xy = w5_x*w5_y;
-    const stanford_real ww5_xx = w5_x*w5_x;
-    const stanford_real ww5_zz = w5_z*w5_z;
-    /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_real lam5_12 = ww5_xy - alpha4_y;
-    const stanford_real lam5_21 = alpha4_y + ww5_xy;
-    const stanford_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const stanford_real lam5_31 = ww5_zx - alpha5_y;
-    const stanford_real lam5_32 = w5_y*(qd[4] + w5_z) - (s5*neg_alpha2_y - c5*alpha4_x);
-    /* link 6: angular velocity [rad/s] */
-    const stanford_real w6_x = c6*w5_x + s6*w5_z;
-    const stanford_real w6_y = c6*w5_z - s6*w5_x;
-    const stanford_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const stanford_real ww6_yz = w6_y*w6_z;
-    const stanford_real ww6_zx = w6_x*w6_z;
-    /* link 2: moment that turns the link [N m] */
-    const stanford_real nc2_x = 8.5751065874*alpha2_x;
-    const stanford_real nc2_y = -0.016*neg_alpha2_y;
-    const stanford_real neg_nc2_z = 4.2795532937*ww2_xy;
-    /* link 3: force that moves the link [N] */
-    const stanford_real fc3_x = 6.47*a3_x - 2.730039*ww2_xy;
-    const stanford_real fc3_y = 6.47*a3_y - 5.460078*alpha2_x;
-    const stanford_real fc3_z = 6.47*a3_z + 2.730039*lam2_22;
-    /* link 3: moment that turns the link [N m] */
-    const stanford_real neg_nc3_x = 2.730039*a3_y;
-    const stanford_real nc3_y = 2.730039*a3_x;
-    /* link 4: force that moves the link [N] */
-    const stanford_real neg_fc4_x = 0.005832*lam4_12;
-    const stanford_real fc4_y = 0.005832*neg_lam4_22;
-    const stanford_real fc4_z = -0.005832*lam4_32;
-    /* link 4: moment that turns the link [N m] */
-    const stanford_real nc4_y = 5.36544e-05*lam4_12;
-    const stanford_real neg_nc4_x = -0.0012314928*lam4_32 - 5.36544e-05*(neg_lam4_22 - neg_lam4_33)
-        + 0.005832*a3_z;
-    const stanford_real nc4_z = 0.005832*a4_x - (0.0012314928*lam4_12 + 5.36544e-05*lam4_13);
-    /* link 5: force that moves the link [N] */
-    const stanford_real fc5_x = -0.114912*lam5_12;
-    const stanford_real fc5_y = 0.114912*neg_lam5_22;
-    const stanford_real neg_fc5_z = 0.114912*lam5_32;
-    /* link 5: moment that turns the link [N m] */
-    const stanford_real neg_nc5_y = 0.0002*lam5_31;
-    const stanford_real nc5_x = 0.0301343144*lam5_32 - 0.114912*a4_y;
-    const stanford_real nc5_z = 0.0002*lam5_21 - 0.0301343144*lam5_12 + 0.114912*a5_x;
-    /* link 6: moment that turns the link [N m] */
-    const stanford_real nc6_x = 0.0003*ww6_yz;
-    const stanford_real nc6_y = -0.0003*ww6_zx;
-    const stanford_real neg_nc6_z = 0.0003*alpha5_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n06_x = c6*nc6_x - s6*nc6_y;
-    const stanford_real n06_y = s6*nc6_x + c6*nc6_y;
-    /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n5_x = nc5_x + n06_x;
-    const stanford_real n5_y = neg_nc6_z - neg_nc5_y;
-    const stanford_real n5_z = nc5_z + n06_y;
-    /* link 5: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f05_x = c5*fc5_x - s5*fc5_y;
-    const stanford_real f05_y = s5*fc5_x + c5*fc5_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n05_x = c5*n5_x - s5*n5_y;
-    const stanford_real n05_y = s5*n5_x + c5*n5_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n4_x = n05_x - neg_nc4_x;
-    const stanford_real n4_y = nc4_y + n5_z;
-    const stanford_real n4_z = nc4_z - n05_y;
-    /* link 4: force through the joint [N] */
-    const stanford_real f4_x = f05_x - neg_fc4_x;
-    const stanford_real f4_y = fc4_y - neg_fc5_z;
-    const stanford_real f4_z = fc4_z - f05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real f04_x = c4*f4_x - s4*f4_y;
-    const stanford_real f04_y = s4*f4_x + c4*f4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n04_x = c4*n4_x - s4*n4_y;
-    const stanford_real n04_y = s4*n4_x + c4*n4_y;
-    /* link 3: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n3_x = n04_x - neg_nc3_x;
-    const stanford_real n3_y = nc3_y + n04_y;
-    /* link 3: force through the joint [N] */
-    const stanford_real f3_x = fc3_x + f04_x;
-    const stanford_real f3_y = fc3_y + f04_y;
-    const stanford_real f3_z = fc3_z + f4_z;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n2_x = n3_x + (nc2_x - q[2]*f3_y);
-    const stanford_real n2_y = nc2_y - n4_z;
-    const stanford_real n2_z = n3_y + (q[2]*f3_x - neg_nc2_z);
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_real neg_f02_x = -s2*f3_z - c2*f3_x;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_real n02_y = s2*n2_x + c2*n2_y;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_real n1_z = 0.1524*neg_f02_x - n02_y;
+    const stanford_real neg_m1_2 = neg_k2_yz - 0.1524*h2_y;
+    const stanford_real m1_1 = k2_xx - (neg_k4_yy - 0.1524*(0.986028 - 2.0*neg_h4_y)) +
+        1.4431532925;
     /* link 1: forward substitution */
-    const stanford_real y1 = tau[0] - n1_z;
+    const stanford_real neg_y1 = tau1 - tau[0];
     /* factorisation M = L D L^T */
     const stanford_real ipivot1 = 1.0 / m1_1;
-    const stanford_real l2_1 = m1_2*ipivot1;
+    const stanford_real neg_l2_1 = neg_m1_2*ipivot1;
     const stanford_real l3_1 = m1_3*ipivot1;
-    const stanford_real l4_1 = m1_4*ipivot1;
+    const stanford_real neg_l4_1 = neg_m1_4*ipivot1;
     const stanford_real l5_1 = m1_5*ipivot1;
-    const stanford_real l6_1 = -nu2_y*ipivot1;
-    const stanford_real pivot2 = m2_2 - m1_2*l2_1;
-    const stanford_real ipivot2 = 1.0 / pivot2;
-    const stanford_real ld3_2 = -h4_x - m1_2*l3_1;
-    const stanford_real l3_2 = ipivot2*ld3_2;
-    const stanford_real ld4_2 = m2_4 - m1_2*l4_1;
-    const stanford_real l4_2 = ipivot2*ld4_2;
-    const stanford_real ld5_2 = m2_5 - m1_2*l5_1;
-    const stanford_real l5_2 = ipivot2*ld5_2;
-    const stanford_real ld6_2 = nu4_y - m1_2*l6_1;
-    const stanford_real l6_2 = ipivot2*ld6_2;
-    const stanford_real pivot3 = 7.252 - m1_3*l3_1 - ld3_2*l3_2;
-    const stanford_real ipivot3 = 1.0 / pivot3;
-    const stanford_real t12 = -ld3_2;
-    const stanford_real ld4_3 = t12*l4_2 - m1_3*l4_1;
-    const stanford_real l4_3 = ipivot3*ld4_3;
-    const stanford_real ld5_3 = -m1_3*l5_1 - h5_x - ld3_2*l5_2;
-    const stanford_real l5_3 = ipivot3*ld5_3;
-    const stanford_real ld6_3 = t12*l6_2 - m1_3*l6_1;
-    const stanford_real l6_3 = ipivot3*ld6_3;
-    const stanford_real pivot4 = -ld4_3*l4_3 - (ld4_2*l4_2 - (m4_4 - m1_4*l4_1));
-    const stanford_real ipivot4 = 1.0 / pivot4;
-    const stanford_real t13 = -ld4_2;
-    const stanford_real ld5_4 = t13*l5_2 - m1_4*l5_1 - ld4_3*l5_3;
-    const stanford_real l5_4 = ipivot4*ld5_4;
-    const stanford_real ld6_4 = t13*l6_2 - (nu5_y + m1_4*l6_1) - ld4_3*l6_3;
-    const stanford_real l6_4 = ipivot4*ld6_4;
-    const stanford_real pivot5 = 0.1273343144 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
-    const stanford_real ipivot5 = 1.0 / pivot5;
-    const stanford_real ld6_5 = -(m1_5*l6_1 + ld5_2*l6_2 + ld5_3*l6_3) - ld5_4*l6_4;
-    const stanford_real l6_5 = ipivot5*ld6_5;
-    const stanford_real pivot6 = nu2_y*l6_1 + 0.0203 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 -
-        ld6_5*l6_5;
-    const stanford_real ipivot6 = 1.0 / pivot6;
+    const stanford_real l6_1 = neg_nu2_y*ipivot1;
+    const stanford_real neg_pivot2 = neg_m1_2*neg_l2_1 - m2_2;
+    const stanford_real neg_ipivot2 = 1.0 / neg_pivot2;
+    const stanford_real neg_ld3_2 = h4_x - neg_m1_2*l3_1;
+    const stanford_real l3_2 = neg_ipivot2*neg_ld3_2;
+    const stanford_real neg_ld4_2 = neg_m2_4 + neg_m1_2*neg_l4_1;
+    const stanford_real l4_2 = neg_ipivot2*neg_ld4_2;
+    const stanford_real ld5_2 = m2_5 + neg_m1_2*l5_1;
+    const stanford_real neg_l5_2 = neg_ipivot2*ld5_2;
+    const stanford_real ld6_2 = nu4_y + neg_m1_2*l6_1;
+    const stanford_real neg_l6_2 = neg_ipivot2*ld6_2;
+    const stanford_real neg_pivot3 = m1_3*l3_1 - 7.252 - neg_ld3_2*l3_2;
+    const stanford_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const stanford_real ld4_3 = m1_3*neg_l4_1 + neg_ld3_2*l4_2;
+    const stanford_real neg_l4_3 = neg_ipivot3*ld4_3;
+    const stanford_real neg_ld5_3 = h5_x + m1_3*l5_1 + neg_ld3_2*neg_l5_2;
+    const stanford_real l5_3 = neg_ipivot3*neg_ld5_3;
+    const stanford_real neg_ld6_3 = m1_3*l6_1 + neg_ld3_2*neg_l6_2;
+    const stanford_real l6_3 = neg_ipivot3*neg_ld6_3;
+    const stanford_real neg_pivot4 = neg_m1_4*neg_l4_1 - m4_4 - neg_ld4_2*l4_2 - ld4_3*neg_l4_3;
+    const stanford_real neg_ipivot4 = 1.0 / neg_pivot4;
+    const stanford_real ld5_4 = neg_m1_4*l5_1 - neg_ld4_2*neg_l5_2 - ld4_3*l5_3;
+    const stanford_real neg_l5_4 = neg_ipivot4*ld5_4;
+    const stanford_real ld6_4 = neg_nu5_y + neg_m1_4*l6_1 - neg_ld4_2*neg_l6_2 - ld4_3*l6_3;
+    const stanford_real neg_l6_4 = neg_ipivot4*ld6_4;
+    const stanford_real neg_pivot5 = m1_5*l5_1 - 0.1273343144 - ld5_2*neg_l5_2 - neg_ld5_3*l5_3 -
+        ld5_4*neg_l5_4;
+    const stanford_real neg_ipivot5 = 1.0 / neg_pivot5;
+    const stanford_real neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 - neg_ld5_3*l6_3 - ld5_4*neg_l6_4;
+    const stanford_real l6_5 = neg_ipivot5*neg_ld6_5;
+    const stanford_real neg_pivot6 = neg_nu2_y*l6_1 - 0.0203 - ld6_2*neg_l6_2 - neg_ld6_3*l6_3 -
+        ld6_4*neg_l6_4 - neg_ld6_5*l6_5;
+    const stanford_real neg_ipivot6 = 1.0 / neg_pivot6;
     /* link 2: forward substitution */
-    const stanford_real y2 = tau[1] - n2_z - y1*l2_1;
+    const stanford_real neg_y2 = tau2 - tau[1] + neg_y1*neg_l2_1;
     /* link 3: forward substitution */
-    const stanford_real y3 = tau[2] - f3_z - y1*l3_1 - l3_2*y2;
+    const stanford_real neg_y3 = f3_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
-    const stanford_real y4 = tau[3] - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3;
+    const stanford_real y4 = neg_n4_z + tau[3] - neg_y1*neg_l4_1 + l4_2*neg_y2 - neg_l4_3*neg_y3;
     /* link 5: forward substitution */
-    const stanford_real y5 = tau[4] - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4;
+    const stanford_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 -
+        neg_l5_4*y4;
     /* link 6: forward substitution */
-    const stanford_real y6 = tau[5] + neg_nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
+    const stanford_real y6 = tau[5] - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 +
+        neg_l6_4*y4 + l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd6 = ipivot6*y6;
+    const stanford_real neg_qdd6 = neg_ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd5 = ipivot5*y5 - l6_5*qdd6;
+    const stanford_real qdd5 = neg_ipivot5*neg_y5 + l6_5*neg_qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6;
+    const stanford_real neg_qdd4 = neg_ipivot4*y4 - neg_l5_4*qdd5 + neg_l6_4*neg_qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6;
+    const stanford_real qdd3 = neg_ipivot3*neg_y3 - neg_l4_3*neg_qdd4 - l5_3*qdd5 + l6_3*neg_qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6;
+    const stanford_real qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 + l4_2*neg_qdd4 + neg_l5_2*qdd5 -
+        neg_l6_2*neg_qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd1 = -l6_1*qdd6 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 +
-        l5_1*qdd5);
+    const stanford_real qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 +
+        neg_l4_1*neg_qdd4 + l5_1*qdd5);
+    const stanford_real t14 = -neg_qdd4;
+    const stanford_real t15 = -neg_qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;
-    qdd[3] = qdd4;
+    qdd[3] = t14;
     qdd[4] = qdd5;
-    qdd[5] = qdd6;
+    qdd[5] = t15;
 }

@@ -15,13 +15,15 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 5.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 42 multiplications, 27 additions = 69; 0 unary minus; 2 sine/cosine
- *   gravity: 7 multiplications, 2 additions = 9; 0 unary minus; 2 sine/cosine
- *   bias: 36 multiplications, 16 additions = 52; 0 unary minus; 2 sine/cosine
+ *   inverse_dynamics: 30 multiplications, 16 additions = 46; 0 unary minus; 2 sine/cosine
+ *   gravity: 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine
+ *   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 59 multiplications, 35 additions, 3 divisions = 97; 3 unary minus; 2
+ *   forward_dynamics: 46 multiplications, 28 additions, 3 divisions = 77; 0 unary minus; 2
  *       sine/cosine
  */
 #include "stanford_3dof_d3.h"
@@ -29,7 +31,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 42 multiplications, 27 additions = 69; 0 unary minus; 2 sine/cosine */
+ * 30 multiplications, 16 additions = 46; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_inverse_dynamics(
     const stanford_3dof_d3_real q[3],
     const stanford_3dof_d3_real qd[3],
@@ -42,67 +44,36 @@ void stanford_3dof_d3_inverse_dynamics(
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real c2 = cos(q[1]);
     const stanford_3dof_d3_real s2 = sin(again[1]);
-    /* link 1: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real neg_a2_z = 0.1524*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const stanford_3dof_d3_real neg_w2_x = qd[0]*s2;
-    const stanford_3dof_d3_real neg_w2_y = qd[0]*c2;
-    const stanford_3dof_d3_real t1 = 0.1524*qdd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real neg_a2_x = c2*t1 + 9.8*s2;
-    const stanford_3dof_d3_real a2_y = s2*t1 - 9.8*c2;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real neg_ww2_yz = qd[1]*neg_w2_y;
-    const stanford_3dof_d3_real neg_ww2_zx = qd[1]*neg_w2_x;
-    /* link 2: angular acceleration [rad/s^2] */
-    const stanford_3dof_d3_real neg_alpha2_x = qdd[0]*s2 + neg_ww2_yz;
-    const stanford_3dof_d3_real neg_alpha2_y = qdd[0]*c2 - neg_ww2_zx;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww2_xy = neg_w2_x*neg_w2_y;
-    const stanford_3dof_d3_real ww2_xx = neg_w2_x*neg_w2_x;
-    const stanford_3dof_d3_real ww2_zz = qd[1]*qd[1];
+    const stanford_3dof_d3_real neg_w2_x = s2*qd[0];
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_3dof_d3_real neg_lam2_12 = qdd[1] - ww2_xy;
-    const stanford_3dof_d3_real lam2_21 = qdd[1] + ww2_xy;
-    const stanford_3dof_d3_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const stanford_3dof_d3_real lam2_31 = neg_alpha2_y - neg_ww2_zx;
-    const stanford_3dof_d3_real neg_lam2_32 = neg_ww2_yz + neg_alpha2_x;
-    const stanford_3dof_d3_real t2 = 2.0*qd[2];
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real neg_a3_x = neg_a2_x - q[2]*neg_lam2_12 - qd[1]*t2;
-    const stanford_3dof_d3_real a3_y = neg_w2_x*t2 - (neg_a2_z - q[2]*neg_lam2_32);
-    const stanford_3dof_d3_real a3_z = qdd[2] - (a2_y + q[2]*neg_lam2_22);
-    /* link 1: moment that turns the link [N m] */
-    const stanford_3dof_d3_real nc1_z = 0.3436532925*qdd[0];
-    /* link 2: moment that turns the link [N m] */
-    const stanford_3dof_d3_real neg_nc2_x = 6.3086784423*neg_lam2_32;
-    const stanford_3dof_d3_real nc2_y = -1.1015*lam2_31;
-    const stanford_3dof_d3_real nc2_z = 1.1015*lam2_21 + 6.3086784423*neg_lam2_12;
-    /* link 3: force that moves the link [N] */
-    const stanford_3dof_d3_real neg_fc3_x = 6.47*neg_a3_x + 4.171209*neg_lam2_12;
-    const stanford_3dof_d3_real neg_fc3_y = 4.171209*neg_lam2_32 - 6.47*a3_y;
-    const stanford_3dof_d3_real fc3_z = 6.47*a3_z + 4.171209*neg_lam2_22;
-    /* link 3: moment that turns the link [N m] */
-    const stanford_3dof_d3_real nc3_x = 4.171209*a3_y;
-    const stanford_3dof_d3_real nc3_y = 4.171209*neg_a3_x;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real neg_n2_x = neg_nc2_x - q[2]*neg_fc3_y - nc3_x;
-    const stanford_3dof_d3_real n2_z = nc3_y + (nc2_z - q[2]*neg_fc3_x);
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_3dof_d3_real f02_x = s2*fc3_z - c2*neg_fc3_x;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_3dof_d3_real n02_y = c2*nc2_y - s2*neg_n2_x;
+    const stanford_3dof_d3_real lam2_23 = s2*qdd[0];
+    const stanford_3dof_d3_real t1 = 6.561679790026247*(q[2] - 0.6447);
+    const stanford_3dof_d3_real t2 = t1*t1 + 16.756430559057236;
+    const stanford_3dof_d3_real t3 = c2*(t2*neg_w2_x);
+    const stanford_3dof_d3_real t4 = 13.123359580052494*qd[2];
+    const stanford_3dof_d3_real t5 = t1*qdd[1] + qd[1]*t4;
+    const stanford_3dof_d3_real t6 = 6.561679790026247*qdd[2] - qd[1]*(t1*qd[1]);
+    const stanford_3dof_d3_real t7 = t1*neg_w2_x;
+    const stanford_3dof_d3_real t8 = 5.308500951741299*qdd[0] + t3*qd[1] - 0.5*(c2*t5 + s2*(t6 -
+        (t4*t7 + t2*lam2_23)));
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = nc1_z - 0.1524*f02_x - n02_y;
+    const stanford_3dof_d3_real n1_z = 0.3005413344*t8;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const stanford_3dof_d3_real neg_lam2_13 = c2*qdd[0];
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_3dof_d3_real n2_z = 4.721*(qdd[1] + 0.03183026206312222*(t1*(t5 - (neg_lam2_13 +
+        64.30446194225722*s2)) - qd[0]*t3));
+    /* link 3: force that moves the link [N] */
+    const stanford_3dof_d3_real fc3_z = 0.986028*(t6 - neg_w2_x*t7 - (lam2_23 -
+        64.30446194225722*c2));
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
 }
 
 /* torques that hold the arm at rest
- * 7 multiplications, 2 additions = 9; 0 unary minus; 2 sine/cosine */
+ * 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_gravity(const stanford_3dof_d3_real q[3], stanford_3dof_d3_real tau[3])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -110,25 +81,23 @@ void stanford_3dof_d3_gravity(const stanford_3dof_d3_real q[3], stanford_3dof_d3
     const volatile stanford_3dof_d3_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real c2 = cos(q[1]);
+    /* link 3: force that moves the link [N] */
+    const stanford_3dof_d3_real fc3_z = 63.406*c2;
+    /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real s2 = sin(again[1]);
     /* link 3: force that moves the link [N] */
-    const stanford_3dof_d3_real neg_fc3_x = 63.406*s2;
-    const stanford_3dof_d3_real fc3_z = 63.406*c2;
+    const stanford_3dof_d3_real fc3_x = -63.406*s2;
     /* link 3: moment that turns the link [N m] */
     const stanford_3dof_d3_real nc3_y = 40.8778482*s2;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n2_z = nc3_y - q[2]*neg_fc3_x;
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_3dof_d3_real f02_x = s2*fc3_z - c2*neg_fc3_x;
-    /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = -0.1524*f02_x;
-    tau[0] = n1_z;
+    const stanford_3dof_d3_real n2_z = nc3_y + fc3_x*q[2];
+    tau[0] = 0.0;
     tau[1] = n2_z;
     tau[2] = fc3_z;
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 36 multiplications, 16 additions = 52; 0 unary minus; 2 sine/cosine */
+ * 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_bias(
     const stanford_3dof_d3_real q[3],
     const stanford_3dof_d3_real qd[3],
@@ -140,51 +109,20 @@ void stanford_3dof_d3_bias(
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real c2 = cos(q[1]);
     const stanford_3dof_d3_real s2 = sin(again[1]);
-    /* link 1: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real neg_a2_z = 0.1524*ww1_zz;
     /* link 2: angular velocity [rad/s] */
-    const stanford_3dof_d3_real neg_w2_x = qd[0]*s2;
-    const stanford_3dof_d3_real neg_w2_y = qd[0]*c2;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_x = -9.8*s2;
-    const stanford_3dof_d3_real neg_a2_y = 9.8*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const stanford_3dof_d3_real neg_alpha2_x = qd[1]*neg_w2_y;
-    const stanford_3dof_d3_real alpha2_y = qd[1]*neg_w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww2_xy = neg_w2_x*neg_w2_y;
-    const stanford_3dof_d3_real ww2_xx = neg_w2_x*neg_w2_x;
-    const stanford_3dof_d3_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_3dof_d3_real neg_lam2_22 = ww2_xx + ww2_zz;
-    const stanford_3dof_d3_real neg_lam2_32 = 2.0*neg_alpha2_x;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a3_z = neg_a2_y - q[2]*neg_lam2_22;
-    const stanford_3dof_d3_real t1 = 2.0*qd[2];
-    const stanford_3dof_d3_real neg_a3_x = q[2]*ww2_xy - a2_x - qd[1]*t1;
-    const stanford_3dof_d3_real a3_y = neg_w2_x*t1 - (neg_a2_z - q[2]*neg_lam2_32);
-    /* link 2: moment that turns the link [N m] */
-    const stanford_3dof_d3_real neg_nc2_x = 12.6173568846*neg_alpha2_x;
-    const stanford_3dof_d3_real nc2_y = 2.203*alpha2_y;
-    const stanford_3dof_d3_real nc2_z = -5.2071784423*ww2_xy;
-    /* link 3: force that moves the link [N] */
-    const stanford_3dof_d3_real neg_fc3_x = 6.47*neg_a3_x - 4.171209*ww2_xy;
-    const stanford_3dof_d3_real neg_fc3_y = 8.342418*neg_alpha2_x - 6.47*a3_y;
-    const stanford_3dof_d3_real fc3_z = 6.47*a3_z + 4.171209*neg_lam2_22;
-    /* link 3: moment that turns the link [N m] */
-    const stanford_3dof_d3_real nc3_x = 4.171209*a3_y;
-    const stanford_3dof_d3_real nc3_y = 4.171209*neg_a3_x;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real neg_n2_x = neg_nc2_x - q[2]*neg_fc3_y - nc3_x;
-    const stanford_3dof_d3_real n2_z = nc3_y - (q[2]*neg_fc3_x - nc2_z);
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_3dof_d3_real f02_x = s2*fc3_z - c2*neg_fc3_x;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_3dof_d3_real n02_y = c2*nc2_y - s2*neg_n2_x;
+    const stanford_3dof_d3_real neg_w2_x = s2*qd[0];
+    const stanford_3dof_d3_real t1 = 6.561679790026247*(q[2] - 0.6447);
+    const stanford_3dof_d3_real t2 = c2*((t1*t1 + 16.756430559057236)*neg_w2_x);
+    const stanford_3dof_d3_real t3 = 13.123359580052494*qd[2];
+    const stanford_3dof_d3_real t4 = qd[1]*t3;
+    const stanford_3dof_d3_real t5 = qd[1]*(t1*qd[1]);
+    const stanford_3dof_d3_real t6 = t1*neg_w2_x;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = -0.1524*f02_x - n02_y;
+    const stanford_3dof_d3_real n1_z = 0.3005413344*(t2*qd[1] - 0.5*(c2*t4 - s2*(t5 + t3*t6)));
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_3dof_d3_real n2_z = 0.1502706672*(t1*(t4 - 64.30446194225722*s2) - qd[0]*t2);
+    /* link 3: force that moves the link [N] */
+    const stanford_3dof_d3_real fc3_z = 0.986028*(64.30446194225722*c2 - (t5 + neg_w2_x*t6));
     tau[0] = n1_z;
     tau[1] = n2_z;
     tau[2] = fc3_z;
@@ -225,7 +163,7 @@ void stanford_3dof_d3_mass_matrix(const stanford_3dof_d3_real q[3], stanford_3do
 }
 
 /* accelerations that the torques tau give
- * 59 multiplications, 35 additions, 3 divisions = 97; 3 unary minus; 2 sine/cosine */
+ * 46 multiplications, 28 additions, 3 divisions = 77; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real q[3],
     const stanford_3dof_d3_real qd[3],
@@ -238,87 +176,55 @@ void stanford_3dof_d3_forward_dynamics(
     /* sines and cosines of the joint angles */
     const stanford_3dof_d3_real c2 = cos(q[1]);
     const stanford_3dof_d3_real s2 = sin(again[1]);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_3dof_d3_real m1_3 = -0.986028*s2;
-    const stanford_3dof_d3_real t1 = 6.47*q[2];
-    const stanford_3dof_d3_real t2 = q[2]*(t1 - 8.342418);
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_3dof_d3_real m2_2 = t2 + 7.4101784423;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_3dof_d3_real neg_h2_y = c2*(t1 - 4.171209);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_3dof_d3_real k2_xx = t2 + 6.3086784423 - c2*c2*(t2 + 5.2071784423);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_3dof_d3_real m1_2 = -0.1524*neg_h2_y;
-    const stanford_3dof_d3_real m1_1 = k2_xx + 0.4939239597;
-    /* link 1: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a2_z = -0.1524*ww1_zz;
-    const stanford_3dof_d3_real t3 = -qd[0];
     /* link 2: angular velocity [rad/s] */
-    const stanford_3dof_d3_real w2_x = t3*s2;
-    const stanford_3dof_d3_real w2_y = t3*c2;
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real neg_a2_x = 9.8*s2;
-    const stanford_3dof_d3_real neg_a2_y = 9.8*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const stanford_3dof_d3_real alpha2_x = qd[1]*w2_y;
-    const stanford_3dof_d3_real neg_alpha2_y = qd[1]*w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const stanford_3dof_d3_real ww2_xy = w2_x*w2_y;
-    const stanford_3dof_d3_real ww2_xx = w2_x*w2_x;
-    const stanford_3dof_d3_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_3dof_d3_real lam2_22 = -ww2_xx - ww2_zz;
-    const stanford_3dof_d3_real lam2_32 = 2.0*alpha2_x;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const stanford_3dof_d3_real a3_z = neg_a2_y + q[2]*lam2_22;
-    const stanford_3dof_d3_real t4 = 2.0*qd[2];
-    const stanford_3dof_d3_real a3_x = qd[1]*t4 - (neg_a2_x + q[2]*ww2_xy);
-    const stanford_3dof_d3_real neg_a3_y = w2_x*t4 - (a2_z - q[2]*lam2_32);
-    /* link 2: moment that turns the link [N m] */
-    const stanford_3dof_d3_real nc2_x = 12.6173568846*alpha2_x;
-    const stanford_3dof_d3_real nc2_y = -2.203*neg_alpha2_y;
-    const stanford_3dof_d3_real neg_nc2_z = 5.2071784423*ww2_xy;
-    /* link 3: force that moves the link [N] */
-    const stanford_3dof_d3_real fc3_x = 6.47*a3_x + 4.171209*ww2_xy;
-    const stanford_3dof_d3_real fc3_y = 8.342418*alpha2_x - 6.47*neg_a3_y;
-    const stanford_3dof_d3_real neg_fc3_z = 4.171209*lam2_22 - 6.47*a3_z;
-    /* link 3: moment that turns the link [N m] */
-    const stanford_3dof_d3_real neg_nc3_x = 4.171209*neg_a3_y;
-    const stanford_3dof_d3_real neg_nc3_y = 4.171209*a3_x;
-    /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n2_x = nc2_x - q[2]*fc3_y - neg_nc3_x;
-    const stanford_3dof_d3_real n2_z = q[2]*fc3_x - neg_nc2_z - neg_nc3_y;
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const stanford_3dof_d3_real neg_f02_x = s2*neg_fc3_z - c2*fc3_x;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const stanford_3dof_d3_real n02_y = s2*n2_x + c2*nc2_y;
+    const stanford_3dof_d3_real neg_w2_x = s2*qd[0];
+    const stanford_3dof_d3_real t1 = 6.561679790026247*(q[2] - 0.6447);
+    const stanford_3dof_d3_real t2 = c2*(neg_w2_x*(t1*t1 + 16.756430559057236));
+    const stanford_3dof_d3_real t3 = 13.123359580052494*qd[2];
+    const stanford_3dof_d3_real t4 = qd[1]*t3;
+    const stanford_3dof_d3_real t5 = qd[1]*(t1*qd[1]);
+    const stanford_3dof_d3_real t6 = neg_w2_x*t1;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_3dof_d3_real n1_z = 0.1524*neg_f02_x - n02_y;
+    const stanford_3dof_d3_real n1_z = 0.3005413344*(t2*qd[1] - 0.5*(c2*t4 - s2*(t5 + t3*t6)));
+    /* link 2: moment through the joint, about the frame's origin [N m] */
+    const stanford_3dof_d3_real n2_z = 0.1502706672*(t1*(t4 - 64.30446194225722*s2) - qd[0]*t2);
+    /* link 3: force that moves the link [N] */
+    const stanford_3dof_d3_real fc3_z = 0.986028*(64.30446194225722*c2 - (t5 + neg_w2_x*t6));
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_3dof_d3_real neg_m1_3 = 0.986028*s2;
+    const stanford_3dof_d3_real t7 = 6.47*q[2];
+    const stanford_3dof_d3_real t8 = q[2]*(t7 - 8.342418);
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_3dof_d3_real m2_2 = t8 + 7.4101784423;
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_3dof_d3_real neg_h2_y = c2*(t7 - 4.171209);
+    /* link 2: second moment of the composite body [kg m^2] */
+    const stanford_3dof_d3_real k2_xx = t8 + 6.3086784423 - c2*c2*(t8 + 5.2071784423);
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_3dof_d3_real neg_m1_2 = 0.1524*neg_h2_y;
+    const stanford_3dof_d3_real m1_1 = k2_xx + 0.4939239597;
     /* link 1: forward substitution */
-    const stanford_3dof_d3_real y1 = tau[0] - n1_z;
+    const stanford_3dof_d3_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
     const stanford_3dof_d3_real ipivot1 = 1.0 / m1_1;
-    const stanford_3dof_d3_real l2_1 = m1_2*ipivot1;
-    const stanford_3dof_d3_real l3_1 = m1_3*ipivot1;
-    const stanford_3dof_d3_real pivot2 = m2_2 - m1_2*l2_1;
+    const stanford_3dof_d3_real neg_l2_1 = neg_m1_2*ipivot1;
+    const stanford_3dof_d3_real neg_l3_1 = neg_m1_3*ipivot1;
+    const stanford_3dof_d3_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
     const stanford_3dof_d3_real ipivot2 = 1.0 / pivot2;
-    const stanford_3dof_d3_real neg_ld3_2 = m1_2*l3_1;
-    const stanford_3dof_d3_real l3_2 = -ipivot2*neg_ld3_2;
-    const stanford_3dof_d3_real pivot3 = neg_ld3_2*l3_2 - (m1_3*l3_1 - 6.47);
-    const stanford_3dof_d3_real ipivot3 = 1.0 / pivot3;
+    const stanford_3dof_d3_real neg_ld3_2 = neg_m1_2*neg_l3_1;
+    const stanford_3dof_d3_real neg_l3_2 = ipivot2*neg_ld3_2;
+    const stanford_3dof_d3_real neg_pivot3 = neg_m1_3*neg_l3_1 - 6.47 + neg_ld3_2*neg_l3_2;
+    const stanford_3dof_d3_real neg_ipivot3 = 1.0 / neg_pivot3;
     /* link 2: forward substitution */
-    const stanford_3dof_d3_real y2 = tau[1] - n2_z - y1*l2_1;
+    const stanford_3dof_d3_real neg_y2 = n2_z - tau[1] + neg_y1*neg_l2_1;
     /* link 3: forward substitution */
-    const stanford_3dof_d3_real y3 = tau[2] + neg_fc3_z - y1*l3_1 - l3_2*y2;
+    const stanford_3dof_d3_real neg_y3 = fc3_z - tau[2] + neg_y1*neg_l3_1 + neg_l3_2*neg_y2;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_d3_real qdd3 = ipivot3*y3;
+    const stanford_3dof_d3_real qdd3 = neg_ipivot3*neg_y3;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_d3_real qdd2 = ipivot2*y2 - l3_2*qdd3;
+    const stanford_3dof_d3_real qdd2 = neg_l3_2*qdd3 - ipivot2*neg_y2;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_3dof_d3_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3;
+    const stanford_3dof_d3_real qdd1 = neg_l3_1*qdd3 - (neg_y1*ipivot1 - neg_l2_1*qdd2);
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

@@ -15,13 +15,15 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
+ * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
+ *   to the recursion without being written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
- *   inverse_dynamics: 153 multiplications, 113 additions = 266; 0 unary minus; 10 sine/cosine
+ *   inverse_dynamics: 104 multiplications, 81 additions = 185; 3 unary minus; 10 sine/cosine
  *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
- *   bias: 136 multiplications, 79 additions = 215; 5 unary minus; 10 sine/cosine
- *   mass_matrix: 54 multiplications, 53 additions = 107; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 272 multiplications, 200 additions, 6 divisions = 478; 15 unary minus; 10
+ *   bias: 84 multiplications, 57 additions = 141; 0 unary minus; 10 sine/cosine
+ *   mass_matrix: 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 224 multiplications, 172 additions, 6 divisions = 402; 3 unary minus; 10
  *       sine/cosine
  */
 #include "ur10.h"
@@ -29,7 +31,7 @@
 #include <math.h>
 
 /* torques that give the accelerations qdd
- * 153 multiplications, 113 additions = 266; 0 unary minus; 10 sine/cosine */
+ * 104 multiplications, 81 additions = 185; 3 unary minus; 10 sine/cosine */
 void ur10_inverse_dynamics(
     const ur10_real q[6],
     const ur10_real qd[6],
@@ -39,209 +41,113 @@ void ur10_inverse_dynamics(
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile ur10_real *const again = q;
-    /* sines and cosines of the joint angles */
-    const ur10_real c2 = cos(q[1]);
-    const ur10_real s2 = sin(again[1]);
-    const ur10_real c5 = cos(q[4]);
-    const ur10_real s5 = sin(again[4]);
-    const ur10_real c6 = cos(q[5]);
-    const ur10_real s6 = sin(again[5]);
-    const volatile ur10_real angle23 = q[1] + q[2];
-    const ur10_real c23 = cos(angle23);
-    const ur10_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const ur10_real w3_z = qd[1] + qd[2];
     /* link 3: angular acceleration [rad/s^2] */
     const ur10_real alpha3_z = qdd[1] + qdd[2];
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_z = w3_z + qd[3];
     /* sines and cosines of the joint angles */
-    const volatile ur10_real angle2to4 = q[3] + angle23;
+    const volatile ur10_real angle23 = q[1] + q[2];
+    const volatile ur10_real angle2to4 = angle23 + q[3];
     const ur10_real c2to4 = cos(angle2to4);
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_y = c2to4*qd[0];
+    /* sines and cosines of the joint angles */
     const ur10_real s2to4 = sin(angle2to4);
     /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_z = qd[3] + w3_z;
-    /* link 4: angular acceleration [rad/s^2] */
-    const ur10_real alpha4_z = qdd[3] + alpha3_z;
-    /* link 1: products of the angular velocity [1/s^2] */
-    const ur10_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a2_z = -0.163941*ww1_zz;
-    /* link 2: angular velocity [rad/s] */
-    const ur10_real neg_w2_x = qd[0]*s2;
-    const ur10_real neg_w2_y = qd[0]*c2;
-    const ur10_real t1 = 0.163941*qdd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a2_y = s2*t1 - 9.81*c2;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const ur10_real neg_ww2_yz = qd[1]*neg_w2_y;
-    const ur10_real neg_ww2_zx = qd[1]*neg_w2_x;
-    /* link 2: angular acceleration [rad/s^2] */
-    const ur10_real neg_alpha2_x = qdd[0]*s2 + neg_ww2_yz;
-    const ur10_real alpha2_y = neg_ww2_zx - qdd[0]*c2;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const ur10_real ww2_xy = neg_w2_x*neg_w2_y;
-    const ur10_real ww2_xx = neg_w2_x*neg_w2_x;
-    const ur10_real ww2_yy = neg_w2_y*neg_w2_y;
-    const ur10_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const ur10_real lam2_12 = ww2_xy - qdd[1];
-    const ur10_real lam2_21 = qdd[1] + ww2_xy;
-    const ur10_real lam2_23 = neg_alpha2_x - neg_ww2_yz;
-    const ur10_real neg_lam2_31 = neg_ww2_zx + alpha2_y;
-    const ur10_real neg_lam2_32 = neg_ww2_yz + neg_alpha2_x;
-    const ur10_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_z = a2_z - 0.612*neg_lam2_31;
-    /* link 3: angular velocity [rad/s] */
-    const ur10_real neg_w3_x = qd[0]*s23;
-    const ur10_real neg_w3_y = qd[0]*c23;
-    const ur10_real t2 = 0.612*neg_lam2_11;
-    const ur10_real t3 = 0.612*lam2_21;
-    const ur10_real t4 = t1 + (c2*t2 + s2*t3);
-    const ur10_real t5 = s2*t2 - c2*t3 + 9.81;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_y = s23*t4 - c23*t5;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const ur10_real neg_ww3_yz = w3_z*neg_w3_y;
-    const ur10_real neg_ww3_zx = w3_z*neg_w3_x;
-    /* link 3: angular acceleration [rad/s^2] */
-    const ur10_real neg_alpha3_x = qdd[0]*s23 + neg_ww3_yz;
-    const ur10_real neg_alpha3_y = qdd[0]*c23 - neg_ww3_zx;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const ur10_real ww3_xy = neg_w3_x*neg_w3_y;
-    const ur10_real ww3_xx = neg_w3_x*neg_w3_x;
-    const ur10_real ww3_yy = neg_w3_y*neg_w3_y;
-    const ur10_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const ur10_real lam3_12 = ww3_xy - alpha3_z;
-    const ur10_real lam3_21 = alpha3_z + ww3_xy;
-    const ur10_real lam3_23 = neg_alpha3_x - neg_ww3_yz;
-    const ur10_real lam3_31 = neg_alpha3_y - neg_ww3_zx;
-    const ur10_real neg_lam3_32 = neg_ww3_yz + neg_alpha3_x;
-    const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_z = a3_z + 0.5723*lam3_31;
-    /* link 4: angular velocity [rad/s] */
     const ur10_real w4_x = qd[0]*s2to4;
-    const ur10_real w4_y = qd[0]*c2to4;
-    const ur10_real t6 = 0.5723*neg_lam3_11;
-    const ur10_real t7 = 0.5723*lam3_21;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_x = c2to4*(t4 + (c23*t6 + s23*t7)) + s2to4*(t5 + (s23*t6 - c23*t7));
+    /* link 4: angular acceleration [rad/s^2] */
+    const ur10_real alpha4_z = alpha3_z + qdd[3];
     /* link 4: products of the angular velocity [1/s^2] */
     const ur10_real ww4_yz = w4_z*w4_y;
+    /* link 4: angular acceleration [rad/s^2] */
+    const ur10_real alpha4_x = s2to4*qdd[0] + ww4_yz;
+    /* sines and cosines of the joint angles */
+    const ur10_real c5 = cos(q[4]);
+    const ur10_real s5 = sin(again[4]);
+    /* link 5: angular velocity [rad/s] */
+    const ur10_real w5_x = -w4_x*c5 - w4_z*s5;
+    const ur10_real w5_z = qd[4] - w4_y;
+    const ur10_real w5_y = w4_x*s5 - w4_z*c5;
+    /* link 5: angular acceleration [rad/s^2] */
+    const ur10_real alpha5_y = alpha4_x*s5 - alpha4_z*c5 - w5_x*qd[4];
+    /* sines and cosines of the joint angles */
+    const ur10_real c6 = cos(q[5]);
+    const ur10_real s6 = sin(again[5]);
+    /* link 6: angular velocity [rad/s] */
+    const ur10_real w6_x = w5_x*c6 + w5_z*s6;
+    const ur10_real neg_w6_y = w5_x*s6 - w5_z*c6;
+    const ur10_real w6_z = qd[5] - w5_y;
+    /* link 6: angular acceleration [rad/s^2] */
+    const ur10_real alpha6_z = qdd[5] - alpha5_y;
+    /* sines and cosines of the joint angles */
+    const ur10_real c2 = cos(q[1]);
+    const ur10_real s2 = sin(again[1]);
+    const ur10_real c23 = cos(angle23);
+    const ur10_real s23 = sin(angle23);
+    /* link 4: products of the angular velocity [1/s^2] */
     const ur10_real ww4_zx = w4_z*w4_x;
     /* link 4: angular acceleration [rad/s^2] */
-    const ur10_real alpha4_x = qdd[0]*s2to4 + ww4_yz;
-    const ur10_real alpha4_y = qdd[0]*c2to4 - ww4_zx;
-    /* link 4: products of the angular velocity [1/s^2] */
-    const ur10_real ww4_xy = w4_x*w4_y;
-    const ur10_real ww4_xx = w4_x*w4_x;
-    const ur10_real ww4_zz = w4_z*w4_z;
-    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam4_12 = alpha4_z - ww4_xy;
-    const ur10_real lam4_21 = alpha4_z + ww4_xy;
-    const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
-    const ur10_real neg_lam4_31 = alpha4_y - ww4_zx;
-    const ur10_real lam4_32 = ww4_yz + alpha4_x;
-    /* link 5: angular velocity [rad/s] */
-    const ur10_real neg_w5_x = c5*w4_x + s5*w4_z;
-    const ur10_real w5_y = s5*w4_x - c5*w4_z;
+    const ur10_real alpha4_y = c2to4*qdd[0] - ww4_zx;
     /* link 5: angular acceleration [rad/s^2] */
-    const ur10_real neg_alpha5_x = c5*alpha4_x + s5*alpha4_z - qd[4]*w5_y;
-    const ur10_real alpha5_y = s5*alpha4_x - c5*alpha4_z + qd[4]*neg_w5_x;
     const ur10_real alpha5_z = qdd[4] - alpha4_y;
-    /* link 5: angular velocity [rad/s] */
-    const ur10_real w5_z = qd[4] - w4_y;
-    /* link 5: products of the angular velocity [1/s^2] */
-    const ur10_real ww5_yz = w5_y*w5_z;
-    const ur10_real neg_ww5_zx = neg_w5_x*w5_z;
-    const ur10_real neg_ww5_xy = neg_w5_x*w5_y;
-    /* link 6: angular velocity [rad/s] */
-    const ur10_real neg_w6_x = c6*neg_w5_x - s6*w5_z;
-    const ur10_real w6_y = s6*neg_w5_x + c6*w5_z;
+    const ur10_real alpha5_x = qd[4]*w5_y - alpha4_z*s5 - alpha4_x*c5;
     /* link 6: angular acceleration [rad/s^2] */
-    const ur10_real alpha6_x = qd[5]*w6_y - (c6*neg_alpha5_x - s6*alpha5_z);
-    const ur10_real alpha6_z = qdd[5] - alpha5_y;
-    /* link 6: angular velocity [rad/s] */
-    const ur10_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const ur10_real ww6_yz = w6_y*w6_z;
-    const ur10_real neg_ww6_zx = neg_w6_x*w6_z;
-    const ur10_real neg_ww6_xy = neg_w6_x*w6_y;
-    /* link 1: moment that turns the link [N m] */
-    const ur10_real nc1_z = 0.751562446711482*qdd[0];
-    /* link 2: force that moves the link [N] */
-    const ur10_real neg_fc2_x = 8.847684*neg_lam2_11;
-    const ur10_real fc2_y = 8.847684*lam2_21;
-    /* link 2: moment that turns the link [N m] */
-    const ur10_real neg_nc2_x = 0.0181828125*neg_lam2_32 - 0.184433544*lam2_21;
-    const ur10_real nc2_y = 4.607640119298*neg_lam2_31 + 0.184433544*(neg_lam2_11 - neg_lam2_33) +
-        1.450498162644*ww1_zz;
-    const ur10_real nc2_z = 4.607640119298*lam2_21 - 0.0181828125*lam2_12 - 0.184433544*lam2_23 +
-        8.847684*a2_y;
-    /* link 3: force that moves the link [N] */
-    const ur10_real neg_fc3_x = 3.4664211*neg_lam3_11;
-    const ur10_real fc3_y = 3.4664211*lam3_21;
-    const ur10_real fc3_z = 3.4664211*lam3_31;
-    /* link 3: moment that turns the link [N m] */
-    const ur10_real neg_nc3_x = 0.0054421875*neg_lam3_32 - 0.25612456664999994*lam3_21;
-    const ur10_real nc3_y = 0.25612456664999994*(neg_lam3_11 - neg_lam3_33) -
-        1.7725776490519998*lam3_31 - 3.4664211*a3_z;
-    const ur10_real nc3_z = 1.7725776490519998*lam3_21 - 0.0054421875*lam3_12 -
-        0.25612456664999994*lam3_23 + 3.4664211*a3_y;
-    /* link 4: force that moves the link [N] */
-    const ur10_real fc4_x = 0.0233714*neg_lam4_12;
-    const ur10_real fc4_y = 0.0233714*neg_lam4_22;
-    const ur10_real neg_fc4_z = 0.0233714*lam4_32;
-    /* link 4: moment that turns the link [N m] */
-    const ur10_real nc4_y = 0.00275625*neg_lam4_31;
-    const ur10_real nc4_x = 0.0101643168934*lam4_32 - 0.0233714*a4_z;
-    const ur10_real nc4_z = 0.00275625*lam4_21 + 0.0101643168934*neg_lam4_12 + 0.0233714*a4_x;
-    /* link 5: moment that turns the link [N m] */
-    const ur10_real nc5_y = 0.0055125*neg_ww5_zx;
-    const ur10_real nc5_x = 0.006080625*ww5_yz - 0.000568125*neg_alpha5_x;
-    const ur10_real nc5_z = 0.000568125*neg_ww5_xy + 0.006080625*alpha5_z;
-    /* link 6: moment that turns the link [N m] */
-    const ur10_real nc6_y = 0.000568125*neg_ww6_zx;
-    const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
-    const ur10_real nc6_z = 0.000526462289415*alpha6_z - 4.1662710585e-05*neg_ww6_xy;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n06_x = c6*nc6_x - s6*nc6_y;
-    const ur10_real n06_y = s6*nc6_x + c6*nc6_y;
+    const ur10_real alpha6_x = c6*alpha5_x - (neg_w6_y*qd[5] - s6*alpha5_z);
+    const ur10_real t1 = 0.000568125*(c6*alpha5_z - w6_x*qd[5] - s6*alpha5_x);
+    const ur10_real t2 = 4.1662710585e-05*neg_w6_y;
+    const ur10_real t3 = -0.000526462289415*alpha6_x - w6_z*t2;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n5_x = nc5_x + n06_x;
-    const ur10_real n5_y = nc5_y - nc6_z;
-    const ur10_real n5_z = nc5_z + n06_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n05_x = s5*n5_y - c5*n5_x;
-    const ur10_real neg_n05_y = s5*n5_x + c5*n5_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n4_x = nc4_x + n05_x;
-    const ur10_real neg_n4_y = n5_z - nc4_y;
-    const ur10_real n4_z = nc4_z - neg_n05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f04_x = c2to4*fc4_x - s2to4*fc4_y;
-    const ur10_real f04_y = s2to4*fc4_x + c2to4*fc4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n04_y = s2to4*n4_x - c2to4*neg_n4_y;
-    const ur10_real t8 = 0.5723*c23;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n03_y = n04_y + (s23*neg_nc3_x - c23*nc3_y - neg_fc4_z*t8);
-    const ur10_real n03_z = n4_z + (nc3_z - (f04_y*t8 - f04_x*(0.5723*s23)));
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f03_x = f04_x + (c23*neg_fc3_x + s23*fc3_y);
-    const ur10_real f03_y = f04_y + (s23*neg_fc3_x - c23*fc3_y);
-    const ur10_real neg_f03_z = neg_fc4_z - fc3_z;
-    const ur10_real t9 = 0.612*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n02_y = n03_y + (s2*neg_nc2_x - c2*nc2_y - neg_f03_z*t9);
-    const ur10_real n02_z = n03_z + (nc2_z - (f03_y*t9 - f03_x*(0.612*s2)));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f02_x = f03_x + (c2*neg_fc2_x + s2*fc2_y);
+    const ur10_real n5_z = 0.0055125*alpha5_z + (c6*t1 - s6*t3);
+    /* link 2: products of the angular velocity [1/s^2] */
+    const ur10_real ww2_zz = qd[1]*qd[1];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const ur10_real ww3_zz = w3_z*w3_z;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const ur10_real ww4_zz = w4_z*w4_z;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real lam2_33 = -qd[0]*qd[0];
+    /* link 6: moment that turns the link [N m] */
+    const ur10_real nc6_z = 0.000526462289415*alpha6_z - w6_x*t2;
+    const ur10_real t4 = 0.30757353909747764*c2;
+    const ur10_real t5 = 7.5456565789375905*s2;
+    const ur10_real t6 = 2.0*qd[0];
+    const ur10_real t7 = qd[1]*(-t5*t6);
+    const ur10_real t8 = 7.056175261643763*c23;
+    const ur10_real t9 = 0.03071031060636092*c23;
+    const ur10_real t10 = 7.5456565789375905*c2;
+    const ur10_real t11 = 7.056175261643763*s23;
+    const ur10_real t12 = alpha3_z*t11 + t8*ww3_zz;
+    const ur10_real t13 = qdd[1]*t5 + (t10*ww2_zz + t12);
+    const ur10_real t14 = t8 + t10;
+    const ur10_real t15 = t13 + 2.021311250339228*qdd[0] - lam2_33*t14;
+    const ur10_real t16 = 0.0018955668934*(s2to4*(ww4_zz - lam2_33) - (c2to4*alpha4_z + t15));
+    const ur10_real t17 = t16 - 0.03794874645838701*t15;
+    const ur10_real t18 = t6*(w3_z*t11);
+    const ur10_real t19 = qdd[0]*t14 - (t18 - t7 - 2.021311250339228*lam2_33);
+    const ur10_real t20 = 0.0018955668934*(alpha4_x + (ww4_yz - t19));
+    const ur10_real t21 = 0.0055125*alpha5_y - nc6_z;
+    const ur10_real t22 = c6*t3 + (s6*t1 - 0.0055125*alpha5_x);
+    const ur10_real t23 = t9*t18 - 0.12354737656656752*t12 - (t14*(t20 - 0.03794874645838701*t19) -
+        s2to4*(s5*t21 + (t20 + c5*t22)));
+    const ur10_real t24 = qdd[0]*(t8*t9 - 0.615151818691065 - t10*t4) -
+        2.021311250339228*(0.04316477484712015*t13 - t17) - t23;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n1_z = n02_y + (nc1_z + 0.163941*f02_x);
+    const ur10_real n1_z = t4*t7 - t24 - c2to4*n5_z;
+    const ur10_real t25 = t5*ww2_zz - (qdd[1]*t10 - 120.95243633885255 + (alpha3_z*t8 -
+        t11*ww3_zz));
+    const ur10_real t26 = 0.0018955668934*(c2to4*ww4_zz + (s2to4*alpha4_z + t25));
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n4_z = 0.0055125*alpha4_z + s2to4*t26 - (c5*t21 + c2to4*t16) + s5*t22;
+    const ur10_real t27 = t26 + 0.03794874645838701*t25;
+    const ur10_real t28 = 0.08724944501684367*qdd[0] - t17;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n03_z = n4_z - t8*t27 - (0.205812958978*alpha3_z +
+        t11*(0.12354737656656752*qdd[0] - t28 - t9*lam2_33));
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n02_z = 2.3572099237980004*qdd[1] + (t5*(t28 - t4*lam2_33) + (n03_z - t10*(t27 +
+        6.6834804198179665)));
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = n03_z;
@@ -255,19 +161,21 @@ void ur10_inverse_dynamics(
 void ur10_gravity(const ur10_real q[6], ur10_real tau[6])
 {
     /* sines and cosines of the joint angles */
-    const ur10_real c2 = cos(q[1]);
     const volatile ur10_real angle23 = q[1] + q[2];
-    const ur10_real c23 = cos(angle23);
     const volatile ur10_real angle2to4 = q[3] + angle23;
     const ur10_real s2to4 = sin(angle2to4);
-    /* link 2: moment that turns the link [N m] */
-    const ur10_real neg_nc2_z = 86.79578004*c2;
-    /* link 3: moment that turns the link [N m] */
-    const ur10_real neg_nc3_z = 34.005590991*c23;
     /* link 4: moment that turns the link [N m] */
     const ur10_real nc4_z = 0.229273434*s2to4;
+    /* sines and cosines of the joint angles */
+    const ur10_real c23 = cos(angle23);
+    /* link 3: moment that turns the link [N m] */
+    const ur10_real neg_nc3_z = 34.005590991*c23;
     /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
     const ur10_real n03_z = nc4_z - neg_nc3_z;
+    /* sines and cosines of the joint angles */
+    const ur10_real c2 = cos(q[1]);
+    /* link 2: moment that turns the link [N m] */
+    const ur10_real neg_nc2_z = 86.79578004*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const ur10_real n02_z = n03_z - neg_nc2_z;
     tau[0] = 0.0;
@@ -279,180 +187,103 @@ void ur10_gravity(const ur10_real q[6], ur10_real tau[6])
 }
 
 /* torques at zero acceleration: Coriolis, centrifugal, gravity, friction
- * 136 multiplications, 79 additions = 215; 5 unary minus; 10 sine/cosine */
+ * 84 multiplications, 57 additions = 141; 0 unary minus; 10 sine/cosine */
 void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile ur10_real *const again = q;
+    /* link 3: angular velocity [rad/s] */
+    const ur10_real w3_z = qd[1] + qd[2];
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_z = w3_z + qd[3];
+    /* sines and cosines of the joint angles */
+    const volatile ur10_real angle23 = q[1] + q[2];
+    const volatile ur10_real angle2to4 = angle23 + q[3];
+    const ur10_real c2to4 = cos(angle2to4);
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_y = c2to4*qd[0];
+    /* sines and cosines of the joint angles */
+    const ur10_real s2to4 = sin(angle2to4);
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_x = qd[0]*s2to4;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const ur10_real ww4_yz = w4_z*w4_y;
+    /* sines and cosines of the joint angles */
+    const ur10_real c5 = cos(q[4]);
+    const ur10_real s5 = sin(again[4]);
+    /* link 5: angular velocity [rad/s] */
+    const ur10_real neg_w5_x = w4_z*s5 + w4_x*c5;
+    const ur10_real neg_w5_z = w4_y - qd[4];
+    const ur10_real w5_y = w4_x*s5 - w4_z*c5;
+    /* link 5: angular acceleration [rad/s^2] */
+    const ur10_real alpha5_y = ww4_yz*s5 + neg_w5_x*qd[4];
+    /* sines and cosines of the joint angles */
+    const ur10_real c6 = cos(q[5]);
+    const ur10_real s6 = sin(again[5]);
+    /* link 6: angular velocity [rad/s] */
+    const ur10_real neg_w6_x = neg_w5_x*c6 + neg_w5_z*s6;
+    const ur10_real neg_w6_y = neg_w5_z*c6 - neg_w5_x*s6;
+    const ur10_real neg_w6_z = w5_y - qd[5];
     /* sines and cosines of the joint angles */
     const ur10_real c2 = cos(q[1]);
     const ur10_real s2 = sin(again[1]);
-    const ur10_real c5 = cos(q[4]);
-    const ur10_real s5 = sin(again[4]);
-    const ur10_real c6 = cos(q[5]);
-    const ur10_real s6 = sin(again[5]);
-    const volatile ur10_real angle23 = q[1] + q[2];
     const ur10_real c23 = cos(angle23);
     const ur10_real s23 = sin(angle23);
-    /* link 3: angular velocity [rad/s] */
-    const ur10_real w3_z = qd[1] + qd[2];
-    /* sines and cosines of the joint angles */
-    const volatile ur10_real angle2to4 = q[3] + angle23;
-    const ur10_real c2to4 = cos(angle2to4);
-    const ur10_real s2to4 = sin(angle2to4);
-    /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_z = qd[3] + w3_z;
-    /* link 1: products of the angular velocity [1/s^2] */
-    const ur10_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real neg_a2_z = 0.163941*ww1_zz;
-    const ur10_real t1 = -qd[0];
-    /* link 2: angular velocity [rad/s] */
-    const ur10_real w2_x = t1*s2;
-    const ur10_real w2_y = t1*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const ur10_real alpha2_x = qd[1]*w2_y;
-    const ur10_real neg_alpha2_y = qd[1]*w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const ur10_real ww2_xy = w2_x*w2_y;
-    const ur10_real ww2_xx = w2_x*w2_x;
-    const ur10_real ww2_yy = w2_y*w2_y;
-    const ur10_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const ur10_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_z = 1.224*neg_alpha2_y - neg_a2_z;
-    /* link 3: angular velocity [rad/s] */
-    const ur10_real neg_w3_x = qd[0]*s23;
-    const ur10_real neg_w3_y = qd[0]*c23;
-    const ur10_real t2 = 0.612*neg_lam2_11;
-    const ur10_real t3 = 0.612*ww2_xy;
-    const ur10_real t4 = c2*t2 + s2*t3;
-    const ur10_real t5 = s2*t2 - c2*t3 + 9.81;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_y = s23*t4 - c23*t5;
-    /* link 3: angular acceleration [rad/s^2] */
-    const ur10_real neg_alpha3_x = w3_z*neg_w3_y;
-    const ur10_real alpha3_y = w3_z*neg_w3_x;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const ur10_real ww3_xy = neg_w3_x*neg_w3_y;
-    const ur10_real ww3_xx = neg_w3_x*neg_w3_x;
-    const ur10_real ww3_yy = neg_w3_y*neg_w3_y;
-    const ur10_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_z = a3_z - 1.1446*alpha3_y;
-    /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_x = qd[0]*s2to4;
-    const ur10_real w4_y = qd[0]*c2to4;
-    const ur10_real t6 = 0.5723*neg_lam3_11;
-    const ur10_real t7 = 0.5723*ww3_xy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_x = c2to4*(t4 + (c23*t6 + s23*t7)) + s2to4*(t5 + (s23*t6 - c23*t7));
-    /* link 4: angular acceleration [rad/s^2] */
-    const ur10_real alpha4_x = w4_z*w4_y;
-    const ur10_real alpha4_y = -w4_z*w4_x;
     /* link 4: products of the angular velocity [1/s^2] */
-    const ur10_real ww4_xy = w4_x*w4_y;
-    const ur10_real ww4_xx = w4_x*w4_x;
-    const ur10_real ww4_zz = w4_z*w4_z;
-    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
-    /* link 5: angular velocity [rad/s] */
-    const ur10_real w5_x = -s5*w4_z - c5*w4_x;
-    const ur10_real w5_y = s5*w4_x - c5*w4_z;
+    const ur10_real ww4_zx = w4_z*w4_x;
     /* link 5: angular acceleration [rad/s^2] */
-    const ur10_real alpha5_x = qd[4]*w5_y - c5*alpha4_x;
-    const ur10_real alpha5_y = s5*alpha4_x - qd[4]*w5_x;
-    /* link 5: angular velocity [rad/s] */
-    const ur10_real w5_z = qd[4] - w4_y;
-    /* link 5: products of the angular velocity [1/s^2] */
-    const ur10_real ww5_yz = w5_y*w5_z;
-    const ur10_real ww5_zx = w5_x*w5_z;
-    const ur10_real ww5_xy = w5_x*w5_y;
-    /* link 6: angular velocity [rad/s] */
-    const ur10_real w6_x = c6*w5_x + s6*w5_z;
-    const ur10_real w6_y = c6*w5_z - s6*w5_x;
+    const ur10_real neg_alpha5_x = ww4_yz*c5 - qd[4]*w5_y;
     /* link 6: angular acceleration [rad/s^2] */
-    const ur10_real alpha6_x = qd[5]*w6_y - (s6*alpha4_y - c6*alpha5_x);
-    /* link 6: angular velocity [rad/s] */
-    const ur10_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const ur10_real ww6_yz = w6_y*w6_z;
-    const ur10_real ww6_zx = w6_x*w6_z;
-    const ur10_real ww6_xy = w6_x*w6_y;
-    /* link 2: force that moves the link [N] */
-    const ur10_real fc2_x = -8.847684*neg_lam2_11;
-    const ur10_real fc2_y = 8.847684*ww2_xy;
-    /* link 2: moment that turns the link [N m] */
-    const ur10_real nc2_x = 0.036365625*alpha2_x + 0.184433544*ww2_xy;
-    const ur10_real nc2_y = 0.184433544*(neg_lam2_11 - neg_lam2_33) - 9.215280238596*neg_alpha2_y +
-        1.450498162644*ww1_zz;
-    const ur10_real nc2_z = 4.589457306798*ww2_xy - 86.79578004*c2;
-    /* link 3: force that moves the link [N] */
-    const ur10_real fc3_x = -3.4664211*neg_lam3_11;
-    const ur10_real fc3_y = 3.4664211*ww3_xy;
-    const ur10_real neg_fc3_z = 6.9328422*alpha3_y;
-    /* link 3: moment that turns the link [N m] */
-    const ur10_real nc3_x = 0.25612456664999994*ww3_xy - 0.010884375*neg_alpha3_x;
-    const ur10_real neg_nc3_y = 3.4664211*a3_z - (3.5451552981039995*alpha3_y +
-        0.25612456664999994*(neg_lam3_11 - neg_lam3_33));
-    const ur10_real nc3_z = 1.7671354615519999*ww3_xy + 3.4664211*a3_y;
-    /* link 4: force that moves the link [N] */
-    const ur10_real fc4_x = -0.0233714*ww4_xy;
-    const ur10_real fc4_y = 0.0233714*neg_lam4_22;
-    const ur10_real fc4_z = -0.0467428*alpha4_x;
-    /* link 4: moment that turns the link [N m] */
-    const ur10_real nc4_y = 0.0055125*alpha4_y;
-    const ur10_real nc4_x = 0.0203286337868*alpha4_x - 0.0233714*a4_z;
-    const ur10_real nc4_z = 0.0233714*a4_x - 0.0074080668934*ww4_xy;
-    /* link 5: moment that turns the link [N m] */
-    const ur10_real nc5_y = -0.0055125*ww5_zx;
-    const ur10_real nc5_x = 0.006080625*ww5_yz + 0.000568125*alpha5_x;
-    const ur10_real nc5_z = -0.000568125*ww5_xy - 0.006080625*alpha4_y;
-    /* link 6: moment that turns the link [N m] */
-    const ur10_real nc6_y = -0.000568125*ww6_zx;
-    const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
-    const ur10_real nc6_z = 4.1662710585e-05*ww6_xy - 0.000526462289415*alpha5_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n06_x = c6*nc6_x - s6*nc6_y;
-    const ur10_real n06_y = s6*nc6_x + c6*nc6_y;
+    const ur10_real neg_alpha6_x = c6*neg_alpha5_x + (neg_w6_y*qd[5] - s6*ww4_zx);
+    const ur10_real t1 = 4.1662710585e-05*neg_w6_y;
+    const ur10_real t2 = neg_w6_z*t1 + 0.000526462289415*neg_alpha6_x;
+    const ur10_real t3 = 0.000568125*(s6*neg_alpha5_x + (neg_w6_x*qd[5] + c6*ww4_zx));
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n5_x = nc5_x + n06_x;
-    const ur10_real n5_y = nc5_y - nc6_z;
-    const ur10_real n5_z = nc5_z + n06_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n05_x = s5*n5_y - c5*n5_x;
-    const ur10_real neg_n05_y = s5*n5_x + c5*n5_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n4_x = nc4_x + n05_x;
-    const ur10_real n4_y = nc4_y - n5_z;
-    const ur10_real n4_z = nc4_z - neg_n05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f04_x = c2to4*fc4_x - s2to4*fc4_y;
-    const ur10_real f04_y = s2to4*fc4_x + c2to4*fc4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n04_y = s2to4*n4_x + c2to4*n4_y;
-    const ur10_real t8 = 0.5723*c23;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n03_y = n04_y + (c23*neg_nc3_y - s23*nc3_x + fc4_z*t8);
-    const ur10_real n03_z = n4_z + (nc3_z + (f04_x*(0.5723*s23) - f04_y*t8));
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f03_x = f04_x + (s23*fc3_y - c23*fc3_x);
-    const ur10_real f03_y = f04_y + (-c23*fc3_y - s23*fc3_x);
-    const ur10_real f03_z = fc4_z - neg_fc3_z;
-    const ur10_real t9 = 0.612*c2;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n02_y = n03_y + (-c2*nc2_y - s2*nc2_x + f03_z*t9);
-    const ur10_real n02_z = n03_z + (nc2_z + (f03_x*(0.612*s2) - f03_y*t9));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f02_x = f03_x + (s2*fc2_y - c2*fc2_x);
+    const ur10_real n5_z = 0.0055125*ww4_zx - (s6*t2 - c6*t3);
+    /* link 2: products of the angular velocity [1/s^2] */
+    const ur10_real ww2_zz = qd[1]*qd[1];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const ur10_real ww3_zz = w3_z*w3_z;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const ur10_real ww4_zz = w4_z*w4_z;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam2_33 = qd[0]*qd[0];
+    /* link 6: moment that turns the link [N m] */
+    const ur10_real nc6_z = neg_w6_x*t1 - 0.000526462289415*alpha5_y;
+    const ur10_real t4 = 7.5456565789375905*c2;
+    const ur10_real t5 = 7.056175261643763*c23;
+    const ur10_real t6 = t5*ww3_zz;
+    const ur10_real t7 = t4*ww2_zz + t6;
+    const ur10_real t8 = t5 + t4;
+    const ur10_real t9 = t7 + neg_lam2_33*t8;
+    const ur10_real t10 = 0.0018955668934*(s2to4*(ww4_zz + neg_lam2_33) - t9);
+    const ur10_real t11 = t10 - 0.03794874645838701*t9;
+    const ur10_real t12 = 0.03071031060636092*c23;
+    const ur10_real t13 = 2.0*qd[0];
+    const ur10_real t14 = 7.056175261643763*s23;
+    const ur10_real t15 = t13*(w3_z*t14);
+    const ur10_real t16 = 7.5456565789375905*s2;
+    const ur10_real t17 = qd[1]*(t16*t13);
+    const ur10_real t18 = 2.021311250339228*neg_lam2_33 + (t15 + t17);
+    const ur10_real t19 = 0.0018955668934*(ww4_yz + (ww4_yz + t18));
+    const ur10_real t20 = 0.0055125*alpha5_y - nc6_z;
+    const ur10_real t21 = c6*t2 + (s6*t3 + 0.0055125*neg_alpha5_x);
+    const ur10_real t22 = t12*t15 - 0.12354737656656752*t6 - (t8*(t19 + 0.03794874645838701*t18) -
+        s2to4*(s5*t20 + (t19 + c5*t21)));
+    const ur10_real t23 = 0.30757353909747764*c2;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n1_z = n02_y + 0.163941*f02_x;
+    const ur10_real n1_z = 2.021311250339228*(0.04316477484712015*t7 - t11) + t22 - t23*t17 -
+        c2to4*n5_z;
+    const ur10_real t24 = t16*ww2_zz + (t14*ww3_zz + 120.95243633885255);
+    const ur10_real t25 = 0.0018955668934*(c2to4*ww4_zz + t24);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n4_z = s2to4*t25 - (c5*t20 + c2to4*t10) + s5*t21;
+    const ur10_real t26 = t25 + 0.03794874645838701*t24;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n03_z = n4_z - t5*t26 - t14*(t11 + t12*neg_lam2_33);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n02_z = n03_z - t4*(t26 + 6.6834804198179665) - t16*(t11 - t23*neg_lam2_33);
     tau[0] = n1_z;
     tau[1] = n02_z;
     tau[2] = n03_z;
@@ -462,7 +293,7 @@ void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 54 multiplications, 53 additions = 107; 0 unary minus; 10 sine/cosine */
+ * 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine */
 void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -520,39 +351,33 @@ void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
     const ur10_real m2_4 = m3_4 + (t7*neg_h4_y - t8*h4_x);
     /* link 1: mass matrix, its row of this joint */
     const ur10_real m1_4 = 0.0038315306874*c2to4 - k4_yz;
-    const ur10_real t9 = k5_yy - k4_yy;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_zz = k4_yy + t9;
-    const ur10_real t10 = t6*(0.0467428*s2to4) - k4_xx;
-    const ur10_real t11 = k5_yy - t9 + t5*(0.0467428*c2to4);
+    const ur10_real t9 = t6*(0.0467428*s2to4) - k4_xx;
+    const ur10_real t10 = k4_yy + t5*(0.0467428*c2to4);
     /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_3 = 1.7780198365519997 - (t10 - t11);
+    const ur10_real m3_3 = 1.7780198365519997 - (t9 - t10);
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const ur10_real h3_x = h4_x - 3.4664211*c23;
     const ur10_real neg_h3_y = neg_h4_y + 3.4664211*s23;
-    const ur10_real t12 = 1.7671354615519999*(c23*c23);
+    const ur10_real t11 = 1.7671354615519999*(c23*c23);
     /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_xx = t12 + 0.0054421875 - t10;
-    const ur10_real k3_yy = t11 - (t12 - 1.7725776490519998);
+    const ur10_real k3_xx = t11 + 0.0054421875 - t9;
+    const ur10_real k3_yy = t10 - (t11 - 1.7725776490519998);
     const ur10_real k3_yz = k4_yz + 0.25612456664999994*s23;
     /* link 2: mass matrix, its row of this joint */
     const ur10_real m2_3 = m3_3 + (t7*neg_h3_y - t8*h3_x);
     /* link 1: mass matrix, its row of this joint */
     const ur10_real m1_3 = 0.163941*neg_h3_y - k3_yz;
-    const ur10_real t13 = k3_zz - k3_yy;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_zz = k3_yy + t13;
-    const ur10_real t14 = t8*(2.0*h3_x) - k3_xx;
+    const ur10_real t12 = t8*(2.0*h3_x) - k3_xx;
     /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_2 = 4.625822931798 - (t14 - (k3_zz - t13 + t7*(2.0*neg_h3_y)));
+    const ur10_real m2_2 = 4.625822931798 - (t12 - (k3_yy + t7*(2.0*neg_h3_y)));
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
     const ur10_real neg_h2_y = neg_h3_y + 8.847684*s2;
     /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_xx = 4.589457306798*(c2*c2) + 0.0181828125 - t14;
+    const ur10_real k2_xx = 4.589457306798*(c2*c2) + 0.0181828125 - t12;
     const ur10_real k2_yz = k3_yz + 0.184433544*s2;
     /* link 1: mass matrix, its row of this joint */
     const ur10_real m1_2 = 0.163941*neg_h2_y - k2_yz;
-    const ur10_real m1_1 = k2_zz + k2_xx + 0.751562446711482;
+    const ur10_real m1_1 = k5_yy + k2_xx + 0.751562446711482;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -592,7 +417,7 @@ void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 272 multiplications, 200 additions, 6 divisions = 478; 15 unary minus; 10 sine/cosine */
+ * 224 multiplications, 172 additions, 6 divisions = 402; 3 unary minus; 10 sine/cosine */
 void ur10_forward_dynamics(
     const ur10_real q[6],
     const ur10_real qd[6],
@@ -602,309 +427,236 @@ void ur10_forward_dynamics(
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
      * every libm has. */
     const volatile ur10_real *const again = q;
-    /* sines and cosines of the joint angles */
-    const ur10_real c2 = cos(q[1]);
-    const ur10_real s2 = sin(again[1]);
-    const ur10_real c5 = cos(q[4]);
-    const ur10_real s5 = sin(again[4]);
-    const ur10_real c6 = cos(q[5]);
-    const ur10_real s6 = sin(again[5]);
-    const volatile ur10_real angle23 = q[1] + q[2];
-    const ur10_real c23 = cos(angle23);
-    const ur10_real s23 = sin(angle23);
-    const volatile ur10_real angle2to4 = q[3] + angle23;
-    const ur10_real c2to4 = cos(angle2to4);
-    const ur10_real s2to4 = sin(angle2to4);
-    /* link 6: second moment of the composite body [kg m^2] */
-    const ur10_real k6_xy = 4.1662710585e-05*(c6*s6);
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const ur10_real nu5_x = -0.000526462289415*s5;
-    const ur10_real nu5_y = 0.000526462289415*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const ur10_real nu4_y = s2to4*nu5_x;
-    const ur10_real t1 = 4.1662710585e-05*(c6*c6);
-    /* link 5: mass matrix, its row of this joint */
-    const ur10_real m5_5 = t1 + 0.006038962289415;
-    const ur10_real t2 = t1 - 4.1662710585e-05;
-    const ur10_real t3 = c5*c5*t2;
-    /* link 5: second moment of the composite body [kg m^2] */
-    const ur10_real k5_yy = t1 + 0.002998649789415 - t3;
-    const ur10_real k5_xy = t2*(c5*s5);
-    const ur10_real k5_xz = -c5*k6_xy;
-    const ur10_real neg_k5_yz = s5*k6_xy;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const ur10_real nu4_y_2 = -c2to4*m5_5 - s2to4*k5_xz;
-    /* link 4: mass matrix, its row of this joint */
-    const ur10_real m4_4 = 0.0134886918934 - (t1 - t3);
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real h4_x = 0.0233714*s2to4;
-    const ur10_real h4_y = -0.0233714*c2to4;
-    const ur10_real t4 = c2to4*c2to4*(t1 + t3 - 0.0018955668934) + k5_xz*(2.0*(c2to4*s2to4));
-    /* link 4: second moment of the composite body [kg m^2] */
-    const ur10_real k4_xx = t4 - (t1 - 0.0076921293934);
-    const ur10_real k4_yy = t3 + 0.0057965625 - t4;
-    const ur10_real k4_yz = s2to4*k5_xy + c2to4*neg_k5_yz;
-    const ur10_real t5 = 0.5723*c23;
-    const ur10_real t6 = 0.5723*s23;
-    /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_4 = m4_4 - (t5*h4_x + t6*h4_y);
-    const ur10_real t7 = 0.612*c2;
-    const ur10_real t8 = 0.612*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_4 = m3_4 - (t7*h4_x + t8*h4_y);
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real m1_4 = 0.0038315306874*c2to4 - k4_yz;
-    const ur10_real t9 = k5_yy - k4_yy;
-    /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_zz = k4_yy + t9;
-    const ur10_real t10 = t5*(0.0467428*s2to4) - k4_xx;
-    const ur10_real t11 = k5_yy - t9 + t6*(0.0467428*c2to4);
-    /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_3 = 1.7780198365519997 - (t10 - t11);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real h3_x = h4_x - 3.4664211*c23;
-    const ur10_real h3_y = h4_y - 3.4664211*s23;
-    const ur10_real t12 = 1.7671354615519999*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_xx = t12 + 0.0054421875 - t10;
-    const ur10_real k3_yy = t11 - (t12 - 1.7725776490519998);
-    const ur10_real k3_yz = k4_yz + 0.25612456664999994*s23;
-    /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_3 = m3_3 - (t7*h3_x + t8*h3_y);
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real m1_3 = -0.163941*h3_y - k3_yz;
-    const ur10_real t13 = k3_zz - k3_yy;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_zz = k3_yy + t13;
-    const ur10_real t14 = t7*(2.0*h3_x) - k3_xx;
-    /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_2 = 4.625822931798 - (t14 - (k3_zz - t13 + t8*(-2.0*h3_y)));
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real neg_h2_y = 8.847684*s2 - h3_y;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_xx = 4.589457306798*(c2*c2) + 0.0181828125 - t14;
-    const ur10_real k2_yz = k3_yz + 0.184433544*s2;
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real m1_2 = 0.163941*neg_h2_y - k2_yz;
-    const ur10_real m1_1 = k2_zz + k2_xx + 0.751562446711482;
     /* link 3: angular velocity [rad/s] */
     const ur10_real w3_z = qd[1] + qd[2];
     /* link 4: angular velocity [rad/s] */
-    const ur10_real w4_z = qd[3] + w3_z;
-    /* link 1: products of the angular velocity [1/s^2] */
-    const ur10_real ww1_zz = qd[0]*qd[0];
-    /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real neg_a2_z = 0.163941*ww1_zz;
-    const ur10_real t15 = -qd[0];
-    /* link 2: angular velocity [rad/s] */
-    const ur10_real w2_x = t15*s2;
-    const ur10_real w2_y = t15*c2;
-    /* link 2: angular acceleration [rad/s^2] */
-    const ur10_real alpha2_x = qd[1]*w2_y;
-    const ur10_real neg_alpha2_y = qd[1]*w2_x;
-    /* link 2: products of the angular velocity [1/s^2] */
-    const ur10_real ww2_xy = w2_x*w2_y;
-    const ur10_real ww2_xx = w2_x*w2_x;
-    const ur10_real ww2_yy = w2_y*w2_y;
-    const ur10_real ww2_zz = qd[1]*qd[1];
-    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam2_11 = ww2_yy + ww2_zz;
-    const ur10_real neg_lam2_33 = ww2_xx + ww2_yy;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_z = 1.224*neg_alpha2_y - neg_a2_z;
-    /* link 3: angular velocity [rad/s] */
-    const ur10_real neg_w3_x = qd[0]*s23;
-    const ur10_real neg_w3_y = qd[0]*c23;
-    const ur10_real t16 = 0.612*neg_lam2_11;
-    const ur10_real t17 = 0.612*ww2_xy;
-    const ur10_real t18 = c2*t16 + s2*t17;
-    const ur10_real t19 = s2*t16 - c2*t17 + 9.81;
-    /* link 3: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a3_y = s23*t18 - c23*t19;
-    /* link 3: angular acceleration [rad/s^2] */
-    const ur10_real neg_alpha3_x = w3_z*neg_w3_y;
-    const ur10_real alpha3_y = w3_z*neg_w3_x;
-    /* link 3: products of the angular velocity [1/s^2] */
-    const ur10_real ww3_xy = neg_w3_x*neg_w3_y;
-    const ur10_real ww3_xx = neg_w3_x*neg_w3_x;
-    const ur10_real ww3_yy = neg_w3_y*neg_w3_y;
-    const ur10_real ww3_zz = w3_z*w3_z;
-    /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const ur10_real neg_lam3_33 = ww3_xx + ww3_yy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_z = a3_z - 1.1446*alpha3_y;
+    const ur10_real w4_z = w3_z + qd[3];
+    /* sines and cosines of the joint angles */
+    const volatile ur10_real angle23 = q[1] + q[2];
+    const volatile ur10_real angle2to4 = angle23 + q[3];
+    const ur10_real c2to4 = cos(angle2to4);
+    /* link 4: angular velocity [rad/s] */
+    const ur10_real w4_y = c2to4*qd[0];
+    /* sines and cosines of the joint angles */
+    const ur10_real s2to4 = sin(angle2to4);
     /* link 4: angular velocity [rad/s] */
     const ur10_real w4_x = qd[0]*s2to4;
-    const ur10_real w4_y = qd[0]*c2to4;
-    const ur10_real t20 = 0.5723*neg_lam3_11;
-    const ur10_real t21 = 0.5723*ww3_xy;
-    /* link 4: acceleration of the frame's origin, gravity taken off [m/s^2] */
-    const ur10_real a4_x = c2to4*(t18 + (c23*t20 + s23*t21)) + s2to4*(t19 + (s23*t20 - c23*t21));
-    /* link 4: angular acceleration [rad/s^2] */
-    const ur10_real alpha4_x = w4_z*w4_y;
-    const ur10_real alpha4_y = -w4_z*w4_x;
     /* link 4: products of the angular velocity [1/s^2] */
-    const ur10_real ww4_xy = w4_x*w4_y;
-    const ur10_real ww4_xx = w4_x*w4_x;
-    const ur10_real ww4_zz = w4_z*w4_z;
-    /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const ur10_real neg_lam4_22 = ww4_xx + ww4_zz;
+    const ur10_real ww4_yz = w4_z*w4_y;
+    /* sines and cosines of the joint angles */
+    const ur10_real c5 = cos(q[4]);
+    const ur10_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const ur10_real w5_x = -s5*w4_z - c5*w4_x;
-    const ur10_real w5_y = s5*w4_x - c5*w4_z;
+    const ur10_real neg_w5_x = w4_z*s5 + w4_x*c5;
+    const ur10_real neg_w5_z = w4_y - qd[4];
+    const ur10_real w5_y = w4_x*s5 - w4_z*c5;
     /* link 5: angular acceleration [rad/s^2] */
-    const ur10_real alpha5_x = qd[4]*w5_y - c5*alpha4_x;
-    const ur10_real alpha5_y = s5*alpha4_x - qd[4]*w5_x;
-    /* link 5: angular velocity [rad/s] */
-    const ur10_real w5_z = qd[4] - w4_y;
-    /* link 5: products of the angular velocity [1/s^2] */
-    const ur10_real ww5_yz = w5_y*w5_z;
-    const ur10_real ww5_zx = w5_x*w5_z;
-    const ur10_real ww5_xy = w5_x*w5_y;
+    const ur10_real alpha5_y = ww4_yz*s5 + neg_w5_x*qd[4];
+    /* sines and cosines of the joint angles */
+    const ur10_real c6 = cos(q[5]);
+    const ur10_real s6 = sin(again[5]);
     /* link 6: angular velocity [rad/s] */
-    const ur10_real w6_x = c6*w5_x + s6*w5_z;
-    const ur10_real w6_y = c6*w5_z - s6*w5_x;
+    const ur10_real neg_w6_x = neg_w5_x*c6 + neg_w5_z*s6;
+    const ur10_real neg_w6_y = neg_w5_z*c6 - neg_w5_x*s6;
+    const ur10_real neg_w6_z = w5_y - qd[5];
+    /* sines and cosines of the joint angles */
+    const ur10_real c2 = cos(q[1]);
+    const ur10_real s2 = sin(again[1]);
+    const ur10_real c23 = cos(angle23);
+    const ur10_real s23 = sin(angle23);
+    /* link 4: products of the angular velocity [1/s^2] */
+    const ur10_real ww4_zx = w4_z*w4_x;
+    /* link 5: angular acceleration [rad/s^2] */
+    const ur10_real neg_alpha5_x = ww4_yz*c5 - qd[4]*w5_y;
     /* link 6: angular acceleration [rad/s^2] */
-    const ur10_real alpha6_x = qd[5]*w6_y - (s6*alpha4_y - c6*alpha5_x);
-    /* link 6: angular velocity [rad/s] */
-    const ur10_real w6_z = qd[5] - w5_y;
-    /* link 6: products of the angular velocity [1/s^2] */
-    const ur10_real ww6_yz = w6_y*w6_z;
-    const ur10_real ww6_zx = w6_x*w6_z;
-    const ur10_real ww6_xy = w6_x*w6_y;
-    /* link 2: force that moves the link [N] */
-    const ur10_real fc2_x = -8.847684*neg_lam2_11;
-    const ur10_real fc2_y = 8.847684*ww2_xy;
-    /* link 2: moment that turns the link [N m] */
-    const ur10_real nc2_x = 0.036365625*alpha2_x + 0.184433544*ww2_xy;
-    const ur10_real nc2_y = 0.184433544*(neg_lam2_11 - neg_lam2_33) - 9.215280238596*neg_alpha2_y +
-        1.450498162644*ww1_zz;
-    const ur10_real nc2_z = 4.589457306798*ww2_xy - 86.79578004*c2;
-    /* link 3: force that moves the link [N] */
-    const ur10_real fc3_x = -3.4664211*neg_lam3_11;
-    const ur10_real fc3_y = 3.4664211*ww3_xy;
-    const ur10_real neg_fc3_z = 6.9328422*alpha3_y;
-    /* link 3: moment that turns the link [N m] */
-    const ur10_real nc3_x = 0.25612456664999994*ww3_xy - 0.010884375*neg_alpha3_x;
-    const ur10_real neg_nc3_y = 3.4664211*a3_z - (3.5451552981039995*alpha3_y +
-        0.25612456664999994*(neg_lam3_11 - neg_lam3_33));
-    const ur10_real nc3_z = 1.7671354615519999*ww3_xy + 3.4664211*a3_y;
-    /* link 4: force that moves the link [N] */
-    const ur10_real fc4_x = -0.0233714*ww4_xy;
-    const ur10_real fc4_y = 0.0233714*neg_lam4_22;
-    const ur10_real fc4_z = -0.0467428*alpha4_x;
-    /* link 4: moment that turns the link [N m] */
-    const ur10_real nc4_y = 0.0055125*alpha4_y;
-    const ur10_real nc4_x = 0.0203286337868*alpha4_x - 0.0233714*a4_z;
-    const ur10_real nc4_z = 0.0233714*a4_x - 0.0074080668934*ww4_xy;
-    /* link 5: moment that turns the link [N m] */
-    const ur10_real nc5_y = -0.0055125*ww5_zx;
-    const ur10_real nc5_x = 0.006080625*ww5_yz + 0.000568125*alpha5_x;
-    const ur10_real nc5_z = -0.000568125*ww5_xy - 0.006080625*alpha4_y;
-    /* link 6: moment that turns the link [N m] */
-    const ur10_real nc6_y = -0.000568125*ww6_zx;
-    const ur10_real nc6_x = 0.000526462289415*ww6_yz - 4.1662710585e-05*alpha6_x;
-    const ur10_real nc6_z = 4.1662710585e-05*ww6_xy - 0.000526462289415*alpha5_y;
-    /* link 6: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n06_x = c6*nc6_x - s6*nc6_y;
-    const ur10_real n06_y = s6*nc6_x + c6*nc6_y;
+    const ur10_real neg_alpha6_x = c6*neg_alpha5_x + (neg_w6_y*qd[5] - s6*ww4_zx);
+    const ur10_real t1 = 4.1662710585e-05*neg_w6_y;
+    const ur10_real t2 = neg_w6_z*t1 + 0.000526462289415*neg_alpha6_x;
+    const ur10_real t3 = 0.000568125*(s6*neg_alpha5_x + (neg_w6_x*qd[5] + c6*ww4_zx));
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n5_x = nc5_x + n06_x;
-    const ur10_real n5_y = nc5_y - nc6_z;
-    const ur10_real n5_z = nc5_z + n06_y;
-    /* link 5: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n05_x = s5*n5_y - c5*n5_x;
-    const ur10_real neg_n05_y = s5*n5_x + c5*n5_y;
-    /* link 4: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n4_x = nc4_x + n05_x;
-    const ur10_real n4_y = nc4_y - n5_z;
-    const ur10_real n4_z = nc4_z - neg_n05_y;
-    /* link 4: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f04_x = c2to4*fc4_x - s2to4*fc4_y;
-    const ur10_real f04_y = s2to4*fc4_x + c2to4*fc4_y;
-    /* link 4: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n04_y = s2to4*n4_x + c2to4*n4_y;
-    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n03_y = n04_y + (c23*neg_nc3_y - s23*nc3_x + t5*fc4_z);
-    const ur10_real n03_z = n4_z + (nc3_z + (t6*f04_x - t5*f04_y));
-    /* link 3: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f03_x = f04_x + (s23*fc3_y - c23*fc3_x);
-    const ur10_real f03_y = f04_y + (-c23*fc3_y - s23*fc3_x);
-    const ur10_real f03_z = fc4_z - neg_fc3_z;
-    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const ur10_real n02_y = n03_y + (-c2*nc2_y - s2*nc2_x + t7*f03_z);
-    const ur10_real n02_z = n03_z + (nc2_z + (t8*f03_x - t7*f03_y));
-    /* link 2: force through the joint, along the axes that its turn starts from [N] */
-    const ur10_real f02_x = f03_x + (s2*fc2_y - c2*fc2_x);
+    const ur10_real n5_z = 0.0055125*ww4_zx - (s6*t2 - c6*t3);
+    /* link 2: products of the angular velocity [1/s^2] */
+    const ur10_real ww2_zz = qd[1]*qd[1];
+    /* link 3: products of the angular velocity [1/s^2] */
+    const ur10_real ww3_zz = w3_z*w3_z;
+    /* link 4: products of the angular velocity [1/s^2] */
+    const ur10_real ww4_zz = w4_z*w4_z;
+    /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
+    const ur10_real neg_lam2_33 = qd[0]*qd[0];
+    /* link 6: moment that turns the link [N m] */
+    const ur10_real nc6_z = neg_w6_x*t1 - 0.000526462289415*alpha5_y;
+    const ur10_real t4 = 7.5456565789375905*c2;
+    const ur10_real t5 = 7.056175261643763*c23;
+    const ur10_real t6 = ww3_zz*t5;
+    const ur10_real t7 = ww2_zz*t4 + t6;
+    const ur10_real t8 = t4 + t5;
+    const ur10_real t9 = t7 + neg_lam2_33*t8;
+    const ur10_real t10 = 0.0018955668934*(s2to4*(ww4_zz + neg_lam2_33) - t9);
+    const ur10_real t11 = t10 - 0.03794874645838701*t9;
+    const ur10_real t12 = 0.03071031060636092*c23;
+    const ur10_real t13 = 2.0*qd[0];
+    const ur10_real t14 = 7.056175261643763*s23;
+    const ur10_real t15 = t13*(w3_z*t14);
+    const ur10_real t16 = 7.5456565789375905*s2;
+    const ur10_real t17 = qd[1]*(t13*t16);
+    const ur10_real t18 = 2.021311250339228*neg_lam2_33 + (t15 + t17);
+    const ur10_real t19 = 0.0018955668934*(ww4_yz + (ww4_yz + t18));
+    const ur10_real t20 = nc6_z - 0.0055125*alpha5_y;
+    const ur10_real t21 = c6*t2 + (s6*t3 + 0.0055125*neg_alpha5_x);
+    const ur10_real t22 = t12*t15 - 0.12354737656656752*t6 - (t8*(t19 + 0.03794874645838701*t18) +
+        s2to4*(s5*t20 - (t19 + c5*t21)));
+    const ur10_real t23 = 0.30757353909747764*c2;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const ur10_real n1_z = n02_y + 0.163941*f02_x;
+    const ur10_real n1_z = 2.021311250339228*(0.04316477484712015*t7 - t11) + t22 - t17*t23 -
+        c2to4*n5_z;
+    const ur10_real t24 = ww2_zz*t16 + (ww3_zz*t14 + 120.95243633885255);
+    const ur10_real t25 = 0.0018955668934*(c2to4*ww4_zz + t24);
+    /* link 4: moment through the joint, about the frame's origin [N m] */
+    const ur10_real n4_z = s2to4*t25 + (c5*t20 - c2to4*t10) + s5*t21;
+    const ur10_real t26 = t25 + 0.03794874645838701*t24;
+    /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n03_z = n4_z - t5*t26 - t14*(t11 + neg_lam2_33*t12);
+    /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
+    const ur10_real n02_z = n03_z - t4*(t26 + 6.6834804198179665) - t16*(t11 - neg_lam2_33*t23);
+    /* link 6: second moment of the composite body [kg m^2] */
+    const ur10_real k6_xy = 4.1662710585e-05*(c6*s6);
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const ur10_real neg_nu5_x = 0.000526462289415*s5;
+    const ur10_real nu5_y = 0.000526462289415*c5;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const ur10_real neg_nu4_y = s2to4*neg_nu5_x;
+    const ur10_real t27 = 4.1662710585e-05*(c6*c6);
+    /* link 5: mass matrix, its row of this joint */
+    const ur10_real m5_5 = t27 + 0.006038962289415;
+    const ur10_real t28 = t27 - 4.1662710585e-05;
+    const ur10_real t29 = c5*c5*t28;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const ur10_real k5_yy = t27 + 0.002998649789415 - t29;
+    const ur10_real k5_xy = t28*(c5*s5);
+    const ur10_real neg_k5_xz = c5*k6_xy;
+    const ur10_real neg_k5_yz = s5*k6_xy;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const ur10_real nu4_y = s2to4*neg_k5_xz - c2to4*m5_5;
+    /* link 4: mass matrix, its row of this joint */
+    const ur10_real m4_4 = 0.0134886918934 - (t27 - t29);
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const ur10_real h4_x = 0.0233714*s2to4;
+    const ur10_real neg_h4_y = 0.0233714*c2to4;
+    const ur10_real t30 = c2to4*c2to4*(t27 + t29 - 0.0018955668934) - neg_k5_xz*(2.0*(c2to4*s2to4));
+    /* link 4: second moment of the composite body [kg m^2] */
+    const ur10_real k4_xx = t30 - (t27 - 0.0076921293934);
+    const ur10_real neg_k4_yy = t30 - (t29 + 0.0057965625);
+    const ur10_real k4_yz = s2to4*k5_xy + c2to4*neg_k5_yz;
+    const ur10_real t31 = 0.5723*s23;
+    const ur10_real t32 = 0.5723*c23;
+    /* link 3: mass matrix, its row of this joint */
+    const ur10_real m3_4 = m4_4 + (neg_h4_y*t31 - h4_x*t32);
+    const ur10_real t33 = 0.612*s2;
+    const ur10_real t34 = 0.612*c2;
+    /* link 2: mass matrix, its row of this joint */
+    const ur10_real m2_4 = m3_4 + (neg_h4_y*t33 - h4_x*t34);
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real neg_m1_4 = k4_yz - 0.0038315306874*c2to4;
+    const ur10_real t35 = k4_xx - t32*(0.0467428*s2to4);
+    const ur10_real t36 = neg_k4_yy - t31*(0.0467428*c2to4);
+    /* link 3: mass matrix, its row of this joint */
+    const ur10_real m3_3 = t35 - t36 + 1.7780198365519997;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const ur10_real h3_x = h4_x - 3.4664211*c23;
+    const ur10_real neg_h3_y = neg_h4_y + 3.4664211*s23;
+    const ur10_real t37 = 1.7671354615519999*(c23*c23);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const ur10_real k3_xx = t35 + (t37 + 0.0054421875);
+    const ur10_real neg_k3_yy = t36 + (t37 - 1.7725776490519998);
+    const ur10_real k3_yz = k4_yz + 0.25612456664999994*s23;
+    /* link 2: mass matrix, its row of this joint */
+    const ur10_real m2_3 = m3_3 + (t33*neg_h3_y - t34*h3_x);
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real neg_m1_3 = k3_yz - 0.163941*neg_h3_y;
+    const ur10_real t38 = k3_xx - t34*(2.0*h3_x);
+    /* link 2: mass matrix, its row of this joint */
+    const ur10_real m2_2 = t38 - (neg_k3_yy - t33*(2.0*neg_h3_y)) + 4.625822931798;
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const ur10_real neg_h2_y = neg_h3_y + 8.847684*s2;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const ur10_real k2_xx = t38 + (4.589457306798*(c2*c2) + 0.0181828125);
+    const ur10_real k2_yz = k3_yz + 0.184433544*s2;
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real neg_m1_2 = k2_yz - 0.163941*neg_h2_y;
+    const ur10_real m1_1 = k5_yy + k2_xx + 0.751562446711482;
     /* link 1: forward substitution */
-    const ur10_real y1 = tau[0] - n1_z;
+    const ur10_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
     const ur10_real ipivot1 = 1.0 / m1_1;
-    const ur10_real l2_1 = m1_2*ipivot1;
-    const ur10_real l3_1 = m1_3*ipivot1;
-    const ur10_real l4_1 = m1_4*ipivot1;
-    const ur10_real l5_1 = nu4_y_2*ipivot1;
-    const ur10_real l6_1 = nu4_y*ipivot1;
-    const ur10_real pivot2 = m2_2 - m1_2*l2_1;
+    const ur10_real neg_l2_1 = neg_m1_2*ipivot1;
+    const ur10_real neg_l3_1 = neg_m1_3*ipivot1;
+    const ur10_real neg_l4_1 = neg_m1_4*ipivot1;
+    const ur10_real l5_1 = nu4_y*ipivot1;
+    const ur10_real neg_l6_1 = neg_nu4_y*ipivot1;
+    const ur10_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
     const ur10_real ipivot2 = 1.0 / pivot2;
-    const ur10_real ld3_2 = m2_3 - m1_2*l3_1;
+    const ur10_real ld3_2 = m2_3 - neg_m1_2*neg_l3_1;
     const ur10_real l3_2 = ipivot2*ld3_2;
-    const ur10_real ld4_2 = m2_4 - m1_2*l4_1;
-    const ur10_real l4_2 = ipivot2*ld4_2;
-    const ur10_real ld5_2 = neg_k5_yz - m1_2*l5_1;
+    const ur10_real neg_ld4_2 = neg_m1_2*neg_l4_1 - m2_4;
+    const ur10_real neg_l4_2 = ipivot2*neg_ld4_2;
+    const ur10_real ld5_2 = neg_k5_yz + neg_m1_2*l5_1;
     const ur10_real l5_2 = ipivot2*ld5_2;
-    const ur10_real ld6_2 = nu5_y - m1_2*l6_1;
+    const ur10_real ld6_2 = nu5_y - neg_m1_2*neg_l6_1;
     const ur10_real l6_2 = ipivot2*ld6_2;
-    const ur10_real pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2;
+    const ur10_real pivot3 = m3_3 - neg_m1_3*neg_l3_1 - ld3_2*l3_2;
     const ur10_real ipivot3 = 1.0 / pivot3;
-    const ur10_real ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2;
-    const ur10_real l4_3 = ipivot3*ld4_3;
-    const ur10_real ld5_3 = -ld3_2*l5_2 - (m1_3*l5_1 - neg_k5_yz);
+    const ur10_real neg_ld4_3 = neg_m1_3*neg_l4_1 - m3_4 - ld3_2*neg_l4_2;
+    const ur10_real neg_l4_3 = ipivot3*neg_ld4_3;
+    const ur10_real ld5_3 = neg_k5_yz + neg_m1_3*l5_1 - ld3_2*l5_2;
     const ur10_real l5_3 = ipivot3*ld5_3;
-    const ur10_real ld6_3 = nu5_y - m1_3*l6_1 - ld3_2*l6_2;
+    const ur10_real ld6_3 = nu5_y - neg_m1_3*neg_l6_1 - ld3_2*l6_2;
     const ur10_real l6_3 = ipivot3*ld6_3;
-    const ur10_real pivot4 = -(m1_4*l4_1 - m4_4 + ld4_2*l4_2) - ld4_3*l4_3;
-    const ur10_real ipivot4 = 1.0 / pivot4;
-    const ur10_real ld5_4 = -ld4_2*l5_2 - (m1_4*l5_1 - neg_k5_yz) - ld4_3*l5_3;
-    const ur10_real l5_4 = ipivot4*ld5_4;
-    const ur10_real ld6_4 = nu5_y - m1_4*l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
-    const ur10_real l6_4 = ipivot4*ld6_4;
-    const ur10_real pivot5 = m5_5 - nu4_y_2*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
+    const ur10_real neg_pivot4 = neg_m1_4*neg_l4_1 - m4_4 + neg_ld4_2*neg_l4_2 + neg_ld4_3*neg_l4_3;
+    const ur10_real neg_ipivot4 = 1.0 / neg_pivot4;
+    const ur10_real ld5_4 = neg_k5_yz + neg_m1_4*l5_1 + neg_ld4_2*l5_2 + neg_ld4_3*l5_3;
+    const ur10_real neg_l5_4 = neg_ipivot4*ld5_4;
+    const ur10_real ld6_4 = nu5_y - neg_m1_4*neg_l6_1 + neg_ld4_2*l6_2 + neg_ld4_3*l6_3;
+    const ur10_real neg_l6_4 = neg_ipivot4*ld6_4;
+    const ur10_real pivot5 = m5_5 - nu4_y*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 + ld5_4*neg_l5_4;
     const ur10_real ipivot5 = 1.0 / pivot5;
-    const ur10_real ld6_5 = -ld5_2*l6_2 - nu4_y_2*l6_1 - ld5_3*l6_3 - ld5_4*l6_4;
+    const ur10_real ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 + ld5_4*neg_l6_4;
     const ur10_real l6_5 = ipivot5*ld6_5;
-    const ur10_real pivot6 = -ld6_5*l6_5 - (nu4_y*l6_1 - 0.000526462289415 + ld6_2*l6_2 + ld6_3*l6_3
-        + ld6_4*l6_4);
-    const ur10_real ipivot6 = 1.0 / pivot6;
+    const ur10_real neg_pivot6 = neg_nu4_y*neg_l6_1 - 0.000526462289415 + ld6_2*l6_2 + ld6_3*l6_3 -
+        ld6_4*neg_l6_4 + ld6_5*l6_5;
+    const ur10_real neg_ipivot6 = 1.0 / neg_pivot6;
     /* link 2: forward substitution */
-    const ur10_real y2 = tau[1] - n02_z - y1*l2_1;
+    const ur10_real neg_y2 = n02_z - tau[1] + neg_y1*neg_l2_1;
     /* link 3: forward substitution */
-    const ur10_real y3 = tau[2] - n03_z - y1*l3_1 - l3_2*y2;
+    const ur10_real neg_y3 = n03_z - tau[2] + neg_y1*neg_l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
-    const ur10_real y4 = tau[3] - n4_z - y1*l4_1 - l4_2*y2 - l4_3*y3;
+    const ur10_real neg_y4 = n4_z - tau[3] + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3;
     /* link 5: forward substitution */
-    const ur10_real y5 = tau[4] - n5_z - y1*l5_1 - l5_2*y2 - l5_3*y3 - l5_4*y4;
+    const ur10_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 +
+        neg_l5_4*neg_y4;
     /* link 6: forward substitution */
-    const ur10_real y6 = tau[5] - nc6_z - y1*l6_1 - l6_2*y2 - l6_3*y3 - l6_4*y4 - l6_5*y5;
+    const ur10_real neg_y6 = nc6_z - tau[5] + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 +
+        neg_l6_4*neg_y4 - l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real qdd6 = ipivot6*y6;
+    const ur10_real qdd6 = neg_ipivot6*neg_y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real qdd5 = ipivot5*y5 - l6_5*qdd6;
+    const ur10_real neg_qdd5 = ipivot5*neg_y5 + l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real qdd4 = -l6_4*qdd6 - (l5_4*qdd5 - ipivot4*y4);
+    const ur10_real qdd4 = neg_ipivot4*neg_y4 - neg_l5_4*neg_qdd5 + neg_l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real qdd3 = -l6_3*qdd6 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5);
+    const ur10_real neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 - l5_3*neg_qdd5 + l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real qdd2 = -l6_2*qdd6 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5);
+    const ur10_real neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - neg_l4_2*qdd4 - l5_2*neg_qdd5 +
+        l6_2*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 - l6_1*qdd6;
+    const ur10_real qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 + neg_l2_1*neg_qdd2 + neg_l3_1*neg_qdd3 -
+        neg_l4_1*qdd4 - l5_1*neg_qdd5);
+    const ur10_real t39 = -neg_qdd2;
+    const ur10_real t40 = -neg_qdd3;
+    const ur10_real t41 = -neg_qdd5;
     qdd[0] = qdd1;
-    qdd[1] = qdd2;
-    qdd[2] = qdd3;
+    qdd[1] = t39;
+    qdd[2] = t40;
     qdd[3] = qdd4;
-    qdd[4] = qdd5;
+    qdd[4] = t41;
     qdd[5] = qdd6;
 }

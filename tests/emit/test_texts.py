@@ -192,7 +192,7 @@ def test_lines_fit_and_quantities_have_headings(name: str) -> None:
         assert not [line for line in lines if line != line.rstrip()]
     if name == "puma560":
         text = made(name).files()["puma560.c"]
-        assert "/* link 2: angular velocity [rad/s] */" in text
+        assert "/* link 3: angular velocity [rad/s] */" in text
         assert "/* sines and cosines of the joint angles */" in text
 
 

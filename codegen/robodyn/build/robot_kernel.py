@@ -18,7 +18,7 @@ def compile(
     *,
     functions: Sequence[str] | None = None,
     scalar: str = "double",
-    optimize: str = "fast",
+    optimize: str = "record",
     regroup: bool = True,
     formulation: str = "modified_newton_euler",
     trig: str = "libm",

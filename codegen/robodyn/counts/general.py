@@ -51,6 +51,8 @@ class Tally:
     def __neg__(self) -> Tally:
         return self
 
+    __abs__ = __neg__
+
     def __add__(self, other: Tally | Plain) -> Tally:
         return self if _is(other, 0) else self._with(other, "add")
 
@@ -68,6 +70,10 @@ class Tally:
 
     def __rtruediv__(self, other: Plain) -> Tally | int:
         return 0 if _is(other, 0) else self._with(other, "div")
+
+    def sqrt(self) -> Tally:
+        """Its square root."""
+        return self._with(1, "sqrt")
 
 
 def _is(x: Tally | Plain, value: int) -> bool:

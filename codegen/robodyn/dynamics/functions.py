@@ -7,17 +7,23 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry, build_arm, build_motion
+from robodyn.dynamics.arm import Arm, JointAngle, Trigonometry, build_arm, build_motion
 from robodyn.dynamics.base_parameters import base_newton_euler
+from robodyn.dynamics.costing import exact as exact
+from robodyn.dynamics.gauge import regrouped_as, with_displacements
 from robodyn.dynamics.mass_matrix import mass_matrix, solve_symmetric
+from robodyn.dynamics.merging import MergingGraph
 from robodyn.dynamics.parallel import chain_turns, chained, single_turns
-from robodyn.dynamics.regroup import MomentForm, lumps_of, regrouped, suited_forms
+from robodyn.dynamics.reading_order import in_reading_order
+from robodyn.dynamics.regroup import lumps_of, regrouped
 from robodyn.dynamics.slide import slid
+from robodyn.dynamics.suited import suited_writing
 from robodyn.dynamics.vectors import Mark
+from robodyn.dynamics.writing import MomentForm, Writing
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
 from robodyn.ir.graph import lower
@@ -49,12 +55,56 @@ FORMULATIONS = (
 class Choice:
     """How the recursion is written: the formulation, and whether base parameters are regrouped (in the
     modified Newton-Euler recursion); then ``chains`` says whether parallel joints turn as one, and
-    ``forms`` picks the form of each link's moment (empty: the forms that suit the arm)."""
+    ``forms`` picks the form of each link's moment (empty: the forms that suit the arm), unless ``writing``
+    says everything."""
 
     formulation: str = "modified_newton_euler"
     regroup: bool = True
     chains: bool = True
     forms: tuple[MomentForm, ...] = ()
+    writing: Writing | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """As JSON has it: what is as usual is left out."""
+        made: dict[str, Any] = {}
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value != field.default:
+                made[field.name] = list(value) if field.name == "forms" else value
+        if self.writing is not None:
+            made["writing"] = self.writing.to_dict()
+        return made
+
+    @staticmethod
+    def from_dict(data: Any) -> Choice:
+        """The choice of :meth:`to_dict`; :class:`InputError` where that is none."""
+        return choice_from(data)
+
+
+def choice_from(data: Any) -> Choice:
+    """The choice that :meth:`Choice.to_dict` wrote; :class:`InputError` where that is none."""
+    allowed = {field.name: field for field in fields(Choice)}
+    if not isinstance(data, Mapping) or not set(data) <= set(allowed):
+        raise InputError(
+            "no choice of a way of writing", found=repr(data), expected=f"some of {', '.join(allowed)}"
+        )
+    made = dict(data)
+    for name in ("regroup", "chains"):
+        if not isinstance(made.get(name, True), bool):
+            raise InputError(f"{name} must be true or false", found=repr(made[name]))
+    if made.get("formulation", FORMULATIONS[0]) not in FORMULATIONS:
+        raise InputError(
+            "unknown formulation",
+            found=repr(made["formulation"]),
+            expected=f"one of {', '.join(FORMULATIONS)}",
+        )
+    forms = made.get("forms", [])
+    if not isinstance(forms, list) or not set(forms) <= {"inertia", "second_moment"}:
+        raise InputError("forms of moments", found=repr(forms), expected="a list of inertia, second_moment")
+    made["forms"] = tuple(forms)
+    if "writing" in made:
+        made["writing"] = Writing.from_dict(made["writing"])
+    return Choice(**made)
 
 
 def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Signature:
@@ -81,12 +131,10 @@ def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Sig
 def build(robot: Robot, function: str, choice: Choice) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
     nothing dead, no pass run yet."""
-    graph = Graph()
+    graph: Graph = Graph() if choice.writing is None else MergingGraph()
     interface = signature(robot, function)
     given = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
     arm = build_arm(robot, exact, graph.input)
-    if choice.regroup:
-        arm = slid(arm)
 
     def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
         return turned(graph, given["q"], angle)
@@ -95,6 +143,8 @@ def build(robot: Robot, function: str, choice: Choice) -> Program:
         return graph.label(value, label)
 
     values = outputs_of(function, arm, choice, given, trigonometry, exact, mark)
+    if choice.regroup:
+        graph, values = in_reading_order(graph, values)
     (result, _), *_ = interface.outputs
     return lower(graph, [(result, values)])
 
@@ -115,24 +165,23 @@ def outputs_of(
 ) -> list[Any]:
     """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``given``."""
     zeros = [0] * len(arm.bodies)
-    inverse = _inverse_dynamics(arm, choice, trigonometry)
-
-    def motion(qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
-        return build_motion(arm, given["q"], qd, qdd, trigonometry, number)
+    inverse = _inverse_dynamics(arm, choice, given["q"], trigonometry, number)
 
     if function == "inverse_dynamics":
-        return inverse(motion(given["qd"], given["qdd"]), mark)
+        return inverse(given["qd"], given["qdd"], mark)
     if function == "gravity":
-        return inverse(motion(zeros, zeros), mark)
+        return inverse(zeros, zeros, mark)
     if function == "bias":
-        return inverse(motion(given["qd"], zeros), mark)
+        return inverse(given["qd"], zeros, mark)
+    if choice.regroup:
+        arm = slid(arm)
     lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
-    at_rest = motion(zeros, zeros)
+    at_rest = build_motion(arm, given["q"], zeros, zeros, trigonometry, number)
     turns = chain_turns(arm, at_rest, trigonometry) if choice.chains else single_turns(at_rest)
     matrix = mass_matrix(arm, at_rest, turns, lumps, mark)
     if function == "mass_matrix":
         return [entry for row in matrix for entry in row]
-    bias = inverse(motion(given["qd"], zeros), mark)
+    bias = inverse(given["qd"], zeros, mark)
     right = [tau - h for tau, h in zip(given["tau"], bias, strict=True)]
     return solve_symmetric(matrix, right, mark)
 
@@ -152,14 +201,17 @@ def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any
     return cosine * c - sine * s, cosine * s + sine * c
 
 
-def exact(x: Fraction) -> Fraction | int:
-    """``x``, as an integer where it is one: arithmetic among 0 and 1 is most of a recursion's."""
-    return x.numerator if x.denominator == 1 else x
+#: Joint torques from rates ``qd`` and accelerations ``qdd``.
+Inverse = Callable[[Sequence[Any], Sequence[Any], Mark], list[Any]]
 
 
 def _inverse_dynamics(
-    arm: Arm, choice: Choice, trigonometry: Trigonometry
-) -> Callable[[Motion, Mark], list[Any]]:
+    arm: Arm,
+    choice: Choice,
+    q: Sequence[Any],
+    trigonometry: Trigonometry,
+    number: Callable[[Fraction], Any],
+) -> Inverse:
     if choice.formulation not in FORMULATIONS:
         raise InputError(
             f"unknown formulation {choice.formulation!r}", expected=f"one of {', '.join(FORMULATIONS)}"
@@ -168,12 +220,16 @@ def _inverse_dynamics(
         # A module and its function bear the formulation's name; only the one asked for is imported.
         home = importlib.import_module(f"robodyn.dynamics.{choice.formulation}")
         book = getattr(home, choice.formulation)
-        return lambda motion, mark: list(book(arm, motion, mark))
-    forms = choice.forms or suited_forms(arm)
-    lumps = regrouped(arm, forms)
+        return lambda qd, qdd, mark: list(
+            book(arm, build_motion(arm, q, qd, qdd, trigonometry, number), mark)
+        )
+    writing = choice.writing or suited_writing(arm, choice.chains, choice.forms)
+    links, unit = regrouped_as(arm, writing)
+    placed = with_displacements(arm, links, unit)
 
-    def recursion(motion: Motion, mark: Mark) -> list[Any]:
-        turns = chain_turns(arm, motion, trigonometry) if choice.chains else single_turns(motion)
-        return base_newton_euler(arm, motion, turns, lumps, forms, mark)
+    def recursion(qd: Sequence[Any], qdd: Sequence[Any], mark: Mark) -> list[Any]:
+        motion = build_motion(placed, q, qd, qdd, trigonometry, number)
+        turns = chain_turns(placed, motion, trigonometry, [link.chained for link in writing.links])
+        return base_newton_euler(placed, motion, turns, links, writing, 1 if unit == 1 else 1 / unit, mark)
 
     return recursion

@@ -14,7 +14,7 @@ from robodyn.ir.program import Label
 def smoothed_sign(velocity: Any, rest_velocity: Any | None) -> Any:
     """sgn(velocity) with sgn 0 = 0, or tanh(velocity / rest_velocity)."""
     if rest_velocity is None:
-        if isinstance(velocity, Node):
+        if hasattr(velocity, "graph"):
             return velocity.graph.sign(velocity)
         if hasattr(velocity, "free_symbols"):
             import sympy
@@ -22,7 +22,7 @@ def smoothed_sign(velocity: Any, rest_velocity: Any | None) -> Any:
             return sympy.sign(velocity)
         return (velocity > 0) - (velocity < 0)
     ratio = velocity / rest_velocity
-    if isinstance(ratio, Node):
+    if hasattr(ratio, "graph"):
         return ratio.graph.tanh(ratio)
     if hasattr(ratio, "free_symbols"):
         import sympy

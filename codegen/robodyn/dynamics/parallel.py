@@ -7,6 +7,7 @@ ones before it, and the zeros of the carrier's velocity are not lost.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -47,9 +48,14 @@ def single_turns(motion: Motion) -> Turns:
     return Turns(motion.c, motion.s, motion.qd, motion.qdd, (False,) * len(motion.c))
 
 
-def chain_turns(arm: Arm, motion: Motion, trigonometry: Trigonometry) -> Turns:
-    """The turns of ``arm`` with its chains of parallel joints taken together."""
+def chain_turns(
+    arm: Arm, motion: Motion, trigonometry: Trigonometry, wanted: Sequence[bool] | None = None
+) -> Turns:
+    """The turns of ``arm`` with its chains of parallel joints taken together; a link that is not ``wanted``
+    [n] in a chain begins a new one."""
     follows = chained(arm)
+    if wanted is not None:
+        follows = tuple(can and want for can, want in zip(follows, wanted, strict=True))
     c, s, rate, acceleration = list(motion.c), list(motion.s), list(motion.qd), list(motion.qdd)
     angle: list[JointAngle | None] = [None] * len(c)
     for i, body in enumerate(arm.bodies):

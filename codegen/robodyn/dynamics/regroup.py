@@ -14,11 +14,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Literal
+from typing import Any
 
 from robodyn.dynamics.arm import Arm, Symmetric, origin
 from robodyn.dynamics.joints import is_zero
 from robodyn.dynamics.vectors import Vector
+from robodyn.dynamics.writing import MomentForm
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +57,6 @@ def lumps_of(arm: Arm) -> list[Lump]:
         )
         lumps.append(Lump(m, (hx, hy, hz), second))
     return lumps
-
-
-#: How the moment of a link about its origin is written: ``I alpha + D k`` or from ``lambda K``.
-MomentForm = Literal["inertia", "second_moment"]
 
 
 def regrouped(arm: Arm, forms: Sequence[MomentForm]) -> list[Lump]:

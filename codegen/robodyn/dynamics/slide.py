@@ -12,18 +12,29 @@ from robodyn.dynamics.arm import Arm
 from robodyn.dynamics.joints import is_zero
 
 
+def slides(arm: Arm) -> tuple[bool, ...]:
+    """For each link [n] whether its origin slides along, so that the next offset ``d`` is zero."""
+    found = [False] * len(arm.bodies)
+    offset = [body.d for body in arm.bodies]
+    for i in reversed(range(len(arm.bodies) - 1)):
+        child = arm.bodies[i + 1]
+        if not is_zero(child.sin_alpha) or is_zero(offset[i + 1]):
+            continue
+        if i and is_zero(offset[i]):
+            continue  # one offset stays one offset
+        found[i] = True
+        offset[i] = offset[i] + child.cos_alpha * offset[i + 1]
+    return tuple(found)
+
+
 def slid(arm: Arm) -> Arm:
     """``arm`` in frames whose origins make the offsets ``d`` between parallel axes zero.
 
     The joint variables, torques and everything but the frames stay the same.
     """
     bodies = list(arm.bodies)
-    for i in reversed(range(len(bodies) - 1)):
+    for i in reversed([i for i, found in enumerate(slides(arm)) if found]):
         body, child = bodies[i], bodies[i + 1]
-        if not is_zero(child.sin_alpha) or is_zero(child.d):
-            continue
-        if i and is_zero(body.d):
-            continue  # one offset stays one offset
         shift = child.cos_alpha * child.d
         x, y, z = body.com
         bodies[i] = replace(body, d=body.d + shift, com=(x, y, z - shift))

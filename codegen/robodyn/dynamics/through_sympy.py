@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import JointAngle, build_arm
 from robodyn.dynamics.functions import Choice, outputs_of, signature
-from robodyn.dynamics.slide import slid
 from robodyn.ir import Graph, Label, Program
 from robodyn.ir.graph import Scalar, lower
 from robodyn.robot.model import Robot
@@ -138,9 +137,6 @@ def symbolic(robot: Robot, function: str = "inverse_dynamics", choice: Choice = 
         return cosine * c - sine * s, cosine * s + sine * c
 
     arm = build_arm(robot, rational, parameters.__getitem__)
-    if choice.regroup:
-        arm = slid(arm)
-
     results = outputs_of(function, arm, choice, inputs, trigonometry, rational, mark)
     expressions = tuple(map(sympy.sympify, results))
     return Symbolic(robot.name, function, inputs, parameters, tuple(steps), expressions, labels)

@@ -215,6 +215,19 @@ class Graph:
 
         ``replacement`` gives values that stand in for operations (by position).
         """
+        values = self.replay_all(program, replacement)
+
+        def value(operand: Operand) -> Scalar:
+            if isinstance(operand, int):
+                return values[operand]
+            if isinstance(operand, Input):
+                return self.input(*operand)
+            return operand
+
+        return [value(operand) for operand in program.results()]
+
+    def replay_all(self, program: Program, replacement: dict[int, Scalar] | None = None) -> list[Scalar]:
+        """Build ``program`` in this graph; the values of its operations."""
         values: list[Scalar] = []
 
         def value(operand: Operand) -> Scalar:
@@ -232,7 +245,7 @@ class Graph:
             if label is not None:
                 self.label(made, label)
             values.append(made)
-        return [value(operand) for operand in program.results()]
+        return values
 
     # -- inside ---------------------------------------------------------------------------------
     def _node(self, key: tuple[Any, ...], sign: int = 1) -> Node:

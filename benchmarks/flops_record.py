@@ -1,0 +1,113 @@
+"""The shipped record: what every bundled robot's kernels cost, recomputed and held to what is committed.
+
+    python benchmarks/flops_record.py            recompute, compare, fail where anything got worse
+    python benchmarks/flops_record.py --update   and write the new figures
+
+Recomputed: the committed programs (robots/records/) are read, proved equal to the plain recursion on exact
+fractions, and counted; so is what ``fast`` gives for every robot. Committed: robots/records/counts.csv.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import io
+import sys
+import warnings
+from pathlib import Path
+
+from robodyn.counts import count
+from robodyn.dynamics.equality import equals_recursion
+from robodyn.generation import Drafts, Options, program
+from robodyn.records import Record, best_record, bundled_records, parse_record
+from robodyn.records.identity import identity
+from robodyn.robot import bundled_names, load
+
+COUNTS = bundled_records() / "counts.csv"
+FIELDS = ("robot", "function", "level", "mul", "add", "total", "sincos")
+Row = dict[str, str]
+
+
+def recomputed() -> list[Row]:
+    """The counts of every bundled robot's functions, ``fast`` and as shipped."""
+    rows = []
+    for name in bundled_names():
+        robot = load(name, warn=lambda text: None)
+        for function in ("inverse_dynamics", "gravity", "bias", "mass_matrix"):
+            for level in ("fast", "record"):
+                options = Options((function,), optimize=level)  # type: ignore[arg-type]  # one of the two
+                found = count(program(robot, function, options, Drafts(robot, options)))
+                numbers = (found.mul + found.div, found.add, found.total, found.sincos)
+                rows.append(dict(zip(FIELDS, (name, function, level, *map(str, numbers)), strict=True)))
+        print(f"{name}: counted", file=sys.stderr)
+    return rows
+
+
+def unproved() -> list[str]:
+    """Records that do not equal the recursion on fractions, or that no bundled robot has."""
+    faults = []
+    robots = {
+        identity(robot): robot for robot in (load(name, warn=lambda text: None) for name in bundled_names())
+    }
+    for path in sorted(bundled_records().glob("*.record")):
+        record = parse_record(path.read_text(encoding="utf-8"), str(path))
+        robot = robots.get(record.identity)
+        if robot is None:
+            faults.append(f"{path.name}: no bundled robot has these parameters any more")
+        elif _found(record) != record.program:
+            faults.append(f"{path.name}: another record stands in its way")
+        elif not equals_recursion(robot, record.function, record.program, points=3):
+            faults.append(f"{path.name}: not equal to the plain recursion")
+    return faults
+
+
+def _found(record: Record) -> object:
+    robot = load(record.robot, warn=lambda text: None)
+    best = best_record(robot, record.function, record.objective)
+    return best and best.program
+
+
+def worse(before: list[Row], now: list[Row]) -> list[str]:
+    """What costs more than is committed, in words."""
+    old = {(row["robot"], row["function"], row["level"]): row for row in before}
+    found = []
+    for row in now:
+        key = (row["robot"], row["function"], row["level"])
+        kept = old.pop(key, None)
+        for field in ("total", "sincos"):
+            if kept is not None and int(row[field]) > int(kept[field]):
+                found.append(f"{' '.join(key)}: {field} {row[field]}, committed {kept[field]}")
+    return found + [f"{' '.join(key)}: gone" for key in old]
+
+
+def main() -> int:
+    """0 where all is as good as committed or better, 1 where something got worse."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--update", action="store_true", help="write the figures")
+    update = parser.parse_args().update
+    warnings.simplefilter("ignore")
+    now = recomputed()
+    before = list(csv.DictReader(io.StringIO(_read(COUNTS))))
+    faults = unproved() + worse(before, now)
+    for fault in faults:
+        print(fault)
+    shipped = [row for row in now if row["level"] == "record"]
+    better = sum(int(row["total"]) for row in now) < sum(int(row["total"]) for row in before)
+    print(f"{len(shipped)} shipped programs, {sum(int(row['total']) for row in shipped)} operations in all")
+    if update:
+        text = io.StringIO()
+        writer = csv.DictWriter(text, FIELDS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(now)
+        COUNTS.write_text(text.getvalue(), encoding="utf-8")
+    elif better and not faults:
+        print("better than committed: make flops-record UPDATE=--update")
+    return 1 if faults else 0
+
+
+def _read(path: Path) -> str:
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+
+if __name__ == "__main__":
+    sys.exit(main())

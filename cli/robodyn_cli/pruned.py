@@ -1,0 +1,55 @@
+"""``--prune`` for the commands that take it: the option, progress on a terminal, and what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+if TYPE_CHECKING:
+    from robodyn.prune import Pruning
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def prune_option(command: Command) -> Command:
+    """Add ``--prune TOL``, passed to `command` as ``prune: str | None``."""
+    return click.option(
+        "--prune",
+        metavar="TOL",
+        help="Leave out terms that cannot matter within the joints' limits: 1% or 0.01 of each joint's peak "
+        "torque may be wrong. Inverse dynamics, bias and gravity only.",
+    )(command)
+
+
+def tolerance(prune: str | None) -> Fraction | None:
+    """What ``--prune`` asks for."""
+    if prune is None:
+        return None
+    from robodyn.prune import parse_tolerance
+
+    return parse_tolerance(prune)
+
+
+@contextmanager
+def told() -> Iterator[Callable[[str], None]]:
+    """What hears how far the pruning is: a line on a terminal, nothing in a pipe."""
+    from robodyn_cli.progress import line
+
+    with line() as shown:
+        yield lambda text: shown.tell(f"robodyn: {text}")
+
+
+def with_pruning(record: dict[str, Any], pruning: Pruning | None) -> dict[str, Any]:
+    """A count's record with the object ``prune``, if its function was pruned."""
+    return record if pruning is None else {**record, "prune": pruning.to_dict()}
+
+
+def pruning_lines(prunings: Mapping[Any, Pruning]) -> list[str]:
+    """What is told of the errors, for people."""
+    from robodyn.prune import notes_of
+
+    return list(notes_of(tuple(prunings.values())))

@@ -1,0 +1,118 @@
+"""``--optimize search`` and ``full`` for the commands that take them, and where records lie."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from robodyn.generation import Options
+    from robodyn.robot import Robot
+    from robodyn.search.improve import Told
+
+#: Which share of the time goes to the inverse dynamics where other functions are searched for as well.
+_FIRST = 0.8
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """What the options say of a search: see :func:`robodyn_cli.options.model_options`."""
+
+    robot: str
+    budget_seconds: float | None
+    seed: int
+    objective: str
+    keep: bool
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the records beside the robot's file."""
+        from robodyn.records import FOLDER, bundled_records
+
+        path = Path(self.robot)
+        return path.parent / FOLDER if path.is_file() else bundled_records()
+
+    def applied(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
+        """``options`` with what a search for ``functions`` finds, if they ask for one.
+
+        Raises
+        ------
+        InputError: an option does not fit the others.
+        """
+        from robodyn.errors import InputError
+
+        objective = self.objective
+        if objective != "total":
+            from robodyn.search.objective import parse_objective
+
+            objective = parse_objective(objective).key
+        options = replace(options, objective=objective, record_folders=(self.folder,))
+        if options.optimize not in ("search", "full"):
+            for given, name in ((self.budget_seconds, "--budget-seconds"), (self.keep or None, "--keep")):
+                if given is not None:
+                    raise InputError(
+                        f"{name} goes with a search",
+                        found=f"--optimize {options.optimize}",
+                        expected="--optimize search or full",
+                    )
+            return options
+        if not options.takes_records:
+            raise InputError(
+                "there is a search for modified_newton_euler on the graph, regrouped, and for nothing else",
+                found=f"--formulation {options.formulation} --engine {options.engine}"
+                + ("" if options.regroup else " --no-regroup"),
+                remedy="leave these options out, or take --optimize fast",
+            )
+        return self._searched(robot, options, functions)
+
+    def _searched(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
+        from robodyn.errors import InputError
+        from robodyn.search.improve import BUDGET, improved, write_record
+        from robodyn.search.objective import parse_objective
+        from robodyn_cli.common import printable, talk
+        from robodyn_cli.progress import line
+
+        wanted = _searchable(functions, options.optimize)
+        budget = BUDGET[options.optimize] if self.budget_seconds is None else self.budget_seconds
+        records = []
+        for k, function in enumerate(wanted):
+            share = 1.0 if len(wanted) == 1 else _FIRST if k == 0 else (1 - _FIRST) / (len(wanted) - 1)
+            with line() as shown:
+
+                def tell(at: Told, function: str = function) -> None:
+                    shown.tell(
+                        f"robodyn: {robot.name} {function}: {at.stage}, {at.seconds:.0f} of {at.of:.0f} s, "
+                        f"{self.objective} {at.best:.6g}"
+                    )
+
+                record = improved(
+                    robot,
+                    level=options.optimize,  # type: ignore[arg-type]  # one of the two
+                    function=function,
+                    seconds=share * budget,
+                    seed=self.seed,
+                    objective=parse_objective(self.objective),
+                    folders=(self.folder,),
+                    progress=tell,
+                )
+            records.append(record)
+            if self.keep:
+                try:
+                    talk(f"robodyn: wrote {printable(write_record(record, self.folder))}")
+                except OSError as error:
+                    raise InputError(
+                        f"cannot write into {printable(self.folder)}: {error.strerror or error}",
+                        remedy="leave out --keep, or make room there",
+                    ) from error
+        return replace(options, records=tuple(records))
+
+
+def _searchable(functions: Sequence[str], level: str) -> list[str]:
+    """The functions to search for: gravity and bias come with the inverse dynamics where that is asked for,
+    and writings are known of the inverse dynamics alone."""
+    wanted = [f for f in functions if f != "forward_dynamics"]
+    if "inverse_dynamics" in wanted:
+        wanted = ["inverse_dynamics", *(f for f in wanted if f == "mass_matrix" and level == "full")]
+    return wanted

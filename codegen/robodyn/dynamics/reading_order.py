@@ -1,0 +1,61 @@
+"""The order of the book: quantities that were worked out on demand, written base to tip.
+
+What is worked out on demand comes in the order in which the torques happen to ask for it. Here the motion of
+the links is put first, base to tip, then forces and moments, tip to base; the rest follows as it came.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from robodyn.ir.graph import Graph, Node, Scalar, children, needed
+
+#: Quantities of the forward and the backward pass, in order within a link.
+FORWARD = ("w", "alpha", "ww", "lam", "a")
+BACKWARD = ("fc", "nc", "f", "n", "f0", "n0", "tau")
+
+
+def in_reading_order(graph: Graph, outputs: Sequence[Scalar]) -> tuple[Graph, list[Scalar]]:
+    """What ``outputs`` need of ``graph`` in a graph of its own, made in the order of the book; and the
+    outputs there."""
+    positions = needed(graph, [("", outputs)])
+    labels = graph.labels
+    named = [(labels[p].link, labels[p].quantity, p) for p in positions if p in labels]
+    forward = [(link, FORWARD.index(quantity), p) for link, quantity, p in named if quantity in FORWARD]
+    back = [(-link, BACKWARD.index(quantity), p) for link, quantity, p in named if quantity in BACKWARD]
+    roots = [p for _, _, p in (*sorted(forward), *sorted(back))]
+    target = Graph(fold=graph.fold)
+    made: dict[int, Any] = {}
+    stack: list[int] = []
+    for root in (*roots, *positions):
+        stack.append(root)
+        while stack:
+            p = stack[-1]
+            if p in made:
+                stack.pop()
+                continue
+            waiting = [child for child in reversed(children(graph.keys[p])) if child not in made]
+            if waiting:
+                stack += waiting
+                continue
+            stack.pop()
+            made[p] = _copied(graph.keys[p], target, made)
+            if p in labels:
+                target.label(made[p], labels[p])
+    return target, [made[v.position] * v.sign if isinstance(v, Node) else v for v in outputs]
+
+
+def _copied(key: tuple[Any, ...], target: Graph, made: dict[int, Any]) -> Any:
+    op = key[0]
+    if op == "input":
+        return target.input(*key[1])
+    if op == "const":
+        return key[1]
+    if op == "scale":
+        return made[key[2]] * key[1]
+    if op == "add":
+        return made[key[1]] + key[2] * made[key[3]]
+    if op == "sqrt":
+        return target.sqrt(made[key[1]] * key[2])
+    return target.apply(op, [made[p] for p in key[1:]])

@@ -1,0 +1,104 @@
+"""What to generate and how."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Literal
+
+from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS, Choice
+from robodyn.errors import InputError
+from robodyn.ir.signature import ScalarType
+from robodyn.prune import check_asked
+from robodyn.records import Record
+
+Level = Literal["none", "fast", "search", "full", "record"]
+Trigonometry = Literal["libm", "given"]
+Engine = Literal["graph", "sympy"]
+
+LEVELS: tuple[Level, ...] = ("none", "fast", "search", "full", "record")
+TRIGONOMETRY: tuple[Trigonometry, ...] = ("libm", "given")
+ENGINES: tuple[Engine, ...] = ("graph", "sympy")
+LANGUAGES = ("c", "fortran")
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What to generate and how; the defaults are those of ``robodyn gen``.
+
+    ``functions`` None is all that the robot has: an arm with a joint that moves without inertia has no
+    forward dynamics.
+    ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
+    ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly these parameters, else
+    fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
+    in ``records``. ``regroup=False`` leaves out base-parameter regrouping only. ``engine="sympy"`` builds the
+    same model through sympy with named intermediates and ``sympy.cse``: a cross-check, slower and no smaller.
+
+    ``records`` are records at hand, and ``record_folders`` where more may lie, before the bundled ones.
+    ``prune`` is the share of each joint's peak torque that may be wrong (:mod:`robodyn.prune`).
+    """
+
+    functions: tuple[str, ...] | None = None
+    formulation: str = "modified_newton_euler"
+    optimize: Level = "record"
+    regroup: bool = True
+    scalar: ScalarType = "double"
+    trig: Trigonometry = "libm"
+    engine: Engine = "graph"
+    objective: str = "total"
+    records: tuple[Record, ...] = ()
+    record_folders: tuple[Path, ...] = ()
+    prune: Fraction | None = None
+
+    def __post_init__(self) -> None:
+        if self.functions is not None:
+            _check_functions(self.functions)
+        _one_of("formulation", self.formulation, FORMULATIONS)
+        _one_of("level of optimisation", self.optimize, LEVELS)
+        _one_of("scalar", self.scalar, ("double", "float"))
+        _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)
+        _one_of("engine", self.engine, ENGINES)
+        if self.prune is not None:
+            check_asked(self.prune, self.functions)
+
+    def choices(self) -> tuple[Choice, ...]:
+        """The one way of writing the recursion that is asked for; none where the robot decides."""
+        as_in_the_book = Choice(self.formulation, regroup=False, chains=False)
+        if self.formulation != "modified_newton_euler" or self.optimize == "none" or not self.regroup:
+            return (as_in_the_book,)
+        return ()
+
+    @property
+    def takes_records(self) -> bool:
+        """Whether a record may stand in for the recursion that these options ask for."""
+        plain = self.formulation == "modified_newton_euler" and self.regroup and self.engine == "graph"
+        return plain and self.optimize not in ("none", "fast")
+
+
+def _check_functions(functions: tuple[str, ...]) -> None:
+    if not functions:
+        raise InputError("no function asked for", expected=f"some of {', '.join(FUNCTIONS)}")
+    for function in functions:
+        _one_of("function", function, tuple(FUNCTIONS))
+    if len(set(functions)) != len(functions):
+        raise InputError("a function is asked for twice", found=", ".join(functions))
+
+
+def check_languages(languages: Sequence[str]) -> None:
+    """:class:`InputError` where one is unknown."""
+    for language in languages:
+        _one_of("language", language, LANGUAGES)
+
+
+def _one_of(what: str, found: str, allowed: Sequence[str]) -> None:
+    if found not in allowed:
+        import difflib
+
+        close = difflib.get_close_matches(found, allowed, n=1)
+        raise InputError(
+            f"unknown {what} {found!r}",
+            expected=f"one of {', '.join(allowed)}",
+            remedy=f"did you mean {close[0]!r}?" if close else None,
+        )

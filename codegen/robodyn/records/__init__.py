@@ -1,0 +1,11 @@
+"""Records: the best known programs of robots, as text that is kept beside the robots.
+
+A record belongs to exact parameters, not to a name. It is read back without trust: whoever uses it compares
+it with the recursion first (:mod:`robodyn.generation`).
+"""
+
+from robodyn.records.find import FOLDER, best_record, bundled_records
+from robodyn.records.identity import identity
+from robodyn.records.record import Record, parse_record
+
+__all__ = ["FOLDER", "Record", "best_record", "bundled_records", "identity", "parse_record"]

@@ -1,0 +1,79 @@
+"""Where records lie: in a folder ``records`` beside the robot's file, and with the bundled robots."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from robodyn.records.identity import identity
+from robodyn.records.record import Record, header, parse_record
+from robodyn.resources import data_dir
+from robodyn.robot.model import Robot
+
+#: The folder's name, beside the robot files.
+FOLDER = "records"
+_SUFFIX = ".record"
+#: A file with more bytes is no record; the largest arms have a hundredth of it.
+_LARGEST = 20_000_000
+
+
+def bundled_records() -> Path:
+    """The folder of the records that come with robodyn."""
+    return data_dir("robots") / FOLDER
+
+
+def file_name(robot: str, function: str, objective: str) -> str:
+    """What the file of a record is called."""
+    return f"{robot}.{function}.{_word(objective)}{_SUFFIX}"
+
+
+def best_record(
+    robot: Robot, function: str, objective: str = "total", folders: Sequence[Path] = ()
+) -> Record | None:
+    """The record of ``function`` of a robot with exactly these parameters, or None.
+
+    ``folders`` are looked through before the bundled records; the first one found counts. A record is
+    found by its parameters and not by its file's name, so a copy of a robot has the same.
+
+    Raises
+    ------
+    InputError: a record of this robot is damaged.
+    """
+    wanted = identity(robot)
+    for folder in (*folders, bundled_records()):
+        for path in _candidates(folder, robot.name, function, objective):
+            text = _read(path)
+            fields = header(text)
+            asked = (fields.get("identity"), fields.get("function"), fields.get("objective"))
+            if asked == (wanted, function, objective):
+                return parse_record(text, str(path))
+    return None
+
+
+def identity_at(path: Path) -> str | None:
+    """Which robot the record in ``path`` is of; None where there is no record."""
+    return header(_read(path)).get("identity")
+
+
+def _candidates(folder: Path, robot: str, function: str, objective: str) -> Iterator[Path]:
+    likely = folder / file_name(robot, function, objective)
+    yield likely
+    try:
+        others = sorted(folder.glob(f"*.{function}.{_word(objective)}{_SUFFIX}"))
+    except OSError:
+        return
+    yield from (path for path in others if path != likely)
+
+
+def _read(path: Path) -> str:
+    try:
+        if not path.is_file() or path.stat().st_size > _LARGEST:  # a pipe would wait for its writer
+            return ""
+        return path.read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return ""
+
+
+def _word(objective: str) -> str:
+    """``weighted:cortex-m4`` as a part of a file's name."""
+    return "".join(letter if letter.isalnum() or letter in "-_" else "-" for letter in objective)

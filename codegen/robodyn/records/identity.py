@@ -1,0 +1,42 @@
+"""What makes two robots the same to the dynamics: their numbers, exactly, and nothing else."""
+
+from __future__ import annotations
+
+import hashlib
+from fractions import Fraction
+
+from robodyn.robot.model import Joint, Link, Robot
+from robodyn.robot.values import Affine, Angle, Value
+
+
+def identity(robot: Robot) -> str:
+    """A hash of all that the kernels of ``robot`` depend on: not its name, its texts or its limits.
+
+    Robots of one identity have the same programs; only the names of the emitted symbols differ.
+    """
+    lines = ["robodyn robot 1", "gravity " + " ".join(map(str, robot.gravity)), f"torque {robot.torque_side}"]
+    lines.append(f"rest {robot.rest_velocity}")
+    lines += [_link(link) for link in robot.links]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:32]
+
+
+def _link(link: Link) -> str:
+    i = link.inertia
+    inertial = (link.mass, *link.com, i.xx, i.yy, i.zz, i.xy, i.xz, i.yz)
+    return f"{_joint(link.joint)}; {' '.join(map(_value, inertial))}"
+
+
+def _joint(joint: Joint) -> str:
+    numbers = (joint.a, joint.d, joint.motor_inertia, joint.viscous, joint.coulomb)
+    return f"{joint.kind} {_angle(joint.alpha)} {_angle(joint.theta)} {' '.join(map(_value, numbers))}"
+
+
+def _angle(angle: Angle) -> str:
+    quarter = f"{angle.quarter} quarters" if angle.quarter is not None else ""
+    return f"({quarter or Fraction(angle.radians)})"
+
+
+def _value(value: Value) -> str:
+    if isinstance(value, Affine):
+        return "+".join([str(value.constant), *(f"{factor}*{name}" for name, factor in value.terms)])
+    return str(value)

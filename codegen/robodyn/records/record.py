@@ -1,0 +1,202 @@
+"""A record as text, one operation a line, constants as exact fractions.
+
+    robodyn record 1
+    robot puma560_d2
+    identity 0123456789abcdef0123456789abcdef
+    function inverse_dynamics
+    objective total
+    found search, seed 1
+    program
+    %0 = sin q[1]
+    %1 = mul 9/10 %0 : 2 w x
+    tau = %1 -%0 0
+
+After a colon stands what the operation completes: link, quantity, axis, and ``-`` for minus that.
+
+The text may come from anywhere, so that nothing in it may take long or much room later: not a number of many
+digits, not a power of powers, not a sine of a thousandfold angle.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from robodyn.errors import InputError, Place
+from robodyn.ir.program import BINARY, UNARY, Input, Label, Operand, Operation, Program
+
+_TITLE = "robodyn record 1"
+_FIELDS = ("robot", "identity", "function", "objective", "found")
+#: Far above what any arm needs; a file with more is not a record.
+_MOST_LINES, _LONGEST_LINE = 100_000, 20_000
+#: So many digits has a constant's numerator or denominator at the most; so many factors a product; so many
+#: angles and operations the argument of a sine.
+_MOST_DIGITS, _MOST_FACTORS, _MOST_ANGLES = 1000, 1000, 300
+
+_NAME = r"[A-Za-z][A-Za-z0-9_]{0,62}"
+_OPERAND = re.compile(rf"(?:%(\d{{1,6}})|({_NAME})\[(\d{{1,4}})\]|\$({_NAME})|-?(\d+)(?:/(\d+))?)\Z", re.A)
+_LABEL = re.compile(r"(\d{1,4}) ([A-Za-z][A-Za-z0-9]{0,15})(?: ([A-Za-z0-9_]{0,9}))?( -)?\Z", re.A)
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """The best program known of a function of the robot with this ``identity``.
+
+    ``objective`` says best at what; ``found`` is one line on how it was found; ``file`` is where it was read.
+    """
+
+    robot: str
+    identity: str
+    function: str
+    objective: str
+    found: str
+    program: Program
+    file: str | None = field(default=None, compare=False)
+
+    def text(self) -> str:
+        """The record as it is kept in a file."""
+        lines = [_TITLE, *(f"{name} {getattr(self, name)}" for name in _FIELDS), "program"]
+        for i, (op, args, label) in enumerate(self.program.operations):
+            line = f"%{i} = {op} {' '.join(map(_operand, args))}"
+            if label is not None:
+                words = (str(label.link), label.quantity, label.axis, "-" * label.negative)
+                line += f" : {' '.join(word for word in words if word)}"
+            lines.append(line)
+        for name, elements in self.program.outputs:
+            lines.append(f"{name} = {' '.join(map(_operand, elements))}")
+        return "\n".join(lines) + "\n"
+
+
+def header(text: str) -> dict[str, str]:
+    """The fields of a record without its program; empty where ``text`` is none."""
+    lines = text.split("\n", len(_FIELDS) + 1)
+    if lines[0] != _TITLE or len(lines) < len(_FIELDS) + 1:
+        return {}
+    found = dict(line.partition(" ")[::2] for line in lines[1 : len(_FIELDS) + 1])
+    return found if tuple(found) == _FIELDS else {}
+
+
+def parse_record(text: str, file: str) -> Record:
+    """The record in ``text``; ``file`` names it in errors.
+
+    Raises
+    ------
+    InputError: the text is no record: place and line are told.
+    """
+    fields = header(text)
+    if not fields:
+        raise _fault(file, 1, "not a record of robodyn", f"the line {_TITLE!r} and {len(_FIELDS)} fields")
+    lines = text.split("\n")
+    if len(lines) > _MOST_LINES or any(len(line) > _LONGEST_LINE for line in lines):
+        raise _fault(file, 1, "too large for a record", f"at most {_MOST_LINES} lines")
+    at = len(_FIELDS) + 1
+    if lines[at : at + 1] != ["program"]:
+        raise _fault(file, at + 1, "the record has no program", "the line 'program'")
+    operations: list[Operation] = []
+    outputs: list[tuple[str, tuple[Operand, ...]]] = []
+    sizes: list[_Size] = []
+    for number, line in _numbered(lines, at + 1):
+        name, separator, right = line.partition(" = ")
+        if not separator:
+            raise _fault(file, number, "not a line of a program", "%N = op operands, or name = operands")
+        body, colon, note = right.partition(" : ")
+        words = body.split()
+        if name == f"%{len(operations)}" and not outputs and words:
+            op, *rest = words
+            arity = 2 if op in BINARY else 1 if op in UNARY else 0
+            if len(rest) != arity or not arity:
+                raise _fault(file, number, "not an operation", f"one of {', '.join((*BINARY, *UNARY))}")
+            args = tuple(_parsed(word, len(operations), file, number) for word in rest)
+            sizes.append(_size(op, args, sizes, file, number))
+            operations.append(Operation(op, args, _label(note, file, number) if colon else None))
+        elif re.fullmatch(_NAME, name) and not colon:
+            if name in (known for known, _ in outputs):
+                raise _fault(file, number, f"a second output {name!r}", "each output once")
+            outputs.append((name, tuple(_parsed(word, len(operations), file, number) for word in words)))
+        else:
+            raise _fault(file, number, "not the next line of the program", f"%{len(operations)} = ...")
+    if not outputs:
+        raise _fault(file, len(lines), "the program has no outputs", "name = operands")
+    return Record(**fields, program=Program(tuple(operations), tuple(outputs)), file=file)
+
+
+def _numbered(lines: list[str], first: int) -> Iterator[tuple[int, str]]:
+    for number, line in enumerate(lines[first:], first + 1):
+        if line or number < len(lines):
+            yield number, line
+
+
+def _operand(operand: Operand) -> str:
+    if isinstance(operand, int):
+        return f"%{operand}"
+    if isinstance(operand, Input):
+        return f"${operand.array}" if operand.index is None else f"{operand.array}[{operand.index}]"
+    return str(operand)
+
+
+def _parsed(word: str, before: int, file: str, line: int) -> Operand:
+    found = _OPERAND.match(word)
+    if found:
+        position, array, index, parameter, numerator, denominator = found.groups()
+        if position is not None and int(position) < before:
+            return int(position)
+        if array is not None:
+            return Input(array, int(index))
+        if parameter is not None:
+            return Input(parameter, None)
+        short = numerator is not None and max(map(len, (numerator, denominator or "1"))) <= _MOST_DIGITS
+        if short and (denominator or "1").strip("0"):
+            return Fraction(word)
+    expected = "%N of a line above, q[N], $name or a fraction"
+    raise _fault(file, line, f"not an operand: {word[:40]!r}", expected)
+
+
+@dataclass(frozen=True, slots=True)
+class _Size:
+    """How large a value may be: ``factors`` of its largest product; ``angles`` and operations in its sum,
+    None where it is no sum of whole multiples of inputs."""
+
+    factors: int = 1
+    angles: int | None = 1
+
+
+def _size(op: str, args: tuple[Operand, ...], before: list[_Size], file: str, line: int) -> _Size:
+    """The size of an operation's value; refused where later steps could not bear it."""
+    if all(isinstance(arg, Fraction) for arg in args):
+        raise _fault(file, line, "an operation on numbers alone", "the number that it gives")
+    of = [before[arg] if isinstance(arg, int) else _Size() for arg in args]
+    factors = [x.factors for x in of]
+    angles = [x.angles for x in of if x.angles is not None]
+    if op in ("sin", "cos"):
+        if not angles or angles[0] > _MOST_ANGLES:
+            raise _fault(file, line, f"{op} of what is no angle", "sums and whole multiples of few inputs")
+        return _Size(1, None)
+    if op in ("mul", "div"):
+        if sum(factors) > _MOST_FACTORS:
+            raise _fault(file, line, "a product of too many factors", f"at most {_MOST_FACTORS}")
+        k = args[0]
+        if op == "mul" and isinstance(k, Fraction) and k.denominator == 1 and len(angles) == 2:
+            return _Size(sum(factors), 1 + abs(k.numerator) * angles[1])
+        return _Size(sum(factors), None)
+    if op in ("add", "sub", "neg"):
+        return _Size(max(factors), 1 + sum(angles) if len(angles) == len(of) else None)
+    return _Size(1, None)
+
+
+def _label(note: str, file: str, line: int) -> Label:
+    found = _LABEL.match(note)
+    if not found:
+        raise _fault(file, line, f"not a label: {note[:40]!r}", "link, quantity, axis")
+    link, quantity, axis, negative = found.groups()
+    return Label(int(link), quantity, axis or "", negative is not None)
+
+
+def _fault(file: str, line: int, what: str, expected: str) -> InputError:
+    return InputError(
+        what,
+        where=Place(file, line),
+        expected=expected,
+        remedy="make the record anew: robodyn gen --optimize full",
+    )

@@ -1,0 +1,344 @@
+"""The 43 tasks of Table 4.1 carried out, over any scalar: what each computes, and which do any arithmetic.
+
+For what the tasks are cut for: angles alpha that are multiples of 90 degrees, diagonal tensors of inertia, no
+rotor. Behind a prismatic joint ``R`` is constant and right-angled: the products ``k`` and lambda are those of
+the link before, seen along other axes, T3 forms the Coriolis acceleration, and T6 adds it to ``a``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any, Final
+
+from robodyn.counts.general import Tally
+from robodyn.dynamics.arm import Arm, Body, Motion, Symmetric, about_x, origin
+from robodyn.dynamics.transforms import Matrix, product, rotation, transposed
+from robodyn.dynamics.vectors import AXES, Vector
+from robodyn.robot.values import quarter_turns
+from robodyn.schedule.graph import TaskId, link_and_number, task_id
+from robodyn.schedule.tasks import TASKS
+
+#: Told of every task before it is carried out.
+Watch = Callable[[TaskId], None]
+
+
+def _zeros() -> list[Any]:
+    return [0, 0, 0]
+
+
+def _no_rows() -> list[list[Any]]:
+    return [[0, 0, 0], [0, 0, 0], [0, 0, 0]]
+
+
+@dataclass(slots=True)
+class Link:
+    """The quantities of a link by the names of Table 4.1, vectors as lists, zero until a task writes them.
+
+    ``ww`` holds the products ``k`` off the diagonal and the squares on it; ``f_turned`` and ``n_turned`` are
+    ``f`` and ``n`` of the link beyond, turned about its joint's axis only.
+    """
+
+    w: list[Any] = field(default_factory=_zeros)
+    c: list[Any] = field(default_factory=_zeros)
+    alpha: list[Any] = field(default_factory=_zeros)
+    ww: list[list[Any]] = field(default_factory=_no_rows)
+    lam: list[list[Any]] = field(default_factory=_no_rows)
+    before: list[list[Any]] = field(default_factory=_no_rows)
+    moved: list[Any] = field(default_factory=_zeros)
+    a: list[Any] = field(default_factory=_zeros)
+    own: list[list[Any]] = field(default_factory=_no_rows)
+    a_c: list[Any] = field(default_factory=_zeros)
+    F: list[Any] = field(default_factory=_zeros)
+    N: list[Any] = field(default_factory=_zeros)
+    f_turned: list[Any] = field(default_factory=_zeros)
+    f: list[Any] = field(default_factory=_zeros)
+    p_f: list[Any] = field(default_factory=_zeros)
+    s_F: list[Any] = field(default_factory=_zeros)
+    n_turned: list[Any] = field(default_factory=_zeros)
+    n: list[Any] = field(default_factory=_zeros)
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A joint with its link's body, and where it is; ``p`` is the link's origin in the frame before [m]."""
+
+    body: Body
+    c: Any
+    s: Any
+    p: Vector
+    qd: Any
+    qdd: Any
+
+    def R(self) -> Matrix:
+        """From the link's axes to those before."""
+        return rotation(self.body, self.c, self.s)
+
+    def back(self, u: list[Any], axis: int) -> Any:
+        """A component of ``R^T u``."""
+        x, y, z = about_x(self.body.cos_alpha, -self.body.sin_alpha, (u[0], u[1], u[2]))
+        if axis == 0:
+            return self.c * x + self.s * y
+        return self.c * y - self.s * x if axis == 1 else z
+
+    def about_axis(self, u: list[Any], axis: int) -> Any:
+        """A component of ``u`` turned about z by the joint's angle."""
+        if axis == 0:
+            return self.c * u[0] - self.s * u[1]
+        return self.s * u[0] + self.c * u[1] if axis == 1 else u[2]
+
+    def forth(self, turned: list[Any]) -> Vector:
+        """``R u`` of what is turned about z already."""
+        return about_x(self.body.cos_alpha, self.body.sin_alpha, (turned[0], turned[1], turned[2]))
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a task is carried out: the link with those before and beyond it, and the joints of the two."""
+
+    was: Link
+    now: Link
+    beyond: Link
+    joint: Joint
+    next: Joint | None
+
+
+def _turn_w(axis: int, at: Place) -> None:
+    at.now.w[axis], at.now.w[2] = at.joint.back(at.was.w, axis), at.joint.back(at.was.w, 2)
+
+
+def _joint_rate(at: Place) -> None:
+    now, qd = at.now, at.joint.qd
+    if at.joint.body.revolute:
+        now.w[2] = now.w[2] + qd
+        now.c = [qd * now.w[1], -(qd * now.w[0]), at.joint.qdd]
+    else:
+        twice = 2 * qd
+        now.c = [twice * now.w[1], -(twice * now.w[0]), at.joint.qdd]
+
+
+def _turn_alpha(axis: int, at: Place) -> None:
+    at.now.alpha[axis] = at.joint.back(at.was.alpha, axis)
+    at.now.alpha[2] = at.joint.back(at.was.alpha, 2)
+
+
+def _add_joint(at: Place) -> None:
+    target = at.now.alpha if at.joint.body.revolute else at.now.a
+    target[:] = [x + y for x, y in zip(target, at.now.c, strict=True)]
+
+
+#: The entries ``(row, column)`` of ``ww`` and lambda by the task that writes them.
+_ENTRIES: Final = {
+    7: ((1, 2), (2, 0), (0, 1)),
+    8: ((0, 0), (1, 1), (2, 2)),
+    9: ((0, 0), (1, 1), (2, 2)),
+    10: ((1, 0), (0, 2), (2, 1)),
+    11: ((0, 1), (2, 0), (1, 2)),
+}
+
+
+def _lambda(number: int, at: Place) -> None:
+    now, square = at.now, number in (7, 8)
+    target = now.ww if square else now.lam
+    if not at.joint.body.revolute:
+        R, source = at.joint.R(), at.was.ww if square else at.was.lam
+        carried = product(product(transposed(R), tuple(map(tuple, source))), R)
+        for i, j in _ENTRIES[number]:
+            target[i][j] = carried[i][j]
+            if square:
+                target[j][i] = carried[i][j]
+        return
+    for i, j in _ENTRIES[number]:
+        if square:
+            target[i][j] = target[j][i] = now.w[i] * now.w[j]
+        elif i == j:
+            target[i][i] = -(now.ww[i - 1][i - 1] + now.ww[i - 2][i - 2])
+        else:
+            turning = now.alpha[3 - i - j]
+            target[i][j] = now.ww[i][j] + (turning if number == 10 else -turning)
+
+
+def _products(axis: int, at: Place, *, of_parent: bool) -> None:
+    rows, r = (at.was.lam, at.joint.p) if of_parent else (at.now.lam, at.joint.body.com)
+    into = at.now.before if of_parent else at.now.own
+    into[axis] = [x * y for x, y in zip(rows[axis], r, strict=True)]
+
+
+def _move(axis: int, at: Place) -> None:
+    x, y, z = at.now.before[axis]
+    at.now.moved[axis] = at.was.a[axis] + x + y + z
+
+
+def _turn_a(axis: int, at: Place) -> None:
+    at.now.a[axis], at.now.a[2] = at.joint.back(at.now.moved, axis), at.joint.back(at.now.moved, 2)
+
+
+def _centre(axis: int, at: Place) -> None:
+    x, y, z = at.now.own[axis]
+    at.now.a_c[axis] = at.now.a[axis] + x + y + z
+
+
+def _inertial(at: Place) -> None:
+    at.now.F = [at.joint.body.mass * x for x in at.now.a_c]
+
+
+def _euler(axis: int, at: Place) -> None:
+    i, (kx, ky, kz) = at.joint.body.inertia, (at.now.ww[1][2], at.now.ww[2][0], at.now.ww[0][1])
+    own, D, k = (
+        (i.xx, i.zz - i.yy, kx),
+        (i.yy, i.xx - i.zz, ky),
+        (i.zz, i.yy - i.xx, kz),
+    )[axis]
+    at.now.N[axis] = own * at.now.alpha[axis] + D * k
+
+
+def _turn_back(axis: int, at: Place, *, force: bool) -> None:
+    if at.next is not None:
+        source, target = (at.beyond.f, at.now.f_turned) if force else (at.beyond.n, at.now.n_turned)
+        target[axis], target[2] = at.next.about_axis(source, axis), source[2]
+
+
+def _handed(at: Place, turned: list[Any]) -> Vector:
+    return (0, 0, 0) if at.next is None else at.next.forth(turned)
+
+
+def _force(at: Place) -> None:
+    at.now.f = [x + y for x, y in zip(at.now.F, _handed(at, at.now.f_turned), strict=True)]
+
+
+def _p_cross_f(axis: int, at: Place) -> None:
+    p: Vector = (0, 0, 0) if at.next is None else at.next.p
+    at.now.p_f[axis] = _cross(axis, p, _handed(at, at.now.f_turned))
+
+
+def _s_cross_F(axis: int, at: Place) -> None:
+    x, y, z = at.now.F
+    at.now.s_F[axis] = _cross(axis, at.joint.body.com, (x, y, z))
+
+
+def _cross(axis: int, u: Vector, v: Vector) -> Any:
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    return u[i] * v[j] - u[j] * v[i]
+
+
+def _moment(axis: int, at: Place) -> None:
+    now = at.now
+    now.n[axis] = now.N[axis] + now.p_f[axis] + now.s_F[axis] + _handed(at, now.n_turned)[axis]
+
+
+_DO: Final[dict[int, Callable[[Place], None]]] = {
+    **{1 + i: partial(_turn_w, i) for i in (0, 1)},
+    3: _joint_rate,
+    **{4 + i: partial(_turn_alpha, i) for i in (0, 1)},
+    6: _add_joint,
+    **{number: partial(_lambda, number) for number in range(7, 12)},
+    **{12 + i: partial(_products, i, of_parent=True) for i in range(3)},
+    **{15 + i: partial(_move, i) for i in range(3)},
+    **{18 + i: partial(_turn_a, i) for i in (0, 1)},
+    **{20 + i: partial(_products, i, of_parent=False) for i in range(3)},
+    **{23 + i: partial(_centre, i) for i in range(3)},
+    26: _inertial,
+    **{27 + i: partial(_euler, i) for i in range(3)},
+    **{30 + i: partial(_turn_back, i, force=True) for i in (0, 1)},
+    32: _force,
+    **{33 + i: partial(_p_cross_f, i) for i in range(3)},
+    **{36 + i: partial(_s_cross_F, i) for i in range(3)},
+    **{39 + i: partial(_turn_back, i, force=False) for i in (0, 1)},
+    **{41 + i: partial(_moment, i) for i in range(3)},
+}
+
+
+def run_tasks(
+    arm: Arm,
+    motion: Motion,
+    watch: Watch = lambda _: None,
+    *,
+    origins: Sequence[Vector] | None = None,
+    order: Iterable[TaskId] | None = None,
+) -> list[Link]:
+    """All tasks of ``arm`` in ``motion``, one after another; the links with what was computed.
+
+    ``origins`` [n] stand in for the links' origins in the frames before [m]; ``order`` is another order of
+    the tasks. The torque of a revolute joint is ``n[2]`` [N m] of its link, the force of a prismatic one
+    ``f[2]`` [N].
+    """
+    base = Link(a=[-x for x in arm.gravity])
+    links = [base, *(Link() for _ in arm.bodies), Link()]
+    p = origins or [origin(body, d) for body, d in zip(arm.bodies, motion.d, strict=True)]
+    joints = [
+        Joint(*each) for each in zip(arm.bodies, motion.c, motion.s, p, motion.qd, motion.qdd, strict=True)
+    ]
+    beyond: list[Joint | None] = [*joints[1:], None]
+    for task in one_after_another(arm) if order is None else order:
+        watch(task)
+        link, number = link_and_number(task)
+        at = Place(links[link - 1], links[link], links[link + 1], joints[link - 1], beyond[link - 1])
+        _DO[number](at)
+    return links[1:-1]
+
+
+def one_after_another(arm: Arm) -> list[TaskId]:
+    """An order of all tasks: link by link to the tip and back.
+
+    T6 of a prismatic joint adds to what T18 and T19 give, which Table 4.1, made for revolute joints, does not
+    ask for.
+    """
+    forward = [task.number for task in TASKS if task.forward]
+    sliding = [number for number in forward if number != 6]
+    sliding.insert(sliding.index(20), 6)
+    links = range(1, len(arm.bodies) + 1)
+    there = [
+        task_id(link, number)
+        for link in links
+        for number in (forward if arm.bodies[link - 1].revolute else sliding)
+    ]
+    back = [task_id(link, task.number) for link in reversed(links) for task in TASKS if not task.forward]
+    return there + back
+
+
+def flops_of_tasks(
+    n: int, prismatic: Collection[int] = (), *, s: str = "xyz", p: str = "xyz"
+) -> dict[TaskId, int]:
+    """Multiplications and additions of each task on an arm of ``n`` joints (``prismatic`` ones numbered from
+    1), the base at rest, the first axis upright and nothing carried.
+
+    All numbers of the model are some number that is not zero, but for the components of the centres of mass
+    and of the origins that ``s`` and ``p`` do not name.
+    """
+    ledger: dict[str, int] = {}
+    found: dict[TaskId, int] = {}
+
+    def fixed() -> Any:
+        return Tally(ledger, True)
+
+    def vector(axes: str) -> Vector:
+        x, y, z = (fixed() if axis in axes else 0 for axis in AXES)
+        return x, y, z
+
+    def body(joint: int) -> Body:
+        cos_alpha, sin_alpha = (1, 0) if joint == 1 else (0, 1)
+        return Body(
+            joint not in prismatic, cos_alpha, sin_alpha, fixed(), fixed(), quarter_turns(0), fixed(),
+            vector(s), Symmetric(fixed(), fixed(), fixed(), 0, 0, 0), motor_inertia=0, viscous=0, coulomb=0,
+        )  # fmt: skip
+
+    bodies = tuple(map(body, range(1, n + 1)))
+    c, sine, d, qd, qdd = (tuple(Tally(ledger) for _ in bodies) for _ in range(5))
+    motion = Motion(
+        tuple(x if body.revolute else 1 for x, body in zip(c, bodies, strict=True)),
+        tuple(x if body.revolute else 0 for x, body in zip(sine, bodies, strict=True)),
+        d, qd, qdd,
+    )  # fmt: skip
+    current: list[TaskId] = []
+
+    def book(task: TaskId) -> None:
+        if current:
+            found[current.pop()] = sum(ledger.values())
+        ledger.clear()
+        current.append(task)
+
+    arm = Arm(bodies, (0, 0, fixed()), rest_velocity=None)
+    run_tasks(arm, motion, book, origins=[vector(p) for _ in bodies])
+    book(0)
+    return dict(sorted(found.items()))

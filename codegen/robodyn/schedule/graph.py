@@ -1,0 +1,128 @@
+"""Graphs of tasks: what must be done before what, the longest chain, the layers.
+
+The arm's graph is made from the 43 tasks a link of Table 4.1: task T of link i is ``100 i + T``. A task that
+an arm does not need is taken out, and what waited for it waits for what it waited for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from graphlib import TopologicalSorter
+
+from robodyn.errors import InputError
+from robodyn.schedule.tasks import TASKS
+
+#: ``100 link + number`` for tasks of Table 4.1.
+TaskId = int
+
+_ID = 100
+
+
+def task_id(link: int, number: int) -> TaskId:
+    """The task ``number`` of Table 4.1 at ``link`` (both from 1)."""
+    return _ID * link + number
+
+
+def link_and_number(task: TaskId) -> tuple[int, int]:
+    """The reverse of :func:`task_id`."""
+    return divmod(task, _ID)
+
+
+@dataclass(frozen=True, slots=True)
+class TaskGraph:
+    """Tasks of equal length and what each of them waits for.
+
+    ``after[task]``: the tasks that must be done before it, all of them in the graph. ``layer[task]``: its
+    place in the layered graph that the tasks were cut from (a preference, not a constraint). The order of
+    ``after`` is that of the tasks.
+    """
+
+    after: Mapping[TaskId, frozenset[TaskId]]
+    layer: Mapping[TaskId, int]
+
+    @property
+    def tasks(self) -> tuple[TaskId, ...]:
+        """All tasks."""
+        return tuple(self.after)
+
+    def __len__(self) -> int:
+        return len(self.after)
+
+    def before(self) -> dict[TaskId, frozenset[TaskId]]:
+        """``before()[task]``: the tasks that wait for it."""
+        waiting: dict[TaskId, set[TaskId]] = {task: set() for task in self.after}
+        for task, needed in self.after.items():
+            for earlier in needed:
+                waiting[earlier].add(task)
+        return {task: frozenset(later) for task, later in waiting.items()}
+
+    def levels(self) -> dict[TaskId, int]:
+        """The earliest level (from 1) of each task, processors being plenty."""
+        return _depths(self.after)
+
+    def tails(self) -> dict[TaskId, int]:
+        """The tasks on the longest chain from each task on, itself included."""
+        return _depths(self.before())
+
+    @property
+    def critical_path(self) -> int:
+        """Tasks on the longest chain: no schedule has fewer levels."""
+        return max(self.levels().values(), default=0)
+
+    def layers(self) -> list[tuple[TaskId, ...]]:
+        """The layered graph: tasks by layer, in order; layers may be empty."""
+        found: list[list[TaskId]] = [[] for _ in range(max(self.layer.values(), default=0))]
+        for task in self.after:
+            found[self.layer[task] - 1].append(task)
+        return [tuple(layer) for layer in found]
+
+    def width(self) -> int:
+        """Tasks of the widest layer: the processors that the layered graph asks for."""
+        return max(map(len, self.layers()), default=0)
+
+
+def _depths(needed: Mapping[TaskId, Collection[TaskId]]) -> dict[TaskId, int]:
+    depth: dict[TaskId, int] = {}
+    for task in TopologicalSorter(needed).static_order():
+        depth[task] = 1 + max((depth[earlier] for earlier in needed[task]), default=0)
+    return depth
+
+
+def arm_graph(n: int, without: Collection[TaskId] = (), prismatic: Collection[int] = ()) -> TaskGraph:
+    """The graph of an arm of ``n`` joints, tasks ``without`` taken out.
+
+    The lambda of a link behind a ``prismatic`` joint (numbered from 1) is that of the link before: tasks 9 to
+    11, where taken out, wait for the same tasks there.
+
+    Raises
+    ------
+    InputError: no joints, or more than can be numbered in ids.
+    """
+    if n < 1:
+        raise InputError("an arm without joints has no tasks", found=f"{n} joints", expected="1 or more")
+    out = frozenset(without)
+    waits: dict[TaskId, set[TaskId]] = {}
+    for link in range(1, n + 1):
+        for task in TASKS:
+            found = {task_id(link + place, number) for place, number in task.after if 1 <= link + place <= n}
+            if link in prismatic and task.number in (9, 10, 11) and task_id(link, task.number) in out:
+                found = {task_id(link - 1, task.number)} if link > 1 else set()
+            waits[task_id(link, task.number)] = found
+    for one in TopologicalSorter(waits).static_order():  # earlier ones first: theirs is settled when read
+        earlier = waits[one]
+        waits[one] = (earlier - out).union(*(waits[gone] for gone in earlier & out))
+    kept = [one for one in waits if one not in out]
+    return TaskGraph(
+        {one: frozenset(waits[one]) for one in kept}, {one: stacked_layer(n, one) for one in kept}
+    )
+
+
+def stacked_layer(n: int, task: TaskId) -> int:
+    """The layer of a task in the thesis's layered graph (section 4.3): a link begins two layers after the
+    one before it, link 1 beside link 2, the backward pass after the forward pass; 4 n + 3 layers."""
+    link, number = link_and_number(task)
+    own = TASKS[number - 1]
+    if not own.forward:
+        return 2 * n + 2 + own.layer + 2 * (n - link)
+    return max(1, own.layer + 2 * (link - 2)) if link > 1 else max(1, own.layer - 4)

@@ -1,0 +1,25 @@
+"""The search for fewer operations: ways of writing the recursion, then any algebra that holds.
+
+``structured`` goes through gauges, forms, frames and origins; ``climb`` walks on from the best of them.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from robodyn.search.improve import improved
+    from robodyn.search.objective import Objective
+
+_HOMES = {"Objective": "objective", "improved": "improve"}
+
+__all__ = ["Objective", "improved"]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOMES:
+        value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+        globals()[name] = value
+        return value
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,76 @@
+"""The cost of a writing by an objective."""
+
+from __future__ import annotations
+
+from heapq import nsmallest
+from typing import Any
+
+from robodyn.dynamics.costing import Costing, operations
+from robodyn.dynamics.factoring import saved
+from robodyn.dynamics.gauge import Unsuited
+from robodyn.dynamics.tally import ADD, CALL, COS, INPUT, MUL, NUMBER, OFFSET, SCALE, SIN, Tally, Value
+from robodyn.dynamics.writing import Writing
+from robodyn.ir.evaluate import PRIME
+from robodyn.robot.model import Robot
+from robodyn.search.objective import Objective, Operations
+
+_KINDS = {ADD: "add", OFFSET: "add", MUL: "mul", SCALE: "mul", COS: "cos", SIN: "sin", CALL: "call"}
+
+#: So many of a writing's values are kept to tell writings apart.
+_SKETCH = 32
+_MANY = 200_000
+
+#: The smallest of the values that a writing computes: alike of two writings that share most values.
+Sketch = tuple[int, ...]
+
+
+class Candidates:
+    """Costs of writings of one robot."""
+
+    def __init__(self, robot: Robot, objective: Objective | None = None) -> None:
+        self.robot, self.objective = robot, objective or Objective()
+        self.evaluations = 0
+        self._costing = Costing(robot)
+        self._costs: dict[Writing, tuple[float, Sketch] | None] = {}
+
+    def cost(self, writing: Writing) -> float | None:
+        """The cost of ``writing``; None where it does not suit the robot."""
+        found = self.judged(writing)
+        return None if found is None else found[0]
+
+    def judged(self, writing: Writing) -> tuple[float, Sketch] | None:
+        """The cost of ``writing`` and its sketch; None where it does not suit the robot."""
+        if writing in self._costs:
+            return self._costs[writing]
+        if len(self._costs) > _MANY:
+            self._costs.clear()
+        found = self._costs[writing] = self._judged(writing)
+        return found
+
+    def _judged(self, writing: Writing) -> tuple[float, Sketch] | None:
+        try:
+            tally, outputs = self._costing.run(writing)
+        except Unsuited:
+            return None
+        self.evaluations += 1
+        wanted = tally.needed(outputs)
+        sketch = tuple(nsmallest(_SKETCH, wanted))
+        if self.objective.name == "total":
+            return float(operations(tally, wanted) - saved(tally.made, wanted)), sketch
+        return self.objective.cost(operations_in(tally, wanted, outputs)), sketch
+
+
+def operations_in(tally: Tally, wanted: set[int], outputs: list[Any]) -> Operations:
+    """What of ``tally`` is ``wanted``, in the order in which it was made."""
+    place: dict[int, int] = {}
+    kinds: list[str] = []
+    reads: list[tuple[int, ...]] = []
+    for position, (kind, read, _) in tally.made.items():
+        if position not in wanted or kind in (INPUT, NUMBER):
+            continue
+        place[position] = len(kinds)
+        kinds.append(_KINDS[kind])
+        reads.append(tuple(place[p] for p in read if p in place))
+    values = (v.value for v in outputs if isinstance(v, Value))
+    results = tuple(place[p] for p in (min(v, PRIME - v) for v in values) if p in place)
+    return Operations(kinds, reads, results)

@@ -1,0 +1,233 @@
+"""Searching for a better program of a robot, and keeping what is found.
+
+``search`` goes through ways of writing the recursion; ``full`` walks on from the best of them, from closed
+forms of short arms and from what is known already, by any identity that holds. Either ends in a record:
+proved equal to the plain recursion on exact fractions, or not handed out at all.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+from robodyn.build.cache import default_root
+from robodyn.dynamics.closed_form import closed_forms
+from robodyn.dynamics.equality import equals_recursion
+from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.errors import InputError
+from robodyn.generation import Options
+from robodyn.generation import program as generated
+from robodyn.ir.program import Program
+from robodyn.passes import SPELLING, run
+from robodyn.records import Record, best_record, identity
+from robodyn.records.find import file_name, identity_at
+from robodyn.records.trust import trusted
+from robodyn.robot.model import Robot
+from robodyn.search.climb import Climbed, climb
+from robodyn.search.labels import labelled
+from robodyn.search.objective import Objective, operations_of
+from robodyn.search.structured import search
+
+Stage = Literal["search", "full"]
+
+#: Seconds that each level takes unless told otherwise.
+BUDGET = {"search": 60.0, "full": 180.0}
+#: What is found is kept every so many seconds, so that an interrupted search can go on from there.
+_SAVE_AFTER = 10.0
+#: Closed forms are written out for so many joints at the most.
+_SHORT = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """How far a search is: the stage, the seconds gone of those it has, and the least cost so far."""
+
+    stage: str
+    seconds: float
+    of: float
+    best: float
+
+
+def improved(
+    robot: Robot,
+    *,
+    level: Stage = "full",
+    function: str = "inverse_dynamics",
+    seconds: float | None = None,
+    seed: int = 0,
+    objective: Objective | None = None,
+    processes: int = 2,
+    folders: Sequence[Path] = (),
+    resume: bool = True,
+    progress: Callable[[Told], None] | None = None,
+) -> Record:
+    """The best program of ``function`` that is found in ``seconds``, as a record.
+
+    With ``resume`` the search starts from the records that there are (in ``folders``, in the cache, bundled)
+    and what it finds goes into the cache; without, it starts from nothing and keeps nothing. It is never
+    worse than what ``fast`` gives.
+
+    Raises
+    ------
+    InputError: an unknown function or level, or a budget that is none.
+    ToolError: ``full`` without a C compiler.
+    """
+    _checked(level, function, seconds)
+    budget = BUDGET[level] if seconds is None else seconds
+    end = time.monotonic() + budget
+    objective = objective or Objective()
+    recursion = generated(robot, function, Options((function,), optimize="fast"))
+    known = _known(robot, function, objective, folders, recursion) if resume else []
+    starts = [recursion, *(record.program for record in known)]
+    # A writing knows the inverse dynamics only; the other functions are walked from where they stand.
+    # Where a record is known already, most of the time goes to walking on from it.
+    written = budget if level == "search" else (0.2 if known else 0.4) * budget
+    if function == "inverse_dynamics":
+        starts += _written(robot, written, seed, objective, processes, progress)
+        if level == "full" and robot.n <= _SHORT and cost(recursion, objective) > 0:
+            starts += closed_forms(robot, effort=min(1.0, budget / BUDGET[level]))
+    found = _distinct(starts, objective)
+    how = f"robodyn --optimize {level}, seed {seed}"
+    if level == "full":
+        left = max(1.0, end - time.monotonic())
+        saved = (0.0, cost(found[0], objective))
+
+        def tell(at: Climbed) -> None:
+            nonlocal saved
+            if progress is not None:
+                progress(Told("algebra", at.seconds, left, at.best))
+            if resume and at.best < saved[1] and at.seconds > saved[0] + _SAVE_AFTER:
+                saved = (at.seconds, at.best)
+                if (better := _proved(robot, function, at.program, recursion, objective, how)) is not None:
+                    _keep(better)
+
+        found = climb(found, seconds=left, seed=seed, objective=objective, threads=processes, progress=tell)
+    for program in found:
+        record = _proved(robot, function, program, recursion, objective, how)
+        if record is not None:
+            kept = [old for old in known if old.program.operations == record.program.operations]
+            record = kept[0] if kept else record
+            if resume:
+                _keep(record)
+            return record
+    raise AssertionError("the recursion itself equals the recursion")
+
+
+def cost(program: Program, objective: Objective) -> float:
+    """What ``program`` costs by ``objective``."""
+    return objective.cost(operations_of(program))
+
+
+def _checked(level: str, function: str, seconds: float | None) -> None:
+    if level not in BUDGET:
+        raise InputError(f"unknown search {level!r}", expected=f"one of {', '.join(BUDGET)}")
+    if function not in FUNCTIONS or function == "forward_dynamics":
+        allowed = [name for name in FUNCTIONS if name != "forward_dynamics"]
+        raise InputError(f"no search for the function {function!r}", expected=f"one of {', '.join(allowed)}")
+    if seconds is not None and not (math.isfinite(seconds) and 0 < seconds <= 1e6):
+        raise InputError("no budget in seconds", found=str(seconds), expected="a number above 0, at most 1e6")
+
+
+def _written(
+    robot: Robot,
+    seconds: float,
+    seed: int,
+    objective: Objective,
+    processes: int,
+    progress: Callable[[Told], None] | None,
+) -> list[Program]:
+    def tell(at: Any) -> None:
+        if progress is not None:
+            progress(Told("writings", at.seconds, seconds, at.best))
+
+    results = search(
+        robot, seconds=seconds, seed=seed, objective=objective, processes=processes, progress=tell
+    )
+    return [program for _, _, program in results]
+
+
+def _distinct(programs: Sequence[Program], objective: Objective) -> list[Program]:
+    """The programs, best first, each once."""
+    found: dict[object, Program] = {}
+    for program in programs:
+        plain = tuple((op, args) for op, args, _ in program.operations)
+        found.setdefault((plain, program.outputs), replace(program, origin=None))
+    return sorted(found.values(), key=lambda program: cost(program, objective))
+
+
+def _proved(
+    robot: Robot, function: str, program: Program, recursion: Program, objective: Objective, how: str
+) -> Record | None:
+    """``program`` as a record, named and spelled; None where it is not what the recursion is."""
+    named = labelled(run(replace(program, origin=None), SPELLING), recursion)
+    record = Record(robot.name, identity(robot), function, objective.key, how, named)
+    try:
+        if not equals_recursion(robot, function, named):
+            return None
+    except ValueError:  # tanh has no exact value: the finite field has to do
+        try:
+            trusted(named, recursion, record)
+        except InputError:
+            return None
+    return record
+
+
+def _known(
+    robot: Robot, function: str, objective: Objective, folders: Sequence[Path], recursion: Program
+) -> list[Record]:
+    """Records of earlier searches; damaged ones are passed over, since a search makes new ones."""
+    found = []
+    places: list[Sequence[Path]] = [folders, ()]
+    if (cache := kept_folder()) is not None:
+        places.insert(0, (cache,))
+    for place in places:
+        try:
+            record = best_record(robot, function, objective.key, place)
+            if record is not None:
+                trusted(record.program, recursion, record)
+                found.append(record)
+        except InputError:
+            continue
+    return found
+
+
+def kept_folder() -> Path | None:
+    """Where searches keep what they found between runs; None where there is no cache."""
+    root = default_root()
+    return None if root is None else root / "records"
+
+
+def _keep(record: Record) -> None:
+    folder = kept_folder()
+    if folder is not None:
+        try:
+            write_record(record, folder)
+        except OSError:  # a cache that cannot be written is no cache
+            return
+
+
+def write_record(record: Record, folder: Path) -> Path:
+    """Write ``record`` into ``folder``, whole or not at all; its path.
+
+    The record of another robot of that name, as an arm and the same arm with a tool are, stays.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / file_name(record.robot, record.function, record.objective)
+    if identity_at(path) not in (None, record.identity):
+        name = f"{record.robot}-{record.identity[:8]}"
+        path = folder / file_name(name, record.function, record.objective)
+    unfinished = folder / f".{path.name}.{os.getpid()}.tmp"
+    try:
+        unfinished.write_text(record.text(), encoding="utf-8", newline="\n")
+        unfinished.replace(path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+    return path
+
+
+__all__ = ["BUDGET", "Told", "cost", "improved", "kept_folder", "write_record"]

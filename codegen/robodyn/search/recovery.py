@@ -1,0 +1,84 @@
+"""Back from residues to a program: the constants of a network as the fractions that they are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from robodyn.ir.graph import Graph, Scalar, lower
+from robodyn.ir.program import Program
+from robodyn.passes.replay import grouped
+from robodyn.search.network import ADD, BELOW, FURTHER, LEAF, OFFSET, POINTS, SCALE, Network, NoWalk, Row
+
+
+def rebuilt(
+    source: Network, ids: Sequence[int], rows: Sequence[Row], residues: Sequence[Sequence[int]]
+) -> Program:
+    """The program of what a walk has found: ``rows`` with their ``ids``, operands first.
+
+    Factors and offsets are recovered from their residues as the fractions they are.
+
+    Raises
+    ------
+    NoWalk: a constant is no fraction of the size that the primes allow.
+    """
+    moduli = [(1 << 61) - BELOW[k] for k in range(source.primes)]
+    at = [0] + [POINTS + FURTHER * k for k in range(source.primes - 1)]
+    graph = Graph()
+    program = source.program
+    values = graph.replay_all(program)
+    made: dict[int, Scalar] = {}
+    residue_of = {i: residues[k] for k, i in enumerate(ids)}
+
+    def recovered(i: int, j: int, quotient: bool, sign: int = 1) -> Fraction:
+        parts = []
+        for p, r in zip(moduli, at, strict=True):
+            x, a = residue_of[i][r], residue_of[j][r]
+            parts.append(x * pow(a, -1, p) % p if quotient else (x - sign * a) % p)
+        return fraction(parts, moduli)
+
+    for i, row in zip(ids, rows, strict=True):
+        if row.op == LEAF:
+            operand = source.leaves[i]
+            made[i] = values[operand] if isinstance(operand, int) else graph.input(*operand)  # type: ignore[misc]
+            continue
+        if row.op == SCALE:
+            made[i] = made[row.a] * recovered(i, row.a, quotient=True)
+            continue
+        if row.op == OFFSET:
+            made[i] = row.sign * made[row.a] + recovered(i, row.a, quotient=False, sign=row.sign)
+            continue
+        p = moduli[0]
+        a, b = residue_of[row.a][0], residue_of[row.b][0]
+        if row.op == ADD:
+            made[i] = made[row.a] + row.sign * made[row.b]
+            found = (a + row.sign * b) % p
+        else:
+            made[i] = made[row.a] * made[row.b]
+            found = a * b % p
+        if found != residue_of[i][0]:
+            made[i] = -made[i]
+    results = [out if isinstance(out, Fraction) else made[out[0]] * out[1] for out in source.outputs]
+    return lower(graph, grouped(program, results))
+
+
+def fraction(parts: Sequence[int], moduli: Sequence[int]) -> Fraction:
+    """The fraction with these residues (P. S. Wang 1981: rational reconstruction by Euclid's algorithm).
+
+    Raises
+    ------
+    NoWalk: there is none of the size that the moduli allow.
+    """
+    x, m = 0, 1
+    for part, p in zip(parts, moduli, strict=True):
+        x += m * ((part - x) * pow(m, -1, p) % p)
+        m *= p
+    # With 60 bits to spare a wrong fraction is out of the question.
+    bound_bits = (m.bit_length() - 60) // 2
+    (r0, s0), (r1, s1) = (m, 0), (x, 1)
+    while r1.bit_length() > bound_bits:
+        quotient = r0 // r1
+        (r0, s0), (r1, s1) = (r1, s1), (r0 - quotient * r1, s0 - quotient * s1)
+    if not s1 or s1.bit_length() > bound_bits:
+        raise NoWalk("a constant is too large to recover")
+    return Fraction(r1, s1)

@@ -1,0 +1,200 @@
+"""The neighbourhood of a writing: what may be changed at one go.
+
+Some changes pay only together: a link that is to be a spin needs its gauge, its form and its frame at once.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, Final
+
+from robodyn.dynamics.arm import Arm, build_arm
+from robodyn.dynamics.costing import exact
+from robodyn.dynamics.joints import is_zero
+from robodyn.dynamics.parallel import chained
+from robodyn.dynamics.writing import LINK_VALUES, Writing
+from robodyn.robot.model import Robot
+
+Changes = dict[str, Any]
+
+#: What belongs together in one link: its gauge and the way its moment is written.
+BODY: Final = ("mass", "first", "second", "form", "frame")
+#: How it is carried.
+PATH: Final = ("row", "column", "alpha", "carry", "lever", "slide", "chained")
+
+_SPIN: Final[tuple[Changes, ...]] = tuple(
+    {"mass": "zero", "first": "zero", "second": "-xx", "form": "spin", "frame": frame}
+    for frame in ("own", "start", "before")
+)
+_POINT: Final[tuple[Changes, ...]] = tuple(
+    {"mass": mass, "first": "zero", "second": across, "form": f"point_{axis}", "frame": frame}
+    for axis, across in (("x", "yy"), ("y", "xx"))
+    for mass in ("zero", f"point_{axis}", "keep")
+    for frame in ("own", "start")
+)
+_EVEN: Final[tuple[Changes, ...]] = tuple(
+    {"second": second, "form": f"isotropic_{axis}", "frame": frame}
+    for axis, second in (("x", "xx"), ("y", "yy"), ("x", "yy"), ("y", "xx"), ("z", "keep"))
+    for frame in ("own", "start")
+)
+
+
+class Space:
+    """The writings of one robot."""
+
+    def __init__(self, robot: Robot) -> None:
+        names = dict.fromkeys(robot.parameters, 1)
+        self.arm: Arm = build_arm(robot, exact, names.__getitem__)
+        self.n = robot.n
+        self.values = [self._values(i) for i in range(self.n)]
+        units = [(rule, i + 1) for i in range(self.n) for rule in ("point", "a", "d")]
+        sliding = any(not body.revolute for body in self.arm.bodies)
+        # With a prismatic joint the unit costs a multiplication at its variable, rates and force.
+        self.units: list[tuple[Any, int]] = [("metre", 0)] if sliding else [("metre", 0), *units]
+        self.macros = [self._macros(i) for i in range(self.n)]
+
+    def _values(self, i: int) -> dict[str, tuple[Any, ...]]:
+        """The values of each field that come into question for link ``i``."""
+        bodies, body = self.arm.bodies, self.arm.bodies[i]
+        values = dict(LINK_VALUES)
+        tip = i + 1 == self.n
+        if not body.revolute:
+            values.update(mass=("zero",), first=("zero",), second=("zero", "keep"), frame=("own",))
+        elif i == 0:
+            values.update(mass=("zero",), first=("zero",), second=("zero",))
+        elif not tip:
+            values["frame"] = ("own", "start")
+        if i != self.n - 2:
+            values["form"] = tuple(form for form in values["form"] if form != "wrist")
+        if i == 0:
+            values.update(
+                alpha=("carried",),
+                row=("own",),
+                column=("own",),
+                carry=("own",),
+                slide=("none",),
+                chained=(True,),
+                frame=("own",),
+            )
+        if not chained(self.arm)[i]:
+            values["chained"] = (True,)
+        if tip:
+            values["lever"] = ("own",)
+            values["slide"] = tuple(slide for slide in values["slide"] if slide != "next")
+        if is_zero(body.d):
+            values["slide"] = tuple(slide for slide in values["slide"] if slide != "own")
+        if i and body.revolute and is_zero(body.a):
+            values["mass"] = tuple(rule for rule in values["mass"] if not rule.startswith("parent"))
+        if i and is_zero(body.sin_alpha):
+            values["first"] = tuple(rule for rule in values["first"] if not rule.startswith("parent"))
+            values["second"] = tuple(rule for rule in values["second"] if not rule.startswith("parent"))
+        del bodies
+        return values
+
+    def _macros(self, i: int) -> list[dict[int, Changes]]:
+        """Changes of link ``i``, and of the one before it, that pay only together."""
+        if i == 0 or not self.arm.bodies[i].revolute:
+            return []
+        found: list[dict[int, Changes]] = [{i: change} for change in (*_POINT, *_EVEN)]
+        if i + 1 == self.n:
+            found += [{i: change} for change in _SPIN]
+            if i > 1:
+                found += [{i: spin, i - 1: point} for spin in _SPIN for point in _POINT]
+                found += [
+                    {i: _SPIN[0], i - 1: {**point, "form": "wrist"}}
+                    for point in _POINT
+                    if point["frame"] == "start" and point["form"] == "point_y"
+                ] * 3
+        legal = self.values
+        return [
+            change
+            for change in found
+            if all(v in legal[j][f] for j, fs in change.items() for f, v in fs.items())
+        ]
+
+    # -- moves ------------------------------------------------------------------------------------
+    def random_neighbour(self, writing: Writing, rng: random.Random) -> Writing:
+        """``writing`` with one thing changed, or a few that belong together."""
+        kind = rng.random()
+        i = rng.randrange(self.n)
+        if kind < 0.40:
+            return self._changed(writing, i, 1, rng, (*BODY, *PATH))
+        if kind < 0.62:
+            return self._changed(writing, i, rng.randint(2, 3), rng, BODY)
+        if kind < 0.72:
+            other = max(0, i - 1) if rng.random() < 0.5 else min(self.n - 1, i + 1)
+            writing = self._changed(writing, i, rng.randint(1, 2), rng, BODY)
+            return self._changed(writing, other, rng.randint(1, 2), rng, BODY)
+        if kind < 0.84:
+            if not self.macros[i]:
+                i = self.n - 1
+            if not self.macros[i]:
+                return self._changed(writing, i, 1, rng, (*BODY, *PATH))
+            return self._applied(writing, rng.choice(self.macros[i]))
+        if kind < 0.92:
+            unit, link = rng.choice(self.units)
+            return replace(writing, unit=unit, unit_link=link)
+        name = rng.choice(("row", "column", "alpha", "carry", "lever", "chained"))
+        value = rng.choice(LINK_VALUES[name])
+        for j in range(self.n):
+            if value in self.values[j][name] and rng.random() < 0.7:
+                writing = writing.with_link(j, **{name: value})
+        return writing
+
+    def _changed(
+        self, writing: Writing, i: int, count: int, rng: random.Random, names: tuple[str, ...]
+    ) -> Writing:
+        free = [name for name in names if len(self.values[i][name]) > 1]
+        if not free:
+            return writing
+        changes = {}
+        for name in rng.sample(free, min(count, len(free))):
+            old = getattr(writing.links[i], name)
+            changes[name] = rng.choice([value for value in self.values[i][name] if value != old])
+        return writing.with_link(i, **changes)
+
+    @staticmethod
+    def _applied(writing: Writing, change: dict[int, Changes]) -> Writing:
+        for j, fields in change.items():
+            writing = writing.with_link(j, **fields)
+        return writing
+
+    def neighbours(self, writing: Writing) -> Iterator[Writing]:
+        """All that differ in one field, in two of those that belong together, or by a macro."""
+        for i in range(self.n):
+            values, link = self.values[i], writing.links[i]
+            for name, allowed in values.items():
+                for value in allowed:
+                    if value != getattr(link, name):
+                        yield writing.with_link(i, **{name: value})
+            for change in self.macros[i]:
+                yield self._applied(writing, change)
+            for one, other in (
+                ("second", "form"),
+                ("form", "frame"),
+                ("mass", "form"),
+                ("second", "mass"),
+                ("second", "first"),
+                ("row", "column"),
+                ("alpha", "column"),
+                ("slide", "carry"),
+                ("carry", "frame"),
+                ("column", "form"),
+            ):
+                for u in values[one]:
+                    for v in values[other]:
+                        if u != getattr(link, one) and v != getattr(link, other):
+                            yield writing.with_link(i, **{one: u, other: v})
+        for unit, number in self.units:
+            if (unit, number) != (writing.unit, writing.unit_link):
+                yield replace(writing, unit=unit, unit_link=number)
+
+    def fitted(self, writing: Writing) -> Writing:
+        """``writing`` with fields that have no effect at their plain value."""
+        links = []
+        for values, link in zip(self.values, writing.links, strict=True):
+            fixed = {name: allowed[0] for name, allowed in values.items() if len(allowed) == 1}
+            links.append(replace(link, **fixed))
+        return replace(writing, links=tuple(links))

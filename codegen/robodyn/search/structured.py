@@ -1,0 +1,210 @@
+"""The search over writings: gauges, forms, frames, origins, chains.
+
+Rounds of annealing walks from the best writings so far (and now and then from the plain one), each followed
+by a descent over all neighbours. A walk is so many steps, not so many seconds: with the same seed, number of
+rounds and of processes (a round has a walk for each) the same is found on any machine.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from robodyn.dynamics.functions import Choice, build
+from robodyn.dynamics.suited import suited_writing
+from robodyn.dynamics.writing import Writing
+from robodyn.errors import InputError
+from robodyn.ir.program import Program
+from robodyn.passes import FRESH, run
+from robodyn.robot.model import Robot
+from robodyn.search.candidate import Candidates, Sketch
+from robodyn.search.objective import Objective, operations_of
+from robodyn.search.space import Space
+from robodyn.search.workers import Workers
+
+#: How many results a search hands back, and how many of each other's values they have at most.
+KEPT = 10
+ALIKE = 0.95
+
+#: Steps of a walk: with a millisecond or two a step, a few seconds.
+STEPS = 1500
+
+Result = tuple[float, Choice, Program]
+#: Writings with their costs and sketches.
+Known = dict[Writing, tuple[float, Sketch]]
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """What a search tells: seconds gone, rounds done, writings tried, the best cost."""
+
+    seconds: float
+    round: int
+    tried: int
+    best: float
+
+
+def search(
+    robot: Robot,
+    *,
+    seconds: float = 60.0,
+    seed: int = 0,
+    objective: Objective | None = None,
+    progress: Callable[[Progress], None] | None = None,
+    start: Sequence[Choice] | None = None,
+    processes: int = 2,
+    rounds: int | None = None,
+    steps: int = STEPS,
+    kept: int = KEPT,
+) -> list[Result]:
+    """The best ways of writing the inverse dynamics of ``robot`` that are found in ``seconds`` (or in so many
+    ``rounds``), best first and different from one another: cost, choice, program after all passes.
+
+    ``start`` are choices of an earlier search. The programs are those of the passes; that they equal the
+    plain recursion is for the caller to prove (:func:`~robodyn.dynamics.equality.equals_recursion`).
+    """
+    objective = objective or Objective()
+    began = time.monotonic()
+    deadline = began + seconds if rounds is None else math.inf
+    space, candidates = Space(robot), Candidates(robot, objective)
+    plain = space.fitted(suited_writing(space.arm))
+    known: Known = {}
+    for choice in start or ():
+        if choice.writing is not None:
+            if len(choice.writing.links) != robot.n:
+                raise InputError(
+                    "a choice of another arm to start from",
+                    found=f"{len(choice.writing.links)} links",
+                    expected=f"{robot.n}",
+                )
+            judged = candidates.judged(choice.writing)
+            if judged is not None:
+                known[choice.writing] = judged
+    judged = candidates.judged(plain)
+    assert judged is not None, "the plain writing suits every arm"
+    known[plain] = judged
+    tried, done = len(known), 0
+    with Workers(processes) as workers:
+        while (rounds is None or done < rounds) and (time.monotonic() < deadline or not done):
+            pool = diverse(known, kept)
+            tasks = []
+            for k in range(processes):
+                rng = random.Random(f"{seed} {done} {k}")
+                origin = plain if done < 2 or rng.random() < 0.2 else _drawn(pool, rng)
+                heat = rng.choice((1.0, 2.0, 3.0)) if origin is not plain else 3.0
+                left = deadline - time.monotonic()
+                tasks.append((robot, objective, origin, f"{seed} {done} {k}", heat, steps, left))
+            for found, count in workers.run(walk, tasks):
+                known.update(found)
+                tried += count
+            known = dict(sorted(known.items(), key=_by_cost)[:2000])
+            done += 1
+            if progress is not None:
+                progress(Progress(time.monotonic() - began, done, tried, min(known.values())[0]))
+    return _results(robot, objective, known, kept)
+
+
+def _drawn(pool: list[tuple[float, Writing]], rng: random.Random) -> Writing:
+    """One of the best, the better the likelier."""
+    return pool[min(int(rng.expovariate(0.5)), len(pool) - 1)][1]
+
+
+_CANDIDATES: dict[tuple[str, Objective], tuple[Robot, Candidates, Space]] = {}
+
+
+def walk(
+    robot: Robot, objective: Objective, origin: Writing, seed: str, heat: float, length: int, seconds: float
+) -> tuple[Known, int]:
+    """One walk from ``origin`` of so many steps, and the descent from the best it saw; the best writings, and
+    how many were tried."""
+    key = (robot.name, objective)
+    if key not in _CANDIDATES or _CANDIDATES[key][0] != robot:
+        _CANDIDATES.clear()
+        _CANDIDATES[key] = (robot, Candidates(robot, objective), Space(robot))
+    _, candidates, space = _CANDIDATES[key]
+    deadline = time.monotonic() + seconds
+    rng = random.Random(seed)
+    cost = candidates.cost(origin)
+    assert cost is not None
+    here, at = origin, cost
+    best, best_cost = origin, cost
+    seen = {origin: cost}
+    steps = tries = 0
+    while steps < length and tries < 20 * length and time.monotonic() < deadline:
+        tries += 1
+        other = space.random_neighbour(here, rng)
+        if other == here:
+            continue
+        there = candidates.cost(other)
+        if there is None:
+            continue
+        steps += 1
+        temperature = heat * (0.1 ** (steps / length))
+        if there <= at or rng.random() < math.exp((at - there) / temperature):
+            here, at = other, there
+            seen[here] = at
+            if at < best_cost:
+                best, best_cost = here, at
+    moved = True
+    while moved and time.monotonic() < deadline:
+        moved = False
+        for other in space.neighbours(best):
+            there = candidates.cost(other)
+            steps += 1
+            if there is not None and there <= best_cost and other not in seen:
+                seen[other] = there
+                if there < best_cost:
+                    moved = True
+                    best, best_cost = other, there
+                    break
+            if steps % 64 == 0 and time.monotonic() > deadline:
+                break
+    top = sorted(seen.items(), key=lambda item: item[1])[:100]
+    found: Known = {}
+    for writing, _ in top:
+        judged = candidates.judged(writing)
+        if judged is not None:
+            found[writing] = judged
+    return found, steps
+
+
+def _by_cost(item: tuple[Writing, tuple[float, Sketch]]) -> float:
+    return item[1][0]
+
+
+def diverse(known: Known, count: int) -> list[tuple[float, Writing]]:
+    """The best ``count`` of ``known`` that differ from one another."""
+    chosen: list[tuple[float, Writing]] = []
+    sketches: list[frozenset[int]] = []
+    for writing, (cost, sketch) in sorted(known.items(), key=_by_cost):
+        values = frozenset(sketch)
+        if all(_alike(values, other) < ALIKE for other in sketches):
+            chosen.append((cost, writing))
+            sketches.append(values)
+            if len(chosen) == count:
+                break
+    return chosen
+
+
+def _alike(one: frozenset[int], other: frozenset[int]) -> float:
+    """The share of values that two sketches have in common, of those that both could have."""
+    reach = min(max(one, default=0), max(other, default=0))
+    values = {value for value in one | other if value <= reach}
+    return len(one & other) / len(values) if values else 1.0
+
+
+def _results(robot: Robot, objective: Objective, known: Known, count: int) -> list[Result]:
+    """Programs of the best, by their cost after the passes."""
+    results: list[Result] = []
+    seen = set()
+    for _, writing in diverse(known, 4 * count):
+        choice = Choice(writing=writing)
+        program = run(build(robot, "inverse_dynamics", choice), FRESH)
+        if program.operations not in seen:
+            seen.add(program.operations)
+            results.append((objective.cost(operations_of(program)), choice, program))
+    results.sort(key=lambda result: result[0])
+    return results[:count]

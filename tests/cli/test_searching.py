@@ -1,0 +1,440 @@
+"""``gen`` and ``flops`` with records and searches: what is used, written, refused, and left behind."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from records.made import ELBOW, arm, better, fast, recorded
+from robodyn import Options, program
+from robodyn.counts import count
+from robodyn.dynamics.equality import equals_recursion
+from robodyn.ir import Program
+from robodyn.records import FOLDER, bundled_records, parse_record
+from robodyn.search import improve as improving
+from robodyn.search.climb import climb
+from robodyn.search.improve import write_record
+from robodyn.search.walk import library
+from robodyn_cli import progress, searching
+from robodyn_cli.main import main
+
+Capture = pytest.CaptureFixture[str]
+ROBOT = arm(ELBOW)
+NAME = "elbow.inverse_dynamics.total.record"
+FAST = count(fast(ROBOT)).total
+BETTER = ["--optimize", "record"]
+
+
+@pytest.fixture(scope="session")
+def walk_entries() -> list[Path]:
+    """Where the compiled walk lies; it is compiled but once."""
+    library()
+    found = [path.parent for path in Path(os.environ["ROBODYN_CACHE"]).glob("*/walk.so")]
+    return sorted(found, key=lambda path: path.stat().st_mtime)
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, walk_entries: list[Path]) -> Path:
+    """A folder with the elbow's file, and a cache with nothing but the compiled walk."""
+    folder, cache = tmp_path / "here", tmp_path / "cache"
+    folder.mkdir()
+    cache.mkdir(mode=0o700)
+    for entry in walk_entries[-1:]:
+        shutil.copytree(entry, cache / entry.name)
+    (folder / "elbow.yaml").write_text(ELBOW)
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("ROBODYN_CACHE", str(cache))
+    return folder
+
+
+@pytest.fixture
+def moment(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Walks of a moment: a search for any algebra takes a second of it otherwise, however short it is."""
+
+    def climbs(programs: Any, *, seconds: float, **more: Any) -> list[Program]:
+        return climb(programs, seconds=min(seconds, 0.25), **more)
+
+    monkeypatch.setattr(improving, "climb", climbs)
+
+
+@pytest.fixture
+def with_record(here: Path) -> Path:
+    """The record of a better program beside the elbow's file."""
+    return write_record(better(ROBOT), here / FOLDER)
+
+
+def run(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
+    assert main(list(arguments)) == code
+    out, err = capsys.readouterr()
+    assert "Traceback" not in err
+    assert "internal error" not in err
+    return out, err
+
+
+def total(capsys: Capture, *arguments: str) -> int:
+    found = json.loads(run(capsys, "flops", "elbow.yaml", "--json", *arguments)[0])
+    return int(found["total"])
+
+
+def files(folder: Path) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir()}
+
+
+# --- records beside the file ------------------------------------------------------------------------------
+
+
+def test_a_record_beside_the_file_is_used(with_record: Path, here: Path, capsys: Capture) -> None:
+    best = count(better(ROBOT).program).total
+    assert best < FAST
+    assert total(capsys) == total(capsys, "--optimize", "record") == best
+    assert total(capsys, "--optimize", "fast") == FAST
+    run(capsys, "gen", "elbow.yaml", "-o", "out")
+    text = (here / "out" / "elbow.c").read_text()
+    assert "the best program known for these parameters" in text
+    assert "a test" in text
+    for more in (["--functions", "gravity"], ["--functions", "bias,inverse_dynamics"]):
+        run(capsys, "gen", "elbow.yaml", "-o", "out", *more)
+    run(capsys, "gen", "elbow.yaml", "-o", "out")
+    run(capsys, "gen", "elbow.yaml", "-o", "out", "--check")
+    run(capsys, "gen", "elbow.yaml", "-o", "out", "--check", "--optimize", "fast", code=1)
+
+
+def test_from_another_folder_and_under_another_name(
+    with_record: Path, here: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    (here / "copy.yaml").write_text(ELBOW.replace("name: elbow", "name: copy"))
+    (here / "far").mkdir()
+    monkeypatch.chdir(here / "far")
+    for file in ("../elbow.yaml", str(here / "copy.yaml")):
+        found = json.loads(run(capsys, "flops", file, "--json")[0])
+        assert found["total"] == count(better(ROBOT).program).total
+    shutil.copy(here / "elbow.yaml", here / "far" / "elbow.yaml")
+    assert total(capsys) == FAST
+
+
+def test_other_numbers_have_no_record(with_record: Path, here: Path, capsys: Capture) -> None:
+    (here / "elbow.yaml").write_text(ELBOW.replace("mass: 1.5", "mass: 1.6"))
+    assert total(capsys) == total(capsys, "--optimize", "fast")
+
+
+def test_the_cache_is_not_looked_at(here: Path, capsys: Capture) -> None:
+    """The bytes of a kernel must not depend on what was searched for on this machine."""
+    write_record(better(ROBOT), Path(os.environ["ROBODYN_CACHE"]) / FOLDER)
+    assert total(capsys) == FAST
+
+
+def test_a_worse_record_is_not_used(here: Path, capsys: Capture) -> None:
+    worse = program(ROBOT, "inverse_dynamics", Options(optimize="none"))
+    write_record(recorded(ROBOT, worse), here / FOLDER)
+    assert total(capsys) == FAST
+    run(capsys, "gen", "elbow.yaml", "-o", "out")
+    assert "best program known" not in (here / "out" / "elbow.c").read_text()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "hint"),
+    [
+        ("%5 = ", "%6 = ", f"records/{NAME}:13: "),
+        (" = sub ", " = add ", f"records/{NAME}: the record of elbow does not compute its inverse_dynamics"),
+        ("tau = ", "tau = $other ", f"records/{NAME}: the record of elbow does not compute"),
+        ("tau = ", "tau = \x00 ", f"records/{NAME}:"),
+    ],
+)
+def test_a_damaged_record_writes_nothing(
+    old: str, new: str, hint: str, with_record: Path, here: Path, capsys: Capture
+) -> None:
+    text = with_record.read_text()
+    assert old in text
+    with_record.write_text(text.replace(old, new, 1))
+    before = files(here)
+    for command in (["gen", "elbow.yaml", "-o", "out"], ["flops", "elbow.yaml"]):
+        out, err = run(capsys, *command, code=2)
+        assert out == ""
+        assert len(err.splitlines()) == 1
+        assert err.startswith("robodyn: error: ")
+        assert hint in err
+    assert files(here) == before
+    assert total(capsys, "--optimize", "fast") == FAST
+
+
+# --- searching --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.usefixtures("moment")
+@pytest.mark.parametrize("level", ["search", "full"])
+def test_a_short_search(level: str, here: Path, capsys: Capture) -> None:
+    began = time.monotonic()
+    out, err = run(
+        capsys, "gen", "elbow.yaml", "-o", "out", "--optimize", level, "--budget-seconds", "0.5", "--json"
+    )
+    assert time.monotonic() - began < 30
+    assert err == "", "no progress where nobody watches"
+    counts = {found["function"]: found["total"] for found in json.loads(out)["functions"]}
+    assert counts["inverse_dynamics"] < FAST
+    assert counts["gravity"] <= count(fast(ROBOT, "gravity")).total
+    text = " ".join((here / "out" / "elbow.h").read_text().replace(" *", " ").split())
+    assert f"robodyn --optimize {level}, seed 0" in text
+    assert files(here) == {"elbow.yaml", "out/elbow.c", "out/elbow.h", "out/elbow.f90"}, "no record unasked"
+
+
+@pytest.mark.usefixtures("moment")
+def test_a_search_goes_on_from_the_last_one(capsys: Capture) -> None:
+    first = total(capsys, "--optimize", "full", "--budget-seconds", "0.1")
+    assert total(capsys, "--optimize", "search", "--budget-seconds", "0.01", "--seed", "7") <= first
+
+
+@pytest.mark.usefixtures("moment")
+def test_keep_writes_beside_the_file(here: Path, capsys: Capture) -> None:
+    out, err = run(
+        capsys, "flops", "elbow.yaml", "--optimize", "full", "--budget-seconds", "0.5", "--keep", "--json"
+    )
+    found = json.loads(out)["total"]
+    assert err == f"robodyn: wrote {FOLDER}/{NAME}\n"
+    record = parse_record((here / FOLDER / NAME).read_text(), "")
+    assert equals_recursion(ROBOT, "inverse_dynamics", record.program)
+    assert files(here) == {"elbow.yaml", f"{FOLDER}/{NAME}"}
+    assert total(capsys) == found < FAST
+    assert total(capsys, "--objective", "mul") >= found
+
+
+def test_keep_where_it_cannot(here: Path, capsys: Capture) -> None:
+    (here / FOLDER).write_text("in the way")
+    more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]
+    _, err = run(capsys, "gen", "elbow.yaml", "-o", "out", *more, code=2)
+    assert "cannot write into records" in err
+    assert files(here) == {"elbow.yaml", FOLDER}
+
+
+@pytest.mark.parametrize("objective", ["depth", "weighted:cortex-m4"])
+def test_objectives(objective: str, here: Path, capsys: Capture) -> None:
+    more = ["--optimize", "search", "--budget-seconds", "0.1", "--objective", objective, "--keep"]
+    total(capsys, *more)
+    (path,) = (here / FOLDER).iterdir()
+    assert f"\nobjective {objective}\n" in path.read_text()
+    assert total(capsys, "--objective", objective) == count(parse_record(path.read_text(), "").program).total
+    assert total(capsys) == FAST
+
+
+def test_an_objective_written_otherwise_is_the_same(with_record: Path, capsys: Capture) -> None:
+    assert total(capsys, "--objective", "total:") == total(capsys) < FAST
+
+
+SEARCH = ["--optimize", "search", "--budget-seconds", "60"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (["--budget-seconds", "3"], "--budget-seconds goes with a search"),
+        (["--keep"], "--keep goes with a search"),
+        (["--optimize", "fast", "--keep"], "--keep goes with a search"),
+        (["--optimize", "none", "--budget-seconds", "3"], "--budget-seconds goes with a search"),
+        ([*SEARCH, "--no-regroup"], "regrouped"),
+        ([*SEARCH, "--formulation", "newton_euler"], "modified_newton_euler"),
+        ([*SEARCH, "--engine", "sympy"], "on the graph"),
+        (["--optimize", "search", "--budget-seconds", "0"], "budget in seconds"),
+        (["--optimize", "full", "--budget-seconds", "-1"], "budget in seconds"),
+        (["--optimize", "full", "--budget-seconds", "nan"], "budget in seconds"),
+        (["--optimize", "full", "--budget-seconds", "inf"], "budget in seconds"),
+        (["--optimize", "full", "--budget-seconds", "soon"], "--budget-seconds"),
+        ([*SEARCH, "--seed", "x"], "--seed"),
+        ([*SEARCH, "--objective", "flops"], "unknown objective 'flops'"),
+        (["--objective", "flops"], "unknown objective 'flops'"),
+        (["--objective", ""], "unknown objective ''"),
+        (["--objective", "weighted"], "unknown target ''"),
+        (["--objective", "weighted:abacus"], "unknown target 'abacus'"),
+        (["--objective", "mul:cortex-m4"], "unknown target 'cortex-m4'"),
+        (["--optimize", "search,full"], "unknown level of optimisation"),
+    ],
+)
+@pytest.mark.parametrize("command", ["gen", "flops"])
+def test_what_does_not_go_together(
+    command: str, arguments: list[str], hint: str, here: Path, capsys: Capture
+) -> None:
+    began = time.monotonic()
+    out, err = run(capsys, command, "elbow.yaml", *arguments, code=2)
+    assert time.monotonic() - began < 10
+    assert out == ""
+    assert hint in err
+    assert files(here) == {"elbow.yaml"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (["--lang", "c,pascal"], "unknown language 'pascal'"),
+        (["-o", ""], "empty name"),
+        (["--functions", "torque"], "unknown function 'torque'"),
+        (["--check", "--keep"], "--check writes nothing"),
+    ],
+)
+def test_what_is_wrong_is_told_before_the_search(
+    arguments: list[str], hint: str, here: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    def searched(*_: Any) -> Options:
+        raise AssertionError("a minute later")
+
+    monkeypatch.setattr(searching.Search, "_searched", searched)
+    _, err = run(capsys, "gen", "elbow.yaml", *SEARCH, *arguments, code=2)
+    assert hint in err
+    assert files(here) == {"elbow.yaml"}
+
+
+@pytest.mark.parametrize("function", ["forward_dynamics", "gravity", "mass_matrix"])
+def test_functions_that_have_no_writings(function: str, capsys: Capture) -> None:
+    found = total(capsys, "--function", function, "--optimize", "search", "--budget-seconds", "0.3")
+    assert found <= total(capsys, "--function", function, "--optimize", "fast")
+
+
+def test_rotors_folded_make_another_robot(here: Path, capsys: Capture) -> None:
+    (here / "elbow.yaml").write_text(ELBOW.replace("mass: 2,", "mass: 2, motor_inertia: 0.5,"))
+    more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]
+    plain = total(capsys, *more)
+    folded = total(capsys, "--fold-rotor", *more)
+    assert len(files(here / FOLDER)) == 2
+    assert (total(capsys), total(capsys, "--fold-rotor")) == (plain, folded)
+
+
+def test_bundled_records_stay_as_they_are(capsys: Capture) -> None:
+    before = {path.name: path.read_bytes() for path in bundled_records().glob("*")}
+    main(["flops", "stanford_3dof_d3", "--optimize", "search", "--budget-seconds", "0.1"])
+    assert before == {path.name: path.read_bytes() for path in bundled_records().glob("*")}
+
+
+# --- a terminal, and somebody who has had enough ----------------------------------------------------------
+
+
+class Terminal:
+    """Stands in for stderr on a terminal."""
+
+    def __init__(self) -> None:
+        self.text = ""
+
+    def isatty(self) -> bool:
+        return True
+
+    def write(self, text: str) -> int:
+        self.text += text
+        return len(text)
+
+    def flush(self) -> None:
+        pass
+
+
+def shown(text: str) -> str:
+    """What a terminal shows in the end of what was written on one line."""
+    cells: list[str] = []
+    at = 0
+    for letter in text:
+        if letter == "\r":
+            at = 0
+            continue
+        cells[at : at + 1] = [letter]
+        at += 1
+    return "".join(cells).rstrip()
+
+
+def test_a_line_is_written_over_and_gone_in_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    clock = iter(range(100))
+    monkeypatch.setattr("robodyn_cli.progress.time.monotonic", lambda: float(next(clock)))
+    with progress.line() as line:
+        line.tell("a long line of text")
+        assert shown(terminal.text) == "a long line of text"
+        line.tell("short")
+        assert shown(terminal.text) == "short"
+        line.tell("longer again")
+        assert shown(terminal.text) == "longer again"
+    assert shown(terminal.text) == ""
+    assert "\n" not in terminal.text
+
+
+def test_a_line_is_gone_after_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    with pytest.raises(KeyboardInterrupt), progress.line() as line:  # noqa: PT012  # noqa: PT012 (the context is what is tested)
+        line.tell("text")
+        raise KeyboardInterrupt
+    assert shown(terminal.text) == ""
+
+
+def test_a_line_is_not_told_too_often(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    with progress.line() as line:
+        for k in range(1000):
+            line.tell(str(k))
+        assert terminal.text.count("\r") < 20
+
+
+def test_a_terminal_that_goes_away_stops_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Gone(Terminal):
+        def write(self, text: str) -> int:
+            raise OSError(5, "Input/output error")
+
+    monkeypatch.setattr(sys, "stderr", Gone())
+    with progress.line() as line:
+        line.tell("text")
+
+
+def test_a_search_tells_how_far_it_is_on_a_terminal(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    assert main(["flops", "elbow.yaml", "--optimize", "full", "--budget-seconds", "1.5"]) == 0
+    assert "\rrobodyn: elbow inverse_dynamics: algebra, " in terminal.text
+    assert shown(terminal.text) == ""
+
+
+@pytest.mark.parametrize("level", ["search", "full"])
+def test_an_interrupt_leaves_nothing_half_done(level: str, here: Path, tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "robodyn_cli", "gen", "elbow.yaml", "-o", "out", "--keep"]
+    process = subprocess.Popen(
+        [*command, "--optimize", level, "--budget-seconds", "100"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        # A shell that started the tests in the background has them ignore interrupts.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
+    try:
+        time.sleep(1.8)
+        assert process.poll() is None
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to the processes that help, too
+        out, err = process.communicate(timeout=20)
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+    assert (process.returncode, out, err) == (130, "", "robodyn: interrupted\n")
+    assert files(here) == {"elbow.yaml"}
+    assert not [name for name in files(tmp_path) if name.endswith(".tmp")]
+    assert not list((tmp_path / "cache").glob("unfinished-*"))
+    end = time.monotonic() + 10
+    while time.monotonic() < end:
+        try:
+            os.killpg(process.pid, 0)
+        except ProcessLookupError:
+            break
+        time.sleep(0.1)
+    else:
+        pytest.fail("processes are left")
+
+
+def test_a_record_that_is_kept_has_exact_numbers(here: Path, capsys: Capture) -> None:
+    run(capsys, "flops", "elbow.yaml", "--optimize", "search", "--budget-seconds", "0.1", "--keep")
+    record = parse_record((here / FOLDER / NAME).read_text(), "")
+    numbers = [arg for op in record.program.operations for arg in op.args if isinstance(arg, Fraction)]
+    assert numbers
+    assert all(number.denominator < 10**40 for number in numbers)

@@ -1,0 +1,122 @@
+"""The thesis's friction: statics of two supports, limits, all scalars."""
+
+from __future__ import annotations
+
+import math
+import random
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy
+
+from robodyn.effects import thesis_friction as friction
+from robodyn.effects.scalars import magnitude, root
+from robodyn.ir import Graph, Input
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.graph import lower
+
+MU, R, D = 0.1, 0.08, 0.25
+
+
+def loads(seed: int) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+    rng = random.Random(seed)
+    f, n = ([rng.uniform(-50, 50) for _ in range(3)] for _ in range(2))
+    return (f[0], f[1], f[2]), (n[0], n[1], n[2])
+
+
+def supports(f: Any, n: Any) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Forces of two supports at z = +-D/2 that balance ``f`` and the x and y moments of ``n``: solved as
+    linear equations, with r x F for the moments."""
+    A = sympy.Matrix(
+        [[1, 0, 1, 0], [0, 1, 0, 1], [0, -D / 2, 0, D / 2], [D / 2, 0, -D / 2, 0]]
+    )  # rows: f_x, f_y, n_x = -z F_y, n_y = z F_x
+    x = A.LUsolve(sympy.Matrix([f[0], f[1], n[0], n[1]]))
+    return (float(x[0]), float(x[1])), (float(x[2]), float(x[3]))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_journals_are_two_supports_in_balance(seed: int) -> None:
+    f, n = loads(seed)
+    one, other = supports(f, n)
+    expected = MU * R * (math.hypot(*one) + math.hypot(*other))
+    assert friction.journal_bearing(MU, R, D, f, n, 1) == pytest.approx(expected)
+    assert friction.journal_bearing(MU, R, D, f, n, -1) == pytest.approx(-expected)
+    printed = friction.journal_bearing(MU, R, D, f, n, 1, as_printed=True)
+    assert abs(printed - expected) > 1e-3 * expected
+
+
+def test_the_printed_sign_does_not_matter_where_a_product_vanishes() -> None:
+    f, n = (3.0, 0.0, 1.0), (0.7, 0.0, 0.2)  # f_x n_y = f_y n_x = 0
+    assert friction.journal_bearing(MU, R, D, f, n, 1, as_printed=True) == pytest.approx(
+        friction.journal_bearing(MU, R, D, f, n, 1)
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_without_a_moment_the_span_cancels(seed: int) -> None:
+    f, _ = loads(seed)
+    load = math.hypot(f[0], f[1])
+    for d in (0.1, 3.0):
+        none = (0.0, 0.0, 0.0)
+        assert friction.journal_bearing(MU, R, d, f, none, 1) == pytest.approx(MU * R * load)
+        assert friction.linear_bearing(MU, d, f, none, 1) == pytest.approx(MU * (abs(f[0]) + abs(f[1])))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_sliding_bearings_are_two_supports_in_balance(seed: int) -> None:
+    f, n = loads(seed)
+    expected = MU * sum(abs(x) for support in supports(f, n) for x in support)
+    assert friction.linear_bearing(MU, D, f, n, 1) == pytest.approx(expected)
+
+
+def test_thrust_and_sum() -> None:
+    assert friction.thrust_bearing(MU, R, (1.0, 2.0, -3.0), -1) == pytest.approx(-0.024)
+    assert friction.with_friction(2.0, -0.5) == 1.5
+
+
+def test_the_three_points_of_table_3_5() -> None:
+    """Torque, breakaway, direction, input torque, and the efficiency that they imply; the third brakes."""
+    for torque, breakaway, direction, given, efficiency, case in (
+        (2.9943, 6.3, 1, 12.8911, 0.4543, friction.driving),
+        (-15.9646, 5.5, -1, -33.9117, 0.5619, friction.driving),
+        (-0.6801, 2.6, 1, 2.3648, 0.3458, friction.braking),
+    ):
+        assert case(torque, efficiency, breakaway, direction) == pytest.approx(given, abs=2e-3)
+    assert friction.load_fraction(-15.9646, 186.4) == pytest.approx(0.0856, abs=1e-4)
+
+
+def test_cubics_are_one_cubic() -> None:
+    e = (0.3, 1.5, -0.8, 0.25)
+    for load in (0.0, 0.2, 1.0):
+        expected = e[0] + e[1] * load + e[2] * load**2 + e[3] * load**3
+        assert friction.cubic_efficiency(load, e) == pytest.approx(expected)
+        assert friction.cubic_efficiency_in_pairs(load, e) == pytest.approx(expected)
+    assert friction.linear_efficiency(0.5, (0.25, 0.5)) == 0.5
+
+
+def test_nodes_and_expressions_give_the_same_numbers() -> None:
+    f, n = loads(3)
+    graph = Graph()
+    nodes = [graph.input("f", i) for i in range(3)], [graph.input("n", i) for i in range(3)]
+    mu, r, d = (Fraction(str(x)) for x in (MU, R, D))
+    values = [
+        friction.journal_bearing(mu, r, d, nodes[0], nodes[1], graph.input("s")),
+        friction.linear_bearing(mu, d, nodes[0], nodes[1], graph.input("s")),
+    ]
+    program = lower(graph, [("t", values)])
+    given = {Input(name, i): x for name, u in (("f", f), ("n", n)) for i, x in enumerate(u)}
+    found = evaluate(program, {**given, Input("s", None): -1.0})["t"]
+    expected = [
+        friction.journal_bearing(MU, R, D, f, n, -1.0),
+        friction.linear_bearing(MU, D, f, n, -1.0),
+    ]
+    assert list(found) == pytest.approx(expected)
+    x = sympy.symbols("x:6")
+    expression = friction.journal_bearing(MU, R, D, x[:3], x[3:], -1)
+    assert float(expression.subs(dict(zip(x, (*f, *n), strict=True)))) == pytest.approx(expected[0])
+
+
+def test_roots_and_magnitudes() -> None:
+    assert (root(9.0), magnitude(-2)) == (3.0, 2)
+    assert root(sympy.Integer(16)) == 4

@@ -1,0 +1,145 @@
+"""What makes two robots the same: every number that a kernel depends on, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields, replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from records.made import TOOL, arm, bundled
+from robodyn.records import bundled_records, identity
+from robodyn.records.record import header
+from robodyn.robot import Robot, bundled_names
+from robodyn.robot.model import Comparison, Inertia, Joint, Limits, Link
+from robodyn.robot.values import Affine, angle, parameter, quarter_turns
+
+BASE = arm(TOOL)
+LINK, JOINT = BASE.links[1], BASE.links[1].joint
+SMALL = Fraction(1, 10**40)
+
+
+def with_link(link: Link) -> Robot:
+    return replace(BASE, links=(BASE.links[0], link, BASE.links[2]))
+
+
+def with_joint(**changes: Any) -> Robot:
+    return with_link(replace(LINK, joint=replace(JOINT, **changes)))
+
+
+def with_inertia(**changes: Any) -> Robot:
+    return with_link(replace(LINK, inertia=replace(LINK.inertia, **changes)))
+
+
+#: For every field of the model a robot that differs in it alone, and whether a kernel differs.
+CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
+    (Robot, "name"): (replace(BASE, name="other"), False),
+    (Robot, "title"): (replace(BASE, title="other"), False),
+    (Robot, "source"): (replace(BASE, source="other"), False),
+    (Robot, "compare"): (replace(BASE, compare=Comparison("2.10", "puma_6")), False),
+    (Robot, "links"): (replace(BASE, links=BASE.links[:2]), True),
+    (Robot, "gravity"): (replace(BASE, gravity=(SMALL, BASE.gravity[1], BASE.gravity[2])), True),
+    (Robot, "torque_side"): (replace(BASE, torque_side="link"), True),
+    (Robot, "rest_velocity"): (replace(BASE, rest_velocity=Fraction(1, 1000)), True),
+    (Link, "name"): (with_link(replace(LINK, name="other")), False),
+    (Link, "confidence"): (with_link(replace(LINK, confidence=Fraction(1, 50))), False),
+    (Link, "joint"): (with_joint(kind="prismatic"), True),
+    (Link, "mass"): (with_link(replace(LINK, mass=LINK.mass + SMALL)), True),
+    (Link, "com"): (with_link(replace(LINK, com=(LINK.com[0], LINK.com[1], Fraction(0)))), True),
+    (Link, "inertia"): (with_inertia(xx=SMALL), True),
+    (Joint, "limits"): (with_joint(limits=Limits(velocity=Fraction(3))), False),
+    (Joint, "kind"): (with_joint(kind="prismatic"), True),
+    (Joint, "alpha"): (with_joint(alpha=quarter_turns(-1)), True),
+    (Joint, "theta"): (with_joint(theta=angle(Fraction(1, 10**11))), True),
+    **{
+        (Joint, name): (with_joint(**{name: getattr(JOINT, name) + SMALL}), True)
+        for name in ("a", "d", "motor_inertia", "viscous", "coulomb")
+    },
+    **{
+        (Inertia, name): (with_inertia(**{name: getattr(LINK.inertia, name) + SMALL}), True)
+        for name in ("xx", "yy", "zz", "xy", "xz", "yz")
+    },
+}
+FIELDS = [(model, field.name) for model in (Robot, Link, Joint, Inertia) for field in fields(model)]
+
+
+@pytest.mark.parametrize(("model", "name"), FIELDS, ids=lambda x: x if isinstance(x, str) else x.__name__)
+def test_every_field_counts_if_a_kernel_depends_on_it(model: type, name: str) -> None:
+    assert (model, name) in CHANGED, f"{model.__name__}.{name} is new: does identity() look at it?"
+    changed, differs = CHANGED[model, name]
+    assert changed != BASE
+    assert (identity(changed) != identity(BASE)) is differs
+
+
+def test_each_place_counts_on_its_own() -> None:
+    changes: list[Callable[[Fraction], Robot]] = [
+        *(lambda x, k=k: replace(BASE, gravity=_put(BASE.gravity, k, x)) for k in range(3)),
+        *(lambda x, k=k: with_link(replace(LINK, com=_put(LINK.com, k, x))) for k in range(3)),
+        *(lambda x, n=n: with_joint(**{n: x}) for n in ("a", "d", "motor_inertia", "viscous", "coulomb")),
+        *(lambda x, n=n: with_inertia(**{n: x}) for n in ("xx", "yy", "zz", "xy", "xz", "yz")),
+        lambda x: with_link(replace(LINK, mass=x)),
+    ]
+    values = (Fraction(7), Fraction(-7), Fraction(1, 7))
+    found = [identity(change(x)) for change in changes for x in values]
+    assert len(set(found)) == len(found) == 18 * 3
+
+
+def _put(vector: tuple[Any, ...], k: int, x: Any) -> tuple[Any, ...]:
+    return (*vector[:k], x, *vector[k + 1 :])
+
+
+def test_the_order_of_links_counts() -> None:
+    assert identity(replace(BASE, links=BASE.links[::-1])) != identity(BASE)
+
+
+def test_a_run_time_parameter_counts_by_its_name() -> None:
+    found = [with_link(replace(LINK, mass=x)) for x in (parameter("m"), parameter("n"), Fraction(1))]
+    found.append(with_link(replace(LINK, mass=Affine(Fraction(1), (("m", Fraction(1)),)))))
+    found.append(with_link(replace(LINK, mass=Affine(Fraction(0), (("m", Fraction(2)),)))))
+    found.append(with_link(replace(LINK, mass=Affine(Fraction(0), (("m", Fraction(1)), ("n", Fraction(1)))))))
+    assert len({identity(robot) for robot in found}) == len(found)
+
+
+NUMBERS = st.fractions(min_value=-2, max_value=2, max_denominator=20)
+VALUES = NUMBERS | st.builds(
+    lambda constant, factor, name: Affine(constant, ((name, factor),)),
+    NUMBERS,
+    NUMBERS.filter(bool),
+    st.sampled_from(["a", "b", "a_1"]),
+)
+
+
+@given(st.tuples(VALUES, VALUES, VALUES), st.tuples(VALUES, VALUES, VALUES))
+def test_what_differs_never_looks_the_same(one: tuple[Any, Any, Any], other: tuple[Any, Any, Any]) -> None:
+    def robot(values: tuple[Any, Any, Any]) -> Robot:
+        mass, y, a = values
+        joint = replace(JOINT, a=a)
+        return with_link(replace(LINK, joint=joint, mass=mass, com=(LINK.com[0], y, LINK.com[2])))
+
+    assert (identity(robot(one)) == identity(robot(other))) is (one == other)
+
+
+def test_bundled_robots_are_the_same_where_their_numbers_are() -> None:
+    def numbers(robot: Robot) -> object:
+        bare = [
+            replace(link, name="", confidence=Fraction(0), joint=replace(link.joint, limits=Limits()))
+            for link in robot.links
+        ]
+        return replace(robot, name="", title="", source="", compare=None, links=tuple(bare))
+
+    robots = [bundled(name) for name in bundled_names()]
+    for robot in robots:
+        for other in robots:
+            same = identity(robot) == identity(other)
+            assert same is (numbers(robot) == numbers(other)), (robot.name, other.name)
+
+
+def test_identities_of_committed_records_are_those_of_their_robots() -> None:
+    for path in sorted(bundled_records().glob("*.record")):
+        fields = header(path.read_text(encoding="utf-8"))
+        assert fields["identity"] == identity(bundled(fields["robot"])), path.name
+        assert path.name.startswith(f"{fields['robot']}.{fields['function']}.")

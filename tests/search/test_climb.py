@@ -1,0 +1,204 @@
+"""Walks from several programs at once, and what stops them."""
+
+from __future__ import annotations
+
+import threading
+import time
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from records.made import ELBOW, SMOOTH, TOOL, arm, fast
+from robodyn import Options, program
+from robodyn.dynamics.equality import equals_recursion
+from robodyn.ir import Input, Label, Operation, Program
+from robodyn.ir.evaluate import PRIME, fingerprint
+from robodyn.robot.values import circle_point
+from robodyn.search import climb as climbing
+from robodyn.search.climb import Climbed, climb
+from robodyn.search.labels import labelled
+from robodyn.search.objective import Objective, operations_of, parse_objective
+from robodyn.search.walk import Walk
+from search.arms import bundled
+
+ELBOW_ARM = arm(ELBOW)
+PLAIN = fast(ELBOW_ARM)
+OBJECTIVES = [
+    *("total", "mul", "fma", "depth", "sincos"),
+    *("weighted:cortex-m3", "weighted:cortex-m4", "weighted:x86-64-v3"),
+]
+
+
+def cost(made: Program, objective: str = "total") -> float:
+    return parse_objective(objective).cost(operations_of(made))
+
+
+@pytest.fixture(autouse=True)
+def _no_threads_left() -> Any:
+    yield
+    end = time.monotonic() + 10
+    while threading.active_count() > 1 and time.monotonic() < end:
+        time.sleep(0.05)
+    assert threading.active_count() == 1
+
+
+@pytest.mark.parametrize("objective", OBJECTIVES)
+def test_what_is_found_is_equal_and_costs_no_more(objective: str) -> None:
+    found = climb(
+        [PLAIN], seconds=0.15 if objective != "total" else 0.5, seed=1, objective=parse_objective(objective)
+    )
+    assert 1 <= len(found) <= 12
+    costs = [cost(made, objective) for made in found]
+    assert costs == sorted(costs)
+    assert costs[0] <= cost(PLAIN, objective)
+    if objective == "total":
+        assert costs[0] < cost(PLAIN)
+    for made in found:
+        assert equals_recursion(ELBOW_ARM, "inverse_dynamics", made, points=1)
+
+
+def test_the_best_given_is_among_what_is_found() -> None:
+    worse = program(ELBOW_ARM, "inverse_dynamics", Options(optimize="none"))
+    assert cost(worse) > cost(PLAIN)
+    for seconds in (0.001, 0.5):
+        found = climb([worse, PLAIN, worse], seconds=seconds, threads=3)
+        assert cost(found[0]) <= cost(PLAIN)
+    assert climb([PLAIN], seconds=0.0)[0] == PLAIN
+    assert climb([PLAIN], seconds=-3.0)[0] == PLAIN
+
+
+@pytest.mark.parametrize("threads", [-1, 0, 1, 4])
+def test_threads(threads: int) -> None:
+    assert cost(climb([PLAIN], seconds=0.15, threads=threads)[0]) <= cost(PLAIN)
+
+
+def test_a_program_is_in_the_race_once() -> None:
+    x = Input("qd", 0)
+    least = Program((Operation("mul", (x, x)),), (("tau", (0,)),))
+    found = climb([least], seconds=0.4)
+    assert len(found) == 1
+
+
+def test_time_is_kept() -> None:
+    began = time.monotonic()
+    climb([fast(bundled("puma560_3dof"))], seconds=0.5)
+    assert time.monotonic() - began < 5
+
+
+def test_what_cannot_be_walked_from_does_not_stop_the_others() -> None:
+    """A program of equal outputs that is too large for a walk, and cheaper at nothing."""
+    x = Input("qd", 0)
+    large = list(PLAIN.operations)
+    ((name, (first, second)),) = PLAIN.outputs
+    for k in range(2500):
+        large.append(Operation("add", (len(large) - 1 if k else x, Fraction(k + 1, 7))))
+    large.append(Operation("sub", (len(large) - 1, len(large) - 1)))
+    large.append(Operation("add", (first, len(large) - 1)))
+    too_large = Program(tuple(large), ((name, (len(large) - 1, second)),))
+    for order in ([too_large, PLAIN], [PLAIN, too_large]):
+        assert cost(climb(order, seconds=0.5, threads=1, seed=3)[0]) < cost(PLAIN)
+
+
+def test_nothing_to_rewrite_ends_at_once() -> None:
+    nothing = Program((), (("tau", (Input("qd", 0), Fraction(1, 2))),))
+    began = time.monotonic()
+    assert climb([nothing, replace(nothing)], seconds=30) == [nothing, nothing]
+    assert time.monotonic() - began < 5
+
+
+def test_progress_is_told() -> None:
+    told: list[Climbed] = []
+    found = climb([PLAIN], seconds=0.7, progress=told.append)
+    assert told
+    assert [at.seconds for at in told] == sorted(at.seconds for at in told)
+    assert [at.best for at in told] == sorted((at.best for at in told), reverse=True)
+    assert [at.steps for at in told] == sorted(at.steps for at in told)
+    assert told[-1].best == cost(told[-1].program) >= cost(found[0])
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, ZeroDivisionError])
+def test_an_interrupt_stops_all_walks(error: type[BaseException]) -> None:
+    def progress(at: Climbed) -> None:
+        raise error
+
+    began = time.monotonic()
+    with pytest.raises(error):
+        climb([PLAIN], seconds=60, progress=progress)
+    assert time.monotonic() - began < 10
+
+
+def test_an_error_in_a_walk_is_passed_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(self: Walk, steps: int, temperature: float) -> int:
+        raise MemoryError("of the test")
+
+    monkeypatch.setattr(Walk, "run", fails)
+    began = time.monotonic()
+    with pytest.raises(MemoryError, match="of the test"):
+        climb([PLAIN], seconds=60)
+    assert time.monotonic() - began < 10
+
+
+def test_telling_while_the_race_is_sorted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A list looks empty while it is sorted."""
+    race = climbing._Race([PLAIN], 1.0, 0, Objective(), 1, lambda at: None)
+    stop = threading.Event()
+
+    def add() -> None:
+        while not stop.is_set():
+            with race.lock:
+                race.add(PLAIN)
+
+    adding = threading.Thread(target=add)
+    adding.start()
+    try:
+        end = time.monotonic() + 0.5
+        while time.monotonic() < end:
+            race.tell()
+    finally:
+        stop.set()
+        adding.join()
+
+
+# --- names ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("text", [ELBOW, TOOL, SMOOTH], ids=["elbow", "tool", "smooth"])
+def test_values_get_their_names_back(text: str) -> None:
+    robot = arm(text)
+    plain = fast(robot)
+    bare = replace(plain, operations=tuple(op._replace(label=None) for op in plain.operations), origin=None)
+    named = labelled(bare, plain)
+    everything = replace(plain, outputs=(("all", tuple(range(len(plain.operations)))),), origin=None)
+    values = [min(v, PRIME - v) for v in fingerprint(everything, 99, circle_point)]
+    known = {v for v, op in zip(values, plain.operations, strict=True) if op.label is not None}
+    with_names = {v for v, op in zip(values, named.operations, strict=True) if op.label is not None}
+    assert len(known) > 10
+    assert with_names == known
+    assert labelled(named, plain) == named
+
+
+def test_labels_are_true() -> None:
+    """A value has the name of a quantity only if it is it, or minus it: and no two have one name."""
+    walk = Walk([PLAIN], seed=4)
+    walk.run(2000, 0.3)
+    named = labelled(walk.best(), PLAIN)
+
+    def values(made: Program) -> list[int]:
+        everything = tuple(range(len(made.operations)))
+        return list(fingerprint(replace(made, outputs=(("all", everything),), origin=None), 99, circle_point))
+
+    truth: dict[Label, int] = {}
+    for value, op in zip(values(PLAIN), PLAIN.operations, strict=True):
+        if op.label is not None:
+            plus = op.label._replace(negative=False)
+            truth.setdefault(plus, (PRIME - value) % PRIME if op.label.negative else value)
+    seen = set()
+    for value, op in zip(values(named), named.operations, strict=True):
+        if op.label is not None:
+            plus = op.label._replace(negative=False)
+            assert truth[plus] == ((PRIME - value) % PRIME if op.label.negative else value), op
+            assert plus not in seen
+            seen.add(plus)
+    assert len(seen) > 10

@@ -1,0 +1,273 @@
+"""Every way of writing the recursion gives what the plain recursion gives, and costs what is counted."""
+
+from __future__ import annotations
+
+import json
+import random
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dynamics.direct import NO_SHRINKING, exact_arm, values_of, with_named_numbers
+from ir.programs import Point, exactly
+from robodyn import InputError, load
+from robodyn.counts import count
+from robodyn.dynamics.costing import Costing
+from robodyn.dynamics.equality import equals_recursion
+from robodyn.dynamics.functions import FUNCTIONS, Choice, build
+from robodyn.dynamics.gauge import Unsuited, regrouped_as
+from robodyn.dynamics.regroup import Lump
+from robodyn.dynamics.suited import suited_writing
+from robodyn.dynamics.writing import LINK_VALUES, LinkWriting, Writing
+from robodyn.ir import Program
+from robodyn.robot import Robot
+from robodyn.search.candidate import Candidates
+from robodyn.search.space import Space
+
+BUNDLED = ("puma560_d2", "stanford_d3", "ur10", "stanford_3dof_d3", "puma560_full")
+
+
+def bundled(name: str) -> Robot:
+    return load(name, warn=lambda _: None)
+
+
+def suited(robot: Robot, seed: int, steps: int) -> Writing:
+    """A writing that suits ``robot``, so many changes away from the plain one."""
+    space, candidates, rng = Space(robot), Candidates(robot), random.Random(seed)
+    writing = space.fitted(suited_writing(space.arm))
+    for _ in range(steps):
+        other = space.random_neighbour(writing, rng)
+        if candidates.cost(other) is not None:
+            writing = other
+    return writing
+
+
+def counted(robot: Robot, writing: Writing, made: Program) -> bool:
+    """Whether ``made`` costs what the tally says, or less: written out in another order a sum may fold."""
+    return 0 <= Costing(robot).total(writing) - count(made).total <= 4
+
+
+@settings(deadline=None, max_examples=25, phases=NO_SHRINKING)
+@given(st.integers(0, 10**6), st.integers(1, 7), st.integers(1, 60), st.booleans(), st.booleans())
+def test_any_writing_of_any_arm(seed: int, n: int, steps: int, full: bool, simple: bool) -> None:
+    more: dict[str, Any] = {"generic_angles": 0, "zeros": 0.6, "parallel": 0.5} if simple else {}
+    robot = exact_arm(seed, joints=n, full=full, **more)
+    writing = suited(robot, seed, steps)
+    choice = Choice(writing=writing)
+    made = build(robot, "inverse_dynamics", choice)
+    assert equals_recursion(robot, "inverse_dynamics", made, points=1), choice.to_dict()
+    assert counted(robot, writing, made), choice.to_dict()
+    revolute = sum(link.joint.kind == "revolute" for link in robot.links)
+    assert count(made).sincos <= 2 * revolute
+    assert Choice.from_dict(json.loads(json.dumps(choice.to_dict()))) == choice
+
+
+@pytest.mark.parametrize("name", BUNDLED)
+def test_writings_of_the_bundled_robots(name: str) -> None:
+    robot = bundled(name)
+    for seed in range(2):
+        writing = suited(robot, seed, 40)
+        made = build(robot, "inverse_dynamics", Choice(writing=writing))
+        assert equals_recursion(robot, "inverse_dynamics", made, points=1)
+        assert counted(robot, writing, made)
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_writings_of_every_function(function: str) -> None:
+    for seed in (3, 4):
+        robot = replace(exact_arm(seed, joints=4, motors=1), torque_side="motor")
+        made = build(robot, function, Choice(writing=suited(robot, seed, 40)))
+        assert equals_recursion(robot, function, made, points=1)
+
+
+@settings(deadline=None, max_examples=6, phases=NO_SHRINKING)
+@given(st.integers(0, 10**6), st.integers(1, 4), st.integers(0, 7))
+def test_writings_with_numbers_that_are_known_at_run_time(seed: int, n: int, which: int) -> None:
+    """What would divide by a name or ask whether it is zero is not offered; the rest is right."""
+    robot = exact_arm(seed, joints=n)
+    named = with_named_numbers(robot, lambda name: sum(map(ord, name)) % 8 <= which)
+    writing = suited(named, seed, 30)
+    made = build(named, "inverse_dynamics", Choice(writing=writing))
+    at, numbers = Point(seed), values_of(named, robot)
+    plain = build(robot, "inverse_dynamics", Choice("newton_euler", regroup=False, chains=False))
+    assert exactly(made, at, numbers) == exactly(plain, at)
+    assert counted(named, writing, made)
+
+
+ARM = """
+name: arm
+links:
+  - {joint: revolute, mass: 3, com: [0.1, 0, 0.2], inertia: {xx: 0.1, yy: 0.2, zz: 0.25}}
+  - joint: revolute
+    alpha: -pi/2
+    a: 0.1
+    d: 0.2
+    mass: 2
+    com: [0.2, 0, 0.1]
+    inertia: {xx: 0.1, yy: 0.2, zz: 0.2}
+  - {joint: revolute, a: 0.3, d: 0.1, mass: 2, com: [0.2, 0, 0], inertia: {xx: 0.1, yy: 0.3, zz: 0.2}}
+  - {joint: revolute, alpha: pi/2, a: 0.2, d: 0.4, mass: 2, com: [0, 0.1, 0], inertia: {xx: 0.3, zz: 0.3}}
+  - {joint: revolute, alpha: -pi/2, mass: 2, com: [0, 0.1, 0], inertia: {xx: 0.3, yy: 0.1, zz: 0.3}}
+  - {joint: revolute, alpha: pi/2, mass: 1, com: [0, 0, 0.1], inertia: {xx: 0.1, yy: 0.1, zz: 0.1}}
+"""
+#: The same with a planar link at the tip, its centre of mass on the x axis.
+PLANAR = ARM.replace("alpha: pi/2, mass: 1, com: [0, 0, 0.1]", "a: 0.2, mass: 1, com: [0.1, 0, 0]")
+
+
+@pytest.mark.parametrize(("field", "value"), [(f, v) for f, values in LINK_VALUES.items() for v in values])
+def test_every_name_is_good_for_something(field: str, value: Any) -> None:
+    """On an arm with a spherical wrist each name suits some link, and gives the right torques there."""
+    from robodyn.robot import read_text
+
+    robot = read_text(PLANAR if value == "point_x" else ARM, warn=lambda _: None)
+    space, candidates = Space(robot), Candidates(robot)
+    plain = space.fitted(suited_writing(space.arm))
+    if value == "point_x":
+        plain = plain.with_link(5, second="yy")
+    tip = {"second": "-xx", "form": "spin"}
+    starts = [plain, plain.with_link(5, **tip), plain.with_link(5, frame="start", **tip)]
+    starts += [w.with_link(4, mass="point_y", second="xx", frame="start") for w in starts]
+    starts += [plain.with_link(3, second="xx", first="keep"), plain.with_link(2, second="yy")]
+    for start in starts:
+        for i in range(6):
+            if value not in space.values[i][field]:
+                continue
+            writing = start.with_link(i, **{field: value})
+            if value == "point_z":
+                writing = writing.with_link(i, second="keep", first="keep", mass="keep")
+            if candidates.cost(writing) is not None:
+                made = build(robot, "inverse_dynamics", Choice(writing=writing))
+                assert equals_recursion(robot, "inverse_dynamics", made, points=1)
+                return
+    pytest.fail(f"{field}: {value} suits no link")
+
+
+def test_a_unit_of_length_makes_a_constant_one() -> None:
+    robot = bundled("puma560_d2")
+    costing = Costing(robot)
+    plain = suited_writing(costing.arm)
+    for unit in ("a", "d"):
+        writing = replace(plain, unit=unit, unit_link=4)
+        made = build(robot, "inverse_dynamics", Choice(writing=writing))
+        assert equals_recursion(robot, "inverse_dynamics", made, points=1)
+        assert costing.total(writing) < costing.total(plain)
+
+
+def test_a_unit_of_length_on_an_arm_that_slides() -> None:
+    """There it costs something at the sliding joint, and is right."""
+    robot = bundled("stanford_3dof_d3")
+    writing = replace(suited_writing(Space(robot).arm), unit="d", unit_link=2)
+    made = build(robot, "inverse_dynamics", Choice(writing=writing))
+    assert equals_recursion(robot, "inverse_dynamics", made, points=1)
+    assert counted(robot, writing, made)
+
+
+RULES: list[tuple[int, dict[str, str], Callable[[Lump, Lump], Any]]] = [
+    (2, {"second": "xx"}, lambda own, parent: own.second.zz - own.second.xx),
+    (2, {"second": "-yy"}, lambda own, parent: own.second.zz + own.second.yy),
+    (3, {"second": "parent_zero"}, lambda own, parent: parent.second.yy),
+    (3, {"second": "parent_xx"}, lambda own, parent: parent.second.yy - parent.second.xx),
+    (3, {"second": "parent_-xx"}, lambda own, parent: parent.second.yy + parent.second.xx),
+    (3, {"first": "parent_first"}, lambda own, parent: parent.first[1]),
+    (3, {"mass": "parent_first"}, lambda own, parent: parent.first[0]),
+    (3, {"mass": "parent_second"}, lambda own, parent: parent.second.xx),
+    (2, {"first": "keep", "slide": "com", "mass": "keep"}, lambda own, parent: own.first[2]),
+    (2, {"slide": "xz"}, lambda own, parent: own.second.xz),
+    (2, {"slide": "yz"}, lambda own, parent: own.second.yz),
+    (2, {}, lambda own, parent: own.mass or own.first[2] or own.second.zz),
+]
+
+
+@pytest.mark.parametrize(
+    ("link", "rules", "left"), RULES, ids=[f"{link}-{rules}" for link, rules, _ in RULES]
+)
+def test_rules_do_what_they_say(link: int, rules: dict[str, str], left: Callable[[Lump, Lump], Any]) -> None:
+    """What a rule makes zero is zero, and was not before."""
+    arm = Space(bundled("puma560_full")).arm
+    plain = Writing((LinkWriting(),) * 6)
+    before, _ = regrouped_as(arm, Writing((LinkWriting(), *(LinkWriting("keep", "keep", "keep"),) * 5)))
+    after, _ = regrouped_as(arm, plain.with_link(link, **rules))
+    assert left(before[link].lump, before[link - 1].lump) != 0
+    assert left(after[link].lump, after[link - 1].lump) == 0
+
+
+# --- values in files --------------------------------------------------------------------------------------
+
+
+def test_a_plain_choice_says_little() -> None:
+    assert Choice().to_dict() == {}
+    assert Choice(chains=False, forms=("inertia",)).to_dict() == {"chains": False, "forms": ["inertia"]}
+    assert Choice(writing=Writing((LinkWriting(form="spin"),))).to_dict() == {
+        "writing": {"links": [{"form": "spin"}]}
+    }
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        ([], "no choice"),
+        ({"wirting": {}}, "no choice"),
+        ({"chains": 1}, "chains must be true or false"),
+        ({"formulation": "khalil"}, "unknown formulation"),
+        ({"forms": ["spin"]}, "forms of moments"),
+        ({"forms": "inertia"}, "forms of moments"),
+        ({"writing": []}, "a writing must be a mapping"),
+        ({"writing": {"links": {}}}, "a writing without links"),
+        ({"writing": {"links": [3]}}, "link 1 of a writing must be a mapping"),
+        ({"writing": {"links": [{}, {"gauge": 1}]}}, "link 2 of a writing: unknown key 'gauge'"),
+        ({"writing": {"links": [{"mass": "heavy"}]}}, "link 1: mass: unknown value; found 'heavy'"),
+        ({"writing": {"links": [{"chained": 1}]}}, "link 1: chained: unknown value"),
+        ({"writing": {"links": [{"mass": ["zero"]}]}}, "link 1: mass: unknown value"),
+        ({"writing": {"links": [{}], "unit": "inch"}}, "unit: unknown value"),
+        ({"writing": {"links": [{}], "unit": "a", "unit_link": 2}}, "unit_link: unknown value"),
+        ({"writing": {"links": [{}], "unit_link": 1}}, "unit_link: unknown value"),
+    ],
+)
+def test_what_is_no_choice_is_refused(data: Any, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        Choice.from_dict(data)
+
+
+def test_a_writing_of_another_arm_is_refused() -> None:
+    robot = bundled("puma560_3dof_d3")
+    plain = suited_writing(Space(robot).arm)
+    for writing, said in (
+        (Writing(plain.links[:2]), "a writing of another arm; found 2 links; expected 3"),
+        (plain.with_link(2, form="spin"), "does not suit link 3"),
+        (plain.with_link(2, form="wrist", frame="start"), "does not suit link 3"),
+        (plain.with_link(2, frame="before"), "does not suit link 3"),
+        (plain.with_link(2, second="parent_xx"), "does not suit link 3; found an axis parallel"),
+        (plain.with_link(0, mass="keep"), "does not suit link 1; found a base that takes everything"),
+        (replace(plain, unit="a", unit_link=1), "does not suit link 1; found no length"),
+    ):
+        with pytest.raises(InputError, match=said):
+            build(robot, "inverse_dynamics", Choice(writing=writing))
+        if len(writing.links) == 3:
+            assert Candidates(robot).cost(writing) is None
+
+
+def test_a_prismatic_link_gives_up_its_second_moment_only() -> None:
+    robot = bundled("stanford_3dof_d3")
+    plain = suited_writing(Space(robot).arm)
+    for changes in ({"mass": "keep"}, {"first": "keep"}, {"second": "xx"}):
+        with pytest.raises(Unsuited, match="a prismatic joint"):
+            build(robot, "inverse_dynamics", Choice(writing=plain.with_link(2, **changes)))
+    kept = build(robot, "inverse_dynamics", Choice(writing=plain.with_link(2, second="keep")))
+    assert equals_recursion(robot, "inverse_dynamics", kept, points=1)
+
+
+def test_gauges_are_worth_something() -> None:
+    """The second origin of the PUMA on its first axis, and its last link as a spin: what ``fast`` does."""
+    robot = bundled("puma560_d2")
+    costing = Costing(robot)
+    plain = suited_writing(costing.arm)
+    slid = plain.with_link(1, slide="own")
+    assert costing.total(slid) <= costing.total(plain) - 9
+    spun = slid.with_link(5, second="-xx", form="spin", frame="start")
+    assert costing.total(spun) <= costing.total(slid) - 12
+    assert Fraction(costing.total(spun)) <= 270

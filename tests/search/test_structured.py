@@ -1,0 +1,141 @@
+"""The search finds less, the same for the same seed, goes on from what it found, and says nothing wrong."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import Any, Final
+
+import pytest
+
+from dynamics.direct import exact_arm
+from robodyn import InputError, Options, load, program
+from robodyn.counts import count
+from robodyn.dynamics.costing import Costing
+from robodyn.dynamics.equality import equals_recursion
+from robodyn.dynamics.fast import literature
+from robodyn.dynamics.functions import Choice, build
+from robodyn.passes import FRESH, run
+from robodyn.robot import Robot
+from robodyn.search import structured
+from robodyn.search.objective import Objective, operations_of
+from robodyn.search.structured import Progress, search
+from robodyn.search.workers import Workers
+
+SHORT: Final[dict[str, Any]] = {"steps": 60, "rounds": 1, "processes": 1}
+
+
+def bundled(name: str) -> Robot:
+    return load(name, warn=lambda _: None)
+
+
+def regrouped_alone(robot: Robot) -> int:
+    """Base-parameter regrouping alone, as the literature has it: what OpenSYMORO does."""
+    choice = Choice(writing=literature(Costing(robot).arm), chains=False)
+    return count(run(build(robot, "inverse_dynamics", choice), FRESH)).total
+
+
+def test_what_is_found_is_right_and_different_and_best_first() -> None:
+    robot = bundled("puma560_3dof_d3")
+    told: list[Progress] = []
+    found = search(robot, **SHORT, seed=1, progress=told.append)
+    costs = [cost for cost, _, _ in found]
+    assert costs == sorted(costs)
+    assert costs[0] <= 90
+    assert 1 < len(found) <= structured.KEPT
+    assert len({made.operations for _, _, made in found}) == len(found)
+    for cost, choice, made in found:
+        assert count(made).total == cost
+        assert count(made).sincos <= 6
+        assert equals_recursion(robot, "inverse_dynamics", made)
+        assert run(build(robot, "inverse_dynamics", choice), FRESH).operations == made.operations
+    assert [at.round for at in told] == [1]
+    assert told[0].tried > 100
+
+
+def test_the_same_seed_finds_the_same() -> None:
+    robot = bundled("stanford_3dof_d3")
+    one, other, third = (search(robot, **SHORT, seed=seed) for seed in (3, 3, 4))
+    assert [choice for _, choice, _ in one] == [choice for _, choice, _ in other]
+    assert [choice for _, choice, _ in one] != [choice for _, choice, _ in third]
+
+
+def test_a_search_goes_on_from_what_was_found() -> None:
+    robot = bundled("stanford_3dof_d3")
+    first = search(robot, **SHORT, seed=5)
+    again = search(robot, rounds=1, steps=1, seed=6, processes=1, start=[choice for _, choice, _ in first])
+    assert again[0][0] <= first[0][0]
+    with pytest.raises(InputError, match="a choice of another arm to start from; found 3 links; expected 6"):
+        search(bundled("stanford_d3"), **SHORT, start=[first[0][1]])
+
+
+def test_two_processes_find_what_is_right() -> None:
+    robot = bundled("stanford_3dof_d3")
+    found = search(robot, rounds=1, steps=60, seed=1, processes=2)
+    assert equals_recursion(robot, "inverse_dynamics", found[0][2])
+    assert found[0][0] < 69
+
+
+def test_workers_hand_on_results_and_errors() -> None:
+    with Workers(2) as workers:
+        assert workers.run(max, [(1, 2), (5, 4)]) == [2, 5]
+        with pytest.raises(TypeError):
+            workers.run(len, [(3,)])
+        assert workers.run(max, [(8, 7)]) == [8]
+
+
+def test_a_search_keeps_to_its_time() -> None:
+    began = time.monotonic()
+    found = search(bundled("panda"), seconds=0.5, processes=1)
+    assert found
+    assert time.monotonic() - began < 20  # a result takes a moment to write out
+
+
+def test_a_search_with_another_objective() -> None:
+    robot = bundled("puma560_3dof_d3")
+    for objective in (Objective("mul"), Objective("depth")):
+        found = search(robot, **SHORT, seed=2, objective=objective)
+        fast = program(robot, "inverse_dynamics", Options(optimize="fast"))
+        assert found[0][0] < objective.cost(operations_of(fast))
+        assert equals_recursion(robot, "inverse_dynamics", found[0][2])
+
+
+ARMS = [
+    replace(exact_arm(seed, joints=3 + seed % 5, full=bool(seed % 2), prismatic=0.1), torque_side="motor")
+    for seed in range(100, 120)
+]
+
+
+@pytest.mark.parametrize("robot", ARMS, ids=lambda robot: robot.name)
+def test_fast_is_never_above_regrouping_alone(robot: Robot) -> None:
+    made = program(robot, "inverse_dynamics", Options(optimize="fast"))
+    assert count(made).total <= regrouped_alone(robot)
+    assert equals_recursion(robot, "inverse_dynamics", made, points=1)
+
+
+@pytest.mark.parametrize("robot", ARMS[::5], ids=lambda robot: robot.name)
+def test_a_search_is_always_below_regrouping_alone(robot: Robot) -> None:
+    found = search(robot, seconds=2, steps=40, seed=1, processes=1)
+    assert found[0][0] < regrouped_alone(robot)
+    assert equals_recursion(robot, "inverse_dynamics", found[0][2], points=1)
+
+
+@pytest.mark.parametrize(
+    ("name", "most"),
+    [("puma560_d2", 270), ("stanford_d3", 210), ("puma560_3dof_d3", 107), ("stanford_3dof_d3", 67)],
+)
+def test_fast_on_the_robots_of_the_thesis(name: str, most: int) -> None:
+    made = program(bundled(name), "inverse_dynamics", Options(optimize="fast"))
+    assert count(made).total <= most
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "most"),
+    [("puma560_d2", 256), ("stanford_d3", 211), ("puma560_3dof_d3", 90), ("ur10", 242), ("rx90", 455)],
+)
+def test_three_minutes_of_search(name: str, most: int) -> None:
+    robot = bundled(name)
+    found = search(robot, seconds=170, seed=0, processes=2)
+    assert found[0][0] <= most
+    assert equals_recursion(robot, "inverse_dynamics", found[0][2])

@@ -1,0 +1,378 @@
+"""The walk: whatever it does, the program computes what it did, costs no more and rounds no worse."""
+
+from __future__ import annotations
+
+import gc
+import os
+import subprocess
+import sys
+import threading
+import time
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from records.made import ELBOW, arm, fast, recorded
+from robodyn import InputError
+from robodyn.dynamics.equality import equals_recursion
+from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.ir import Input, Operation, Program
+from robodyn.ir.evaluate import evaluate, fingerprint
+from robodyn.passes import SPELLING, run
+from robodyn.records import parse_record
+from robodyn.robot import Robot, bundled_names
+from robodyn.robot.values import circle_point
+from robodyn.search import walk as walking
+from robodyn.search.labels import labelled
+from robodyn.search.network import NoWalk
+from robodyn.search.objective import operations_of
+from robodyn.search.walk import CHAIN, FUSED, SUM, TOLERANCE, Walk
+from robodyn_testing import require_tool
+from robodyn_testing.random_robots import random_states
+from search.arms import SPECIAL, bundled, random_arms
+
+SOURCE = Path(walking.__file__).parent / "c" / "walk.c"
+KINDS = {SUM: (1, 1), FUSED: (1, 1), CHAIN: (1, 1)}
+
+
+def own_cost(made: Program, objective: int, weights: tuple[int, int] = (1, 1)) -> int:
+    """The cost as the walk has it, counted apart from it; angles, sines and what else it leaves alone stay
+    out: they are the same before and after."""
+    found = operations_of(made)
+    add, mul = weights
+    total = add * found.counts.get("add", 0) + mul * found.counts.get("mul", 0)
+    if objective == FUSED:
+        return total - found.fused * mul
+    if objective == CHAIN:
+        return found.depth * 4 * add + total
+    return total
+
+
+def check(
+    robot: Robot,
+    function: str,
+    steps: int,
+    *,
+    seed: int = 1,
+    temperature: float = 0.25,
+    objective: int = SUM,
+    weights: tuple[int, int] = (1, 1),
+) -> Program:
+    """Walk, and hold what is found to everything that is promised."""
+    plain = fast(robot, function)
+    walk = Walk([plain], seed=seed, objective=objective, weights=weights)
+    before = walk.run(0, temperature)
+    after = walk.run(steps, temperature)
+    made = walk.best()
+    assert after <= before
+    assert walk.counts["steps"] == steps
+    assert walk.counts["false"] == 0
+    assert walk.error <= TOLERANCE
+    seeds = (21, 22)
+    assert [fingerprint(made, s, circle_point) for s in seeds] == [
+        fingerprint(plain, s, circle_point) for s in seeds
+    ]
+    if robot.rest_velocity is None:
+        assert equals_recursion(robot, function, made, points=1, seed=seed)
+    if function != "forward_dynamics":  # what is divided by is an operand that no walk looks into
+        saved = own_cost(plain, objective, weights) - own_cost(made, objective, weights)
+        assert saved >= (before - after if weights == (1, 1) and objective == SUM else 0)
+    spelled = run(made, SPELLING)
+    named = labelled(spelled, plain)
+    assert [op[:2] for op in named.operations] == [op[:2] for op in spelled.operations]
+    record = recorded(robot, named, function)
+    assert parse_record(record.text(), "").program.operations == named.operations
+    return made
+
+
+@pytest.mark.parametrize("name", ["puma560", "stanford_d3", "tx40", "ur10"])
+def test_bundled_robots(name: str) -> None:
+    check(bundled(name), "inverse_dynamics", 100)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", bundled_names())
+def test_every_bundled_robot(name: str) -> None:
+    for function in ("inverse_dynamics", "gravity", "bias", "mass_matrix"):
+        check(bundled(name), function, 500)
+
+
+@pytest.mark.parametrize("robot", random_arms(6, joints=4), ids=lambda robot: robot.name)
+def test_random_arms(robot: Robot) -> None:
+    for k, function in enumerate(("inverse_dynamics", "mass_matrix", "gravity")):
+        try:
+            check(robot, function, 400, seed=k + 3, temperature=(0.2, 0.35, 1.0)[k])
+        except NoWalk as nothing:
+            assert "nothing to rewrite" in str(nothing)  # noqa: PT017
+
+
+@pytest.mark.parametrize("objective", KINDS)
+@pytest.mark.parametrize("temperature", [0.0, 0.25, 3.0])
+def test_objectives_and_temperatures(objective: int, temperature: float) -> None:
+    check(arm(ELBOW), "inverse_dynamics", 500, temperature=temperature, objective=objective, seed=9)
+
+
+@pytest.mark.parametrize("weights", [(1, 3), (4, 4), (4, 7), (1, 0)])
+def test_weights(weights: tuple[int, int]) -> None:
+    check(arm(ELBOW), "bias", 300, weights=weights, temperature=0.25 * max(weights))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("objective", KINDS)
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("name", ["puma560_d2", "stanford_3dof_d3", "puma560_3dof", "ur5", "tx40"])
+def test_thousands_of_steps(name: str, seed: int, objective: int) -> None:
+    for function in ("inverse_dynamics", "mass_matrix", "gravity"):
+        check(bundled(name), function, 5000, seed=seed, objective=objective, temperature=0.2 + 0.05 * seed)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("robot", random_arms(40, joints=9), ids=lambda robot: robot.name)
+def test_thousands_of_steps_of_random_arms(robot: Robot) -> None:
+    check(robot, "inverse_dynamics", 3000, temperature=0.3)
+
+
+@pytest.mark.parametrize("name", SPECIAL)
+def test_special_arms(name: str) -> None:
+    for function in FUNCTIONS:
+        try:
+            check(SPECIAL[name], function, 300)
+        except NoWalk as nothing:
+            assert "nothing to rewrite" in str(nothing)  # noqa: PT017
+        except InputError as error:
+            assert "has no forward dynamics" in str(error)  # noqa: PT017
+
+
+def test_a_walk_gets_somewhere() -> None:
+    assert own_cost(check(arm(ELBOW), "inverse_dynamics", 2000), SUM) < own_cost(fast(arm(ELBOW)), SUM)
+
+
+@pytest.mark.parametrize("objective", KINDS)
+def test_the_cost_is_that_of_the_program(objective: int) -> None:
+    for name in ("stanford_3dof_d3", "puma560_3dof_d3"):
+        plain = fast(bundled(name))
+        walk = Walk([plain], seed=2, objective=objective)
+        costs = [walk.run(steps, 0.25) for steps in (0, 500, 500)]
+        assert costs == sorted(costs, reverse=True)
+        angles = own_cost(plain, objective) - costs[0]  # sums of joint angles stay as they are
+        assert angles in (0, 1)
+        # Merging of equal operations may save more.
+        assert own_cost(walk.best(), objective) <= costs[-1] + angles
+
+
+def test_the_same_seed_takes_the_same_way() -> None:
+    plain = fast(arm(ELBOW))
+
+    def walked(seed: int, *chunks: int) -> Program:
+        walk = Walk([plain], seed=seed)
+        for chunk in chunks:
+            walk.run(chunk, 0.3)
+        return walk.best()
+
+    once = walked(5, 600)
+    assert once == walked(5, 600) == walked(5, 100, 250, 250)
+    assert len({walked(seed, 600).operations for seed in (5, 6, 7)}) > 1
+
+
+@pytest.mark.parametrize("seed", [0, 1, (1 << 31) - 1, (1 << 63) + 5, (1 << 64) - 1])
+def test_seeds(seed: int) -> None:
+    check(bundled("stanford_3dof_d3"), "inverse_dynamics", 200, seed=seed)
+
+
+def test_rounding_stays_bounded() -> None:
+    """Out at high temperature a walk subtracts what it has added: the tolerance holds it back."""
+    plain = fast(bundled("puma560_3dof_d3"))
+
+    def errors(tolerance: float) -> tuple[float, int]:
+        walk = Walk([plain], seed=3, tolerance=tolerance)
+        worst = 0.0
+        for _ in range(200):
+            walk.run(25, 3.0)
+            worst = max(worst, walk.error)
+        return worst, walk.counts["refused"]
+
+    worst, refused = errors(TOLERANCE)
+    assert worst <= TOLERANCE
+    assert refused > 0
+    assert errors(1.0)[0] > TOLERANCE, "nothing to be held back from: the test shows nothing"
+
+
+@pytest.mark.parametrize("name", ["stanford_3dof_d3", "puma560_d2", "ur5", "tx40"])
+def test_single_precision_is_near_the_truth(name: str) -> None:
+    """Apart from the walk's own bookkeeping, and at other states."""
+    robot = bundled(name)
+    plain = fast(robot)
+    walk = Walk([plain], seed=8)
+    walk.run(1500, 0.35)
+    made = walk.best()
+    q, qd, qdd = random_states(robot, 50, seed=1)
+    state = {Input(a, i): x[:, i] for a, x in (("q", q), ("qd", qd), ("qdd", qdd)) for i in range(robot.n)}
+    functions = {"sin": np.sin, "cos": np.cos, "sign": np.sign}
+    truth = np.array(
+        [x + 0 * q[:, 0] for x in evaluate(plain, state, functions=functions)["tau"]], dtype=np.float64
+    )
+    single = {key: np.float32(x) for key, x in state.items()}
+    found = evaluate(made, single, number=lambda x: np.float32(float(x)), functions=functions)["tau"]
+    off = np.abs(np.array([x + 0 * single[Input("q", 0)] for x in found], dtype=np.float64) - truth)
+    assert off.max() <= 10 * TOLERANCE * np.abs(truth).max()
+
+
+def test_a_hot_walk_does_not_hang() -> None:
+    """Out there the program grows until the tables of pairs are full."""
+    program = (
+        "from records.made import fast, bundled\n"
+        "from robodyn.search.walk import Walk\n"
+        "for kind in (1, 2, 0):\n"
+        "    walk = Walk([fast(bundled('stanford_3dof_d3'))], seed=1, objective=kind)\n"
+        "    walk.run(3000, 20.0)\n"
+        "    walk.best()\n"
+    )
+    path = str(Path(__file__).parents[1])
+    subprocess.run([sys.executable, "-c", program], check=True, timeout=100, cwd=path)
+
+
+def test_nothing_to_rewrite() -> None:
+    x = Input("qd", 0)
+    for outputs in ((), (x,), (Fraction(3), x), (Fraction(0),)):
+        with pytest.raises(NoWalk, match="nothing to rewrite"):
+            Walk([Program((), (("tau", outputs),))], seed=1)
+    sine = Program((Operation("sin", (Input("q", 0),)),), (("tau", (0, 0)),))
+    with pytest.raises(NoWalk, match="nothing to rewrite"):
+        Walk([sine], seed=1)
+
+
+def test_too_large_is_told() -> None:
+    operations = [Operation("mul", (Input("qd", 0), Input("q", 0)))]
+    operations += [Operation("add", (k, Fraction(k + 1, 7))) for k in range(2500)]
+    with pytest.raises(NoWalk, match="too large"):
+        Walk([Program(tuple(operations), (("tau", (2500,)),))], seed=1)
+    many = [Operation("mul", (Input("qd", 0), Fraction(k + 2))) for k in range(300)]
+    with pytest.raises(NoWalk, match="too large"):
+        Walk([Program(tuple(many), (("M", tuple(range(300))),))], seed=1)
+
+
+def test_walks_run_side_by_side() -> None:
+    """C code runs without the interpreter's lock, and walks share nothing."""
+    plain = fast(bundled("stanford_3dof_d3"))
+    expected = []
+    for seed in range(4):
+        walk = Walk([plain], seed=seed)
+        walk.run(1500, 0.3)
+        expected.append(walk.best())
+    found: list[Any] = [None] * 4
+
+    def run_one(seed: int) -> None:
+        walk = Walk([plain], seed=seed)
+        walk.run(1500, 0.3)
+        found[seed] = walk.best()
+
+    threads = [threading.Thread(target=run_one, args=(seed,)) for seed in range(4)]
+    for thread in threads:
+        thread.start()
+    began, ticks = time.monotonic(), 0
+    while any(thread.is_alive() for thread in threads):
+        assert time.monotonic() - began < 60
+        time.sleep(0.001)
+        ticks += 1
+    assert ticks > 3
+    assert found == expected
+
+
+def test_a_walk_gives_its_room_back() -> None:
+    resource = pytest.importorskip("resource")
+    plain = fast(bundled("stanford_3dof"))
+
+    def used() -> int:
+        for _ in range(8):
+            Walk([plain], seed=1).run(10, 0.2)
+        gc.collect()
+        return int(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+
+    first = used()
+    used()
+    last = used()
+    assert last - first < 40_000, "kB; a walk takes 10,000"
+
+
+# --- the C code -------------------------------------------------------------------------------------------
+
+STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wpointer-arith", "-Wstrict-prototypes", "-Werror")
+
+
+@pytest.mark.parametrize(("compiler", "level"), [("gcc", "-O2"), ("clang", "-O1")])
+def test_compilers_have_nothing_to_say(compiler: str, level: str, tmp_path: Path) -> None:
+    command = [require_tool(compiler), "-std=gnu11", level, *STRICT, "-c", str(SOURCE), "-o", "walk.o"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+DRIVER = """
+import sys
+import cffi
+from fractions import Fraction
+from records.made import ELBOW, arm, bundled, fast
+from robodyn.search import walk as walking
+from robodyn.search.network import NoWalk
+from robodyn.dynamics.equality import equals_recursion
+from robodyn_testing.random_robots import random_robot
+
+ffi = cffi.FFI()
+ffi.cdef(walking._DECLARED)
+library = ffi.dlopen(sys.argv[1])
+walking.library = lambda: (ffi, library)
+steps = int(sys.argv[2])
+robots = [arm(ELBOW), random_robot(6), bundled("stanford_3dof_d3"), random_robot(22, exotic=0)]
+for k, robot in enumerate(robots if steps > 100 else robots[:1]):
+    for function in ("inverse_dynamics", "mass_matrix")[: 2 if steps > 100 else 1]:
+        for kind in (0, 1, 2):
+            for temperature in (0.3, 50.0):
+                try:
+                    walk = walking.Walk([fast(robot, function)], seed=k + 1, objective=kind)
+                except NoWalk:
+                    continue
+                walk.run(steps, temperature)
+                assert equals_recursion(robot, function, walk.best(), points=1)
+                del walk
+print("done")
+"""
+
+
+def test_no_step_out_of_bounds(tmp_path: Path) -> None:
+    sanitized(tmp_path, steps=60)
+
+
+@pytest.mark.slow
+def test_no_step_out_of_bounds_for_long(tmp_path: Path) -> None:
+    sanitized(tmp_path, steps=3000)
+
+
+def sanitized(folder: Path, steps: int) -> None:
+    """Walk with every access to memory and every arithmetic checked."""
+    gcc = require_tool("gcc")
+    runtimes = []
+    for name in ("libasan.so", "libubsan.so"):
+        found = subprocess.run([gcc, f"-print-file-name={name}"], capture_output=True, text=True, check=True)
+        runtimes.append(found.stdout.strip())
+        if not Path(runtimes[-1]).is_absolute():
+            require_tool(f"gcc with {name}")
+    flags = ["-std=gnu11", "-g", "-O1", "-shared", "-fPIC", "-fno-sanitize-recover=all"]
+    checks = "-fsanitize=address,undefined,float-cast-overflow"
+    subprocess.run([gcc, *flags, checks, str(SOURCE), "-o", "walk.so"], cwd=folder, check=True)
+    environment = dict(
+        os.environ,
+        LD_PRELOAD=" ".join(runtimes),
+        ASAN_OPTIONS="detect_leaks=0:abort_on_error=0",
+        UBSAN_OPTIONS="print_stacktrace=1",
+        PYTHONPATH=str(Path(__file__).parents[1]),
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", DRIVER, str(folder / "walk.so"), str(steps)],
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (0, "done\n"), done.stderr[-3000:]
