@@ -139,9 +139,9 @@ def test_inputs_that_the_recursion_does_not_read_may_be_read() -> None:
         Operation("cos", (Input("q", 0),)),
         Operation("mul", (n + 2, n + 2)),
         Operation("add", (n + 1, n + 3)),
-        Operation("mul", (n + 4, x)),
+        Operation("mul", (n + 4, y)),
     )
-    record = recorded(robot, Program((*plain.operations, *late), ((name, (n + 5, y)),)))
+    record = recorded(robot, Program((*plain.operations, *late), ((name, (x, n + 5)),)))
     gravity, inputs = fast(robot, "gravity"), [Input("q", 0), Input("q", 1)]
     assert (
         Input("q", 0) in trusted(at_rest(record.program, "gravity"), gravity, record, FAST, inputs).inputs()
@@ -236,6 +236,20 @@ def test_a_record_is_used_where_it_is_better_and_only_there() -> None:
     assert count(worse.program).total > count(fast(robot)).total
     options = replace(options, records=(worse,))
     assert program(robot, "inverse_dynamics", options) == fast(robot)
+
+
+@pytest.mark.parametrize(("seed", "joints"), [(36, 2), (58, 4), (11, 2), (5, 1), (20, 1), (12, 3)])
+@pytest.mark.parametrize("function", ["inverse_dynamics", "gravity", "mass_matrix"])
+def test_a_record_a_little_worse_than_fast_is_not_used(function: str, seed: int, joints: int) -> None:
+    """Even where it is far better than the recursion is before the passes, as on these arms."""
+    robot = random_robot(seed, joints=joints, exotic=0)
+    plain = fast(robot, function)
+    ((name, (*elements, last)),) = plain.outputs
+    n = len(plain.operations)
+    more = (Operation("mul", (Fraction(2), last)), Operation("mul", (Fraction(1, 2), n)))
+    worse = recorded(robot, Program((*plain.operations, *more), ((name, (*elements, n + 1)),)), function)
+    made = program(robot, function, Options((function,), records=(worse,)))
+    assert count(made).total <= count(plain).total
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from records.made import ELBOW, SMOOTH, TOOL, arm, fast
+from records.made import ELBOW, SMOOTH, TOOL, arm, better, fast
 from robodyn import Options, program
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Input, Label, Operation, Program
@@ -19,6 +19,7 @@ from robodyn.robot.values import circle_point
 from robodyn.search import climb as climbing
 from robodyn.search.climb import Climbed, climb
 from robodyn.search.labels import labelled
+from robodyn.search.network import NoWalk
 from robodyn.search.objective import Objective, operations_of, parse_objective
 from robodyn.search.walk import Walk
 from search.arms import bundled
@@ -87,18 +88,19 @@ def test_time_is_kept() -> None:
     assert time.monotonic() - began < 5
 
 
-def test_what_cannot_be_walked_from_does_not_stop_the_others() -> None:
-    """A program of equal outputs that is too large for a walk, and cheaper at nothing."""
-    x = Input("qd", 0)
-    large = list(PLAIN.operations)
-    ((name, (first, second)),) = PLAIN.outputs
-    for k in range(2500):
-        large.append(Operation("add", (len(large) - 1 if k else x, Fraction(k + 1, 7))))
-    large.append(Operation("sub", (len(large) - 1, len(large) - 1)))
-    large.append(Operation("add", (first, len(large) - 1)))
-    too_large = Program(tuple(large), ((name, (len(large) - 1, second)),))
-    for order in ([too_large, PLAIN], [PLAIN, too_large]):
-        assert cost(climb(order, seconds=0.5, threads=1, seed=3)[0]) < cost(PLAIN)
+def test_what_cannot_be_walked_from_does_not_stop_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    best = better(ELBOW_ARM).program
+
+    def walk(programs: list[Program], **more: Any) -> Walk:
+        if programs[0] is best:
+            raise NoWalk("of the test")
+        return Walk(programs, **more)
+
+    monkeypatch.setattr(climbing, "Walk", walk)
+    assert cost(best) < cost(PLAIN)
+    found = climb([best, PLAIN], seconds=0.5, threads=1, seed=3)
+    assert found[0] is best or cost(found[0]) < cost(best)
+    assert [made for made in found if made is not best and cost(made) < cost(PLAIN)]
 
 
 def test_nothing_to_rewrite_ends_at_once() -> None:
@@ -202,3 +204,14 @@ def test_labels_are_true() -> None:
             assert plus not in seen
             seen.add(plus)
     assert len(seen) > 10
+
+
+def test_a_name_is_given_once() -> None:
+    n = len(PLAIN.operations)
+    k = next(k for k, op in enumerate(PLAIN.operations) if op.label is not None)
+    twice = replace(
+        PLAIN, operations=(*PLAIN.operations, PLAIN.operations[k], Operation("neg", (k,))), origin=None
+    )
+    labels = [op.label for op in labelled(twice, PLAIN).operations]
+    assert labels[k] is not None
+    assert labels[n:] == [None, None]

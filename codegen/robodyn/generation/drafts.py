@@ -21,6 +21,8 @@ from robodyn.robot.model import Robot
 
 #: The passes take less than a tenth of a draft away; a record that is further below need not wait for them.
 _CLEARLY = 0.85
+#: Of so few operations, and of gravity's, they may save more.
+_SMALL = 100
 
 
 class SingularArm(InputError):
@@ -98,7 +100,8 @@ class Drafts:
         record = self._record(function)
         if record is not None and record.objective != "total":
             return True  # best at something else, whatever its total
-        return count(found).total <= _CLEARLY * count(self.draft(function)).total
+        draft = count(self.draft(function)).total
+        return function != "gravity" and draft > _SMALL and count(found).total <= _CLEARLY * draft
 
     def _recorded(self, function: str) -> Program | None:
         """What the records have for ``function``, compared with the recursion: its own, for gravity and bias

@@ -1,7 +1,7 @@
 """Searching for a better program of a robot, and keeping what is found.
 
-``search`` goes through ways of writing the recursion; ``full`` walks on from the best of them, from closed
-forms of short arms and from what is known already, by any identity that holds. Either ends in a record:
+``search`` goes through ways of writing the recursion, closed forms of short arms among them, and walks on
+from the best for a while; ``full`` walks on for long, by any identity that holds. Either ends in a record:
 proved equal to the plain recursion on exact fractions, or not handed out at all.
 """
 
@@ -19,7 +19,7 @@ from robodyn.build.cache import default_root
 from robodyn.dynamics.closed_form import closed_forms
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.functions import FUNCTIONS
-from robodyn.errors import InputError
+from robodyn.errors import InputError, ToolError
 from robodyn.generation import Options
 from robodyn.generation import program as generated
 from robodyn.ir.program import Program
@@ -32,6 +32,7 @@ from robodyn.search.climb import Climbed, climb
 from robodyn.search.labels import labelled
 from robodyn.search.objective import Objective, operations_of
 from robodyn.search.structured import search
+from robodyn.search.walk import library
 
 Stage = Literal["search", "full"]
 
@@ -39,6 +40,10 @@ Stage = Literal["search", "full"]
 BUDGET = {"search": 60.0, "full": 180.0}
 #: What is found is kept every so many seconds, so that an interrupted search can go on from there.
 _SAVE_AFTER = 10.0
+#: The share of the time that goes to ways of writing the recursion; the rest is for the walk.
+_WRITINGS = {"search": 0.85, "full": 0.4}
+#: How hard closed forms are looked for, by second of the budget: ten seconds of work for a minute.
+_EFFORT, _LEAST_EFFORT = 1 / 60, 0.08
 #: Closed forms are written out for so many joints at the most.
 _SHORT = 3
 
@@ -75,7 +80,7 @@ def improved(
     Raises
     ------
     InputError: an unknown function or level, or a budget that is none.
-    ToolError: ``full`` without a C compiler.
+    ToolError: ``full`` without a C compiler (``search`` then does not walk).
     """
     _checked(level, function, seconds)
     budget = BUDGET[level] if seconds is None else seconds
@@ -86,15 +91,15 @@ def improved(
     starts = [recursion, *(record.program for record in known)]
     # A writing knows the inverse dynamics only; the other functions are walked from where they stand.
     # Where a record is known already, most of the time goes to walking on from it.
-    written = budget if level == "search" else (0.2 if known else 0.4) * budget
+    written = (_WRITINGS[level] if not known else 0.5 * _WRITINGS[level]) * budget
     if function == "inverse_dynamics":
         starts += _written(robot, written, seed, objective, processes, progress)
-        if level == "full" and robot.n <= _SHORT and cost(recursion, objective) > 0:
-            starts += closed_forms(robot, effort=min(1.0, budget / BUDGET[level]))
+        if robot.n <= _SHORT and cost(recursion, objective) > 0:
+            starts += closed_forms(robot, effort=min(1.0, max(_LEAST_EFFORT, budget * _EFFORT)))
     found = _distinct(starts, objective)
     how = f"robodyn --optimize {level}, seed {seed}"
-    if level == "full":
-        left = max(1.0, end - time.monotonic())
+    if level == "full" or _compiler():
+        left = max(0.5, end - time.monotonic())
         saved = (0.0, cost(found[0], objective))
 
         def tell(at: Climbed) -> None:
@@ -116,6 +121,15 @@ def improved(
                 _keep(record)
             return record
     raise AssertionError("the recursion itself equals the recursion")
+
+
+def _compiler() -> bool:
+    """Whether the walk can be compiled: ``search`` does without where it cannot."""
+    try:
+        library()
+    except ToolError:
+        return False
+    return True
 
 
 def cost(program: Program, objective: Objective) -> float:
