@@ -15,15 +15,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
  *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
  *   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
- *   mass_matrix: 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
- *   forward_dynamics: 551 multiplications, 482 additions, 7 divisions = 1040; 4 unary minus; 12
+ *   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
+ *   forward_dynamics: 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12
  *       sine/cosine
  */
 #include "iiwa.h"
@@ -696,7 +697,7 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine */
+ * 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine */
 void iiwa_mass_matrix(const iiwa_real q[7], iiwa_real M[49])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -715,202 +716,164 @@ void iiwa_mass_matrix(const iiwa_real q[7], iiwa_real M[49])
     const iiwa_real s6 = sin(again[5]);
     const iiwa_real c7 = cos(q[6]);
     const iiwa_real s7 = sin(again[6]);
+    const iiwa_real t1 = 0.9999503996366931*s7;
     /* link 7: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h7_x = 0.9999503996366931*c7 - 0.708306797966195*s7;
-    const iiwa_real neg_h7_y = -0.708306797966195*c7 - 0.9999503996366931*s7;
-    const iiwa_real t1 = c7*c7;
-    const iiwa_real t2 = c7*s7;
-    /* link 7: second moment of the composite body [kg m^2] */
-    const iiwa_real k7_xy = 0.2114247825686032*(2.0*t1 - 1.0) - 0.10136935104159488*t2;
-    const iiwa_real k7_xz = 0.2024621683128357*c7 - 0.061680050398747424*s7;
-    const iiwa_real k7_yz = 0.2024621683128357*s7 + 0.061680050398747424*c7;
-    /* link 6: mass matrix, its row of this joint */
-    const iiwa_real m6_7 = 0.126*neg_h7_y - k7_yz;
+    const iiwa_real h7_y = 0.708306797966195*c7 + t1;
     /* link 6: force for a unit acceleration of a joint further out */
-    const iiwa_real fu6_x = c6*neg_h7_y;
-    const iiwa_real fu6_y = s6*neg_h7_y;
-    const iiwa_real t3 = k7_xz + 0.126*h7_x;
-    /* link 6: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu6_x = 0.48318719298539553*s6 - c6*t3;
-    const iiwa_real neg_nu6_y = s6*t3 + 0.48318719298539553*c6;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const iiwa_real fu5_x = c5*fu6_x - s5*h7_x;
-    const iiwa_real fu5_y = s5*fu6_x + c5*h7_x;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu5_x = c5*nu6_x - s5*m6_7;
-    const iiwa_real neg_nu5_y = -c5*m6_7 - s5*nu6_x;
-    /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_7 = neg_nu5_y - 0.4*fu5_x;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real fu4_x = c4*fu5_x + s4*fu6_y;
-    const iiwa_real t4 = nu5_x - 0.4*fu5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x = c4*t4 - s4*neg_nu6_y;
-    const iiwa_real nu4_y = s4*t4 + c4*neg_nu6_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x = c3*fu4_x - s3*fu5_y;
-    const iiwa_real fu3_y = s3*fu4_x + c3*fu5_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x = c3*nu4_x + s3*m4_7;
-    const iiwa_real nu3_y = s3*nu4_x - c3*m4_7;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_7 = nu3_y + 0.4*fu3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y = c2*nu4_y - s2*(nu3_x - 0.4*fu3_y);
-    const iiwa_real t5 = 0.10136935104159488*t1 + 0.4228495651372064*t2;
-    /* link 6: mass matrix, its row of this joint */
-    const iiwa_real m6_6 = 2.745229884110378 - t5;
-    const iiwa_real t6 = h7_x - 1.5656307599463828;
+    const iiwa_real neg_fu6_x = c6*h7_y;
+    /* link 7: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h7_x = 1.4117475682965523*h7_y - 2.119984343070462*s7;
+    const iiwa_real t2 = h7_x - 1.5656307599463828;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h6_x = c6*t6 + 1.291128497815195*s6;
-    const iiwa_real h6_y = s6*t6 - 1.291128497815195*c6;
-    const iiwa_real t7 = c6*c6;
-    const iiwa_real t8 = t5 + 1.3126829026743974;
-    const iiwa_real t9 = t3 + 0.36144292274665746;
-    const iiwa_real t10 = c6*s6;
-    const iiwa_real t11 = t7*t8 - t9*(2.0*t10);
-    /* link 6: second moment of the composite body [kg m^2] */
-    const iiwa_real k6_yy = t11 - (t5 - 0.7162734907179903);
-    const iiwa_real neg_k6_xy = t8*t10 - t9*(1.0 - 2.0*t7);
-    const iiwa_real t12 = k7_xy - 0.042925575293549574;
-    const iiwa_real t13 = m6_7 + 0.0870114460092663;
-    const iiwa_real k6_xz = c6*t12 - s6*t13;
-    const iiwa_real k6_yz = s6*t12 + c6*t13;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu5_x = c5*h6_y;
-    const iiwa_real t14 = -s5;
-    const iiwa_real fu5_y_2 = t14*h6_y;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu5_x_2 = t14*m6_6 - c5*k6_xz;
-    const iiwa_real nu5_y = c5*m6_6 - s5*k6_xz;
-    /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_6 = 0.4*neg_fu5_x - nu5_y;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real fu4_x_2 = s4*h6_x - c4*neg_fu5_x;
-    const iiwa_real t15 = nu5_x_2 - 0.4*fu5_y_2;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x_2 = c4*t15 - s4*k6_yz;
-    const iiwa_real nu4_y_2 = s4*t15 + c4*k6_yz;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_2 = c3*fu4_x_2 - s3*fu5_y_2;
-    const iiwa_real fu3_y_2 = s3*fu4_x_2 + c3*fu5_y_2;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x_2 = c3*nu4_x_2 + s3*m4_6;
-    const iiwa_real nu3_y_2 = s3*nu4_x_2 - c3*m4_6;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_6 = nu3_y_2 + 0.4*fu3_x_2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y_2 = c2*nu4_y_2 - s2*(nu3_x_2 - 0.4*fu3_y_2);
-    /* link 5: mass matrix, its row of this joint */
-    const iiwa_real m5_5 = t5 - t11 + 2.521169842515734;
-    const iiwa_real t16 = h6_x - 0.25252954507510866;
-    const iiwa_real t17 = 0.4193059538543958 - neg_h7_y;
+    const iiwa_real h6_x = 1.291128497815195*s6 + c6*t2;
+    const iiwa_real t3 = h7_y + 0.4193059538543958;
+    const iiwa_real t4 = h6_x - 0.25252954507510866;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h5_x = c5*t16 - s5*t17;
-    const iiwa_real h5_y = s5*t16 + c5*t17;
-    const iiwa_real t18 = c5*c5;
-    const iiwa_real t19 = t5 + t11 - 1.7262407198899914;
-    const iiwa_real t20 = 0.03284626166448073 - k6_xz;
-    const iiwa_real t21 = c5*s5;
-    const iiwa_real t22 = t18*t19 - t20*(2.0*t21);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const iiwa_real k5_xx = t5 + 0.39746456131287133 - t22;
-    const iiwa_real k5_yy = t22 - (t11 - 2.1237052812028625);
-    const iiwa_real neg_k5_xy = t19*t21 - t20*(1.0 - 2.0*t18);
-    const iiwa_real t23 = neg_k6_xy - 0.041147842218669614;
-    const iiwa_real t24 = -k6_yz - 0.05680835589544868;
-    const iiwa_real k5_xz = c5*t23 - s5*t24;
-    const iiwa_real k5_yz = s5*t23 + c5*t24;
-    /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_5 = k5_yz + 0.4*h5_y;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real fu4_x_3 = -c4*h5_y;
-    const iiwa_real t25 = k5_xz + 0.4*h5_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x_3 = -s4*m5_5 - c4*t25;
-    const iiwa_real nu4_y_3 = c4*m5_5 - s4*t25;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_3 = c3*fu4_x_3 - s3*h5_x;
-    const iiwa_real fu3_y_3 = s3*fu4_x_3 + c3*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x_3 = c3*nu4_x_3 + s3*m4_5;
-    const iiwa_real nu3_y_3 = s3*nu4_x_3 - c3*m4_5;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_5 = nu3_y_3 + 0.4*fu3_x_3;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y_3 = c2*nu4_y_3 - s2*(nu3_x_3 - 0.4*fu3_y_3);
-    const iiwa_real t26 = 0.8*h6_y - k6_yy;
-    /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_4 = k5_xx - t26 + 3.818015113559988;
-    const iiwa_real t27 = h5_x - 0.5168019281781282;
-    const iiwa_real t28 = h6_y - 8.054835434921454;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h4_x = c4*t27 + s4*t28;
-    const iiwa_real h4_y = s4*t27 - c4*t28;
-    const iiwa_real t29 = c4*c4;
-    const iiwa_real t30 = k5_xx + t26 - 3.3209668850667637;
-    const iiwa_real t31 = t25 - 0.20921122087079386;
-    const iiwa_real t32 = c4*s4;
-    const iiwa_real t33 = t29*t30 - t31*(2.0*t32);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const iiwa_real k4_xx = t33 - (t26 - 3.569490999313376);
-    const iiwa_real k4_yy = k5_xx + 0.24852411424661205 - t33;
-    const iiwa_real k4_xy = t30*t32 - t31*(1.0 - 2.0*t29);
-    const iiwa_real t34 = neg_k5_xy - 0.013124222729483126;
-    const iiwa_real t35 = m4_5 - 0.09675036990607108;
-    const iiwa_real k4_xz = c4*t34 + s4*t35;
-    const iiwa_real neg_k4_yz = c4*t35 - s4*t34;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu3_x = c3*h4_y;
-    const iiwa_real neg_fu3_y = s3*h4_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x_4 = s3*m4_4 - c3*k4_xz;
-    const iiwa_real neg_nu3_y = s3*k4_xz + c3*m4_4;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_4 = -0.4*neg_fu3_x - neg_nu3_y;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.4*neg_fu3_y);
-    /* link 3: mass matrix, its row of this joint */
-    const iiwa_real m3_3 = k5_yy + k4_xx + 0.6544886050552213;
-    const iiwa_real t36 = h4_x - 1.0168650139155704;
-    const iiwa_real t37 = h5_y - 0.04389618410240257;
+    const iiwa_real neg_h5_x = s5*t3 - c5*t4;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real neg_h6_y = 1.291128497815195*c6 - s6*t2;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h5_y = c5*t3 + s5*t4;
+    const iiwa_real t5 = neg_h5_x + 0.5168019281781282;
+    const iiwa_real t6 = neg_h6_y + 8.054835434921454;
+    const iiwa_real t7 = c4*t5 + (s4*t6 + 1.0168650139155704);
+    const iiwa_real t8 = h5_y - 0.04389618410240257;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h3_x = c3*t36 - s3*t37;
-    const iiwa_real h3_y = s3*t36 + c3*t37;
-    const iiwa_real t38 = c3*c3;
-    const iiwa_real t39 = k4_xx - k5_yy - 0.2506667841125447;
-    const iiwa_real t40 = k4_xz + 0.1005265342798281;
-    const iiwa_real t41 = c3*s3;
-    const iiwa_real t42 = t38*t39 + t40*(2.0*t41);
+    const iiwa_real neg_h3_x = c3*t7 + s3*t8;
+    /* link 6: mass matrix, its row of this joint */
+    const iiwa_real neg_m6_7 = 0.11539123059695529*(t1 + 1.846595961484861*h7_y);
+    const iiwa_real t9 = neg_m6_7 - 0.0870114460092663;
+    const iiwa_real t10 = 0.4228495651372064*c7;
+    const iiwa_real t11 = c7*t10;
+    const iiwa_real t12 = s7*t10;
+    const iiwa_real t13 = t11 - (0.23972911266611452*t12 + 0.25435035786215276);
+    /* link 6: second moment of the composite body [kg m^2] */
+    const iiwa_real k6_xz = s6*t9 + c6*t13;
+    const iiwa_real k6_yz = s6*t13 - c6*t9;
+    const iiwa_real t14 = c6*c6;
+    const iiwa_real t15 = 0.15093419333331276*h7_y - 0.4353636338505884*c7;
+    const iiwa_real t16 = 2.0*t15 - 0.7228858454933149;
+    const iiwa_real t17 = t12 + (0.23972911266611452*t11 + 1.3126829026743974);
+    const iiwa_real t18 = c6*s6;
+    const iiwa_real t19 = t14*t16 - (t15 - 0.4025907649653271 + t17*t18);
+    const iiwa_real t20 = k6_yz + 0.05680835589544868;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_5 = 0.4*h5_y - s5*t19 - c5*t20;
+    const iiwa_real t21 = c5*c5;
+    const iiwa_real t22 = k6_xz + (k6_xz - 0.06569252332896146);
+    const iiwa_real t23 = c5*s5;
+    const iiwa_real t24 = t14*t17 + t18*t16;
+    const iiwa_real t25 = t24 + (t17 - 3.0389236225643885);
+    const iiwa_real t26 = t21*t22 - (k6_xz + (t23*t25 - 0.045970484393963854));
+    const iiwa_real t27 = m4_5 - 0.09675036990607108;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const iiwa_real neg_k4_yz = s4*t26 + c4*t27;
+    /* link 5: mass matrix, its row of this joint */
+    const iiwa_real neg_m5_5 = t24 - (t17 + 1.2084869398413365);
+    const iiwa_real t28 = neg_k4_yz - 0.06405373385272267;
+    const iiwa_real t29 = c4*s4;
+    const iiwa_real t30 = t24 - (t21*t25 + 7.016595671833826 + t22*t23);
+    const iiwa_real t31 = t30 - 4.4699270629915056 + 0.8*neg_h6_y;
+    const iiwa_real t32 = 2.0*(t30 - 3.067723445330515 - neg_m5_5);
+    const iiwa_real t33 = t31 - t32;
+    const iiwa_real t34 = 0.4*neg_h5_x + c5*t19 - s5*t20;
+    const iiwa_real t35 = t34 + (t34 + 0.4184224417415877);
+    const iiwa_real t36 = s4*s4;
+    const iiwa_real t37 = t29*t33 + 0.04690977756007243 + (t34 - t35*t36);
     /* link 3: second moment of the composite body [kg m^2] */
-    const iiwa_real k3_xx = k5_yy + 0.45257769458388303 + t42;
-    const iiwa_real k3_yy = k4_xx + 0.20191091047133833 - t42;
-    const iiwa_real k3_xy = t39*t41 + t40*(1.0 - 2.0*t38);
-    const iiwa_real t43 = k4_xy + 0.16230144331072144;
-    const iiwa_real t44 = 0.06405373385272267 - neg_k4_yz;
-    const iiwa_real k3_xz = c3*t43 + s3*t44;
-    const iiwa_real k3_yz = s3*t43 - c3*t44;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_3 = -0.4*h3_y - k3_yz;
-    const iiwa_real t45 = k3_xz + 0.4*h3_x;
+    const iiwa_real neg_k3_xz = s3*t28 + c3*t37;
+    const iiwa_real t38 = t29*t35 + (t33*t36 + 0.9030127193018334);
+    /* link 3: mass matrix, its row of this joint */
+    const iiwa_real m3_3 = t38 - neg_m5_5;
+    const iiwa_real t39 = s2*(0.4*neg_h3_x + neg_k3_xz);
     /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y_5 = s2*t45 + c2*m3_3;
-    const iiwa_real t46 = k4_yy + 0.8*h4_y;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_2 = k3_xx + t46 + 4.764988720880306;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const iiwa_real k2_xx = t46 + 4.238401785575742 - (c2*c2*(t46 - k3_xx + 3.711814850271177) -
-        (t45 + 0.5218524991029152)*(2.0*(c2*s2)));
-    const iiwa_real k2_yz = s2*(k3_xy - 0.20091837135316784) + c2*(m2_3 + 0.26458063578324464);
+    const iiwa_real neg_nu2_y = c2*m3_3 - t39;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const iiwa_real neg_k4_xz = c4*t26 - s4*t27;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_4 = t31 + 16.41827590041618;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h4_y = c4*t6 - s4*t5;
+    const iiwa_real t40 = c3*c3;
+    const iiwa_real t41 = t32 + (t38 + (neg_m5_5 + 15.016072282755191));
+    const iiwa_real t42 = c3*s3;
+    const iiwa_real t43 = neg_k4_xz + (neg_k4_xz - 0.2010530685596562);
+    const iiwa_real t44 = t40*t41 - (t42*t43 + 3.9137257607425155);
+    const iiwa_real t45 = 0.4*h4_y;
+    const iiwa_real t46 = m4_4 + t45;
+    const iiwa_real t47 = t45 + t46;
+    const iiwa_real t48 = t44 - t47;
     /* link 1: mass matrix, its row of this joint */
-    const iiwa_real m1_1 = k3_yy + k2_xx + 0.8058116303302202;
+    const iiwa_real m1_1 = 1.3323985656347848 - c2*(t39 - neg_nu2_y - (c2*t48 +
+        1.0437049982058304*s2)) - t48;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h3_y = c3*t8 - s3*t7;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_3 = s3*t37 - 0.4*h3_y - c3*t28;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const iiwa_real k2_yz = c2*(m2_3 + 0.26458063578324464) + s2*(t41*t42 + (t40*t43 -
+        0.10039183707333973) - neg_k4_xz);
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu4_y = s4*t34 - c4*neg_m5_5;
+    const iiwa_real nu4_x = s4*neg_m5_5 + c4*t34;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu3_x = c3*nu4_x + s3*m4_5;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const iiwa_real neg_fu4_x = c4*h5_y;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const iiwa_real neg_fu3_y = s3*neg_fu4_x + c3*neg_h5_x;
+    /* link 6: mass matrix, its row of this joint */
+    const iiwa_real m6_6 = 4.057912786784775 - t17;
+    const iiwa_real t49 = 0.4*neg_h6_y;
+    const iiwa_real t50 = t49 + m6_6;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_6 = s5*k6_xz - c5*t50;
+    /* link 6: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu6_x = 0.48318719298539553*s6 + c6*t15;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu5_x = c5*nu6_x + s5*neg_m6_7;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const iiwa_real neg_fu5_y = s5*neg_fu6_x - c5*h7_x;
+    /* link 6: moment for a unit acceleration of a joint further out */
+    const iiwa_real neg_nu6_y = 0.48318719298539553*c6 - s6*t15;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const iiwa_real neg_fu5_x = c5*neg_fu6_x + s5*h7_x;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu5_y = s5*nu6_x - c5*neg_m6_7;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_7 = 0.4*neg_fu5_x - nu5_y;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_2 = t44 + (t47 - t30 - m3_3) - t30;
+    const iiwa_real m2_4 = s3*neg_k4_xz - c3*t46;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu3_y = s3*nu4_x - c3*m4_5;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const iiwa_real fu3_x = s3*neg_h5_x - c3*neg_fu4_x;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_5 = nu3_y + 0.4*fu3_x;
+    const iiwa_real t51 = 0.4*(s4*h6_x + neg_h6_y*(c4*c5)) - m4_6;
+    const iiwa_real t52 = s5*t50 + c5*k6_xz;
+    const iiwa_real t53 = c4*t52 + (s5*t49 + s4*k6_yz);
+    const iiwa_real m2_6 = c3*t51 - s3*t53;
+    const iiwa_real t54 = c4*neg_fu5_x + h7_y*(s4*s6);
+    const iiwa_real t55 = nu5_x + 0.4*neg_fu5_y;
+    const iiwa_real t56 = c4*t55 - s4*neg_nu6_y;
+    const iiwa_real m2_7 = 0.4*(s3*neg_fu5_y - c3*t54) - (c3*m4_7 - s3*t56);
+    const iiwa_real t57 = c2*neg_k4_yz - s2*(c3*neg_k4_xz + s3*t46);
+    const iiwa_real t58 = c2*nu4_y - s2*(nu3_x + 0.4*neg_fu3_y);
+    const iiwa_real t59 = c4*k6_yz - s4*t52;
+    const iiwa_real t60 = c2*t59 + s2*(c3*t53 + s3*t51);
+    const iiwa_real t61 = s4*t55 + c4*neg_nu6_y;
+    const iiwa_real t62 = c2*t61 - s2*(c3*t56 + (0.4*(c3*neg_fu5_y + s3*t54) + s3*m4_7));
+    const iiwa_real t63 = -neg_m5_5;
+    const iiwa_real t64 = -neg_m6_7;
     M[0] = m1_1;
     M[1] = k2_yz;
-    M[2] = neg_nu2_y_5;
-    M[3] = neg_nu2_y_4;
-    M[4] = neg_nu2_y_3;
-    M[5] = neg_nu2_y_2;
-    M[6] = neg_nu2_y;
+    M[2] = neg_nu2_y;
+    M[3] = t57;
+    M[4] = t58;
+    M[5] = t60;
+    M[6] = t62;
     M[7] = k2_yz;
     M[8] = m2_2;
     M[9] = m2_3;
@@ -918,45 +881,45 @@ void iiwa_mass_matrix(const iiwa_real q[7], iiwa_real M[49])
     M[11] = m2_5;
     M[12] = m2_6;
     M[13] = m2_7;
-    M[14] = neg_nu2_y_5;
+    M[14] = neg_nu2_y;
     M[15] = m2_3;
     M[16] = m3_3;
     M[17] = neg_k4_yz;
-    M[18] = nu4_y_3;
-    M[19] = nu4_y_2;
-    M[20] = nu4_y;
-    M[21] = neg_nu2_y_4;
+    M[18] = nu4_y;
+    M[19] = t59;
+    M[20] = t61;
+    M[21] = t57;
     M[22] = m2_4;
     M[23] = neg_k4_yz;
     M[24] = m4_4;
     M[25] = m4_5;
     M[26] = m4_6;
     M[27] = m4_7;
-    M[28] = neg_nu2_y_3;
+    M[28] = t58;
     M[29] = m2_5;
-    M[30] = nu4_y_3;
+    M[30] = nu4_y;
     M[31] = m4_5;
-    M[32] = m5_5;
+    M[32] = t63;
     M[33] = k6_yz;
     M[34] = neg_nu6_y;
-    M[35] = neg_nu2_y_2;
+    M[35] = t60;
     M[36] = m2_6;
-    M[37] = nu4_y_2;
+    M[37] = t59;
     M[38] = m4_6;
     M[39] = k6_yz;
     M[40] = m6_6;
-    M[41] = m6_7;
-    M[42] = neg_nu2_y;
+    M[41] = t64;
+    M[42] = t62;
     M[43] = m2_7;
-    M[44] = nu4_y;
+    M[44] = t61;
     M[45] = m4_7;
     M[46] = neg_nu6_y;
-    M[47] = m6_7;
+    M[47] = t64;
     M[48] = 0.48318719298539553;
 }
 
 /* accelerations that the torques tau give
- * 551 multiplications, 482 additions, 7 divisions = 1040; 4 unary minus; 12 sine/cosine */
+ * 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12 sine/cosine */
 void iiwa_forward_dynamics(
     const iiwa_real q[7],
     const iiwa_real qd[7],
@@ -969,127 +932,127 @@ void iiwa_forward_dynamics(
     /* sines and cosines of the joint angles */
     const iiwa_real s2 = sin(again[1]);
     /* link 2: angular velocity [rad/s] */
-    const iiwa_real neg_w2_x = s2*qd[0];
+    const iiwa_real w2_x = -s2*qd[0];
     /* sines and cosines of the joint angles */
     const iiwa_real c2 = cos(q[1]);
     /* link 2: angular velocity [rad/s] */
-    const iiwa_real neg_w2_y = qd[0]*c2;
+    const iiwa_real w2_y = -qd[0]*c2;
     /* link 2: products of the angular velocity [1/s^2] */
-    const iiwa_real neg_ww2_yz = neg_w2_y*qd[1];
+    const iiwa_real ww2_yz = w2_y*qd[1];
     /* sines and cosines of the joint angles */
     const iiwa_real c3 = cos(q[2]);
     const iiwa_real s3 = sin(again[2]);
     /* link 3: angular velocity [rad/s] */
-    const iiwa_real neg_w3_x = neg_w2_x*c3 - qd[1]*s3;
-    const iiwa_real w3_z = neg_w2_y + qd[2];
-    const iiwa_real w3_y = qd[1]*c3 + neg_w2_x*s3;
+    const iiwa_real w3_x = w2_x*c3 + qd[1]*s3;
+    const iiwa_real w3_z = qd[2] - w2_y;
+    const iiwa_real w3_y = qd[1]*c3 - w2_x*s3;
     /* link 3: angular acceleration [rad/s^2] */
-    const iiwa_real neg_alpha3_x = neg_ww2_yz*c3 - qd[2]*w3_y;
-    const iiwa_real alpha3_y = neg_w3_x*qd[2] + neg_ww2_yz*s3;
+    const iiwa_real alpha3_x = ww2_yz*c3 + qd[2]*w3_y;
+    const iiwa_real alpha3_y = -ww2_yz*s3 - w3_x*qd[2];
     /* link 3: products of the angular velocity [1/s^2] */
-    const iiwa_real neg_ww3_zx = neg_w3_x*w3_z;
+    const iiwa_real ww3_zx = w3_x*w3_z;
     const iiwa_real ww3_yz = w3_z*w3_y;
-    const iiwa_real ww3_xx = neg_w3_x*neg_w3_x;
+    const iiwa_real ww3_xx = w3_x*w3_x;
     const iiwa_real ww3_zz = w3_z*w3_z;
     const iiwa_real ww3_yy = w3_y*w3_y;
-    const iiwa_real neg_ww3_xy = neg_w3_x*w3_y;
+    const iiwa_real ww3_xy = w3_x*w3_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real lam3_13 = alpha3_y - neg_ww3_zx;
-    const iiwa_real lam3_23 = neg_alpha3_x + ww3_yz;
-    const iiwa_real neg_lam3_31 = alpha3_y + neg_ww3_zx;
-    const iiwa_real lam3_32 = ww3_yz - neg_alpha3_x;
+    const iiwa_real lam3_13 = alpha3_y + ww3_zx;
+    const iiwa_real lam3_23 = ww3_yz - alpha3_x;
+    const iiwa_real neg_lam3_31 = alpha3_y - ww3_zx;
+    const iiwa_real lam3_32 = alpha3_x + ww3_yz;
     /* sines and cosines of the joint angles */
     const iiwa_real c4 = cos(q[3]);
     const iiwa_real s4 = sin(again[3]);
     /* link 4: angular velocity [rad/s] */
-    const iiwa_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
-    const iiwa_real neg_w4_z = w3_y - qd[3];
-    const iiwa_real w4_y = w3_z*c4 + neg_w3_x*s4;
+    const iiwa_real w4_x = w3_x*c4 + w3_z*s4;
+    const iiwa_real w4_z = qd[3] - w3_y;
+    const iiwa_real w4_y = w3_z*c4 - w3_x*s4;
     /* link 4: products of the angular velocity [1/s^2] */
-    const iiwa_real neg_ww4_xy = neg_w4_x*w4_y;
-    const iiwa_real neg_ww4_yz = neg_w4_z*w4_y;
-    const iiwa_real ww4_zz = neg_w4_z*neg_w4_z;
+    const iiwa_real ww4_xy = w4_x*w4_y;
+    const iiwa_real ww4_yz = w4_z*w4_y;
+    const iiwa_real ww4_zz = w4_z*w4_z;
     const iiwa_real ww4_yy = w4_y*w4_y;
-    const iiwa_real ww4_zx = neg_w4_x*neg_w4_z;
+    const iiwa_real ww4_zx = w4_x*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real lam4_12 = alpha3_y - neg_ww4_xy;
-    const iiwa_real neg_lam4_21 = alpha3_y + neg_ww4_xy;
+    const iiwa_real lam4_12 = alpha3_y + ww4_xy;
+    const iiwa_real lam4_21 = ww4_xy - alpha3_y;
     const iiwa_real neg_lam4_11 = ww4_zz + ww4_yy;
     /* sines and cosines of the joint angles */
     const iiwa_real c5 = cos(q[4]);
     const iiwa_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const iiwa_real neg_w5_x = neg_w4_x*c5 - neg_w4_z*s5;
+    const iiwa_real w5_x = w4_x*c5 - w4_z*s5;
     const iiwa_real w5_z = w4_y + qd[4];
-    const iiwa_real w5_y = neg_w4_z*c5 + neg_w4_x*s5;
+    const iiwa_real w5_y = -w4_x*s5 - w4_z*c5;
     /* link 5: products of the angular velocity [1/s^2] */
-    const iiwa_real neg_ww5_xy = neg_w5_x*w5_y;
-    const iiwa_real ww5_xx = neg_w5_x*neg_w5_x;
+    const iiwa_real ww5_xy = w5_x*w5_y;
+    const iiwa_real ww5_xx = w5_x*w5_x;
     const iiwa_real ww5_zz = w5_z*w5_z;
     const iiwa_real ww5_yy = w5_y*w5_y;
     const iiwa_real ww5_yz = w5_z*w5_y;
-    const iiwa_real neg_ww5_zx = neg_w5_x*w5_z;
+    const iiwa_real ww5_zx = w5_x*w5_z;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const iiwa_real c6 = cos(q[5]);
     const iiwa_real s6 = sin(again[5]);
     /* link 6: angular velocity [rad/s] */
-    const iiwa_real neg_w6_x = neg_w5_x*c6 + w5_z*s6;
+    const iiwa_real w6_x = w5_x*c6 - w5_z*s6;
     const iiwa_real w6_z = w5_y + qd[5];
-    const iiwa_real neg_w6_y = w5_z*c6 - neg_w5_x*s6;
+    const iiwa_real w6_y = -w5_z*c6 - w5_x*s6;
     /* link 6: products of the angular velocity [1/s^2] */
-    const iiwa_real neg_ww6_zx = neg_w6_x*w6_z;
+    const iiwa_real ww6_zx = w6_x*w6_z;
     const iiwa_real ww6_zz = w6_z*w6_z;
-    const iiwa_real neg_ww6_yz = w6_z*neg_w6_y;
-    const iiwa_real ww6_xy = neg_w6_x*neg_w6_y;
-    const iiwa_real ww6_yy = neg_w6_y*neg_w6_y;
+    const iiwa_real ww6_yz = w6_z*w6_y;
+    const iiwa_real ww6_xy = w6_x*w6_y;
+    const iiwa_real ww6_yy = w6_y*w6_y;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real neg_lam6_11 = ww6_zz + ww6_yy;
     /* link 7: angular velocity [rad/s] */
-    const iiwa_real w7_z = neg_w6_y + qd[6];
+    const iiwa_real w7_z = qd[6] - w6_y;
     /* sines and cosines of the joint angles */
     const iiwa_real c7 = cos(q[6]);
     const iiwa_real s7 = sin(again[6]);
     /* link 2: products of the angular velocity [1/s^2] */
-    const iiwa_real neg_ww2_zx = neg_w2_x*qd[1];
+    const iiwa_real ww2_zx = w2_x*qd[1];
     /* link 4: angular acceleration [rad/s^2] */
-    const iiwa_real neg_alpha4_y = c4*neg_ww2_zx - neg_alpha3_x*s4 - neg_w4_x*qd[3];
+    const iiwa_real alpha4_y = c4*ww2_zx - alpha3_x*s4 - w4_x*qd[3];
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real lam4_31 = ww4_zx + neg_alpha4_y;
+    const iiwa_real lam4_31 = ww4_zx - alpha4_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real neg_lam3_21 = neg_ww3_xy + neg_ww2_zx;
+    const iiwa_real lam3_21 = ww3_xy + ww2_zx;
     /* link 4: angular acceleration [rad/s^2] */
-    const iiwa_real alpha4_x = qd[3]*w4_y - neg_alpha3_x*c4 - s4*neg_ww2_zx;
+    const iiwa_real alpha4_x = qd[3]*w4_y + alpha3_x*c4 + s4*ww2_zx;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real neg_lam4_32 = neg_ww4_yz - alpha4_x;
+    const iiwa_real lam4_32 = ww4_yz + alpha4_x;
     const iiwa_real t1 = ww5_zz - ww5_yy;
-    const iiwa_real lam4_22 = t1 - neg_lam5_22;
+    const iiwa_real neg_lam4_22 = neg_lam5_22 - t1;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real lam5_12 = neg_alpha4_y - neg_ww5_xy;
+    const iiwa_real lam5_12 = ww5_xy - alpha4_y;
     /* link 7: products of the angular velocity [1/s^2] */
     const iiwa_real ww7_zz = w7_z*w7_z;
-    const iiwa_real t2 = ww6_zz - ww7_zz;
+    const iiwa_real t2 = ww7_zz - ww6_zz;
     const iiwa_real t3 = neg_lam5_22 - neg_lam6_11;
     const iiwa_real t4 = ww6_zz + ww7_zz;
     const iiwa_real t5 = t3 + t4;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real neg_lam6_22 = t2 + t5;
+    const iiwa_real lam6_22 = t2 - t5;
     /* link 5: angular acceleration [rad/s^2] */
     const iiwa_real alpha5_x = alpha3_y*s5 + qd[4]*w5_y + c5*alpha4_x;
     /* link 7: angular acceleration [rad/s^2] */
-    const iiwa_real alpha7_z = s6*alpha5_x - (c6*neg_alpha4_y + neg_w6_x*qd[5]);
+    const iiwa_real alpha7_z = s6*alpha5_x - (-w6_x*qd[5] - c6*alpha4_y);
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real neg_lam6_13 = neg_ww6_zx + alpha7_z;
+    const iiwa_real lam6_13 = ww6_zx - alpha7_z;
     /* link 5: angular acceleration [rad/s^2] */
-    const iiwa_real alpha5_y = alpha3_y*c5 - (s5*alpha4_x - neg_w5_x*qd[4]);
+    const iiwa_real alpha5_y = alpha3_y*c5 - (s5*alpha4_x + w5_x*qd[4]);
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real lam6_21 = ww6_xy + alpha5_y;
     /* link 6: angular acceleration [rad/s^2] */
-    const iiwa_real alpha6_x = c6*alpha5_x - (qd[5]*neg_w6_y - s6*neg_alpha4_y);
+    const iiwa_real alpha6_x = c6*alpha5_x - (s6*alpha4_y - qd[5]*w6_y);
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real lam6_12 = ww6_xy - alpha5_y;
-    const iiwa_real neg_lam6_23 = neg_ww6_yz + alpha6_x;
+    const iiwa_real lam6_23 = ww6_yz - alpha6_x;
     const iiwa_real t6 = 0.150926706942488*s7;
     const iiwa_real t7 = t6 - 0.32845591866705903*c7;
     const iiwa_real t8 = 0.3999801598546772*c7;
@@ -1103,408 +1066,359 @@ void iiwa_forward_dynamics(
     const iiwa_real t16 = lam4_12 + t15;
     const iiwa_real t17 = s3*t11;
     const iiwa_real t18 = lam3_23 + t17;
-    const iiwa_real t19 = neg_lam4_32 + t18;
+    const iiwa_real t19 = t18 - lam4_32;
     const iiwa_real t20 = c5*t16 + s5*t19;
     const iiwa_real t21 = s4*t13 + c4*t14;
-    const iiwa_real t22 = t21 - lam4_22;
+    const iiwa_real t22 = neg_lam4_22 + t21;
     const iiwa_real t23 = s6*t20 - c6*t22;
     const iiwa_real t24 = c6*t20 + s6*t22;
-    const iiwa_real t25 = neg_lam5_22 - neg_lam6_22;
+    const iiwa_real t25 = neg_lam5_22 + lam6_22;
     const iiwa_real t26 = t6*t8;
     const iiwa_real t27 = c7*c7;
     const iiwa_real t28 = 1.6791988194353373*t26 - 0.2114247825686032*(t27 + (t27 - 1.0));
     const iiwa_real t29 = qd[6] + w7_z;
     const iiwa_real t30 = alpha6_x + w6_z*t29;
-    const iiwa_real t31 = alpha5_y + neg_w6_x*t29;
-    const iiwa_real t32 = 0.10136935104159488*t27;
-    const iiwa_real t33 = t32 + (7.004567783863868*t26 + 0.19090892097190032);
-    const iiwa_real t34 = t33 - 0.48318719298539553;
-    const iiwa_real t35 = 0.516451399126078*t24 + (0.4239952187044951*lam6_21 +
-        0.36144292274665746*(t3 - t25) + t28*t30 - t31*t34);
-    const iiwa_real t36 = 1.1592996128590562*(t9 - 0.5301679950513729*c7);
+    const iiwa_real t31 = alpha5_y - w6_x*t29;
+    const iiwa_real t32 = 0.10136935104159488*t27 + (7.004567783863868*t26 + 0.19090892097190032);
+    const iiwa_real t33 = t32 - 0.48318719298539553;
+    const iiwa_real t34 = 0.516451399126078*t24 + (0.4239952187044951*lam6_21 +
+        0.36144292274665746*(t3 - t25) + t28*t30 - t31*t33);
+    const iiwa_real t35 = 1.1592996128590562*(0.5301679950513729*c7 - t9);
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n6_z = t7*(t4 - neg_lam6_22) - (t10*t23 - (t35 - 2.0289563933923875*lam6_12)) +
-        0.042925575293549574*neg_lam6_23 + neg_lam6_13*(t36 + 0.0870114460092663);
+    const iiwa_real n6_z = t7*(t4 + lam6_22) - (t10*t23 - (t34 - 2.0289563933923875*lam6_12)) -
+        0.042925575293549574*lam6_23 - lam6_13*(0.0870114460092663 - t35);
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real neg_lam5_31 = neg_ww5_zx + alpha5_y;
+    const iiwa_real lam5_31 = ww5_zx - alpha5_y;
     const iiwa_real lam5_32 = ww5_yz + alpha5_x;
-    const iiwa_real t37 = ww5_xx - ww5_yy;
+    const iiwa_real t36 = ww5_xx - ww5_yy;
     /* link 5: moment through the joint, about the frame's origin [N m] */
     const iiwa_real n5_y = 0.03284626166448073*lam5_32 + (n6_z - (0.10101181803004346*t22 -
-        0.041147842218669614*(t1 - t37) + 0.05680835589544868*lam5_12) +
-        0.09474888781047501*neg_lam5_31);
+        0.041147842218669614*(t1 - t36) + 0.05680835589544868*lam5_12) -
+        0.09474888781047501*lam5_31);
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real neg_lam5_11 = ww5_zz + ww5_yy;
-    const iiwa_real neg_lam5_21 = neg_ww5_xy + neg_alpha4_y;
+    const iiwa_real lam5_21 = ww5_xy + alpha4_y;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real neg_lam6_31 = neg_ww6_zx - alpha7_z;
-    const iiwa_real neg_lam6_32 = neg_ww6_yz - alpha6_x;
-    const iiwa_real t38 = 1.8772205723301225*(t36 + 0.11538550714999525*s7);
-    const iiwa_real t39 = s5*t16 - c5*t19;
-    const iiwa_real t40 = t34*neg_lam6_31 - lam6_12*t36 + (t3*t28 + t24*t38 - (t7*neg_lam6_32 +
-        t9*t39));
+    const iiwa_real lam6_31 = ww6_zx + alpha7_z;
+    const iiwa_real lam6_32 = ww6_yz + alpha6_x;
+    const iiwa_real t37 = 1.8772205723301225*(0.11538550714999525*s7 - t35);
+    const iiwa_real t38 = s5*t16 - c5*t19;
+    const iiwa_real t39 = lam6_12*t35 - t33*lam6_31 + (t3*t28 + t24*t37 - (t9*t38 - t7*lam6_32));
     /* link 7: moment that turns the link [N m] */
-    const iiwa_real nc7_z = t40 + neg_lam6_13*t33;
-    const iiwa_real t41 = 0.042925575293549574*t3 + (0.36144292274665746*neg_lam6_32 -
-        0.16772238154175834*t24) - (0.0870114460092663*lam6_12 + 0.4239952187044951*neg_lam6_31 -
-        (nc7_z + 0.6262523039785531*t39) - 0.20655564034097101*neg_lam6_13);
-    const iiwa_real t42 = t38 - 0.16772238154175834;
-    const iiwa_real t43 = t30*t33 - (0.0870114460092663*t25 - (0.20655564034097101*neg_lam6_23 +
-        (0.042925575293549574*lam6_21 + t28*t31))) + t2*t36;
-    const iiwa_real t44 = 0.516451399126078*t39 - (t23*t42 + (2.0289563933923875*neg_lam6_32 - t43))
-        - neg_lam6_31*(t7 - 0.36144292274665746);
+    const iiwa_real nc7_z = t39 - lam6_13*t32;
+    const iiwa_real t40 = 0.042925575293549574*t3 + (-0.36144292274665746*lam6_32 -
+        0.16772238154175834*t24) - (0.0870114460092663*lam6_12 - 0.4239952187044951*lam6_31 - (nc7_z
+        + 0.6262523039785531*t38) + 0.20655564034097101*lam6_13);
+    const iiwa_real t41 = t37 - 0.16772238154175834;
+    const iiwa_real t42 = t30*t32 - (0.0870114460092663*t25 - (0.042925575293549574*lam6_21 +
+        t28*t31 - 0.20655564034097101*lam6_23)) + t2*t35;
+    const iiwa_real t43 = 0.516451399126078*t38 - (t23*t41 + (-2.0289563933923875*lam6_32 - t42)) +
+        lam6_31*(t7 - 0.36144292274665746);
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n5_x = s6*t41 + c6*t44 - (0.05680835589544868*t1 -
-        (0.03284626166448073*neg_lam5_31 - 0.041147842218669614*neg_lam5_21));
+    const iiwa_real n5_x = s6*t40 + c6*t43 - (0.05680835589544868*t1 - (0.041147842218669614*lam5_21
+        - 0.03284626166448073*lam5_31));
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real neg_lam4_23 = neg_ww4_yz + alpha4_x;
-    const iiwa_real lam4_13 = ww4_zx - neg_alpha4_y;
+    const iiwa_real lam4_23 = ww4_yz - alpha4_x;
+    const iiwa_real lam4_13 = ww4_zx + alpha4_y;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real lam5_23 = ww5_yz - alpha5_x;
-    const iiwa_real lam5_13 = alpha5_y - neg_ww5_zx;
-    const iiwa_real t45 = 0.03284626166448073*t37 - 0.041147842218669614*lam5_23 - (s6*t44 -
-        0.05680835589544868*lam5_13) - 0.09474888781047501*neg_lam5_21 + c6*t41;
+    const iiwa_real lam5_13 = ww5_zx + alpha5_y;
+    const iiwa_real t44 = 0.03284626166448073*t36 - 0.041147842218669614*lam5_23 - (s6*t43 -
+        0.05680835589544868*lam5_13) + 0.09474888781047501*lam5_21 + c6*t40;
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n5_z = t45 + 0.10101181803004346*t39;
-    const iiwa_real t46 = neg_lam4_11 + lam4_22;
-    const iiwa_real t47 = t5*t38 + (0.516451399126078*neg_lam6_32 - (0.16772238154175834*neg_lam5_22
-        - 0.10101181803004346*neg_lam5_21)) - t10*neg_lam6_31;
-    const iiwa_real t48 = t30*t38 - 0.16772238154175834*neg_lam6_23 - 0.6262523039785531*lam6_21 +
-        0.516451399126078*neg_lam6_22 + t9*t31;
-    const iiwa_real t49 = t4*t9 - (0.6262523039785531*neg_lam6_11 - 0.516451399126078*lam6_12) -
-        neg_lam6_13*t42;
-    const iiwa_real t50 = 0.10101181803004346*neg_lam5_11 - (s6*t48 + c6*t49);
-    const iiwa_real t51 = s5*t47 - c5*t50;
+    const iiwa_real n5_z = t44 + 0.10101181803004346*t38;
+    const iiwa_real t45 = neg_lam4_11 - neg_lam4_22;
+    const iiwa_real t46 = t5*t37 + (-0.516451399126078*lam6_32 - (0.16772238154175834*neg_lam5_22 +
+        0.10101181803004346*lam5_21)) + t10*lam6_31;
+    const iiwa_real t47 = t30*t37 + 0.16772238154175834*lam6_23 - 0.6262523039785531*lam6_21 -
+        0.516451399126078*lam6_22 + t9*t31;
+    const iiwa_real t48 = t4*t9 - (0.6262523039785531*neg_lam6_11 - 0.516451399126078*lam6_12) +
+        lam6_13*t41;
+    const iiwa_real t49 = 0.10101181803004346*neg_lam5_11 - (s6*t47 + c6*t48);
+    const iiwa_real t50 = s5*t46 - c5*t49;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n4_z = 0.013124222729483126*neg_lam4_23 - (3.569490999313376*lam4_12 +
-        3.221934173968582*t15 + 0.09675036990607108*lam4_13 + 0.24852411424661205*neg_lam4_21) -
-        (0.20921122087079386*t46 + s5*n5_x - (t51 + (0.2067207712712513*t21 - c5*n5_y)));
+    const iiwa_real n4_z = -0.013124222729483126*lam4_23 - (3.569490999313376*lam4_12 +
+        3.221934173968582*t15 + 0.09675036990607108*lam4_13 - 0.24852411424661205*lam4_21) -
+        (0.20921122087079386*t45 + s5*n5_x - (t50 + (0.2067207712712513*t21 - c5*n5_y)));
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const iiwa_real lam3_12 = neg_ww2_zx - neg_ww3_xy;
+    const iiwa_real lam3_12 = ww3_xy - ww2_zx;
     /* link 2: products of the angular velocity [1/s^2] */
     const iiwa_real ww2_zz = qd[1]*qd[1];
-    const iiwa_real t52 = ww3_zz - ww3_yy;
-    const iiwa_real t53 = ww3_xx - ww3_zz;
-    const iiwa_real t54 = 0.2067207712712513*t18 - 0.2506667841125447*lam4_13 +
-        0.24852411424661205*lam4_31 - (n5_z + 0.09675036990607108*lam4_12) +
-        0.20921122087079386*neg_lam4_32;
-    const iiwa_real t55 = ww4_zz - ww4_yy;
-    const iiwa_real t56 = t54 - 0.013124222729483126*(t46 + t55);
-    const iiwa_real t57 = s5*t50 + c5*t47;
-    const iiwa_real t58 = 0.013124222729483126*(neg_lam4_21 + 15.940846569207324*lam4_31) + s5*n5_y
-        - (0.09675036990607108*t55 - t57 + c5*n5_x);
-    const iiwa_real t59 = 3.221934173968582*t18 + (t58 - 0.2506667841125447*neg_lam4_23) +
-        3.569490999313376*neg_lam4_32;
-    const iiwa_real t60 = 0.1005265342798281*(t52 + t53) + (0.0816122074936837*lam3_13 -
-        0.4067460055662282*t17 - (c4*t56 + 0.40382182094267666*neg_ww2_zx + s4*t59));
+    const iiwa_real t51 = ww3_zz - ww3_yy;
+    const iiwa_real t52 = ww3_xx - ww3_zz;
+    const iiwa_real t53 = 0.2067207712712513*t18 - 0.2506667841125447*lam4_13 +
+        0.24852411424661205*lam4_31 - (n5_z + 0.09675036990607108*lam4_12) -
+        0.20921122087079386*lam4_32;
+    const iiwa_real t54 = ww4_zz - ww4_yy;
+    const iiwa_real t55 = t53 - 0.013124222729483126*(t45 + t54);
+    const iiwa_real t56 = s5*t49 + c5*t46;
+    const iiwa_real t57 = 0.013124222729483126*(15.940846569207324*lam4_31 - lam4_21) + s5*n5_y -
+        (0.09675036990607108*t54 - t56 + c5*n5_x);
+    const iiwa_real t58 = 3.221934173968582*t18 + (t57 + 0.2506667841125447*lam4_23) -
+        3.569490999313376*lam4_32;
+    const iiwa_real t59 = 0.1005265342798281*(t51 + t52) + (0.0816122074936837*lam3_13 -
+        0.4067460055662282*t17 - (c4*t55 - 0.40382182094267666*ww2_zx + s4*t58));
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n3_z = t60 - 0.01755847364096103*(t12 + 13.921743270739537*lam3_23);
-    const iiwa_real t61 = c4*t59 - (0.1005265342798281*neg_lam3_31 - (t57 +
-        (0.40382182094267666*neg_alpha3_x - s4*t56) + 3.221934173968582*neg_lam4_32));
-    const iiwa_real t62 = 0.0816122074936837*t52 + (0.2067207712712513*lam4_31 +
-        (0.43062156604456925*c2 + t61 + 0.24444456225550676*neg_lam3_21));
-    const iiwa_real t63 = s4*(-3.221934173968582*lam4_22 - (s6*t49 + 0.2067207712712513*neg_lam4_21
-        - c6*t48) - 0.10101181803004346*neg_lam5_31);
-    const iiwa_real t64 = n4_z - t63 - (9.975445786511747*c2 + (0.40382182094267666*alpha3_y -
-        0.24444456225550676*t53)) - 0.1005265342798281*lam3_32 + 0.0816122074936837*lam3_12;
-    const iiwa_real t65 = c4*(0.2067207712712513*neg_lam4_11 - (t51 - 3.221934173968582*lam4_12)) -
-        t64;
-    const iiwa_real t66 = 3.509903939799839*c2;
-    const iiwa_real t67 = qd[0]*(s2*t66 + (0.29735998936351243*(c2*t66) - 0.5218524991029152));
+    const iiwa_real n3_z = t59 - 0.01755847364096103*(t12 + 13.921743270739537*lam3_23);
+    const iiwa_real t60 = c4*t58 - (0.1005265342798281*neg_lam3_31 - (t56 +
+        (-0.40382182094267666*alpha3_x - s4*t55) - 3.221934173968582*lam4_32));
+    const iiwa_real t61 = 0.0816122074936837*t51 + (0.2067207712712513*lam4_31 +
+        (0.43062156604456925*c2 + t60 - 0.24444456225550676*lam3_21));
+    const iiwa_real t62 = s4*(3.221934173968582*neg_lam4_22 - (s6*t48 - 0.2067207712712513*lam4_21 -
+        c6*t47) + 0.10101181803004346*lam5_31);
+    const iiwa_real t63 = n4_z - t62 - (9.975445786511747*c2 + (0.40382182094267666*alpha3_y -
+        0.24444456225550676*t52)) - 0.1005265342798281*lam3_32 + 0.0816122074936837*lam3_12;
+    const iiwa_real t64 = c4*(0.2067207712712513*neg_lam4_11 - (t50 - 3.221934173968582*lam4_12)) -
+        t63;
+    const iiwa_real t65 = 3.509903939799839*c2;
+    const iiwa_real t66 = qd[0]*(s2*t65 + (0.29735998936351243*(c2*t65) - 0.5218524991029152));
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n1_z = s2*(c3*t62 + s3*t65) - (ww2_zz*(0.20091837135316784*c2 +
-        0.26458063578324464*s2) - (2.0*(qd[1]*t67) + c2*n3_z));
+    const iiwa_real n1_z = s2*(c3*t61 + s3*t64) - (ww2_zz*(0.20091837135316784*c2 +
+        0.26458063578324464*s2) - (2.0*(qd[1]*t66) + c2*n3_z));
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const iiwa_real n2_z = 24.525*(0.5419930474657001*c2 - 3.126354326358915*s2) + (c3*t65 - s3*t62)
-        - qd[0]*t67;
+    const iiwa_real n2_z = 24.525*(0.5419930474657001*c2 - 3.126354326358915*s2) + (c3*t64 - s3*t61)
+        - qd[0]*t66;
+    const iiwa_real t67 = 0.9999503996366931*s7;
     /* link 7: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h7_x = 0.9999503996366931*c7 - 0.708306797966195*s7;
-    const iiwa_real h7_y = 0.708306797966195*c7 + 0.9999503996366931*s7;
-    const iiwa_real t68 = c7*s7;
-    /* link 7: second moment of the composite body [kg m^2] */
-    const iiwa_real neg_k7_xy = 0.2114247825686032*(1.0 - 2.0*t27) + 0.10136935104159488*t68;
-    const iiwa_real k7_xz = 0.2024621683128357*c7 - 0.061680050398747424*s7;
-    const iiwa_real k7_yz = 0.2024621683128357*s7 + 0.061680050398747424*c7;
-    /* link 6: mass matrix, its row of this joint */
-    const iiwa_real neg_m6_7 = k7_yz + 0.126*h7_y;
+    const iiwa_real h7_y = 0.708306797966195*c7 + t67;
     /* link 6: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu6_x = c6*h7_y;
-    const iiwa_real neg_fu6_y = s6*h7_y;
-    const iiwa_real t69 = k7_xz + 0.126*h7_x;
+    const iiwa_real fu6_x = -c6*h7_y;
+    /* link 7: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h7_x = 1.4117475682965523*h7_y - 2.119984343070462*s7;
+    const iiwa_real t68 = h7_x - 1.5656307599463828;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h6_x = 1.291128497815195*s6 + c6*t68;
+    const iiwa_real t69 = h6_x - 0.25252954507510866;
+    const iiwa_real t70 = h7_y + 0.4193059538543958;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h5_x = c5*t69 - s5*t70;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h6_y = s6*t68 - 1.291128497815195*c6;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h5_y = c5*t70 + s5*t69;
+    const iiwa_real t71 = 0.5168019281781282 - h5_x;
+    const iiwa_real t72 = 8.054835434921454 - h6_y;
+    const iiwa_real t73 = c4*t71 + (s4*t72 + 1.0168650139155704);
+    const iiwa_real t74 = h5_y - 0.04389618410240257;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real neg_h3_x = c3*t73 + s3*t74;
+    /* link 6: mass matrix, its row of this joint */
+    const iiwa_real m6_7 = -0.11539123059695529*(t67 + 1.846595961484861*h7_y);
+    const iiwa_real t75 = 0.4228495651372064*c7;
+    const iiwa_real t76 = c7*t75;
+    const iiwa_real t77 = s7*t75;
+    const iiwa_real t78 = t76 - (0.23972911266611452*t77 + 0.25435035786215276);
+    const iiwa_real t79 = 0.0870114460092663 + m6_7;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const iiwa_real k6_xz = c6*t78 - s6*t79;
+    const iiwa_real k6_yz = s6*t78 + c6*t79;
+    const iiwa_real t80 = c6*c6;
+    const iiwa_real t81 = 0.15093419333331276*h7_y - 0.4353636338505884*c7;
+    const iiwa_real t82 = 2.0*t81 - 0.7228858454933149;
+    const iiwa_real t83 = t77 + (0.23972911266611452*t76 + 1.3126829026743974);
+    const iiwa_real t84 = c6*s6;
+    const iiwa_real t85 = t80*t82 - (t81 - 0.4025907649653271 + t83*t84);
+    const iiwa_real t86 = k6_yz + 0.05680835589544868;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_5 = 0.4*h5_y - s5*t85 - c5*t86;
+    const iiwa_real t87 = c5*c5;
+    const iiwa_real t88 = 0.06569252332896146 - k6_xz - k6_xz;
+    const iiwa_real t89 = c5*s5;
+    const iiwa_real t90 = t80*t83 + t82*t84;
+    const iiwa_real t91 = t90 + (t83 - 3.0389236225643885);
+    const iiwa_real t92 = t87*t88 + (k6_xz + (t89*t91 - 0.045970484393963854));
+    const iiwa_real t93 = m4_5 - 0.09675036990607108;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const iiwa_real k4_yz = s4*t92 - c4*t93;
+    /* link 5: mass matrix, its row of this joint */
+    const iiwa_real m5_5 = t83 + 1.2084869398413365 - t90;
+    const iiwa_real t94 = k4_yz + 0.06405373385272267;
+    const iiwa_real t95 = c4*s4;
+    const iiwa_real t96 = t90 - (t87*t91 + 7.016595671833826 - t88*t89);
+    const iiwa_real t97 = t96 - 4.4699270629915056 - 0.8*h6_y;
+    const iiwa_real t98 = -2.0*(m5_5 + (t96 - 3.067723445330515));
+    const iiwa_real t99 = t97 + t98;
+    const iiwa_real t100 = c5*t85 - 0.4*h5_x - s5*t86;
+    const iiwa_real t101 = t100 + (t100 + 0.4184224417415877);
+    const iiwa_real t102 = s4*s4;
+    const iiwa_real t103 = t95*t99 + 0.04690977756007243 + (t100 - t101*t102);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const iiwa_real k3_xz = s3*t94 - c3*t103;
+    const iiwa_real t104 = t95*t101 + (t99*t102 + 0.9030127193018334);
+    /* link 3: mass matrix, its row of this joint */
+    const iiwa_real m3_3 = m5_5 + t104;
+    const iiwa_real t105 = s2*(k3_xz - 0.4*neg_h3_x);
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu2_y = -(c2*m3_3) - t105;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const iiwa_real k4_xz = c4*t92 + s4*t93;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_4 = t97 + 16.41827590041618;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h4_y = c4*t72 - s4*t71;
+    const iiwa_real t106 = c3*c3;
+    const iiwa_real t107 = t98 - (t104 + (15.016072282755191 - m5_5));
+    const iiwa_real t108 = c3*s3;
+    const iiwa_real t109 = k4_xz + (k4_xz + 0.2010530685596562);
+    const iiwa_real t110 = t106*t107 - (t108*t109 - 3.9137257607425155);
+    const iiwa_real t111 = 0.4*h4_y;
+    const iiwa_real t112 = m4_4 + t111;
+    const iiwa_real t113 = t111 + t112;
+    const iiwa_real t114 = t110 + t113;
+    /* link 1: mass matrix, its row of this joint */
+    const iiwa_real m1_1 = t114 + (c2*(t105 - nu2_y - (c2*t114 - 1.0437049982058304*s2)) +
+        1.3323985656347848);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const iiwa_real h3_y = c3*t74 - s3*t73;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_3 = s3*t103 - 0.4*h3_y + c3*t94;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const iiwa_real k2_yz = c2*(m2_3 + 0.26458063578324464) + s2*(k4_xz - (t107*t108 + (t106*t109 +
+        0.10039183707333973)));
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu4_y = s4*t100 + c4*m5_5;
+    const iiwa_real nu4_x = c4*t100 - s4*m5_5;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu3_x = c3*nu4_x + s3*m4_5;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const iiwa_real fu4_x = -c4*h5_y;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const iiwa_real fu3_y = s3*fu4_x + c3*h5_x;
+    /* link 6: mass matrix, its row of this joint */
+    const iiwa_real m6_6 = 4.057912786784775 - t83;
+    const iiwa_real t115 = 0.4*h6_y;
+    const iiwa_real t116 = t115 - m6_6;
+    /* link 4: mass matrix, its row of this joint */
+    const iiwa_real m4_6 = s5*k6_xz + c5*t116;
     /* link 6: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu6_x = 0.48318719298539553*s6 - c6*t69;
-    const iiwa_real neg_nu6_y = s6*t69 + 0.48318719298539553*c6;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu5_x = c5*neg_fu6_x + s5*h7_x;
-    const iiwa_real neg_fu5_y = s5*neg_fu6_x - c5*h7_x;
+    const iiwa_real nu6_x = 0.48318719298539553*s6 + c6*t81;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu5_x = c5*nu6_x + s5*neg_m6_7;
-    const iiwa_real nu5_y = s5*nu6_x - c5*neg_m6_7;
+    const iiwa_real nu5_x = c5*nu6_x - s5*m6_7;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const iiwa_real fu5_y = s5*fu6_x + c5*h7_x;
+    /* link 6: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu6_y = s6*t81 - 0.48318719298539553*c6;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const iiwa_real neg_fu5_x = s5*h7_x - c5*fu6_x;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const iiwa_real nu5_y = s5*nu6_x + c5*m6_7;
     /* link 4: mass matrix, its row of this joint */
     const iiwa_real m4_7 = 0.4*neg_fu5_x - nu5_y;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu4_x = c4*neg_fu5_x + s4*neg_fu6_y;
-    const iiwa_real t70 = nu5_x + 0.4*neg_fu5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x = c4*t70 - s4*neg_nu6_y;
-    const iiwa_real nu4_y = s4*t70 + c4*neg_nu6_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x = s3*neg_fu5_y - c3*neg_fu4_x;
-    const iiwa_real neg_fu3_y = s3*neg_fu4_x + c3*neg_fu5_y;
+    /* link 2: mass matrix, its row of this joint */
+    const iiwa_real m2_2 = -t96 - (t110 + (m3_3 + (t96 - t113)));
+    const iiwa_real t117 = -c3;
+    const iiwa_real m2_4 = t117*t112 - s3*k4_xz;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x = c3*nu4_x + s3*m4_7;
-    const iiwa_real nu3_y = s3*nu4_x - c3*m4_7;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_7 = nu3_y + 0.4*fu3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y = c2*nu4_y - s2*(nu3_x + 0.4*neg_fu3_y);
-    const iiwa_real t71 = t32 + 0.4228495651372064*t68;
-    /* link 6: mass matrix, its row of this joint */
-    const iiwa_real neg_m6_6 = t71 - 2.745229884110378;
-    const iiwa_real t72 = h7_x - 1.5656307599463828;
-    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h6_x = c6*t72 + 1.291128497815195*s6;
-    const iiwa_real h6_y = s6*t72 - 1.291128497815195*c6;
-    const iiwa_real t73 = c6*c6;
-    const iiwa_real t74 = t71 + 1.3126829026743974;
-    const iiwa_real t75 = 0.36144292274665746 + t69;
-    const iiwa_real t76 = c6*s6;
-    const iiwa_real t77 = t73*t74 - t75*(2.0*t76);
-    /* link 6: second moment of the composite body [kg m^2] */
-    const iiwa_real k6_yy = t77 - (t71 - 0.7162734907179903);
-    const iiwa_real neg_k6_xy = t74*t76 - t75*(1.0 - 2.0*t73);
-    const iiwa_real t78 = neg_k7_xy + 0.042925575293549574;
-    const iiwa_real t79 = 0.0870114460092663 - neg_m6_7;
-    const iiwa_real neg_k6_xz = c6*t78 + s6*t79;
-    const iiwa_real neg_k6_yz = s6*t78 - c6*t79;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu5_x_2 = c5*h6_y;
-    const iiwa_real neg_fu5_y_2 = s5*h6_y;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu5_x_2 = s5*neg_m6_6 + c5*neg_k6_xz;
-    const iiwa_real nu5_y_2 = s5*neg_k6_xz - c5*neg_m6_6;
-    /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_6 = 0.4*neg_fu5_x_2 - nu5_y_2;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real fu4_x = s4*h6_x - c4*neg_fu5_x_2;
-    const iiwa_real t80 = nu5_x_2 + 0.4*neg_fu5_y_2;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu4_x_2 = c4*t80 + s4*neg_k6_yz;
-    const iiwa_real nu4_y_2 = s4*t80 - c4*neg_k6_yz;
+    const iiwa_real nu3_y = s3*nu4_x - c3*m4_5;
     /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real fu3_x_2 = c3*fu4_x + s3*neg_fu5_y_2;
-    const iiwa_real fu3_y = s3*fu4_x - c3*neg_fu5_y_2;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x_2 = c3*nu4_x_2 + s3*m4_6;
-    const iiwa_real nu3_y_2 = s3*nu4_x_2 - c3*m4_6;
+    const iiwa_real fu3_x = c3*fu4_x - s3*h5_x;
     /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_6 = nu3_y_2 + 0.4*fu3_x_2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y_2 = c2*nu4_y_2 - s2*(nu3_x_2 - 0.4*fu3_y);
-    /* link 5: mass matrix, its row of this joint */
-    const iiwa_real m5_5 = t71 - t77 + 2.521169842515734;
-    const iiwa_real t81 = h6_x - 0.25252954507510866;
-    const iiwa_real t82 = h7_y + 0.4193059538543958;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h5_x = c5*t81 - s5*t82;
-    const iiwa_real h5_y = s5*t81 + c5*t82;
-    const iiwa_real t83 = c5*c5;
-    const iiwa_real t84 = t71 + t77 - 1.7262407198899914;
-    const iiwa_real t85 = neg_k6_xz + 0.03284626166448073;
-    const iiwa_real t86 = c5*s5;
-    const iiwa_real t87 = t83*t84 - t85*(2.0*t86);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const iiwa_real k5_xx = t71 + 0.39746456131287133 - t87;
-    const iiwa_real k5_yy = t87 - (t77 - 2.1237052812028625);
-    const iiwa_real neg_k5_xy = t84*t86 - t85*(1.0 - 2.0*t83);
-    const iiwa_real t88 = neg_k6_xy - 0.041147842218669614;
-    const iiwa_real t89 = neg_k6_yz - 0.05680835589544868;
-    const iiwa_real k5_xz = c5*t88 - s5*t89;
-    const iiwa_real k5_yz = s5*t88 + c5*t89;
-    /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_5 = k5_yz + 0.4*h5_y;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu4_x_2 = c4*h5_y;
-    const iiwa_real t90 = k5_xz + 0.4*h5_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu4_x = s4*m5_5 + c4*t90;
-    const iiwa_real nu4_y_3 = c4*m5_5 - s4*t90;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu3_x = c3*neg_fu4_x_2 + s3*h5_x;
-    const iiwa_real fu3_y_2 = c3*h5_x - s3*neg_fu4_x_2;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x_3 = s3*m4_5 - c3*neg_nu4_x;
-    const iiwa_real neg_nu3_y = s3*neg_nu4_x + c3*m4_5;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real neg_m2_5 = neg_nu3_y + 0.4*neg_fu3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y_3 = c2*nu4_y_3 + s2*(0.4*fu3_y_2 - nu3_x_3);
-    const iiwa_real t91 = k6_yy - 0.8*h6_y;
-    /* link 4: mass matrix, its row of this joint */
-    const iiwa_real m4_4 = k5_xx + t91 + 3.818015113559988;
-    const iiwa_real t92 = h5_x - 0.5168019281781282;
-    const iiwa_real t93 = h6_y - 8.054835434921454;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h4_x = c4*t92 + s4*t93;
-    const iiwa_real h4_y = s4*t92 - c4*t93;
-    const iiwa_real t94 = c4*c4;
-    const iiwa_real t95 = k5_xx - t91 - 3.3209668850667637;
-    const iiwa_real t96 = t90 - 0.20921122087079386;
-    const iiwa_real t97 = c4*s4;
-    const iiwa_real t98 = t94*t95 - t96*(2.0*t97);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const iiwa_real k4_xx = t98 + (t91 + 3.569490999313376);
-    const iiwa_real neg_k4_yy = t98 - (k5_xx + 0.24852411424661205);
-    const iiwa_real k4_xy = t95*t97 - t96*(1.0 - 2.0*t94);
-    const iiwa_real t99 = neg_k5_xy - 0.013124222729483126;
-    const iiwa_real t100 = m4_5 - 0.09675036990607108;
-    const iiwa_real k4_xz = c4*t99 + s4*t100;
-    const iiwa_real neg_k4_yz = c4*t100 - s4*t99;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const iiwa_real neg_fu3_x_2 = c3*h4_y;
-    const iiwa_real neg_fu3_y_2 = s3*h4_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const iiwa_real nu3_x_4 = s3*m4_4 - c3*k4_xz;
-    const iiwa_real neg_nu3_y_2 = s3*k4_xz + c3*m4_4;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real neg_m2_4 = neg_nu3_y_2 + 0.4*neg_fu3_x_2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.4*neg_fu3_y_2);
-    /* link 3: mass matrix, its row of this joint */
-    const iiwa_real m3_3 = k5_yy + k4_xx + 0.6544886050552213;
-    const iiwa_real t101 = h4_x - 1.0168650139155704;
-    const iiwa_real t102 = h5_y - 0.04389618410240257;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const iiwa_real h3_x = c3*t101 - s3*t102;
-    const iiwa_real h3_y = s3*t101 + c3*t102;
-    const iiwa_real t103 = c3*c3;
-    const iiwa_real t104 = k5_yy - k4_xx + 0.2506667841125447;
-    const iiwa_real t105 = k4_xz + 0.1005265342798281;
-    const iiwa_real t106 = c3*s3;
-    const iiwa_real t107 = t103*t104 - t105*(2.0*t106);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const iiwa_real k3_xx = k5_yy + 0.45257769458388303 - t107;
-    const iiwa_real k3_yy = t107 + (k4_xx + 0.20191091047133833);
-    const iiwa_real k3_xy = t105*(1.0 - 2.0*t103) - t104*t106;
-    const iiwa_real t108 = k4_xy + 0.16230144331072144;
-    const iiwa_real t109 = neg_k4_yz - 0.06405373385272267;
-    const iiwa_real k3_xz = c3*t108 - s3*t109;
-    const iiwa_real k3_yz = s3*t108 + c3*t109;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real neg_m2_3 = k3_yz + 0.4*h3_y;
-    const iiwa_real t110 = k3_xz + 0.4*h3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const iiwa_real neg_nu2_y_5 = s2*t110 + c2*m3_3;
-    const iiwa_real t111 = neg_k4_yy - 0.8*h4_y;
-    /* link 2: mass matrix, its row of this joint */
-    const iiwa_real m2_2 = k3_xx - t111 + 4.764988720880306;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const iiwa_real k2_xx = c2*c2*(k3_xx + t111 - 3.711814850271177) + (0.5218524991029152 +
-        t110)*(2.0*(s2*c2)) - (t111 - 4.238401785575742);
-    const iiwa_real neg_k2_yz = s2*(0.20091837135316784 - k3_xy) + c2*(neg_m2_3 -
-        0.26458063578324464);
-    /* link 1: mass matrix, its row of this joint */
-    const iiwa_real m1_1 = k3_yy + k2_xx + 0.8058116303302202;
+    const iiwa_real m2_5 = nu3_y + 0.4*fu3_x;
+    const iiwa_real t118 = 0.4*(s4*h6_x - h6_y*(c4*c5)) - m4_6;
+    const iiwa_real t119 = s5*t116 - c5*k6_xz;
+    const iiwa_real t120 = c4*t119 - (s4*k6_yz - s5*t115);
+    const iiwa_real m2_6 = c3*t118 + s3*t120;
+    const iiwa_real t121 = h7_y*(-s4*s6) - c4*neg_fu5_x;
+    const iiwa_real t122 = nu5_x - 0.4*fu5_y;
+    const iiwa_real t123 = c4*t122 + s4*nu6_y;
+    const iiwa_real m2_7 = 0.4*(c3*t121 - s3*fu5_y) + (s3*t123 - c3*m4_7);
+    /* factorisation M = L D L^T */
+    const iiwa_real ld4_1 = s2*(c3*k4_xz - s3*t112) - c2*k4_yz;
+    const iiwa_real ld5_1 = c2*nu4_y - s2*(nu3_x - 0.4*fu3_y);
+    const iiwa_real t124 = c4*k6_yz + s4*t119;
+    const iiwa_real ld6_1 = c2*t124 - s2*(c3*t120 - s3*t118);
+    const iiwa_real t125 = s4*t122 - c4*nu6_y;
+    const iiwa_real ld7_1 = c2*t125 - s2*(c3*t123 + (0.4*(t117*fu5_y - s3*t121) + s3*m4_7));
     /* link 1: forward substitution */
-    const iiwa_real neg_y1 = n1_z - tau[0];
+    const iiwa_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
     const iiwa_real ipivot1 = 1.0 / m1_1;
-    const iiwa_real neg_l2_1 = neg_k2_yz*ipivot1;
-    const iiwa_real l3_1 = neg_nu2_y_5*ipivot1;
-    const iiwa_real l4_1 = neg_nu2_y_4*ipivot1;
-    const iiwa_real l5_1 = neg_nu2_y_3*ipivot1;
-    const iiwa_real l6_1 = neg_nu2_y_2*ipivot1;
-    const iiwa_real l7_1 = neg_nu2_y*ipivot1;
-    const iiwa_real pivot2 = m2_2 - neg_k2_yz*neg_l2_1;
+    const iiwa_real l2_1 = k2_yz*ipivot1;
+    const iiwa_real l3_1 = -nu2_y*ipivot1;
+    const iiwa_real l4_1 = ld4_1*ipivot1;
+    const iiwa_real l5_1 = ld5_1*ipivot1;
+    const iiwa_real l6_1 = ld6_1*ipivot1;
+    const iiwa_real l7_1 = ld7_1*ipivot1;
+    const iiwa_real pivot2 = m2_2 - k2_yz*l2_1;
     const iiwa_real ipivot2 = 1.0 / pivot2;
-    const iiwa_real neg_ld3_2 = neg_m2_3 - neg_k2_yz*l3_1;
-    const iiwa_real neg_l3_2 = ipivot2*neg_ld3_2;
-    const iiwa_real neg_ld4_2 = neg_m2_4 - neg_k2_yz*l4_1;
-    const iiwa_real neg_l4_2 = ipivot2*neg_ld4_2;
-    const iiwa_real neg_ld5_2 = neg_m2_5 - neg_k2_yz*l5_1;
-    const iiwa_real neg_l5_2 = ipivot2*neg_ld5_2;
-    const iiwa_real ld6_2 = m2_6 + neg_k2_yz*l6_1;
+    const iiwa_real ld3_2 = m2_3 - k2_yz*l3_1;
+    const iiwa_real l3_2 = ipivot2*ld3_2;
+    const iiwa_real ld4_2 = m2_4 - k2_yz*l4_1;
+    const iiwa_real l4_2 = ipivot2*ld4_2;
+    const iiwa_real ld5_2 = m2_5 - k2_yz*l5_1;
+    const iiwa_real l5_2 = ipivot2*ld5_2;
+    const iiwa_real ld6_2 = m2_6 - k2_yz*l6_1;
     const iiwa_real l6_2 = ipivot2*ld6_2;
-    const iiwa_real ld7_2 = m2_7 + neg_k2_yz*l7_1;
+    const iiwa_real ld7_2 = m2_7 - k2_yz*l7_1;
     const iiwa_real l7_2 = ipivot2*ld7_2;
-    const iiwa_real pivot3 = m3_3 - neg_nu2_y_5*l3_1 - neg_ld3_2*neg_l3_2;
+    const iiwa_real pivot3 = m3_3 + nu2_y*l3_1 - ld3_2*l3_2;
     const iiwa_real ipivot3 = 1.0 / pivot3;
-    const iiwa_real ld4_3 = neg_k4_yz - neg_nu2_y_5*l4_1 - neg_ld3_2*neg_l4_2;
+    const iiwa_real ld4_3 = -ld3_2*l4_2 - (k4_yz - nu2_y*l4_1);
     const iiwa_real l4_3 = ipivot3*ld4_3;
-    const iiwa_real ld5_3 = nu4_y_3 - neg_nu2_y_5*l5_1 - neg_ld3_2*neg_l5_2;
+    const iiwa_real ld5_3 = nu4_y + nu2_y*l5_1 - ld3_2*l5_2;
     const iiwa_real l5_3 = ipivot3*ld5_3;
-    const iiwa_real ld6_3 = nu4_y_2 - neg_nu2_y_5*l6_1 + neg_ld3_2*l6_2;
+    const iiwa_real ld6_3 = t124 + nu2_y*l6_1 - ld3_2*l6_2;
     const iiwa_real l6_3 = ipivot3*ld6_3;
-    const iiwa_real ld7_3 = nu4_y - neg_nu2_y_5*l7_1 + neg_ld3_2*l7_2;
+    const iiwa_real ld7_3 = t125 + nu2_y*l7_1 - ld3_2*l7_2;
     const iiwa_real l7_3 = ipivot3*ld7_3;
-    const iiwa_real pivot4 = m4_4 - neg_nu2_y_4*l4_1 - neg_ld4_2*neg_l4_2 - ld4_3*l4_3;
+    const iiwa_real pivot4 = m4_4 - ld4_1*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
     const iiwa_real ipivot4 = 1.0 / pivot4;
-    const iiwa_real ld5_4 = m4_5 - neg_nu2_y_4*l5_1 - neg_ld4_2*neg_l5_2 - ld4_3*l5_3;
+    const iiwa_real ld5_4 = m4_5 - ld4_1*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
     const iiwa_real l5_4 = ipivot4*ld5_4;
-    const iiwa_real ld6_4 = m4_6 - neg_nu2_y_4*l6_1 + neg_ld4_2*l6_2 - ld4_3*l6_3;
-    const iiwa_real l6_4 = ipivot4*ld6_4;
-    const iiwa_real ld7_4 = m4_7 - neg_nu2_y_4*l7_1 + neg_ld4_2*l7_2 - ld4_3*l7_3;
+    const iiwa_real neg_ld6_4 = ld4_2*l6_2 - (m4_6 - ld4_1*l6_1) + ld4_3*l6_3;
+    const iiwa_real l6_4 = -ipivot4*neg_ld6_4;
+    const iiwa_real ld7_4 = -ld4_3*l7_3 - (ld4_2*l7_2 - (m4_7 - ld4_1*l7_1));
     const iiwa_real l7_4 = ipivot4*ld7_4;
-    const iiwa_real pivot5 = m5_5 - neg_nu2_y_3*l5_1 - neg_ld5_2*neg_l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
+    const iiwa_real pivot5 = -ld5_4*l5_4 - (ld5_1*l5_1 - m5_5 + ld5_2*l5_2 + ld5_3*l5_3);
     const iiwa_real ipivot5 = 1.0 / pivot5;
-    const iiwa_real neg_ld6_5 = neg_k6_yz + neg_nu2_y_3*l6_1 - neg_ld5_2*l6_2 + ld5_3*l6_3 +
-        ld5_4*l6_4;
-    const iiwa_real neg_l6_5 = ipivot5*neg_ld6_5;
-    const iiwa_real ld7_5 = neg_nu6_y - neg_nu2_y_3*l7_1 + neg_ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4;
+    const iiwa_real ld6_5 = k6_yz - ld5_1*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4;
+    const iiwa_real l6_5 = ipivot5*ld6_5;
+    const iiwa_real ld7_5 = -ld5_2*l7_2 - (nu6_y + ld5_1*l7_1) - ld5_3*l7_3 - ld5_4*l7_4;
     const iiwa_real l7_5 = ipivot5*ld7_5;
-    const iiwa_real neg_pivot6 = neg_m6_6 + neg_nu2_y_2*l6_1 + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4
-        + neg_ld6_5*neg_l6_5;
-    const iiwa_real neg_ipivot6 = 1.0 / neg_pivot6;
-    const iiwa_real neg_ld7_6 = neg_m6_7 + neg_nu2_y_2*l7_1 + ld6_2*l7_2 + ld6_3*l7_3 + ld6_4*l7_4 -
-        neg_ld6_5*l7_5;
-    const iiwa_real l7_6 = neg_ipivot6*neg_ld7_6;
-    const iiwa_real t112 = 0.48318719298539553 - neg_nu2_y*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 -
-        ld7_4*l7_4 - ld7_5*l7_5;
-    const iiwa_real pivot7 = t112 + neg_ld7_6*l7_6;
+    const iiwa_real pivot6 = neg_ld6_4*l6_4 - (ld6_1*l6_1 - m6_6 + ld6_2*l6_2 + ld6_3*l6_3) -
+        ld6_5*l6_5;
+    const iiwa_real ipivot6 = 1.0 / pivot6;
+    const iiwa_real ld7_6 = neg_ld6_4*l7_4 - (ld6_1*l7_1 - m6_7 + ld6_2*l7_2 + ld6_3*l7_3) -
+        ld6_5*l7_5;
+    const iiwa_real l7_6 = ipivot6*ld7_6;
+    const iiwa_real t126 = 0.48318719298539553 - ld7_1*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 -
+        ld7_5*l7_5;
+    const iiwa_real pivot7 = t126 - ld7_6*l7_6;
     const iiwa_real ipivot7 = 1.0 / pivot7;
     /* link 2: forward substitution */
-    const iiwa_real neg_y2 = n2_z - tau[1] + neg_y1*neg_l2_1;
+    const iiwa_real y2 = tau[1] - n2_z - y1*l2_1;
     /* link 3: forward substitution */
-    const iiwa_real neg_y3 = n3_z - tau[2] - neg_y1*l3_1 + neg_l3_2*neg_y2;
+    const iiwa_real y3 = -l3_2*y2 - (n3_z - tau[2] + y1*l3_1);
     /* link 4: forward substitution */
-    const iiwa_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 + neg_l4_2*neg_y2 - l4_3*neg_y3;
+    const iiwa_real y4 = -(n4_z - tau[3] + y1*l4_1 + l4_2*y2) - l4_3*y3;
     /* link 5: forward substitution */
-    const iiwa_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 -
-        l5_4*neg_y4;
+    const iiwa_real neg_y5 = n5_z - tau[4] + y1*l5_1 + l5_2*y2 + l5_3*y3 + l5_4*y4;
     /* link 6: forward substitution */
-    const iiwa_real neg_y6 = n6_z - tau[5] - neg_y1*l6_1 - l6_2*neg_y2 - l6_3*neg_y3 - l6_4*neg_y4 +
-        neg_l6_5*neg_y5;
-    const iiwa_real t113 = nc7_z - tau[6] - neg_y1*l7_1 - l7_2*neg_y2 - l7_3*neg_y3 - l7_4*neg_y4 -
-        l7_5*neg_y5;
+    const iiwa_real y6 = l6_5*neg_y5 - (n6_z - tau[5] + y1*l6_1 + l6_2*y2 + l6_3*y3 + l6_4*y4);
+    const iiwa_real t127 = l7_5*neg_y5 - (nc7_z - tau[6] + y1*l7_1 + l7_2*y2 + l7_3*y3 + l7_4*y4);
     /* link 7: forward substitution */
-    const iiwa_real neg_y7 = t113 - l7_6*neg_y6;
+    const iiwa_real y7 = t127 - l7_6*y6;
     /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real neg_qdd7 = ipivot7*neg_y7;
+    const iiwa_real qdd7 = ipivot7*y7;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd6 = neg_ipivot6*neg_y6 + l7_6*neg_qdd7;
+    const iiwa_real qdd6 = ipivot6*y6 - l7_6*qdd7;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6 - l7_5*neg_qdd7;
+    const iiwa_real qdd5 = -l6_5*qdd6 - ipivot5*neg_y5 - l7_5*qdd7;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real neg_qdd4 = ipivot4*neg_y4 - l5_4*neg_qdd5 + l6_4*qdd6 - l7_4*neg_qdd7;
+    const iiwa_real qdd4 = -l7_4*qdd7 - (l5_4*qdd5 - ipivot4*y4 + l6_4*qdd6);
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real neg_qdd3 = ipivot3*neg_y3 - l4_3*neg_qdd4 - l5_3*neg_qdd5 + l6_3*qdd6 -
-        l7_3*neg_qdd7;
+    const iiwa_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6 - l7_3*qdd7;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd2 = l7_2*neg_qdd7 - (ipivot2*neg_y2 + neg_l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 +
-        neg_l5_2*neg_qdd5 + l6_2*qdd6);
-    const iiwa_real t114 = neg_y1*ipivot1 - neg_l2_1*qdd2 - l3_1*neg_qdd3 - l4_1*neg_qdd4 -
-        l5_1*neg_qdd5 + l6_1*qdd6;
+    const iiwa_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6 - l7_2*qdd7;
+    const iiwa_real t128 = -l6_1*qdd6 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 +
+        l5_1*qdd5);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const iiwa_real qdd1 = l7_1*neg_qdd7 - t114;
-    const iiwa_real t115 = -neg_qdd3;
-    const iiwa_real t116 = -neg_qdd4;
-    const iiwa_real t117 = -neg_qdd5;
-    const iiwa_real t118 = -neg_qdd7;
+    const iiwa_real qdd1 = t128 - l7_1*qdd7;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
-    qdd[2] = t115;
-    qdd[3] = t116;
-    qdd[4] = t117;
+    qdd[2] = qdd3;
+    qdd[3] = qdd4;
+    qdd[4] = qdd5;
     qdd[5] = qdd6;
-    qdd[6] = t118;
+    qdd[6] = qdd7;
 }

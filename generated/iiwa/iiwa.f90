@@ -14,15 +14,16 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
-! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
-!   to the recursion without being written like it: robodyn --optimize full, seed 1.
+! Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+!   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+!   seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
 !   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
 !   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
-!   mass_matrix: 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
-!   forward_dynamics: 551 multiplications, 482 additions, 7 divisions = 1040; 4 unary minus; 12
+!   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
+!   forward_dynamics: 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12
 !       sine/cosine
 module iiwa_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -739,24 +740,20 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
+  ! 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
   pure subroutine iiwa_mass_matrix(q, M) &
       bind(c, name="iiwa_mass_matrix_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: M(49)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, h7_x, neg_h7_y, t1, t2, k7_xy
-    real(rk) :: k7_xz, k7_yz, m6_7, fu6_x, fu6_y, t3, nu6_x, neg_nu6_y, fu5_x, fu5_y, nu5_x
-    real(rk) :: neg_nu5_y, m4_7, fu4_x, t4, nu4_x, nu4_y, fu3_x, fu3_y, nu3_x, nu3_y, m2_7
-    real(rk) :: neg_nu2_y, t5, m6_6, t6, h6_x, h6_y, t7, t8, t9, t10, t11, k6_yy, neg_k6_xy, t12
-    real(rk) :: t13, k6_xz, k6_yz, neg_fu5_x, t14, fu5_y_2, nu5_x_2, nu5_y, m4_6, fu4_x_2, t15
-    real(rk) :: nu4_x_2, nu4_y_2, fu3_x_2, fu3_y_2, nu3_x_2, nu3_y_2, m2_6, neg_nu2_y_2, m5_5, t16
-    real(rk) :: t17, h5_x, h5_y, t18, t19, t20, t21, t22, k5_xx, k5_yy, neg_k5_xy, t23, t24, k5_xz
-    real(rk) :: k5_yz, m4_5, fu4_x_3, t25, nu4_x_3, nu4_y_3, fu3_x_3, fu3_y_3, nu3_x_3, nu3_y_3
-    real(rk) :: m2_5, neg_nu2_y_3, t26, m4_4, t27, t28, h4_x, h4_y, t29, t30, t31, t32, t33, k4_xx
-    real(rk) :: k4_yy, k4_xy, t34, t35, k4_xz, neg_k4_yz, neg_fu3_x, neg_fu3_y, nu3_x_4, neg_nu3_y
-    real(rk) :: m2_4, neg_nu2_y_4, m3_3, t36, t37, h3_x, h3_y, t38, t39, t40, t41, t42, k3_xx
-    real(rk) :: k3_yy, k3_xy, t43, t44, k3_xz, k3_yz, m2_3, t45, neg_nu2_y_5, t46, m2_2, k2_xx
-    real(rk) :: k2_yz, m1_1
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, h7_y, neg_fu6_x, h7_x, t2, h6_x
+    real(rk) :: t3, t4, neg_h5_x, neg_h6_y, h5_y, t5, t6, t7, t8, neg_h3_x, neg_m6_7, t9, t10, t11
+    real(rk) :: t12, t13, k6_xz, k6_yz, t14, t15, t16, t17, t18, t19, t20, m4_5, t21, t22, t23, t24
+    real(rk) :: t25, t26, t27, neg_k4_yz, neg_m5_5, t28, t29, t30, t31, t32, t33, t34, t35, t36
+    real(rk) :: t37, neg_k3_xz, t38, m3_3, t39, neg_nu2_y, neg_k4_xz, m4_4, h4_y, t40, t41, t42
+    real(rk) :: t43, t44, t45, t46, t47, t48, m1_1, h3_y, m2_3, k2_yz, nu4_y, nu4_x, nu3_x
+    real(rk) :: neg_fu4_x, neg_fu3_y, m6_6, t49, t50, m4_6, nu6_x, nu5_x, neg_fu5_y, neg_nu6_y
+    real(rk) :: neg_fu5_x, nu5_y, m4_7, m2_2, m2_4, nu3_y, fu3_x, m2_5, t51, t52, t53, m2_6, t54
+    real(rk) :: t55, t56, m2_7, t57, t58, t59, t60, t61, t62, t63, t64
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -771,202 +768,164 @@ contains
     s6 = sin(q(6))
     c7 = cos(q(7))
     s7 = sin(q(7))
+    t1 = 0.9999503996366931_rk*s7
     ! link 7: first moment of the composite body, about the frame's origin [kg m]
-    h7_x = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
-    neg_h7_y = -0.708306797966195_rk*c7 - 0.9999503996366931_rk*s7
-    t1 = c7*c7
-    t2 = c7*s7
-    ! link 7: second moment of the composite body [kg m^2]
-    k7_xy = 0.2114247825686032_rk*(2.0_rk*t1 - 1.0_rk) - 0.10136935104159488_rk*t2
-    k7_xz = 0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7
-    k7_yz = 0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7
-    ! link 6: mass matrix, its row of this joint
-    m6_7 = 0.126_rk*neg_h7_y - k7_yz
+    h7_y = 0.708306797966195_rk*c7 + t1
     ! link 6: force for a unit acceleration of a joint further out
-    fu6_x = c6*neg_h7_y
-    fu6_y = s6*neg_h7_y
-    t3 = k7_xz + 0.126_rk*h7_x
-    ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = 0.48318719298539553_rk*s6 - c6*t3
-    neg_nu6_y = s6*t3 + 0.48318719298539553_rk*c6
-    ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = c5*fu6_x - s5*h7_x
-    fu5_y = s5*fu6_x + c5*h7_x
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = c5*nu6_x - s5*m6_7
-    neg_nu5_y = -c5*m6_7 - s5*nu6_x
-    ! link 4: mass matrix, its row of this joint
-    m4_7 = neg_nu5_y - 0.4_rk*fu5_x
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*fu5_x + s4*fu6_y
-    t4 = nu5_x - 0.4_rk*fu5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*t4 - s4*neg_nu6_y
-    nu4_y = s4*t4 + c4*neg_nu6_y
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c3*fu4_x - s3*fu5_y
-    fu3_y = s3*fu4_x + c3*fu5_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c3*nu4_x + s3*m4_7
-    nu3_y = s3*nu4_x - c3*m4_7
-    ! link 2: mass matrix, its row of this joint
-    m2_7 = nu3_y + 0.4_rk*fu3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = c2*nu4_y - s2*(nu3_x - 0.4_rk*fu3_y)
-    t5 = 0.10136935104159488_rk*t1 + 0.4228495651372064_rk*t2
-    ! link 6: mass matrix, its row of this joint
-    m6_6 = 2.745229884110378_rk - t5
-    t6 = h7_x - 1.5656307599463828_rk
+    neg_fu6_x = c6*h7_y
+    ! link 7: first moment of the composite body, about the frame's origin [kg m]
+    h7_x = 1.4117475682965523_rk*h7_y - 2.119984343070462_rk*s7
+    t2 = h7_x - 1.5656307599463828_rk
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = c6*t6 + 1.291128497815195_rk*s6
-    h6_y = s6*t6 - 1.291128497815195_rk*c6
-    t7 = c6*c6
-    t8 = t5 + 1.3126829026743974_rk
-    t9 = t3 + 0.36144292274665746_rk
-    t10 = c6*s6
-    t11 = t7*t8 - t9*(2.0_rk*t10)
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_yy = t11 - (t5 - 0.7162734907179903_rk)
-    neg_k6_xy = t8*t10 - t9*(1.0_rk - 2.0_rk*t7)
-    t12 = k7_xy - 0.042925575293549574_rk
-    t13 = m6_7 + 0.0870114460092663_rk
-    k6_xz = c6*t12 - s6*t13
-    k6_yz = s6*t12 + c6*t13
-    ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x = c5*h6_y
-    t14 = -s5
-    fu5_y_2 = t14*h6_y
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x_2 = t14*m6_6 - c5*k6_xz
-    nu5_y = c5*m6_6 - s5*k6_xz
-    ! link 4: mass matrix, its row of this joint
-    m4_6 = 0.4_rk*neg_fu5_x - nu5_y
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = s4*h6_x - c4*neg_fu5_x
-    t15 = nu5_x_2 - 0.4_rk*fu5_y_2
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c4*t15 - s4*k6_yz
-    nu4_y_2 = s4*t15 + c4*k6_yz
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c3*fu4_x_2 - s3*fu5_y_2
-    fu3_y_2 = s3*fu4_x_2 + c3*fu5_y_2
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_2 = c3*nu4_x_2 + s3*m4_6
-    nu3_y_2 = s3*nu4_x_2 - c3*m4_6
-    ! link 2: mass matrix, its row of this joint
-    m2_6 = nu3_y_2 + 0.4_rk*fu3_x_2
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = c2*nu4_y_2 - s2*(nu3_x_2 - 0.4_rk*fu3_y_2)
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t5 - t11 + 2.521169842515734_rk
-    t16 = h6_x - 0.25252954507510866_rk
-    t17 = 0.4193059538543958_rk - neg_h7_y
+    h6_x = 1.291128497815195_rk*s6 + c6*t2
+    t3 = h7_y + 0.4193059538543958_rk
+    t4 = h6_x - 0.25252954507510866_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = c5*t16 - s5*t17
-    h5_y = s5*t16 + c5*t17
-    t18 = c5*c5
-    t19 = t5 + t11 - 1.7262407198899914_rk
-    t20 = 0.03284626166448073_rk - k6_xz
-    t21 = c5*s5
-    t22 = t18*t19 - t20*(2.0_rk*t21)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = t5 + 0.39746456131287133_rk - t22
-    k5_yy = t22 - (t11 - 2.1237052812028625_rk)
-    neg_k5_xy = t19*t21 - t20*(1.0_rk - 2.0_rk*t18)
-    t23 = neg_k6_xy - 0.041147842218669614_rk
-    t24 = -k6_yz - 0.05680835589544868_rk
-    k5_xz = c5*t23 - s5*t24
-    k5_yz = s5*t23 + c5*t24
-    ! link 4: mass matrix, its row of this joint
-    m4_5 = k5_yz + 0.4_rk*h5_y
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_3 = -c4*h5_y
-    t25 = k5_xz + 0.4_rk*h5_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_3 = -s4*m5_5 - c4*t25
-    nu4_y_3 = c4*m5_5 - s4*t25
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_3 = c3*fu4_x_3 - s3*h5_x
-    fu3_y_3 = s3*fu4_x_3 + c3*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_3 = c3*nu4_x_3 + s3*m4_5
-    nu3_y_3 = s3*nu4_x_3 - c3*m4_5
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = nu3_y_3 + 0.4_rk*fu3_x_3
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_3 = c2*nu4_y_3 - s2*(nu3_x_3 - 0.4_rk*fu3_y_3)
-    t26 = 0.8_rk*h6_y - k6_yy
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = k5_xx - t26 + 3.818015113559988_rk
-    t27 = h5_x - 0.5168019281781282_rk
-    t28 = h6_y - 8.054835434921454_rk
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t27 + s4*t28
-    h4_y = s4*t27 - c4*t28
-    t29 = c4*c4
-    t30 = k5_xx + t26 - 3.3209668850667637_rk
-    t31 = t25 - 0.20921122087079386_rk
-    t32 = c4*s4
-    t33 = t29*t30 - t31*(2.0_rk*t32)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t33 - (t26 - 3.569490999313376_rk)
-    k4_yy = k5_xx + 0.24852411424661205_rk - t33
-    k4_xy = t30*t32 - t31*(1.0_rk - 2.0_rk*t29)
-    t34 = neg_k5_xy - 0.013124222729483126_rk
-    t35 = m4_5 - 0.09675036990607108_rk
-    k4_xz = c4*t34 + s4*t35
-    neg_k4_yz = c4*t35 - s4*t34
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c3*h4_y
-    neg_fu3_y = s3*h4_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_4 = s3*m4_4 - c3*k4_xz
-    neg_nu3_y = s3*k4_xz + c3*m4_4
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = -0.4_rk*neg_fu3_x - neg_nu3_y
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.4_rk*neg_fu3_y)
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = k5_yy + k4_xx + 0.6544886050552213_rk
-    t36 = h4_x - 1.0168650139155704_rk
-    t37 = h5_y - 0.04389618410240257_rk
+    neg_h5_x = s5*t3 - c5*t4
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    neg_h6_y = 1.291128497815195_rk*c6 - s6*t2
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_y = c5*t3 + s5*t4
+    t5 = neg_h5_x + 0.5168019281781282_rk
+    t6 = neg_h6_y + 8.054835434921454_rk
+    t7 = c4*t5 + (s4*t6 + 1.0168650139155704_rk)
+    t8 = h5_y - 0.04389618410240257_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c3*t36 - s3*t37
-    h3_y = s3*t36 + c3*t37
-    t38 = c3*c3
-    t39 = k4_xx - k5_yy - 0.2506667841125447_rk
-    t40 = k4_xz + 0.1005265342798281_rk
-    t41 = c3*s3
-    t42 = t38*t39 + t40*(2.0_rk*t41)
+    neg_h3_x = c3*t7 + s3*t8
+    ! link 6: mass matrix, its row of this joint
+    neg_m6_7 = 0.11539123059695529_rk*(t1 + 1.846595961484861_rk*h7_y)
+    t9 = neg_m6_7 - 0.0870114460092663_rk
+    t10 = 0.4228495651372064_rk*c7
+    t11 = c7*t10
+    t12 = s7*t10
+    t13 = t11 - (0.23972911266611452_rk*t12 + 0.25435035786215276_rk)
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xz = s6*t9 + c6*t13
+    k6_yz = s6*t13 - c6*t9
+    t14 = c6*c6
+    t15 = 0.15093419333331276_rk*h7_y - 0.4353636338505884_rk*c7
+    t16 = 2.0_rk*t15 - 0.7228858454933149_rk
+    t17 = t12 + (0.23972911266611452_rk*t11 + 1.3126829026743974_rk)
+    t18 = c6*s6
+    t19 = t14*t16 - (t15 - 0.4025907649653271_rk + t17*t18)
+    t20 = k6_yz + 0.05680835589544868_rk
+    ! link 4: mass matrix, its row of this joint
+    m4_5 = 0.4_rk*h5_y - s5*t19 - c5*t20
+    t21 = c5*c5
+    t22 = k6_xz + (k6_xz - 0.06569252332896146_rk)
+    t23 = c5*s5
+    t24 = t14*t17 + t18*t16
+    t25 = t24 + (t17 - 3.0389236225643885_rk)
+    t26 = t21*t22 - (k6_xz + (t23*t25 - 0.045970484393963854_rk))
+    t27 = m4_5 - 0.09675036990607108_rk
+    ! link 4: second moment of the composite body [kg m^2]
+    neg_k4_yz = s4*t26 + c4*t27
+    ! link 5: mass matrix, its row of this joint
+    neg_m5_5 = t24 - (t17 + 1.2084869398413365_rk)
+    t28 = neg_k4_yz - 0.06405373385272267_rk
+    t29 = c4*s4
+    t30 = t24 - (t21*t25 + 7.016595671833826_rk + t22*t23)
+    t31 = t30 - 4.4699270629915056_rk + 0.8_rk*neg_h6_y
+    t32 = 2.0_rk*(t30 - 3.067723445330515_rk - neg_m5_5)
+    t33 = t31 - t32
+    t34 = 0.4_rk*neg_h5_x + c5*t19 - s5*t20
+    t35 = t34 + (t34 + 0.4184224417415877_rk)
+    t36 = s4*s4
+    t37 = t29*t33 + 0.04690977756007243_rk + (t34 - t35*t36)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = k5_yy + 0.45257769458388303_rk + t42
-    k3_yy = k4_xx + 0.20191091047133833_rk - t42
-    k3_xy = t39*t41 + t40*(1.0_rk - 2.0_rk*t38)
-    t43 = k4_xy + 0.16230144331072144_rk
-    t44 = 0.06405373385272267_rk - neg_k4_yz
-    k3_xz = c3*t43 + s3*t44
-    k3_yz = s3*t43 - c3*t44
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = -0.4_rk*h3_y - k3_yz
-    t45 = k3_xz + 0.4_rk*h3_x
+    neg_k3_xz = s3*t28 + c3*t37
+    t38 = t29*t35 + (t33*t36 + 0.9030127193018334_rk)
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t38 - neg_m5_5
+    t39 = s2*(0.4_rk*neg_h3_x + neg_k3_xz)
     ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_5 = s2*t45 + c2*m3_3
-    t46 = k4_yy + 0.8_rk*h4_y
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = k3_xx + t46 + 4.764988720880306_rk
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t46 + 4.238401785575742_rk - (c2*c2*(t46 - k3_xx + 3.711814850271177_rk) - (t45 + &
-        0.5218524991029152_rk)*(2.0_rk*(c2*s2)))
-    k2_yz = s2*(k3_xy - 0.20091837135316784_rk) + c2*(m2_3 + 0.26458063578324464_rk)
+    neg_nu2_y = c2*m3_3 - t39
+    ! link 4: second moment of the composite body [kg m^2]
+    neg_k4_xz = c4*t26 - s4*t27
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t31 + 16.41827590041618_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_y = c4*t6 - s4*t5
+    t40 = c3*c3
+    t41 = t32 + (t38 + (neg_m5_5 + 15.016072282755191_rk))
+    t42 = c3*s3
+    t43 = neg_k4_xz + (neg_k4_xz - 0.2010530685596562_rk)
+    t44 = t40*t41 - (t42*t43 + 3.9137257607425155_rk)
+    t45 = 0.4_rk*h4_y
+    t46 = m4_4 + t45
+    t47 = t45 + t46
+    t48 = t44 - t47
     ! link 1: mass matrix, its row of this joint
-    m1_1 = k3_yy + k2_xx + 0.8058116303302202_rk
+    m1_1 = 1.3323985656347848_rk - c2*(t39 - neg_nu2_y - (c2*t48 + 1.0437049982058304_rk*s2)) - &
+        t48
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = c3*t8 - s3*t7
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = s3*t37 - 0.4_rk*h3_y - c3*t28
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_yz = c2*(m2_3 + 0.26458063578324464_rk) + s2*(t41*t42 + (t40*t43 - 0.10039183707333973_rk) &
+        - neg_k4_xz)
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = s4*t34 - c4*neg_m5_5
+    nu4_x = s4*neg_m5_5 + c4*t34
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = c3*nu4_x + s3*m4_5
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = c4*h5_y
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_y = s3*neg_fu4_x + c3*neg_h5_x
+    ! link 6: mass matrix, its row of this joint
+    m6_6 = 4.057912786784775_rk - t17
+    t49 = 0.4_rk*neg_h6_y
+    t50 = t49 + m6_6
+    ! link 4: mass matrix, its row of this joint
+    m4_6 = s5*k6_xz - c5*t50
+    ! link 6: moment for a unit acceleration of a joint further out
+    nu6_x = 0.48318719298539553_rk*s6 + c6*t15
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x = c5*nu6_x + s5*neg_m6_7
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_y = s5*neg_fu6_x - c5*h7_x
+    ! link 6: moment for a unit acceleration of a joint further out
+    neg_nu6_y = 0.48318719298539553_rk*c6 - s6*t15
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_x = c5*neg_fu6_x + s5*h7_x
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_y = s5*nu6_x - c5*neg_m6_7
+    ! link 4: mass matrix, its row of this joint
+    m4_7 = 0.4_rk*neg_fu5_x - nu5_y
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t44 + (t47 - t30 - m3_3) - t30
+    m2_4 = s3*neg_k4_xz - c3*t46
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = s3*nu4_x - c3*m4_5
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = s3*neg_h5_x - c3*neg_fu4_x
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = nu3_y + 0.4_rk*fu3_x
+    t51 = 0.4_rk*(s4*h6_x + neg_h6_y*(c4*c5)) - m4_6
+    t52 = s5*t50 + c5*k6_xz
+    t53 = c4*t52 + (s5*t49 + s4*k6_yz)
+    m2_6 = c3*t51 - s3*t53
+    t54 = c4*neg_fu5_x + h7_y*(s4*s6)
+    t55 = nu5_x + 0.4_rk*neg_fu5_y
+    t56 = c4*t55 - s4*neg_nu6_y
+    m2_7 = 0.4_rk*(s3*neg_fu5_y - c3*t54) - (c3*m4_7 - s3*t56)
+    t57 = c2*neg_k4_yz - s2*(c3*neg_k4_xz + s3*t46)
+    t58 = c2*nu4_y - s2*(nu3_x + 0.4_rk*neg_fu3_y)
+    t59 = c4*k6_yz - s4*t52
+    t60 = c2*t59 + s2*(c3*t53 + s3*t51)
+    t61 = s4*t55 + c4*neg_nu6_y
+    t62 = c2*t61 - s2*(c3*t56 + (0.4_rk*(c3*neg_fu5_y + s3*t54) + s3*m4_7))
+    t63 = -neg_m5_5
+    t64 = -neg_m6_7
     M(1) = m1_1
     M(2) = k2_yz
-    M(3) = neg_nu2_y_5
-    M(4) = neg_nu2_y_4
-    M(5) = neg_nu2_y_3
-    M(6) = neg_nu2_y_2
-    M(7) = neg_nu2_y
+    M(3) = neg_nu2_y
+    M(4) = t57
+    M(5) = t58
+    M(6) = t60
+    M(7) = t62
     M(8) = k2_yz
     M(9) = m2_2
     M(10) = m2_3
@@ -974,211 +933,203 @@ contains
     M(12) = m2_5
     M(13) = m2_6
     M(14) = m2_7
-    M(15) = neg_nu2_y_5
+    M(15) = neg_nu2_y
     M(16) = m2_3
     M(17) = m3_3
     M(18) = neg_k4_yz
-    M(19) = nu4_y_3
-    M(20) = nu4_y_2
-    M(21) = nu4_y
-    M(22) = neg_nu2_y_4
+    M(19) = nu4_y
+    M(20) = t59
+    M(21) = t61
+    M(22) = t57
     M(23) = m2_4
     M(24) = neg_k4_yz
     M(25) = m4_4
     M(26) = m4_5
     M(27) = m4_6
     M(28) = m4_7
-    M(29) = neg_nu2_y_3
+    M(29) = t58
     M(30) = m2_5
-    M(31) = nu4_y_3
+    M(31) = nu4_y
     M(32) = m4_5
-    M(33) = m5_5
+    M(33) = t63
     M(34) = k6_yz
     M(35) = neg_nu6_y
-    M(36) = neg_nu2_y_2
+    M(36) = t60
     M(37) = m2_6
-    M(38) = nu4_y_2
+    M(38) = t59
     M(39) = m4_6
     M(40) = k6_yz
     M(41) = m6_6
-    M(42) = m6_7
-    M(43) = neg_nu2_y
+    M(42) = t64
+    M(43) = t62
     M(44) = m2_7
-    M(45) = nu4_y
+    M(45) = t61
     M(46) = m4_7
     M(47) = neg_nu6_y
-    M(48) = m6_7
+    M(48) = t64
     M(49) = 0.48318719298539553_rk
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 551 multiplications, 482 additions, 7 divisions = 1040; 4 unary minus; 12 sine/cosine
+  ! 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12 sine/cosine
   pure subroutine iiwa_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="iiwa_forward_dynamics_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(in) :: qd(7)
     real(rk), intent(in) :: tau(7)
     real(rk), intent(out) :: qdd(7)
-    real(rk) :: s2, neg_w2_x, c2, neg_w2_y, neg_ww2_yz, c3, s3, neg_w3_x, w3_z, w3_y, neg_alpha3_x
-    real(rk) :: alpha3_y, neg_ww3_zx, ww3_yz, ww3_xx, ww3_zz, ww3_yy, neg_ww3_xy, lam3_13, lam3_23
-    real(rk) :: neg_lam3_31, lam3_32, c4, s4, neg_w4_x, neg_w4_z, w4_y, neg_ww4_xy, neg_ww4_yz
-    real(rk) :: ww4_zz, ww4_yy, ww4_zx, lam4_12, neg_lam4_21, neg_lam4_11, c5, s5, neg_w5_x, w5_z
-    real(rk) :: w5_y, neg_ww5_xy, ww5_xx, ww5_zz, ww5_yy, ww5_yz, neg_ww5_zx, neg_lam5_22, c6, s6
-    real(rk) :: neg_w6_x, w6_z, neg_w6_y, neg_ww6_zx, ww6_zz, neg_ww6_yz, ww6_xy, ww6_yy
-    real(rk) :: neg_lam6_11, w7_z, c7, s7, neg_ww2_zx, neg_alpha4_y, lam4_31, neg_lam3_21, alpha4_x
-    real(rk) :: neg_lam4_32, t1, lam4_22, lam5_12, ww7_zz, t2, t3, t4, t5, neg_lam6_22, alpha5_x
-    real(rk) :: alpha7_z, neg_lam6_13, alpha5_y, lam6_21, alpha6_x, lam6_12, neg_lam6_23, t6, t7
-    real(rk) :: t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, t24
-    real(rk) :: t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, t35, t36, n6_z, neg_lam5_31
-    real(rk) :: lam5_32, t37, n5_y, neg_lam5_11, neg_lam5_21, neg_lam6_31, neg_lam6_32, t38, t39
-    real(rk) :: t40, nc7_z, t41, t42, t43, t44, n5_x, neg_lam4_23, lam4_13, lam5_23, lam5_13, t45
-    real(rk) :: n5_z, t46, t47, t48, t49, t50, t51, n4_z, lam3_12, ww2_zz, t52, t53, t54, t55, t56
-    real(rk) :: t57, t58, t59, t60, n3_z, t61, t62, t63, t64, t65, t66, t67, n1_z, n2_z, h7_x, h7_y
-    real(rk) :: t68, neg_k7_xy, k7_xz, k7_yz, neg_m6_7, neg_fu6_x, neg_fu6_y, t69, nu6_x, neg_nu6_y
-    real(rk) :: neg_fu5_x, neg_fu5_y, nu5_x, nu5_y, m4_7, neg_fu4_x, t70, nu4_x, nu4_y, fu3_x
-    real(rk) :: neg_fu3_y, nu3_x, nu3_y, m2_7, neg_nu2_y, t71, neg_m6_6, t72, h6_x, h6_y, t73, t74
-    real(rk) :: t75, t76, t77, k6_yy, neg_k6_xy, t78, t79, neg_k6_xz, neg_k6_yz, neg_fu5_x_2
-    real(rk) :: neg_fu5_y_2, nu5_x_2, nu5_y_2, m4_6, fu4_x, t80, nu4_x_2, nu4_y_2, fu3_x_2, fu3_y
-    real(rk) :: nu3_x_2, nu3_y_2, m2_6, neg_nu2_y_2, m5_5, t81, t82, h5_x, h5_y, t83, t84, t85, t86
-    real(rk) :: t87, k5_xx, k5_yy, neg_k5_xy, t88, t89, k5_xz, k5_yz, m4_5, neg_fu4_x_2, t90
-    real(rk) :: neg_nu4_x, nu4_y_3, neg_fu3_x, fu3_y_2, nu3_x_3, neg_nu3_y, neg_m2_5, neg_nu2_y_3
-    real(rk) :: t91, m4_4, t92, t93, h4_x, h4_y, t94, t95, t96, t97, t98, k4_xx, neg_k4_yy, k4_xy
-    real(rk) :: t99, t100, k4_xz, neg_k4_yz, neg_fu3_x_2, neg_fu3_y_2, nu3_x_4, neg_nu3_y_2
-    real(rk) :: neg_m2_4, neg_nu2_y_4, m3_3, t101, t102, h3_x, h3_y, t103, t104, t105, t106, t107
-    real(rk) :: k3_xx, k3_yy, k3_xy, t108, t109, k3_xz, k3_yz, neg_m2_3, t110, neg_nu2_y_5, t111
-    real(rk) :: m2_2, k2_xx, neg_k2_yz, m1_1, neg_y1, ipivot1, neg_l2_1, l3_1, l4_1, l5_1, l6_1
-    real(rk) :: l7_1, pivot2, ipivot2, neg_ld3_2, neg_l3_2, neg_ld4_2, neg_l4_2, neg_ld5_2
-    real(rk) :: neg_l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3
-    real(rk) :: ld6_3, l6_3, ld7_3, l7_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, ld7_4, l7_4
-    real(rk) :: pivot5, ipivot5, neg_ld6_5, neg_l6_5, ld7_5, l7_5, neg_pivot6, neg_ipivot6
-    real(rk) :: neg_ld7_6, l7_6, t112, pivot7, ipivot7, neg_y2, neg_y3, neg_y4, neg_y5, neg_y6
-    real(rk) :: t113, neg_y7, neg_qdd7, qdd6, neg_qdd5, neg_qdd4, neg_qdd3, qdd2, t114, qdd1, t115
-    real(rk) :: t116, t117, t118
+    real(rk) :: s2, w2_x, c2, w2_y, ww2_yz, c3, s3, w3_x, w3_z, w3_y, alpha3_x, alpha3_y, ww3_zx
+    real(rk) :: ww3_yz, ww3_xx, ww3_zz, ww3_yy, ww3_xy, lam3_13, lam3_23, neg_lam3_31, lam3_32, c4
+    real(rk) :: s4, w4_x, w4_z, w4_y, ww4_xy, ww4_yz, ww4_zz, ww4_yy, ww4_zx, lam4_12, lam4_21
+    real(rk) :: neg_lam4_11, c5, s5, w5_x, w5_z, w5_y, ww5_xy, ww5_xx, ww5_zz, ww5_yy, ww5_yz
+    real(rk) :: ww5_zx, neg_lam5_22, c6, s6, w6_x, w6_z, w6_y, ww6_zx, ww6_zz, ww6_yz, ww6_xy
+    real(rk) :: ww6_yy, neg_lam6_11, w7_z, c7, s7, ww2_zx, alpha4_y, lam4_31, lam3_21, alpha4_x
+    real(rk) :: lam4_32, t1, neg_lam4_22, lam5_12, ww7_zz, t2, t3, t4, t5, lam6_22, alpha5_x
+    real(rk) :: alpha7_z, lam6_13, alpha5_y, lam6_21, alpha6_x, lam6_12, lam6_23, t6, t7, t8, t9
+    real(rk) :: t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, t24, t25, t26
+    real(rk) :: t27, t28, t29, t30, t31, t32, t33, t34, t35, n6_z, lam5_31, lam5_32, t36, n5_y
+    real(rk) :: neg_lam5_11, lam5_21, lam6_31, lam6_32, t37, t38, t39, nc7_z, t40, t41, t42, t43
+    real(rk) :: n5_x, lam4_23, lam4_13, lam5_23, lam5_13, t44, n5_z, t45, t46, t47, t48, t49, t50
+    real(rk) :: n4_z, lam3_12, ww2_zz, t51, t52, t53, t54, t55, t56, t57, t58, t59, n3_z, t60, t61
+    real(rk) :: t62, t63, t64, t65, t66, n1_z, n2_z, t67, h7_y, fu6_x, h7_x, t68, h6_x, t69, t70
+    real(rk) :: h5_x, h6_y, h5_y, t71, t72, t73, t74, neg_h3_x, m6_7, t75, t76, t77, t78, t79
+    real(rk) :: k6_xz, k6_yz, t80, t81, t82, t83, t84, t85, t86, m4_5, t87, t88, t89, t90, t91, t92
+    real(rk) :: t93, k4_yz, m5_5, t94, t95, t96, t97, t98, t99, t100, t101, t102, t103, k3_xz, t104
+    real(rk) :: m3_3, t105, nu2_y, k4_xz, m4_4, h4_y, t106, t107, t108, t109, t110, t111, t112
+    real(rk) :: t113, t114, m1_1, h3_y, m2_3, k2_yz, nu4_y, nu4_x, nu3_x, fu4_x, fu3_y, m6_6, t115
+    real(rk) :: t116, m4_6, nu6_x, nu5_x, fu5_y, nu6_y, neg_fu5_x, nu5_y, m4_7, m2_2, t117, m2_4
+    real(rk) :: nu3_y, fu3_x, m2_5, t118, t119, t120, m2_6, t121, t122, t123, m2_7, ld4_1, ld5_1
+    real(rk) :: t124, ld6_1, t125, ld7_1, y1, ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1, l7_1, pivot2
+    real(rk) :: ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2, ld7_2, l7_2, pivot3
+    real(rk) :: ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, ld7_3, l7_3, pivot4, ipivot4, ld5_4
+    real(rk) :: l5_4, neg_ld6_4, l6_4, ld7_4, l7_4, pivot5, ipivot5, ld6_5, l6_5, ld7_5, l7_5
+    real(rk) :: pivot6, ipivot6, ld7_6, l7_6, t126, pivot7, ipivot7, y2, y3, y4, neg_y5, y6, t127
+    real(rk) :: y7, qdd7, qdd6, qdd5, qdd4, qdd3, qdd2, t128, qdd1
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
     ! link 2: angular velocity [rad/s]
-    neg_w2_x = s2*qd(1)
+    w2_x = -s2*qd(1)
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     ! link 2: angular velocity [rad/s]
-    neg_w2_y = qd(1)*c2
+    w2_y = -qd(1)*c2
     ! link 2: products of the angular velocity [1/s^2]
-    neg_ww2_yz = neg_w2_y*qd(2)
+    ww2_yz = w2_y*qd(2)
     ! sines and cosines of the joint angles
     c3 = cos(q(3))
     s3 = sin(q(3))
     ! link 3: angular velocity [rad/s]
-    neg_w3_x = neg_w2_x*c3 - qd(2)*s3
-    w3_z = neg_w2_y + qd(3)
-    w3_y = qd(2)*c3 + neg_w2_x*s3
+    w3_x = w2_x*c3 + qd(2)*s3
+    w3_z = qd(3) - w2_y
+    w3_y = qd(2)*c3 - w2_x*s3
     ! link 3: angular acceleration [rad/s^2]
-    neg_alpha3_x = neg_ww2_yz*c3 - qd(3)*w3_y
-    alpha3_y = neg_w3_x*qd(3) + neg_ww2_yz*s3
+    alpha3_x = ww2_yz*c3 + qd(3)*w3_y
+    alpha3_y = -ww2_yz*s3 - w3_x*qd(3)
     ! link 3: products of the angular velocity [1/s^2]
-    neg_ww3_zx = neg_w3_x*w3_z
+    ww3_zx = w3_x*w3_z
     ww3_yz = w3_z*w3_y
-    ww3_xx = neg_w3_x*neg_w3_x
+    ww3_xx = w3_x*w3_x
     ww3_zz = w3_z*w3_z
     ww3_yy = w3_y*w3_y
-    neg_ww3_xy = neg_w3_x*w3_y
+    ww3_xy = w3_x*w3_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam3_13 = alpha3_y - neg_ww3_zx
-    lam3_23 = neg_alpha3_x + ww3_yz
-    neg_lam3_31 = alpha3_y + neg_ww3_zx
-    lam3_32 = ww3_yz - neg_alpha3_x
+    lam3_13 = alpha3_y + ww3_zx
+    lam3_23 = ww3_yz - alpha3_x
+    neg_lam3_31 = alpha3_y - ww3_zx
+    lam3_32 = alpha3_x + ww3_yz
     ! sines and cosines of the joint angles
     c4 = cos(q(4))
     s4 = sin(q(4))
     ! link 4: angular velocity [rad/s]
-    neg_w4_x = neg_w3_x*c4 - w3_z*s4
-    neg_w4_z = w3_y - qd(4)
-    w4_y = w3_z*c4 + neg_w3_x*s4
+    w4_x = w3_x*c4 + w3_z*s4
+    w4_z = qd(4) - w3_y
+    w4_y = w3_z*c4 - w3_x*s4
     ! link 4: products of the angular velocity [1/s^2]
-    neg_ww4_xy = neg_w4_x*w4_y
-    neg_ww4_yz = neg_w4_z*w4_y
-    ww4_zz = neg_w4_z*neg_w4_z
+    ww4_xy = w4_x*w4_y
+    ww4_yz = w4_z*w4_y
+    ww4_zz = w4_z*w4_z
     ww4_yy = w4_y*w4_y
-    ww4_zx = neg_w4_x*neg_w4_z
+    ww4_zx = w4_x*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_12 = alpha3_y - neg_ww4_xy
-    neg_lam4_21 = alpha3_y + neg_ww4_xy
+    lam4_12 = alpha3_y + ww4_xy
+    lam4_21 = ww4_xy - alpha3_y
     neg_lam4_11 = ww4_zz + ww4_yy
     ! sines and cosines of the joint angles
     c5 = cos(q(5))
     s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    neg_w5_x = neg_w4_x*c5 - neg_w4_z*s5
+    w5_x = w4_x*c5 - w4_z*s5
     w5_z = w4_y + qd(5)
-    w5_y = neg_w4_z*c5 + neg_w4_x*s5
+    w5_y = -w4_x*s5 - w4_z*c5
     ! link 5: products of the angular velocity [1/s^2]
-    neg_ww5_xy = neg_w5_x*w5_y
-    ww5_xx = neg_w5_x*neg_w5_x
+    ww5_xy = w5_x*w5_y
+    ww5_xx = w5_x*w5_x
     ww5_zz = w5_z*w5_z
     ww5_yy = w5_y*w5_y
     ww5_yz = w5_z*w5_y
-    neg_ww5_zx = neg_w5_x*w5_z
+    ww5_zx = w5_x*w5_z
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam5_22 = ww5_xx + ww5_zz
     ! sines and cosines of the joint angles
     c6 = cos(q(6))
     s6 = sin(q(6))
     ! link 6: angular velocity [rad/s]
-    neg_w6_x = neg_w5_x*c6 + w5_z*s6
+    w6_x = w5_x*c6 - w5_z*s6
     w6_z = w5_y + qd(6)
-    neg_w6_y = w5_z*c6 - neg_w5_x*s6
+    w6_y = -w5_z*c6 - w5_x*s6
     ! link 6: products of the angular velocity [1/s^2]
-    neg_ww6_zx = neg_w6_x*w6_z
+    ww6_zx = w6_x*w6_z
     ww6_zz = w6_z*w6_z
-    neg_ww6_yz = w6_z*neg_w6_y
-    ww6_xy = neg_w6_x*neg_w6_y
-    ww6_yy = neg_w6_y*neg_w6_y
+    ww6_yz = w6_z*w6_y
+    ww6_xy = w6_x*w6_y
+    ww6_yy = w6_y*w6_y
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam6_11 = ww6_zz + ww6_yy
     ! link 7: angular velocity [rad/s]
-    w7_z = neg_w6_y + qd(7)
+    w7_z = qd(7) - w6_y
     ! sines and cosines of the joint angles
     c7 = cos(q(7))
     s7 = sin(q(7))
     ! link 2: products of the angular velocity [1/s^2]
-    neg_ww2_zx = neg_w2_x*qd(2)
+    ww2_zx = w2_x*qd(2)
     ! link 4: angular acceleration [rad/s^2]
-    neg_alpha4_y = c4*neg_ww2_zx - neg_alpha3_x*s4 - neg_w4_x*qd(4)
+    alpha4_y = c4*ww2_zx - alpha3_x*s4 - w4_x*qd(4)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_31 = ww4_zx + neg_alpha4_y
+    lam4_31 = ww4_zx - alpha4_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_21 = neg_ww3_xy + neg_ww2_zx
+    lam3_21 = ww3_xy + ww2_zx
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_x = qd(4)*w4_y - neg_alpha3_x*c4 - s4*neg_ww2_zx
+    alpha4_x = qd(4)*w4_y + alpha3_x*c4 + s4*ww2_zx
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_32 = neg_ww4_yz - alpha4_x
+    lam4_32 = ww4_yz + alpha4_x
     t1 = ww5_zz - ww5_yy
-    lam4_22 = t1 - neg_lam5_22
+    neg_lam4_22 = neg_lam5_22 - t1
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_12 = neg_alpha4_y - neg_ww5_xy
+    lam5_12 = ww5_xy - alpha4_y
     ! link 7: products of the angular velocity [1/s^2]
     ww7_zz = w7_z*w7_z
-    t2 = ww6_zz - ww7_zz
+    t2 = ww7_zz - ww6_zz
     t3 = neg_lam5_22 - neg_lam6_11
     t4 = ww6_zz + ww7_zz
     t5 = t3 + t4
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_22 = t2 + t5
+    lam6_22 = t2 - t5
     ! link 5: angular acceleration [rad/s^2]
     alpha5_x = alpha3_y*s5 + qd(5)*w5_y + c5*alpha4_x
     ! link 7: angular acceleration [rad/s^2]
-    alpha7_z = s6*alpha5_x - (c6*neg_alpha4_y + neg_w6_x*qd(6))
+    alpha7_z = s6*alpha5_x - (-w6_x*qd(6) - c6*alpha4_y)
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_13 = neg_ww6_zx + alpha7_z
+    lam6_13 = ww6_zx - alpha7_z
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_y = alpha3_y*c5 - (s5*alpha4_x - neg_w5_x*qd(5))
+    alpha5_y = alpha3_y*c5 - (s5*alpha4_x + w5_x*qd(5))
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
     lam6_21 = ww6_xy + alpha5_y
     ! link 6: angular acceleration [rad/s^2]
-    alpha6_x = c6*alpha5_x - (qd(6)*neg_w6_y - s6*neg_alpha4_y)
+    alpha6_x = c6*alpha5_x - (s6*alpha4_y - qd(6)*w6_y)
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
     lam6_12 = ww6_xy - alpha5_y
-    neg_lam6_23 = neg_ww6_yz + alpha6_x
+    lam6_23 = ww6_yz - alpha6_x
     t6 = 0.150926706942488_rk*s7
     t7 = t6 - 0.32845591866705903_rk*c7
     t8 = 0.3999801598546772_rk*c7
@@ -1192,405 +1143,357 @@ contains
     t16 = lam4_12 + t15
     t17 = s3*t11
     t18 = lam3_23 + t17
-    t19 = neg_lam4_32 + t18
+    t19 = t18 - lam4_32
     t20 = c5*t16 + s5*t19
     t21 = s4*t13 + c4*t14
-    t22 = t21 - lam4_22
+    t22 = neg_lam4_22 + t21
     t23 = s6*t20 - c6*t22
     t24 = c6*t20 + s6*t22
-    t25 = neg_lam5_22 - neg_lam6_22
+    t25 = neg_lam5_22 + lam6_22
     t26 = t6*t8
     t27 = c7*c7
     t28 = 1.6791988194353373_rk*t26 - 0.2114247825686032_rk*(t27 + (t27 - 1.0_rk))
     t29 = qd(7) + w7_z
     t30 = alpha6_x + w6_z*t29
-    t31 = alpha5_y + neg_w6_x*t29
-    t32 = 0.10136935104159488_rk*t27
-    t33 = t32 + (7.004567783863868_rk*t26 + 0.19090892097190032_rk)
-    t34 = t33 - 0.48318719298539553_rk
-    t35 = 0.516451399126078_rk*t24 + (0.4239952187044951_rk*lam6_21 + 0.36144292274665746_rk*(t3 - &
-        t25) + t28*t30 - t31*t34)
-    t36 = 1.1592996128590562_rk*(t9 - 0.5301679950513729_rk*c7)
+    t31 = alpha5_y - w6_x*t29
+    t32 = 0.10136935104159488_rk*t27 + (7.004567783863868_rk*t26 + 0.19090892097190032_rk)
+    t33 = t32 - 0.48318719298539553_rk
+    t34 = 0.516451399126078_rk*t24 + (0.4239952187044951_rk*lam6_21 + 0.36144292274665746_rk*(t3 - &
+        t25) + t28*t30 - t31*t33)
+    t35 = 1.1592996128590562_rk*(0.5301679950513729_rk*c7 - t9)
     ! link 6: moment through the joint, about the frame's origin [N m]
-    n6_z = t7*(t4 - neg_lam6_22) - (t10*t23 - (t35 - 2.0289563933923875_rk*lam6_12)) + &
-        0.042925575293549574_rk*neg_lam6_23 + neg_lam6_13*(t36 + 0.0870114460092663_rk)
+    n6_z = t7*(t4 + lam6_22) - (t10*t23 - (t34 - 2.0289563933923875_rk*lam6_12)) - &
+        0.042925575293549574_rk*lam6_23 - lam6_13*(0.0870114460092663_rk - t35)
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_31 = neg_ww5_zx + alpha5_y
+    lam5_31 = ww5_zx - alpha5_y
     lam5_32 = ww5_yz + alpha5_x
-    t37 = ww5_xx - ww5_yy
+    t36 = ww5_xx - ww5_yy
     ! link 5: moment through the joint, about the frame's origin [N m]
     n5_y = 0.03284626166448073_rk*lam5_32 + (n6_z - (0.10101181803004346_rk*t22 - &
-        0.041147842218669614_rk*(t1 - t37) + 0.05680835589544868_rk*lam5_12) + &
-        0.09474888781047501_rk*neg_lam5_31)
+        0.041147842218669614_rk*(t1 - t36) + 0.05680835589544868_rk*lam5_12) - &
+        0.09474888781047501_rk*lam5_31)
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam5_11 = ww5_zz + ww5_yy
-    neg_lam5_21 = neg_ww5_xy + neg_alpha4_y
+    lam5_21 = ww5_xy + alpha4_y
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam6_31 = neg_ww6_zx - alpha7_z
-    neg_lam6_32 = neg_ww6_yz - alpha6_x
-    t38 = 1.8772205723301225_rk*(t36 + 0.11538550714999525_rk*s7)
-    t39 = s5*t16 - c5*t19
-    t40 = t34*neg_lam6_31 - lam6_12*t36 + (t3*t28 + t24*t38 - (t7*neg_lam6_32 + t9*t39))
+    lam6_31 = ww6_zx + alpha7_z
+    lam6_32 = ww6_yz + alpha6_x
+    t37 = 1.8772205723301225_rk*(0.11538550714999525_rk*s7 - t35)
+    t38 = s5*t16 - c5*t19
+    t39 = lam6_12*t35 - t33*lam6_31 + (t3*t28 + t24*t37 - (t9*t38 - t7*lam6_32))
     ! link 7: moment that turns the link [N m]
-    nc7_z = t40 + neg_lam6_13*t33
-    t41 = 0.042925575293549574_rk*t3 + (0.36144292274665746_rk*neg_lam6_32 - &
-        0.16772238154175834_rk*t24) - (0.0870114460092663_rk*lam6_12 + &
-        0.4239952187044951_rk*neg_lam6_31 - (nc7_z + 0.6262523039785531_rk*t39) - &
-        0.20655564034097101_rk*neg_lam6_13)
-    t42 = t38 - 0.16772238154175834_rk
-    t43 = t30*t33 - (0.0870114460092663_rk*t25 - (0.20655564034097101_rk*neg_lam6_23 + &
-        (0.042925575293549574_rk*lam6_21 + t28*t31))) + t2*t36
-    t44 = 0.516451399126078_rk*t39 - (t23*t42 + (2.0289563933923875_rk*neg_lam6_32 - t43)) - &
-        neg_lam6_31*(t7 - 0.36144292274665746_rk)
+    nc7_z = t39 - lam6_13*t32
+    t40 = 0.042925575293549574_rk*t3 + (-0.36144292274665746_rk*lam6_32 - &
+        0.16772238154175834_rk*t24) - (0.0870114460092663_rk*lam6_12 - &
+        0.4239952187044951_rk*lam6_31 - (nc7_z + 0.6262523039785531_rk*t38) + &
+        0.20655564034097101_rk*lam6_13)
+    t41 = t37 - 0.16772238154175834_rk
+    t42 = t30*t32 - (0.0870114460092663_rk*t25 - (0.042925575293549574_rk*lam6_21 + t28*t31 - &
+        0.20655564034097101_rk*lam6_23)) + t2*t35
+    t43 = 0.516451399126078_rk*t38 - (t23*t41 + (-2.0289563933923875_rk*lam6_32 - t42)) + &
+        lam6_31*(t7 - 0.36144292274665746_rk)
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_x = s6*t41 + c6*t44 - (0.05680835589544868_rk*t1 - (0.03284626166448073_rk*neg_lam5_31 - &
-        0.041147842218669614_rk*neg_lam5_21))
+    n5_x = s6*t40 + c6*t43 - (0.05680835589544868_rk*t1 - (0.041147842218669614_rk*lam5_21 - &
+        0.03284626166448073_rk*lam5_31))
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_23 = neg_ww4_yz + alpha4_x
-    lam4_13 = ww4_zx - neg_alpha4_y
+    lam4_23 = ww4_yz - alpha4_x
+    lam4_13 = ww4_zx + alpha4_y
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_23 = ww5_yz - alpha5_x
-    lam5_13 = alpha5_y - neg_ww5_zx
-    t45 = 0.03284626166448073_rk*t37 - 0.041147842218669614_rk*lam5_23 - (s6*t44 - &
-        0.05680835589544868_rk*lam5_13) - 0.09474888781047501_rk*neg_lam5_21 + c6*t41
+    lam5_13 = ww5_zx + alpha5_y
+    t44 = 0.03284626166448073_rk*t36 - 0.041147842218669614_rk*lam5_23 - (s6*t43 - &
+        0.05680835589544868_rk*lam5_13) + 0.09474888781047501_rk*lam5_21 + c6*t40
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = t45 + 0.10101181803004346_rk*t39
-    t46 = neg_lam4_11 + lam4_22
-    t47 = t5*t38 + (0.516451399126078_rk*neg_lam6_32 - (0.16772238154175834_rk*neg_lam5_22 - &
-        0.10101181803004346_rk*neg_lam5_21)) - t10*neg_lam6_31
-    t48 = t30*t38 - 0.16772238154175834_rk*neg_lam6_23 - 0.6262523039785531_rk*lam6_21 + &
-        0.516451399126078_rk*neg_lam6_22 + t9*t31
-    t49 = t4*t9 - (0.6262523039785531_rk*neg_lam6_11 - 0.516451399126078_rk*lam6_12) - &
-        neg_lam6_13*t42
-    t50 = 0.10101181803004346_rk*neg_lam5_11 - (s6*t48 + c6*t49)
-    t51 = s5*t47 - c5*t50
+    n5_z = t44 + 0.10101181803004346_rk*t38
+    t45 = neg_lam4_11 - neg_lam4_22
+    t46 = t5*t37 + (-0.516451399126078_rk*lam6_32 - (0.16772238154175834_rk*neg_lam5_22 + &
+        0.10101181803004346_rk*lam5_21)) + t10*lam6_31
+    t47 = t30*t37 + 0.16772238154175834_rk*lam6_23 - 0.6262523039785531_rk*lam6_21 - &
+        0.516451399126078_rk*lam6_22 + t9*t31
+    t48 = t4*t9 - (0.6262523039785531_rk*neg_lam6_11 - 0.516451399126078_rk*lam6_12) + lam6_13*t41
+    t49 = 0.10101181803004346_rk*neg_lam5_11 - (s6*t47 + c6*t48)
+    t50 = s5*t46 - c5*t49
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = 0.013124222729483126_rk*neg_lam4_23 - (3.569490999313376_rk*lam4_12 + &
-        3.221934173968582_rk*t15 + 0.09675036990607108_rk*lam4_13 + &
-        0.24852411424661205_rk*neg_lam4_21) - (0.20921122087079386_rk*t46 + s5*n5_x - (t51 + &
+    n4_z = -0.013124222729483126_rk*lam4_23 - (3.569490999313376_rk*lam4_12 + &
+        3.221934173968582_rk*t15 + 0.09675036990607108_rk*lam4_13 - &
+        0.24852411424661205_rk*lam4_21) - (0.20921122087079386_rk*t45 + s5*n5_x - (t50 + &
         (0.2067207712712513_rk*t21 - c5*n5_y)))
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam3_12 = neg_ww2_zx - neg_ww3_xy
+    lam3_12 = ww3_xy - ww2_zx
     ! link 2: products of the angular velocity [1/s^2]
     ww2_zz = qd(2)*qd(2)
-    t52 = ww3_zz - ww3_yy
-    t53 = ww3_xx - ww3_zz
-    t54 = 0.2067207712712513_rk*t18 - 0.2506667841125447_rk*lam4_13 + &
-        0.24852411424661205_rk*lam4_31 - (n5_z + 0.09675036990607108_rk*lam4_12) + &
-        0.20921122087079386_rk*neg_lam4_32
-    t55 = ww4_zz - ww4_yy
-    t56 = t54 - 0.013124222729483126_rk*(t46 + t55)
-    t57 = s5*t50 + c5*t47
-    t58 = 0.013124222729483126_rk*(neg_lam4_21 + 15.940846569207324_rk*lam4_31) + s5*n5_y - &
-        (0.09675036990607108_rk*t55 - t57 + c5*n5_x)
-    t59 = 3.221934173968582_rk*t18 + (t58 - 0.2506667841125447_rk*neg_lam4_23) + &
-        3.569490999313376_rk*neg_lam4_32
-    t60 = 0.1005265342798281_rk*(t52 + t53) + (0.0816122074936837_rk*lam3_13 - &
-        0.4067460055662282_rk*t17 - (c4*t56 + 0.40382182094267666_rk*neg_ww2_zx + s4*t59))
+    t51 = ww3_zz - ww3_yy
+    t52 = ww3_xx - ww3_zz
+    t53 = 0.2067207712712513_rk*t18 - 0.2506667841125447_rk*lam4_13 + &
+        0.24852411424661205_rk*lam4_31 - (n5_z + 0.09675036990607108_rk*lam4_12) - &
+        0.20921122087079386_rk*lam4_32
+    t54 = ww4_zz - ww4_yy
+    t55 = t53 - 0.013124222729483126_rk*(t45 + t54)
+    t56 = s5*t49 + c5*t46
+    t57 = 0.013124222729483126_rk*(15.940846569207324_rk*lam4_31 - lam4_21) + s5*n5_y - &
+        (0.09675036990607108_rk*t54 - t56 + c5*n5_x)
+    t58 = 3.221934173968582_rk*t18 + (t57 + 0.2506667841125447_rk*lam4_23) - &
+        3.569490999313376_rk*lam4_32
+    t59 = 0.1005265342798281_rk*(t51 + t52) + (0.0816122074936837_rk*lam3_13 - &
+        0.4067460055662282_rk*t17 - (c4*t55 - 0.40382182094267666_rk*ww2_zx + s4*t58))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = t60 - 0.01755847364096103_rk*(t12 + 13.921743270739537_rk*lam3_23)
-    t61 = c4*t59 - (0.1005265342798281_rk*neg_lam3_31 - (t57 + &
-        (0.40382182094267666_rk*neg_alpha3_x - s4*t56) + 3.221934173968582_rk*neg_lam4_32))
-    t62 = 0.0816122074936837_rk*t52 + (0.2067207712712513_rk*lam4_31 + (0.43062156604456925_rk*c2 &
-        + t61 + 0.24444456225550676_rk*neg_lam3_21))
-    t63 = s4*(-3.221934173968582_rk*lam4_22 - (s6*t49 + 0.2067207712712513_rk*neg_lam4_21 - &
-        c6*t48) - 0.10101181803004346_rk*neg_lam5_31)
-    t64 = n4_z - t63 - (9.975445786511747_rk*c2 + (0.40382182094267666_rk*alpha3_y - &
-        0.24444456225550676_rk*t53)) - 0.1005265342798281_rk*lam3_32 + &
+    n3_z = t59 - 0.01755847364096103_rk*(t12 + 13.921743270739537_rk*lam3_23)
+    t60 = c4*t58 - (0.1005265342798281_rk*neg_lam3_31 - (t56 + (-0.40382182094267666_rk*alpha3_x - &
+        s4*t55) - 3.221934173968582_rk*lam4_32))
+    t61 = 0.0816122074936837_rk*t51 + (0.2067207712712513_rk*lam4_31 + (0.43062156604456925_rk*c2 &
+        + t60 - 0.24444456225550676_rk*lam3_21))
+    t62 = s4*(3.221934173968582_rk*neg_lam4_22 - (s6*t48 - 0.2067207712712513_rk*lam4_21 - c6*t47) &
+        + 0.10101181803004346_rk*lam5_31)
+    t63 = n4_z - t62 - (9.975445786511747_rk*c2 + (0.40382182094267666_rk*alpha3_y - &
+        0.24444456225550676_rk*t52)) - 0.1005265342798281_rk*lam3_32 + &
         0.0816122074936837_rk*lam3_12
-    t65 = c4*(0.2067207712712513_rk*neg_lam4_11 - (t51 - 3.221934173968582_rk*lam4_12)) - t64
-    t66 = 3.509903939799839_rk*c2
-    t67 = qd(1)*(s2*t66 + (0.29735998936351243_rk*(c2*t66) - 0.5218524991029152_rk))
+    t64 = c4*(0.2067207712712513_rk*neg_lam4_11 - (t50 - 3.221934173968582_rk*lam4_12)) - t63
+    t65 = 3.509903939799839_rk*c2
+    t66 = qd(1)*(s2*t65 + (0.29735998936351243_rk*(c2*t65) - 0.5218524991029152_rk))
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = s2*(c3*t62 + s3*t65) - (ww2_zz*(0.20091837135316784_rk*c2 + 0.26458063578324464_rk*s2) &
-        - (2.0_rk*(qd(2)*t67) + c2*n3_z))
+    n1_z = s2*(c3*t61 + s3*t64) - (ww2_zz*(0.20091837135316784_rk*c2 + 0.26458063578324464_rk*s2) &
+        - (2.0_rk*(qd(2)*t66) + c2*n3_z))
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = 24.525_rk*(0.5419930474657001_rk*c2 - 3.126354326358915_rk*s2) + (c3*t65 - s3*t62) - &
-        qd(1)*t67
+    n2_z = 24.525_rk*(0.5419930474657001_rk*c2 - 3.126354326358915_rk*s2) + (c3*t64 - s3*t61) - &
+        qd(1)*t66
+    t67 = 0.9999503996366931_rk*s7
     ! link 7: first moment of the composite body, about the frame's origin [kg m]
-    h7_x = 0.9999503996366931_rk*c7 - 0.708306797966195_rk*s7
-    h7_y = 0.708306797966195_rk*c7 + 0.9999503996366931_rk*s7
-    t68 = c7*s7
-    ! link 7: second moment of the composite body [kg m^2]
-    neg_k7_xy = 0.2114247825686032_rk*(1.0_rk - 2.0_rk*t27) + 0.10136935104159488_rk*t68
-    k7_xz = 0.2024621683128357_rk*c7 - 0.061680050398747424_rk*s7
-    k7_yz = 0.2024621683128357_rk*s7 + 0.061680050398747424_rk*c7
-    ! link 6: mass matrix, its row of this joint
-    neg_m6_7 = k7_yz + 0.126_rk*h7_y
+    h7_y = 0.708306797966195_rk*c7 + t67
     ! link 6: force for a unit acceleration of a joint further out
-    neg_fu6_x = c6*h7_y
-    neg_fu6_y = s6*h7_y
-    t69 = k7_xz + 0.126_rk*h7_x
+    fu6_x = -c6*h7_y
+    ! link 7: first moment of the composite body, about the frame's origin [kg m]
+    h7_x = 1.4117475682965523_rk*h7_y - 2.119984343070462_rk*s7
+    t68 = h7_x - 1.5656307599463828_rk
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_x = 1.291128497815195_rk*s6 + c6*t68
+    t69 = h6_x - 0.25252954507510866_rk
+    t70 = h7_y + 0.4193059538543958_rk
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = c5*t69 - s5*t70
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_y = s6*t68 - 1.291128497815195_rk*c6
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_y = c5*t70 + s5*t69
+    t71 = 0.5168019281781282_rk - h5_x
+    t72 = 8.054835434921454_rk - h6_y
+    t73 = c4*t71 + (s4*t72 + 1.0168650139155704_rk)
+    t74 = h5_y - 0.04389618410240257_rk
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    neg_h3_x = c3*t73 + s3*t74
+    ! link 6: mass matrix, its row of this joint
+    m6_7 = -0.11539123059695529_rk*(t67 + 1.846595961484861_rk*h7_y)
+    t75 = 0.4228495651372064_rk*c7
+    t76 = c7*t75
+    t77 = s7*t75
+    t78 = t76 - (0.23972911266611452_rk*t77 + 0.25435035786215276_rk)
+    t79 = 0.0870114460092663_rk + m6_7
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xz = c6*t78 - s6*t79
+    k6_yz = s6*t78 + c6*t79
+    t80 = c6*c6
+    t81 = 0.15093419333331276_rk*h7_y - 0.4353636338505884_rk*c7
+    t82 = 2.0_rk*t81 - 0.7228858454933149_rk
+    t83 = t77 + (0.23972911266611452_rk*t76 + 1.3126829026743974_rk)
+    t84 = c6*s6
+    t85 = t80*t82 - (t81 - 0.4025907649653271_rk + t83*t84)
+    t86 = k6_yz + 0.05680835589544868_rk
+    ! link 4: mass matrix, its row of this joint
+    m4_5 = 0.4_rk*h5_y - s5*t85 - c5*t86
+    t87 = c5*c5
+    t88 = 0.06569252332896146_rk - k6_xz - k6_xz
+    t89 = c5*s5
+    t90 = t80*t83 + t82*t84
+    t91 = t90 + (t83 - 3.0389236225643885_rk)
+    t92 = t87*t88 + (k6_xz + (t89*t91 - 0.045970484393963854_rk))
+    t93 = m4_5 - 0.09675036990607108_rk
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_yz = s4*t92 - c4*t93
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t83 + 1.2084869398413365_rk - t90
+    t94 = k4_yz + 0.06405373385272267_rk
+    t95 = c4*s4
+    t96 = t90 - (t87*t91 + 7.016595671833826_rk - t88*t89)
+    t97 = t96 - 4.4699270629915056_rk - 0.8_rk*h6_y
+    t98 = -2.0_rk*(m5_5 + (t96 - 3.067723445330515_rk))
+    t99 = t97 + t98
+    t100 = c5*t85 - 0.4_rk*h5_x - s5*t86
+    t101 = t100 + (t100 + 0.4184224417415877_rk)
+    t102 = s4*s4
+    t103 = t95*t99 + 0.04690977756007243_rk + (t100 - t101*t102)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_xz = s3*t94 - c3*t103
+    t104 = t95*t101 + (t99*t102 + 0.9030127193018334_rk)
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = m5_5 + t104
+    t105 = s2*(k3_xz - 0.4_rk*neg_h3_x)
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = -(c2*m3_3) - t105
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_xz = c4*t92 + s4*t93
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t97 + 16.41827590041618_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_y = c4*t72 - s4*t71
+    t106 = c3*c3
+    t107 = t98 - (t104 + (15.016072282755191_rk - m5_5))
+    t108 = c3*s3
+    t109 = k4_xz + (k4_xz + 0.2010530685596562_rk)
+    t110 = t106*t107 - (t108*t109 - 3.9137257607425155_rk)
+    t111 = 0.4_rk*h4_y
+    t112 = m4_4 + t111
+    t113 = t111 + t112
+    t114 = t110 + t113
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t114 + (c2*(t105 - nu2_y - (c2*t114 - 1.0437049982058304_rk*s2)) + &
+        1.3323985656347848_rk)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = c3*t74 - s3*t73
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = s3*t103 - 0.4_rk*h3_y + c3*t94
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_yz = c2*(m2_3 + 0.26458063578324464_rk) + s2*(k4_xz - (t107*t108 + (t106*t109 + &
+        0.10039183707333973_rk)))
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = s4*t100 + c4*m5_5
+    nu4_x = c4*t100 - s4*m5_5
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_x = c3*nu4_x + s3*m4_5
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = -c4*h5_y
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_y = s3*fu4_x + c3*h5_x
+    ! link 6: mass matrix, its row of this joint
+    m6_6 = 4.057912786784775_rk - t83
+    t115 = 0.4_rk*h6_y
+    t116 = t115 - m6_6
+    ! link 4: mass matrix, its row of this joint
+    m4_6 = s5*k6_xz + c5*t116
     ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = 0.48318719298539553_rk*s6 - c6*t69
-    neg_nu6_y = s6*t69 + 0.48318719298539553_rk*c6
-    ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x = c5*neg_fu6_x + s5*h7_x
-    neg_fu5_y = s5*neg_fu6_x - c5*h7_x
+    nu6_x = 0.48318719298539553_rk*s6 + c6*t81
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = c5*nu6_x + s5*neg_m6_7
-    nu5_y = s5*nu6_x - c5*neg_m6_7
+    nu5_x = c5*nu6_x - s5*m6_7
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_y = s5*fu6_x + c5*h7_x
+    ! link 6: moment for a unit acceleration of a joint further out
+    nu6_y = s6*t81 - 0.48318719298539553_rk*c6
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_x = s5*h7_x - c5*fu6_x
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_y = s5*nu6_x + c5*m6_7
     ! link 4: mass matrix, its row of this joint
     m4_7 = 0.4_rk*neg_fu5_x - nu5_y
-    ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x = c4*neg_fu5_x + s4*neg_fu6_y
-    t70 = nu5_x + 0.4_rk*neg_fu5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*t70 - s4*neg_nu6_y
-    nu4_y = s4*t70 + c4*neg_nu6_y
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = s3*neg_fu5_y - c3*neg_fu4_x
-    neg_fu3_y = s3*neg_fu4_x + c3*neg_fu5_y
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = -t96 - (t110 + (m3_3 + (t96 - t113)))
+    t117 = -c3
+    m2_4 = t117*t112 - s3*k4_xz
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c3*nu4_x + s3*m4_7
-    nu3_y = s3*nu4_x - c3*m4_7
-    ! link 2: mass matrix, its row of this joint
-    m2_7 = nu3_y + 0.4_rk*fu3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = c2*nu4_y - s2*(nu3_x + 0.4_rk*neg_fu3_y)
-    t71 = t32 + 0.4228495651372064_rk*t68
-    ! link 6: mass matrix, its row of this joint
-    neg_m6_6 = t71 - 2.745229884110378_rk
-    t72 = h7_x - 1.5656307599463828_rk
-    ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = c6*t72 + 1.291128497815195_rk*s6
-    h6_y = s6*t72 - 1.291128497815195_rk*c6
-    t73 = c6*c6
-    t74 = t71 + 1.3126829026743974_rk
-    t75 = 0.36144292274665746_rk + t69
-    t76 = c6*s6
-    t77 = t73*t74 - t75*(2.0_rk*t76)
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_yy = t77 - (t71 - 0.7162734907179903_rk)
-    neg_k6_xy = t74*t76 - t75*(1.0_rk - 2.0_rk*t73)
-    t78 = neg_k7_xy + 0.042925575293549574_rk
-    t79 = 0.0870114460092663_rk - neg_m6_7
-    neg_k6_xz = c6*t78 + s6*t79
-    neg_k6_yz = s6*t78 - c6*t79
-    ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x_2 = c5*h6_y
-    neg_fu5_y_2 = s5*h6_y
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x_2 = s5*neg_m6_6 + c5*neg_k6_xz
-    nu5_y_2 = s5*neg_k6_xz - c5*neg_m6_6
-    ! link 4: mass matrix, its row of this joint
-    m4_6 = 0.4_rk*neg_fu5_x_2 - nu5_y_2
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = s4*h6_x - c4*neg_fu5_x_2
-    t80 = nu5_x_2 + 0.4_rk*neg_fu5_y_2
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c4*t80 + s4*neg_k6_yz
-    nu4_y_2 = s4*t80 - c4*neg_k6_yz
+    nu3_y = s3*nu4_x - c3*m4_5
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c3*fu4_x + s3*neg_fu5_y_2
-    fu3_y = s3*fu4_x - c3*neg_fu5_y_2
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_2 = c3*nu4_x_2 + s3*m4_6
-    nu3_y_2 = s3*nu4_x_2 - c3*m4_6
+    fu3_x = c3*fu4_x - s3*h5_x
     ! link 2: mass matrix, its row of this joint
-    m2_6 = nu3_y_2 + 0.4_rk*fu3_x_2
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = c2*nu4_y_2 - s2*(nu3_x_2 - 0.4_rk*fu3_y)
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t71 - t77 + 2.521169842515734_rk
-    t81 = h6_x - 0.25252954507510866_rk
-    t82 = h7_y + 0.4193059538543958_rk
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = c5*t81 - s5*t82
-    h5_y = s5*t81 + c5*t82
-    t83 = c5*c5
-    t84 = t71 + t77 - 1.7262407198899914_rk
-    t85 = neg_k6_xz + 0.03284626166448073_rk
-    t86 = c5*s5
-    t87 = t83*t84 - t85*(2.0_rk*t86)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = t71 + 0.39746456131287133_rk - t87
-    k5_yy = t87 - (t77 - 2.1237052812028625_rk)
-    neg_k5_xy = t84*t86 - t85*(1.0_rk - 2.0_rk*t83)
-    t88 = neg_k6_xy - 0.041147842218669614_rk
-    t89 = neg_k6_yz - 0.05680835589544868_rk
-    k5_xz = c5*t88 - s5*t89
-    k5_yz = s5*t88 + c5*t89
-    ! link 4: mass matrix, its row of this joint
-    m4_5 = k5_yz + 0.4_rk*h5_y
-    ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x_2 = c4*h5_y
-    t90 = k5_xz + 0.4_rk*h5_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = s4*m5_5 + c4*t90
-    nu4_y_3 = c4*m5_5 - s4*t90
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c3*neg_fu4_x_2 + s3*h5_x
-    fu3_y_2 = c3*h5_x - s3*neg_fu4_x_2
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_3 = s3*m4_5 - c3*neg_nu4_x
-    neg_nu3_y = s3*neg_nu4_x + c3*m4_5
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_5 = neg_nu3_y + 0.4_rk*neg_fu3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_3 = c2*nu4_y_3 + s2*(0.4_rk*fu3_y_2 - nu3_x_3)
-    t91 = k6_yy - 0.8_rk*h6_y
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = k5_xx + t91 + 3.818015113559988_rk
-    t92 = h5_x - 0.5168019281781282_rk
-    t93 = h6_y - 8.054835434921454_rk
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t92 + s4*t93
-    h4_y = s4*t92 - c4*t93
-    t94 = c4*c4
-    t95 = k5_xx - t91 - 3.3209668850667637_rk
-    t96 = t90 - 0.20921122087079386_rk
-    t97 = c4*s4
-    t98 = t94*t95 - t96*(2.0_rk*t97)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t98 + (t91 + 3.569490999313376_rk)
-    neg_k4_yy = t98 - (k5_xx + 0.24852411424661205_rk)
-    k4_xy = t95*t97 - t96*(1.0_rk - 2.0_rk*t94)
-    t99 = neg_k5_xy - 0.013124222729483126_rk
-    t100 = m4_5 - 0.09675036990607108_rk
-    k4_xz = c4*t99 + s4*t100
-    neg_k4_yz = c4*t100 - s4*t99
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x_2 = c3*h4_y
-    neg_fu3_y_2 = s3*h4_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_4 = s3*m4_4 - c3*k4_xz
-    neg_nu3_y_2 = s3*k4_xz + c3*m4_4
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_4 = neg_nu3_y_2 + 0.4_rk*neg_fu3_x_2
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.4_rk*neg_fu3_y_2)
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = k5_yy + k4_xx + 0.6544886050552213_rk
-    t101 = h4_x - 1.0168650139155704_rk
-    t102 = h5_y - 0.04389618410240257_rk
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c3*t101 - s3*t102
-    h3_y = s3*t101 + c3*t102
-    t103 = c3*c3
-    t104 = k5_yy - k4_xx + 0.2506667841125447_rk
-    t105 = k4_xz + 0.1005265342798281_rk
-    t106 = c3*s3
-    t107 = t103*t104 - t105*(2.0_rk*t106)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = k5_yy + 0.45257769458388303_rk - t107
-    k3_yy = t107 + (k4_xx + 0.20191091047133833_rk)
-    k3_xy = t105*(1.0_rk - 2.0_rk*t103) - t104*t106
-    t108 = k4_xy + 0.16230144331072144_rk
-    t109 = neg_k4_yz - 0.06405373385272267_rk
-    k3_xz = c3*t108 - s3*t109
-    k3_yz = s3*t108 + c3*t109
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_3 = k3_yz + 0.4_rk*h3_y
-    t110 = k3_xz + 0.4_rk*h3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_5 = s2*t110 + c2*m3_3
-    t111 = neg_k4_yy - 0.8_rk*h4_y
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = k3_xx - t111 + 4.764988720880306_rk
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = c2*c2*(k3_xx + t111 - 3.711814850271177_rk) + (0.5218524991029152_rk + &
-        t110)*(2.0_rk*(s2*c2)) - (t111 - 4.238401785575742_rk)
-    neg_k2_yz = s2*(0.20091837135316784_rk - k3_xy) + c2*(neg_m2_3 - 0.26458063578324464_rk)
-    ! link 1: mass matrix, its row of this joint
-    m1_1 = k3_yy + k2_xx + 0.8058116303302202_rk
+    m2_5 = nu3_y + 0.4_rk*fu3_x
+    t118 = 0.4_rk*(s4*h6_x - h6_y*(c4*c5)) - m4_6
+    t119 = s5*t116 - c5*k6_xz
+    t120 = c4*t119 - (s4*k6_yz - s5*t115)
+    m2_6 = c3*t118 + s3*t120
+    t121 = h7_y*(-s4*s6) - c4*neg_fu5_x
+    t122 = nu5_x - 0.4_rk*fu5_y
+    t123 = c4*t122 + s4*nu6_y
+    m2_7 = 0.4_rk*(c3*t121 - s3*fu5_y) + (s3*t123 - c3*m4_7)
+    ! factorisation M = L D L^T
+    ld4_1 = s2*(c3*k4_xz - s3*t112) - c2*k4_yz
+    ld5_1 = c2*nu4_y - s2*(nu3_x - 0.4_rk*fu3_y)
+    t124 = c4*k6_yz + s4*t119
+    ld6_1 = c2*t124 - s2*(c3*t120 - s3*t118)
+    t125 = s4*t122 - c4*nu6_y
+    ld7_1 = c2*t125 - s2*(c3*t123 + (0.4_rk*(t117*fu5_y - s3*t121) + s3*m4_7))
     ! link 1: forward substitution
-    neg_y1 = n1_z - tau(1)
+    y1 = tau(1) - n1_z
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
-    neg_l2_1 = neg_k2_yz*ipivot1
-    l3_1 = neg_nu2_y_5*ipivot1
-    l4_1 = neg_nu2_y_4*ipivot1
-    l5_1 = neg_nu2_y_3*ipivot1
-    l6_1 = neg_nu2_y_2*ipivot1
-    l7_1 = neg_nu2_y*ipivot1
-    pivot2 = m2_2 - neg_k2_yz*neg_l2_1
+    l2_1 = k2_yz*ipivot1
+    l3_1 = -nu2_y*ipivot1
+    l4_1 = ld4_1*ipivot1
+    l5_1 = ld5_1*ipivot1
+    l6_1 = ld6_1*ipivot1
+    l7_1 = ld7_1*ipivot1
+    pivot2 = m2_2 - k2_yz*l2_1
     ipivot2 = 1.0_rk / pivot2
-    neg_ld3_2 = neg_m2_3 - neg_k2_yz*l3_1
-    neg_l3_2 = ipivot2*neg_ld3_2
-    neg_ld4_2 = neg_m2_4 - neg_k2_yz*l4_1
-    neg_l4_2 = ipivot2*neg_ld4_2
-    neg_ld5_2 = neg_m2_5 - neg_k2_yz*l5_1
-    neg_l5_2 = ipivot2*neg_ld5_2
-    ld6_2 = m2_6 + neg_k2_yz*l6_1
+    ld3_2 = m2_3 - k2_yz*l3_1
+    l3_2 = ipivot2*ld3_2
+    ld4_2 = m2_4 - k2_yz*l4_1
+    l4_2 = ipivot2*ld4_2
+    ld5_2 = m2_5 - k2_yz*l5_1
+    l5_2 = ipivot2*ld5_2
+    ld6_2 = m2_6 - k2_yz*l6_1
     l6_2 = ipivot2*ld6_2
-    ld7_2 = m2_7 + neg_k2_yz*l7_1
+    ld7_2 = m2_7 - k2_yz*l7_1
     l7_2 = ipivot2*ld7_2
-    pivot3 = m3_3 - neg_nu2_y_5*l3_1 - neg_ld3_2*neg_l3_2
+    pivot3 = m3_3 + nu2_y*l3_1 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
-    ld4_3 = neg_k4_yz - neg_nu2_y_5*l4_1 - neg_ld3_2*neg_l4_2
+    ld4_3 = -ld3_2*l4_2 - (k4_yz - nu2_y*l4_1)
     l4_3 = ipivot3*ld4_3
-    ld5_3 = nu4_y_3 - neg_nu2_y_5*l5_1 - neg_ld3_2*neg_l5_2
+    ld5_3 = nu4_y + nu2_y*l5_1 - ld3_2*l5_2
     l5_3 = ipivot3*ld5_3
-    ld6_3 = nu4_y_2 - neg_nu2_y_5*l6_1 + neg_ld3_2*l6_2
+    ld6_3 = t124 + nu2_y*l6_1 - ld3_2*l6_2
     l6_3 = ipivot3*ld6_3
-    ld7_3 = nu4_y - neg_nu2_y_5*l7_1 + neg_ld3_2*l7_2
+    ld7_3 = t125 + nu2_y*l7_1 - ld3_2*l7_2
     l7_3 = ipivot3*ld7_3
-    pivot4 = m4_4 - neg_nu2_y_4*l4_1 - neg_ld4_2*neg_l4_2 - ld4_3*l4_3
+    pivot4 = m4_4 - ld4_1*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    ld5_4 = m4_5 - neg_nu2_y_4*l5_1 - neg_ld4_2*neg_l5_2 - ld4_3*l5_3
+    ld5_4 = m4_5 - ld4_1*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
     l5_4 = ipivot4*ld5_4
-    ld6_4 = m4_6 - neg_nu2_y_4*l6_1 + neg_ld4_2*l6_2 - ld4_3*l6_3
-    l6_4 = ipivot4*ld6_4
-    ld7_4 = m4_7 - neg_nu2_y_4*l7_1 + neg_ld4_2*l7_2 - ld4_3*l7_3
+    neg_ld6_4 = ld4_2*l6_2 - (m4_6 - ld4_1*l6_1) + ld4_3*l6_3
+    l6_4 = -ipivot4*neg_ld6_4
+    ld7_4 = -ld4_3*l7_3 - (ld4_2*l7_2 - (m4_7 - ld4_1*l7_1))
     l7_4 = ipivot4*ld7_4
-    pivot5 = m5_5 - neg_nu2_y_3*l5_1 - neg_ld5_2*neg_l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    pivot5 = -ld5_4*l5_4 - (ld5_1*l5_1 - m5_5 + ld5_2*l5_2 + ld5_3*l5_3)
     ipivot5 = 1.0_rk / pivot5
-    neg_ld6_5 = neg_k6_yz + neg_nu2_y_3*l6_1 - neg_ld5_2*l6_2 + ld5_3*l6_3 + ld5_4*l6_4
-    neg_l6_5 = ipivot5*neg_ld6_5
-    ld7_5 = neg_nu6_y - neg_nu2_y_3*l7_1 + neg_ld5_2*l7_2 - ld5_3*l7_3 - ld5_4*l7_4
+    ld6_5 = k6_yz - ld5_1*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4
+    l6_5 = ipivot5*ld6_5
+    ld7_5 = -ld5_2*l7_2 - (nu6_y + ld5_1*l7_1) - ld5_3*l7_3 - ld5_4*l7_4
     l7_5 = ipivot5*ld7_5
-    neg_pivot6 = neg_m6_6 + neg_nu2_y_2*l6_1 + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4 + &
-        neg_ld6_5*neg_l6_5
-    neg_ipivot6 = 1.0_rk / neg_pivot6
-    neg_ld7_6 = neg_m6_7 + neg_nu2_y_2*l7_1 + ld6_2*l7_2 + ld6_3*l7_3 + ld6_4*l7_4 - &
-        neg_ld6_5*l7_5
-    l7_6 = neg_ipivot6*neg_ld7_6
-    t112 = 0.48318719298539553_rk - neg_nu2_y*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - &
-        ld7_5*l7_5
-    pivot7 = t112 + neg_ld7_6*l7_6
+    pivot6 = neg_ld6_4*l6_4 - (ld6_1*l6_1 - m6_6 + ld6_2*l6_2 + ld6_3*l6_3) - ld6_5*l6_5
+    ipivot6 = 1.0_rk / pivot6
+    ld7_6 = neg_ld6_4*l7_4 - (ld6_1*l7_1 - m6_7 + ld6_2*l7_2 + ld6_3*l7_3) - ld6_5*l7_5
+    l7_6 = ipivot6*ld7_6
+    t126 = 0.48318719298539553_rk - ld7_1*l7_1 - ld7_2*l7_2 - ld7_3*l7_3 - ld7_4*l7_4 - ld7_5*l7_5
+    pivot7 = t126 - ld7_6*l7_6
     ipivot7 = 1.0_rk / pivot7
     ! link 2: forward substitution
-    neg_y2 = n2_z - tau(2) + neg_y1*neg_l2_1
+    y2 = tau(2) - n2_z - y1*l2_1
     ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 + neg_l3_2*neg_y2
+    y3 = -l3_2*y2 - (n3_z - tau(3) + y1*l3_1)
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) - neg_y1*l4_1 + neg_l4_2*neg_y2 - l4_3*neg_y3
+    y4 = -(n4_z - tau(4) + y1*l4_1 + l4_2*y2) - l4_3*y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 - l5_4*neg_y4
+    neg_y5 = n5_z - tau(5) + y1*l5_1 + l5_2*y2 + l5_3*y3 + l5_4*y4
     ! link 6: forward substitution
-    neg_y6 = n6_z - tau(6) - neg_y1*l6_1 - l6_2*neg_y2 - l6_3*neg_y3 - l6_4*neg_y4 + &
-        neg_l6_5*neg_y5
-    t113 = nc7_z - tau(7) - neg_y1*l7_1 - l7_2*neg_y2 - l7_3*neg_y3 - l7_4*neg_y4 - l7_5*neg_y5
+    y6 = l6_5*neg_y5 - (n6_z - tau(6) + y1*l6_1 + l6_2*y2 + l6_3*y3 + l6_4*y4)
+    t127 = l7_5*neg_y5 - (nc7_z - tau(7) + y1*l7_1 + l7_2*y2 + l7_3*y3 + l7_4*y4)
     ! link 7: forward substitution
-    neg_y7 = t113 - l7_6*neg_y6
+    y7 = t127 - l7_6*y6
     ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd7 = ipivot7*neg_y7
+    qdd7 = ipivot7*y7
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = neg_ipivot6*neg_y6 + l7_6*neg_qdd7
+    qdd6 = ipivot6*y6 - l7_6*qdd7
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6 - l7_5*neg_qdd7
+    qdd5 = -l6_5*qdd6 - ipivot5*neg_y5 - l7_5*qdd7
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 - l5_4*neg_qdd5 + l6_4*qdd6 - l7_4*neg_qdd7
+    qdd4 = -l7_4*qdd7 - (l5_4*qdd5 - ipivot4*y4 + l6_4*qdd6)
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 - l4_3*neg_qdd4 - l5_3*neg_qdd5 + l6_3*qdd6 - l7_3*neg_qdd7
+    qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6 - l7_3*qdd7
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = l7_2*neg_qdd7 - (ipivot2*neg_y2 + neg_l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 + &
-        neg_l5_2*neg_qdd5 + l6_2*qdd6)
-    t114 = neg_y1*ipivot1 - neg_l2_1*qdd2 - l3_1*neg_qdd3 - l4_1*neg_qdd4 - l5_1*neg_qdd5 + &
-        l6_1*qdd6
+    qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6 - l7_2*qdd7
+    t128 = -l6_1*qdd6 - (l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = l7_1*neg_qdd7 - t114
-    t115 = -neg_qdd3
-    t116 = -neg_qdd4
-    t117 = -neg_qdd5
-    t118 = -neg_qdd7
+    qdd1 = t128 - l7_1*qdd7
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = t115
-    qdd(4) = t116
-    qdd(5) = t117
+    qdd(3) = qdd3
+    qdd(4) = qdd4
+    qdd(5) = qdd5
     qdd(6) = qdd6
-    qdd(7) = t118
+    qdd(7) = qdd7
   end subroutine
 end module

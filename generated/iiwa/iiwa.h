@@ -15,15 +15,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 259 multiplications, 247 additions = 506; 8 unary minus; 12 sine/cosine
  *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
  *   bias: 244 multiplications, 227 additions = 471; 6 unary minus; 12 sine/cosine
- *   mass_matrix: 183 multiplications, 150 additions = 333; 5 unary minus; 12 sine/cosine
- *   forward_dynamics: 551 multiplications, 482 additions, 7 divisions = 1040; 4 unary minus; 12
+ *   mass_matrix: 161 multiplications, 137 additions = 298; 2 unary minus; 12 sine/cosine
+ *   forward_dynamics: 531 multiplications, 469 additions, 7 divisions = 1007; 23 unary minus; 12
  *       sine/cosine
  */
 #ifndef IIWA_H

@@ -16,15 +16,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
  *   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
  *   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
- *   mass_matrix: 203 multiplications, 173 additions = 376; 7 unary minus; 12 sine/cosine
- *   forward_dynamics: 582 multiplications, 517 additions, 7 divisions = 1106; 6 unary minus; 12
+ *   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
+ *   forward_dynamics: 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12
  *       sine/cosine
  */
 #include "panda.h"
@@ -732,7 +733,7 @@ void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 203 multiplications, 173 additions = 376; 7 unary minus; 12 sine/cosine */
+ * 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine */
 void panda_mass_matrix(const panda_real q[7], panda_real M[49])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -751,225 +752,193 @@ void panda_mass_matrix(const panda_real q[7], panda_real M[49])
     const panda_real s6 = sin(again[5]);
     const panda_real c7 = cos(q[6]);
     const panda_real s7 = sin(again[6]);
+    const panda_real t1 = s7 - 1.2650190832031087*c7;
     /* link 7: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h7_x = 0.002573605371338201*c7 - 0.0020344399586618637*s7;
-    const panda_real neg_h7_y = -0.0020344399586618637*c7 - 0.002573605371338201*s7;
-    const panda_real t1 = c7*c7;
-    const panda_real t2 = c7*s7;
-    const panda_real t3 = 0.002420943778521227*t1 - 0.000782782563368495*t2;
-    /* link 7: second moment of the composite body [kg m^2] */
-    const panda_real k7_xx = 0.004552547872941087 - t3;
-    const panda_real neg_k7_xy = 0.002420943778521227*t2 + 0.0003913912816842475*(2.0*t1 - 1.0);
-    const panda_real k7_xz = 0.0009653051699191118*c7 - 0.0012555365982729084*s7;
-    const panda_real neg_k7_yz = -0.0012555365982729084*c7 - 0.0009653051699191118*s7;
-    /* link 6: force for a unit acceleration of a joint further out */
-    const panda_real fu6_x = c6*neg_h7_y;
-    const panda_real fu6_y = s6*neg_h7_y;
-    const panda_real t4 = 0.088*h7_x + 0.006684151967360947;
-    /* link 6: moment for a unit acceleration of a joint further out */
-    const panda_real nu6_x = s6*t4 - c6*k7_xz;
-    const panda_real nu6_y = -c6*t4 - s6*k7_xz;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const panda_real fu5_x = -s5*h7_x - c5*fu6_x;
-    const panda_real fu5_y = c5*h7_x - s5*fu6_x;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const panda_real nu5_x = -c5*nu6_x - s5*neg_k7_yz;
-    const panda_real nu5_y = c5*neg_k7_yz - s5*nu6_x;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_7 = nu5_y + (0.384*fu5_x - 0.0825*fu6_y);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const panda_real fu4_x = -c4*fu5_x - s4*fu6_y;
-    const panda_real fu4_y = c4*fu6_y - s4*fu5_x;
-    const panda_real t5 = 0.384*fu5_y - nu5_x;
-    const panda_real t6 = 0.0825*fu5_y;
-    const panda_real t7 = nu6_y + t6;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_x = c4*t5 - s4*t7;
-    const panda_real nu4_y = s4*t5 + c4*t7;
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_7 = nu4_y - t6;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real fu3_x = c3*fu4_x + s3*fu5_y;
-    const panda_real fu3_y = s3*fu4_x - c3*fu5_y;
-    const panda_real t8 = m4_7 + 0.0825*fu4_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x = c3*nu4_x + s3*t8;
-    const panda_real nu3_y = s3*nu4_x - c3*t8;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_7 = nu3_y + 0.316*fu3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y = c2*m3_7 - s2*(nu3_x - 0.316*fu3_y);
-    const panda_real t9 = k7_xx + 0.176*h7_x;
-    /* link 6: mass matrix, its row of this joint */
-    const panda_real m6_6 = t9 + 0.05045667791624746;
-    const panda_real t10 = h7_x + 0.231847552695;
+    const panda_real neg_h7_x = 0.0020344399586618637*t1;
+    const panda_real t2 = neg_h7_x - 0.231847552695;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h6_x = c6*t10 + 0.17380470556899996*s6;
-    const panda_real h6_y = s6*t10 - 0.17380470556899996*c6;
-    const panda_real t11 = c6*c6;
-    const panda_real t12 = 0.007412167175072353 - t9;
-    const panda_real t13 = k7_xz + 0.014748570382675314;
-    const panda_real t14 = c6*s6;
-    const panda_real t15 = t11*t12 - t13*(2.0*t14);
-    /* link 6: second moment of the composite body [kg m^2] */
-    const panda_real k6_yy = t9 + 0.021522255370587554 + t15;
-    const panda_real neg_k6_xy = t12*t14 - t13*(1.0 - 2.0*t11);
-    const panda_real t16 = 9.35690973146064e-05 - neg_k7_yz;
-    const panda_real t17 = neg_k7_xy + 0.088*neg_h7_y - 0.0001037589172186853;
-    const panda_real k6_xz = s6*t16 - c6*t17;
-    const panda_real neg_k6_yz = s6*t17 + c6*t16;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const panda_real fu5_x_2 = c5*h6_y;
-    const panda_real fu5_y_2 = s5*h6_y;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const panda_real nu5_x_2 = c5*k6_xz - s5*m6_6;
-    const panda_real nu5_y_2 = s5*k6_xz + c5*m6_6;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_6 = nu5_y_2 - (0.0825*h6_x - 0.384*fu5_x_2);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const panda_real fu4_x_2 = -s4*h6_x - c4*fu5_x_2;
-    const panda_real neg_fu4_y = s4*fu5_x_2 - c4*h6_x;
-    const panda_real t18 = 0.384*fu5_y_2 - nu5_x_2;
-    const panda_real t19 = 0.0825*fu5_y_2;
-    const panda_real t20 = neg_k6_yz + t19;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_x_2 = c4*t18 - s4*t20;
-    const panda_real nu4_y_2 = s4*t18 + c4*t20;
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_6 = nu4_y_2 - t19;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real fu3_x_2 = c3*fu4_x_2 + s3*fu5_y_2;
-    const panda_real fu3_y_2 = s3*fu4_x_2 - c3*fu5_y_2;
-    const panda_real t21 = 0.0825*neg_fu4_y - m4_6;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x_2 = c3*nu4_x_2 - s3*t21;
-    const panda_real nu3_y_2 = s3*nu4_x_2 + c3*t21;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_6 = nu3_y_2 + 0.316*fu3_x_2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y_2 = c2*m3_6 - s2*(nu3_x_2 - 0.316*fu3_y_2);
-    /* link 5: mass matrix, its row of this joint */
-    const panda_real m5_5 = t3 - t15 + 0.04256237053342773;
-    const panda_real t22 = 0.014653732538 - h6_x;
-    const panda_real t23 = neg_h7_y + 0.067870631425;
+    const panda_real h6_x = 0.17380470556899996*s6 - c6*t2;
+    const panda_real t3 = s7 + 1.5495146829101907*t1;
+    /* link 7: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real h7_y = 0.0010094491271572172*t3 + 0.00401312745666211*c7;
+    const panda_real t4 = h6_x - 0.014653732538;
+    const panda_real t5 = h7_y - 0.067870631425;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h5_x = c5*t22 + s5*t23;
-    const panda_real h5_y = s5*t22 - c5*t23;
-    const panda_real t24 = c5*c5;
-    const panda_real t25 = t3 + t15 - 0.018208786687945514;
-    const panda_real t26 = 0.00151524447332703 - k6_xz;
-    const panda_real t27 = c5*s5;
-    const panda_real t28 = t24*t25 + t26*(2.0*t27);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const panda_real k5_xx = t3 + 0.012176791922741105 - t28;
-    const panda_real k5_yy = t28 - (t15 - 0.03038557861068662);
-    const panda_real neg_k5_xy = t25*t27 + t26*(1.0 - 2.0*t24);
-    const panda_real t29 = neg_k6_xy - 0.004600245517563107;
-    const panda_real t30 = neg_k6_yz - 0.0021640520520981327;
-    const panda_real k5_xz = c5*t29 + s5*t30;
-    const panda_real k5_yz = s5*t29 - c5*t30;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_5 = -0.384*h5_y - k5_yz;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const panda_real fu4_x_3 = c4*h5_y;
-    const panda_real fu4_y_2 = s4*h5_y;
-    const panda_real t31 = -0.384*h5_x;
-    const panda_real t32 = k5_xz - t31;
-    const panda_real t33 = 0.0825*h5_x;
-    const panda_real t34 = m5_5 + t33;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_x_3 = c4*t32 - s4*t34;
-    const panda_real nu4_y_3 = s4*t32 + c4*t34;
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_5 = nu4_y_3 - t33;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real fu3_x_3 = c3*fu4_x_3 + s3*h5_x;
-    const panda_real fu3_y_3 = s3*fu4_x_3 - c3*h5_x;
-    const panda_real t35 = -0.0825*fu4_y_2 - m4_5;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x_3 = c3*nu4_x_3 - s3*t35;
-    const panda_real nu3_y_3 = s3*nu4_x_3 + c3*t35;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_5 = nu3_y_3 + 0.316*fu3_x_3;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y_3 = c2*m3_5 - s2*(nu3_x_3 - 0.316*fu3_y_3);
-    const panda_real t36 = k5_xx + 0.165*h5_x;
-    const panda_real t37 = k6_yy + 0.768*h6_y;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_4 = t36 + t37 + 0.7483122111877871;
-    const panda_real t38 = -h5_x - 0.5527802746499999;
-    const panda_real t39 = h6_y + 2.0125235536029997;
+    const panda_real neg_h5_x = c5*t4 + s5*t5;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real neg_h6_y = 0.17380470556899996*c6 + s6*t2;
+    const panda_real t6 = neg_h5_x - 0.5527802746499999;
+    const panda_real t7 = neg_h6_y - 2.0125235536029997;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h4_x = c4*t38 - s4*t39;
-    const panda_real h4_y = s4*t38 + c4*t39;
-    const panda_real t40 = c4*c4;
-    const panda_real t41 = t36 - t37 - 0.6462719388741561;
-    const panda_real t42 = t31 - (k5_xz + 0.0825*h6_y) - 0.16284087268546082;
-    const panda_real t43 = c4*s4;
-    const panda_real t44 = t40*t41 - t42*(2.0*t43);
+    const panda_real h4_y = s4*t6 - c4*t7;
+    const panda_real h4_x = c4*t6 + s4*t7;
+    /* link 7: second moment of the composite body [kg m^2] */
+    const panda_real neg_k7_xz = 0.0004924610188319264*t3;
+    const panda_real k7_yz = 0.0009653051699191118*t1 + 0.0024766660593352045*c7;
+    const panda_real t8 = k7_yz + 9.35690973146064e-05;
+    const panda_real t9 = 0.002420943778521227*c7;
+    const panda_real t10 = c7*t9;
+    const panda_real t11 = s7*t9;
+    const panda_real t12 = 0.32333777029991095*t10 + (t11 - 0.088*h7_y - 0.0004951501989029328);
+    /* link 6: second moment of the composite body [kg m^2] */
+    const panda_real k6_xz = s6*t8 - c6*t12;
+    const panda_real t13 = c5*c5;
+    const panda_real t14 = t10 + 0.012176791922741105 - 0.32333777029991095*t11;
+    const panda_real t15 = c6*s6;
+    const panda_real t16 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628);
+    const panda_real t17 = c6*c6;
+    const panda_real t18 = 0.000179030716362244*t1;
+    const panda_real t19 = t18 + (t14 + (t18 - 0.00931717262060984));
+    const panda_real t20 = t15*t16 + 0.6173375163284962 + t17*t19;
+    const panda_real t21 = t20 - 0.6477230949391829;
+    const panda_real t22 = t14 + t21;
+    const panda_real t23 = c5*s5;
+    const panda_real t24 = 0.00303048894665406 - k6_xz - k6_xz;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const panda_real k5_yy = t13*t22 - (t21 - t23*t24);
+    /* link 5: mass matrix, its row of this joint */
+    const panda_real m5_5 = t14 - t21;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const panda_real neg_k6_yz = s6*t12 + c6*t8;
+    /* link 6: mass matrix, its row of this joint */
+    const panda_real m6_6 = 0.057868845091319815 - t19;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real neg_h5_y = s5*t4 - c5*t5;
+    const panda_real t25 = t15*t19 - 0.004600245517563107 - t16*(t17 - 0.5);
+    const panda_real t26 = neg_k6_yz - 0.0021640520520981327;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const panda_real k5_yz = s5*t25 - c5*t26;
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_5 = 0.384*neg_h5_y - k5_yz;
+    const panda_real t27 = 0.0825*neg_h5_y;
+    const panda_real t28 = t22*t23 - (t24*(t13 - 0.5) - (t27 - 0.0039053550262761055));
+    const panda_real t29 = m4_5 - 0.00164448757736928;
     /* link 4: second moment of the composite body [kg m^2] */
-    const panda_real k4_xx = t37 + 0.6972920750309717 + t44;
-    const panda_real k4_yy = t36 + 0.05102013615681549 - t44;
-    const panda_real k4_xy = t41*t43 - t42*(1.0 - 2.0*t40);
-    const panda_real t45 = -0.0825*h5_y;
-    const panda_real t46 = neg_k5_xy + t45 - 0.0039053550262761055;
-    const panda_real t47 = m4_5 - 0.00164448757736928;
-    const panda_real k4_xz = c4*t46 + s4*t47;
-    const panda_real neg_k4_yz = c4*t47 - s4*t46;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu3_x = c3*h4_y;
-    const panda_real neg_fu3_y = s3*h4_y;
-    const panda_real t48 = m4_4 + 0.0825*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x_4 = s3*t48 - c3*k4_xz;
-    const panda_real neg_nu3_y = s3*k4_xz + c3*t48;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_4 = -0.316*neg_fu3_x - neg_nu3_y;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.316*neg_fu3_y);
-    const panda_real t49 = -0.165*h4_x - k4_xx;
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_3 = 0.08378056999140594 - (t49 - k5_yy);
-    const panda_real t50 = h4_x + 0.746857959872;
-    const panda_real t51 = 0.028227094877999827 - h5_y;
+    const panda_real k4_xz = c4*t28 + s4*t29;
+    const panda_real t30 = 0.384*neg_h6_y;
+    const panda_real t31 = t30 - m6_6;
+    const panda_real t32 = t20 - (t30 + t31);
+    const panda_real t33 = 0.0825*neg_h5_x;
+    const panda_real t34 = t33 - m5_5;
+    const panda_real t35 = t33 + (k5_yy + t34);
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_4 = t32 - (t35 - 0.10204027231363098);
+    /* link 4: second moment of the composite body [kg m^2] */
+    const panda_real neg_k4_yz = c4*t29 - s4*t28;
+    const panda_real t36 = h4_x + 0.746857959872;
+    const panda_real t37 = neg_h5_y + 0.028227094877999827;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h3_x = c3*t50 - s3*t51;
-    const panda_real h3_y = s3*t50 + c3*t51;
-    const panda_real t52 = c3*c3;
-    const panda_real t53 = 0.039424272061649446 - (k5_yy + t49);
-    const panda_real t54 = t45 - k4_xz + 0.0001219124209507298;
-    const panda_real t55 = c3*s3;
-    const panda_real t56 = t52*t53 - t54*(2.0*t55);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const panda_real k3_xx = k5_yy + 0.022178148964878252 + t56;
-    const panda_real neg_k3_yy = t49 - 0.061602421026527694 + t56;
-    const panda_real k3_xy = t53*t55 - t54*(1.0 - 2.0*t52);
-    const panda_real t57 = k4_xy + 0.0825*h4_y + 0.005487648106562251;
-    const panda_real t58 = -neg_k4_yz - 0.0043772571218395765;
-    const panda_real k3_xz = c3*t57 + s3*t58;
-    const panda_real k3_yz = s3*t57 - c3*t58;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_3 = -0.316*h3_y - k3_yz;
-    const panda_real t59 = k3_xz + 0.316*h3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y_5 = s2*t59 + c2*m3_3;
-    const panda_real t60 = k4_yy + 0.632*h4_y;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_2 = k3_xx + t60 + 1.0552399437268125;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const panda_real k2_xx = t60 + 1.0321620612318807 - (c2*c2*(t60 - k3_xx + 1.009084178736949) -
-        (t59 - 0.003983358883935522)*(2.0*(c2*s2)));
-    const panda_real neg_k2_yz = s2*(k3_xy - 0.010261101821008168) - c2*(0.0007689361029464017 -
-        m2_3);
+    const panda_real h3_x = c3*t36 - s3*t37;
+    const panda_real t38 = k5_yy + 0.022178148964878252;
+    const panda_real t39 = 0.0825*h4_x;
+    const panda_real t40 = c4*s4;
+    const panda_real t41 = c5*t25 - (0.384*neg_h5_x - s5*t26);
+    const panda_real t42 = 0.0825*neg_h6_y;
+    const panda_real t43 = t41 + 0.16284087268546082 - t42;
+    const panda_real t44 = t40*t43;
+    const panda_real t45 = 0.316*h4_y;
+    const panda_real t46 = c4*c4;
+    const panda_real t47 = t35 + t32;
+    const panda_real t48 = t39 + (t35 + t44) - (t45 - (t44 - (t46*t47 - 0.010582284869712202)));
+    const panda_real t49 = t45 + t39;
+    const panda_real t50 = t49 + m4_4;
+    const panda_real t51 = t48 + t50;
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real m3_3 = t38 + t51;
+    const panda_real t52 = t49 - (t48 - 1.0937644822584085);
+    const panda_real t53 = c3*s3;
+    const panda_real t54 = t27 + 0.0001219124209507298 - k4_xz;
+    const panda_real t55 = t53*t54;
+    const panda_real t56 = c3*c3;
+    const panda_real t57 = t38 - t51;
+    const panda_real t58 = t38 - (t55 + (t55 - 0.023077882494931805 + t56*t57));
+    const panda_real t59 = t52 - t58;
+    const panda_real t60 = neg_k4_yz + 0.0043772571218395765;
+    const panda_real t61 = t43*t46;
+    const panda_real t62 = t40*t47 + (t61 - 0.0825*h4_y - (t43 - (t61 - 0.005487648106562251)));
+    const panda_real t63 = s3*t60 - (0.316*h3_x - c3*t62);
     /* link 1: mass matrix, its row of this joint */
-    const panda_real m1_1 = k2_xx - neg_k3_yy + 0.014259565994474374;
+    const panda_real m1_1 = t59 - (c2*(s2*(2.0*(t63 + 0.003983358883935522))) - (m3_3 - t59*(c2*c2))
+        - 0.03733744848940618);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real h3_y = s3*t36 + c3*t37;
+    /* link 2: mass matrix, its row of this joint */
+    const panda_real m2_3 = s3*t62 - 0.316*h3_y - c3*t60;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const panda_real neg_k2_yz = s2*(2.0*(t54*t56) - t53*t57 - (t54 + 0.010261101821008168)) -
+        c2*(0.0007689361029464017 - m2_3);
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const panda_real nu2_y = c2*m3_3 - s2*t63;
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real m3_5 = s4*t41 + (t33 - c4*t34);
+    /* link 4: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu4_x = c4*neg_h5_y;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const panda_real fu3_y = c3*neg_h5_x - s3*neg_fu4_x;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const panda_real nu4_x = c4*t41 + s4*t34;
+    const panda_real t64 = s5*t42;
+    const panda_real t65 = neg_k6_yz - t64;
+    const panda_real t66 = s5*t31 + c5*k6_xz;
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real m3_6 = t64 + c4*t65 - s4*t66;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu5_x = c5*neg_h6_y;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const panda_real fu4_y = s4*neg_fu5_x + c4*h6_x;
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_6 = s5*k6_xz - c5*t31 - 0.0825*h6_x;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu5_y = 12.121212121212121*t64;
+    const panda_real t67 = t18 - 0.006684151967360947;
+    /* link 6: moment for a unit acceleration of a joint further out */
+    const panda_real nu6_y = c6*t67 + s6*neg_k7_xz;
+    /* link 6: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu6_x = c6*h7_y;
+    /* link 6: moment for a unit acceleration of a joint further out */
+    const panda_real neg_nu6_x = s6*t67 - c6*neg_k7_xz;
+    const panda_real t68 = c5*neg_h7_x - s5*neg_fu6_x;
+    const panda_real t69 = 0.0825*t68;
+    const panda_real t70 = nu6_y - t69;
+    const panda_real t71 = c5*neg_nu6_x + (0.384*t68 + s5*k7_yz);
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real m3_7 = c4*t70 + (t69 - s4*t71);
+    /* link 6: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu6_y = s6*h7_y;
+    const panda_real t72 = s5*neg_h7_x + c5*neg_fu6_x;
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_7 = 0.0825*neg_fu6_y + s5*neg_nu6_x - (c5*k7_yz - 0.384*t72);
+    /* link 2: mass matrix, its row of this joint */
+    const panda_real m2_2 = t52 + t58;
+    const panda_real m2_4 = -c3*t50 - s3*k4_xz;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu3_x = c3*neg_fu4_x + s3*neg_h5_x;
+    const panda_real t73 = m4_5 - s4*t27;
+    /* link 2: mass matrix, its row of this joint */
+    const panda_real m2_5 = s3*nu4_x - (c3*t73 + 0.316*neg_fu3_x);
+    const panda_real t74 = c4*t66 + s4*t65;
+    const panda_real t75 = s4*h6_x - c4*neg_fu5_x;
+    const panda_real t76 = 0.0825*fu4_y + m4_6;
+    const panda_real m2_6 = -s3*t74 - 0.316*(c3*t75 + s3*neg_fu5_y) - c3*t76;
+    const panda_real t77 = 0.0825*(c4*neg_fu6_y + s4*t72) - m4_7;
+    const panda_real t78 = c4*t71 + s4*t70;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const panda_real nu3_y = c3*t77 - s3*t78;
+    const panda_real t79 = c4*t72 - s4*neg_fu6_y;
+    /* link 2: mass matrix, its row of this joint */
+    const panda_real m2_7 = nu3_y - 0.316*(c3*t79 + s3*t68);
+    const panda_real t80 = c2*neg_k4_yz + s2*(c3*k4_xz - s3*t50);
+    const panda_real t81 = c2*m3_5 - s2*(c3*nu4_x - 0.316*fu3_y + s3*t73);
+    const panda_real t82 = c2*m3_6 - s2*(s3*t76 + (0.316*(s3*t75 - c3*neg_fu5_y) - c3*t74));
+    const panda_real t83 = c2*m3_7 + s2*(c3*t78 + (0.316*(c3*t68 - s3*t79) + s3*t77));
+    const panda_real t84 = -k7_yz;
     M[0] = m1_1;
     M[1] = neg_k2_yz;
-    M[2] = nu2_y_5;
-    M[3] = nu2_y_4;
-    M[4] = nu2_y_3;
-    M[5] = nu2_y_2;
-    M[6] = nu2_y;
+    M[2] = nu2_y;
+    M[3] = t80;
+    M[4] = t81;
+    M[5] = t82;
+    M[6] = t83;
     M[7] = neg_k2_yz;
     M[8] = m2_2;
     M[9] = m2_3;
@@ -977,45 +946,45 @@ void panda_mass_matrix(const panda_real q[7], panda_real M[49])
     M[11] = m2_5;
     M[12] = m2_6;
     M[13] = m2_7;
-    M[14] = nu2_y_5;
+    M[14] = nu2_y;
     M[15] = m2_3;
     M[16] = m3_3;
     M[17] = neg_k4_yz;
     M[18] = m3_5;
     M[19] = m3_6;
     M[20] = m3_7;
-    M[21] = nu2_y_4;
+    M[21] = t80;
     M[22] = m2_4;
     M[23] = neg_k4_yz;
     M[24] = m4_4;
     M[25] = m4_5;
     M[26] = m4_6;
     M[27] = m4_7;
-    M[28] = nu2_y_3;
+    M[28] = t81;
     M[29] = m2_5;
     M[30] = m3_5;
     M[31] = m4_5;
     M[32] = m5_5;
     M[33] = neg_k6_yz;
     M[34] = nu6_y;
-    M[35] = nu2_y_2;
+    M[35] = t82;
     M[36] = m2_6;
     M[37] = m3_6;
     M[38] = m4_6;
     M[39] = neg_k6_yz;
     M[40] = m6_6;
-    M[41] = neg_k7_yz;
-    M[42] = nu2_y;
+    M[41] = t84;
+    M[42] = t83;
     M[43] = m2_7;
     M[44] = m3_7;
     M[45] = m4_7;
     M[46] = nu6_y;
-    M[47] = neg_k7_yz;
+    M[47] = t84;
     M[48] = 0.006684151967360947;
 }
 
 /* accelerations that the torques tau give
- * 582 multiplications, 517 additions, 7 divisions = 1106; 6 unary minus; 12 sine/cosine */
+ * 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12 sine/cosine */
 void panda_forward_dynamics(
     const panda_real q[7],
     const panda_real qd[7],
@@ -1165,9 +1134,6 @@ void panda_forward_dynamics(
     const panda_real t12 = t9 - t11;
     const panda_real neg_lam6_11 = neg_lam5_22 + t12;
     const panda_real neg_lam6_13 = t5 - neg_w5_y*w6_x;
-    /* link 7: second moment of the composite body [kg m^2] */
-    const panda_real k7_yz = 0.0009653051699191118*s7 + 0.0012555365982729084*c7;
-    const panda_real k7_xz = 0.0009653051699191118*c7 - 0.0012555365982729084*s7;
     const panda_real t13 = 0.0002123224431354016*s7;
     const panda_real t14 = t13 + 0.00016784129658960374*c7;
     const panda_real t15 = neg_lam3_31 - 118.9090909090909*c2 + 3.83030303030303*neg_lam2_22;
@@ -1190,393 +1156,366 @@ void panda_forward_dynamics(
     const panda_real t32 = 0.0002123224431354016*c7;
     const panda_real t33 = t30*t32;
     const panda_real t34 = 0.32333777029991095*t31 - (t33 + 0.00213160409441986);
-    const panda_real t35 = t31 + (0.32333777029991095*t33 - 0.0003913912816842475);
-    const panda_real t36 = t34 + 0.006684151967360947;
-    const panda_real t37 = s5*t20 + c5*t22;
-    const panda_real t38 = t37 + (4.654545454545454*neg_lam5_23 + 1.0666666666666667*lam6_31);
-    const panda_real t39 = t32 - 0.00016784129658960374*s7;
-    const panda_real t40 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*k7_yz - (t12*t35 - lam6_31*t36))) +
-        t38*t39;
+    const panda_real t35 = 0.0009653051699191118*s7 + 0.0012555365982729084*c7;
+    const panda_real t36 = t31 + (0.32333777029991095*t33 - 0.0003913912816842475);
+    const panda_real t37 = t34 + 0.006684151967360947;
+    const panda_real t38 = s5*t20 + c5*t22;
+    const panda_real t39 = t38 + (4.654545454545454*neg_lam5_23 + 1.0666666666666667*lam6_31);
+    const panda_real t40 = t32 - 0.00016784129658960374*s7;
+    const panda_real t41 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*t35 - (t12*t36 - lam6_31*t37))) +
+        t39*t40;
+    const panda_real t42 = 0.0009653051699191118*c7 - 0.0012555365982729084*s7;
     /* link 7: moment that turns the link [N m] */
-    const panda_real nc7_z = t40 - lam6_32*k7_xz;
+    const panda_real nc7_z = t41 - lam6_32*t42;
     /* link 6: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam6_23 = t6 + neg_w5_y*w6_y;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real neg_lam5_12 = neg_ww5_xy - alpha4_y;
-    const panda_real t41 = -2.0*w7_z;
-    const panda_real t42 = lam6_12 - w6_x*t41;
-    const panda_real t43 = s6*t24 + c6*t27;
-    const panda_real t44 = t43 - 1.0666666666666667*lam6_21;
-    const panda_real t45 = lam6_32 - w6_z*t41;
-    const panda_real t46 = t14*t45 - (0.014338888209442497*neg_lam6_22 - 0.017931959153753906*t44 -
-        t39*t42);
-    const panda_real t47 = 0.0001037589172186853*lam6_23 + (t11*k7_xz - (t39*t44 - (t35*t45 -
-        (1.0666666666666667*t46 + 0.014338888209442497*t29))));
-    const panda_real t48 = k7_yz + 9.35690973146064e-05;
+    const panda_real t43 = -2.0*w7_z;
+    const panda_real t44 = lam6_12 - w6_x*t43;
+    const panda_real t45 = s6*t24 + c6*t27;
+    const panda_real t46 = t45 - 1.0666666666666667*lam6_21;
+    const panda_real t47 = lam6_32 - w6_z*t43;
+    const panda_real t48 = t14*t47 - (0.014338888209442497*neg_lam6_22 - 0.017931959153753906*t46 -
+        t40*t44);
+    const panda_real t49 = 0.0001037589172186853*lam6_23 + (t11*t42 - (t40*t46 - (t36*t47 -
+        (1.0666666666666667*t48 + 0.014338888209442497*t29))));
     /* link 6: moment through the joint, about the frame's origin [N m] */
-    const panda_real neg_n6_z = t36*t42 + (0.0005462437073966822*(neg_lam6_22 - neg_lam6_11) +
-        (0.028934422545659907*lam6_12 - (0.0011196707334275547*lam6_21 + t47))) + neg_lam6_13*t48;
+    const panda_real neg_n6_z = t37*t44 + (0.0005462437073966822*(neg_lam6_22 - neg_lam6_11) +
+        (0.028934422545659907*lam6_12 - (0.0011196707334275547*lam6_21 + t49))) + neg_lam6_13*(t35 +
+        9.35690973146064e-05);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam4_32 = ww4_yz - neg_alpha4_x;
-    const panda_real t49 = 0.028934422545659907*lam6_32 - (0.014338888209442497*t38 + (t9*k7_yz +
-        (9.35690973146064e-05*t8 + (0.0055993270925625*t43 + 0.0001037589172186853*lam6_21))));
-    const panda_real t50 = t34*t45 + (t35*t42 - (t14*t44 + t49)) + lam6_31*(k7_xz -
+    const panda_real t50 = 0.028934422545659907*lam6_32 - (0.014338888209442497*t39 + (t9*t35 +
+        (9.35690973146064e-05*t8 + (0.0055993270925625*t45 + 0.0001037589172186853*lam6_21))));
+    const panda_real t51 = t34*t47 + (t36*t44 - (t14*t46 + t50)) + lam6_31*(t42 -
         0.0005462437073966822);
-    const panda_real t51 = neg_lam5_22 + lam5_11;
-    const panda_real t52 = 0.017931959153753906*t38 + (lam6_31*t39 - (0.014338888209442497*lam6_32 +
+    const panda_real t52 = neg_lam5_22 + lam5_11;
+    const panda_real t53 = 0.017931959153753906*t39 + (lam6_31*t40 - (0.014338888209442497*lam6_32 +
         t14*(t10 - t12)));
-    const panda_real t53 = 0.0055993270925625*neg_lam5_22 + t52;
-    const panda_real t54 = nc7_z + 0.0005462437073966822*lam6_32 + (9.35690973146064e-05*lam6_12 +
-        0.0001037589172186853*t12 + 1.0666666666666667*(t52 + 0.005249369149277343*t28));
-    const panda_real t55 = t54 + 0.0011196707334275547*lam6_31;
-    const panda_real t56 = 0.010045187828321245*neg_lam5_32 + c6*t50 - 0.00151524447332703*lam5_31 -
-        0.0021640520520981327*(t7 - t51) - (4.654545454545454*t53 + s6*t55);
-    const panda_real t57 = 0.0010267877770288932*neg_lam5_21 + t56;
-    const panda_real t58 = 0.017931959153753906*t29 + (0.014338888209442497*lam6_12 + t10*t39) +
+    const panda_real t54 = 0.0055993270925625*neg_lam5_22 + t53;
+    const panda_real t55 = nc7_z + 0.0005462437073966822*lam6_32 + (9.35690973146064e-05*lam6_12 +
+        0.0001037589172186853*t12 + 1.0666666666666667*(t53 + 0.005249369149277343*t28));
+    const panda_real t56 = t55 + 0.0011196707334275547*lam6_31;
+    const panda_real t57 = 0.010045187828321245*neg_lam5_32 + c6*t51 - 0.00151524447332703*lam5_31 -
+        0.0021640520520981327*(t7 - t52) - (4.654545454545454*t54 + s6*t56);
+    const panda_real t58 = 0.0010267877770288932*neg_lam5_21 + t57;
+    const panda_real t59 = 0.017931959153753906*t29 + (0.014338888209442497*lam6_12 + t10*t40) +
         neg_lam6_13*(t14 - 0.0055993270925625);
-    const panda_real t59 = t46 + 0.0055993270925625*lam6_23;
-    const panda_real t60 = c6*t58 - s6*t59;
-    const panda_real t61 = 0.0010267877770288932*t7 + (0.001208932934385*t26 + 4.654545454545454*t60
+    const panda_real t60 = t48 + 0.0055993270925625*lam6_23;
+    const panda_real t61 = c6*t59 - s6*t60;
+    const panda_real t62 = 0.0010267877770288932*t7 + (0.001208932934385*t26 + 4.654545454545454*t61
         - (0.00151524447332703*neg_lam5_32 + (neg_n6_z + 0.0021640520520981327*neg_lam5_12)));
-    const panda_real t62 = 0.001451156065026714*lam5_31 + t61;
-    const panda_real t63 = neg_lam4_22 + lam3_22;
-    const panda_real t64 = 0.0039053550262761055*lam4_21 - c5*t57 + 0.07937575371526083*lam4_31 +
-        (s5*t62 - (0.08256807420204747*t21 - 0.00164448757736928*t63));
+    const panda_real t63 = 0.001451156065026714*lam5_31 + t62;
+    const panda_real t64 = neg_lam4_22 + lam3_22;
+    const panda_real t65 = 0.0039053550262761055*lam4_21 - c5*t58 + 0.07937575371526083*lam4_31 +
+        (s5*t63 - (0.08256807420204747*t21 - 0.00164448757736928*t64));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const panda_real n4_x = 0.30879988491513166*lam4_32 - t64;
+    const panda_real n4_x = 0.30879988491513166*lam4_32 - t65;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam4_23 = ww4_yz + neg_alpha4_x;
     const panda_real lam4_13 = ww4_zx + alpha4_y;
     const panda_real lam4_12 = ww4_xy + alpha3_y;
-    const panda_real t65 = 0.0010267877770288932*neg_lam5_23 + 0.0021640520520981327*lam5_13 -
-        (c6*t55 + s6*t50) - (0.001451156065026714*neg_lam5_21 - 0.010045187828321245*neg_lam5_12);
+    const panda_real t66 = 0.0010267877770288932*neg_lam5_23 + 0.0021640520520981327*lam5_13 -
+        (c6*t56 + s6*t51) - (0.001451156065026714*neg_lam5_21 - 0.010045187828321245*neg_lam5_12);
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const panda_real n5_z = t65 - (0.00151524447332703*t51 - 0.001208932934385*t37);
-    const panda_real t66 = n4_x - 0.022178148964878252*lam4_23;
-    const panda_real t67 = t60 - (0.02767241350487109*t23 - 0.001208932934385*lam5_11);
-    const panda_real t68 = t53 - (0.001208932934385*neg_lam5_21 - 0.02767241350487109*t37);
-    const panda_real t69 = s5*t67 + c5*t68;
-    const panda_real t70 = n5_z - (0.02759391246306875*lam4_13 - 0.00164448757736928*lam4_12 - t69)
+    const panda_real n5_z = t66 - (0.00151524447332703*t52 - 0.001208932934385*t38);
+    const panda_real t67 = n4_x - 0.022178148964878252*lam4_23;
+    const panda_real t68 = t61 - (0.02767241350487109*t23 - 0.001208932934385*lam5_11);
+    const panda_real t69 = t54 - (0.001208932934385*neg_lam5_21 - 0.02767241350487109*t38);
+    const panda_real t70 = s5*t68 + c5*t69;
+    const panda_real t71 = n5_z - (0.02759391246306875*lam4_13 - 0.00164448757736928*lam4_12 - t70)
         + (0.010831526996380998*ww4_zx + (0.0039053550262761055*t3 - 0.07937575371526083*lam4_32));
-    const panda_real t71 = t69 - (0.08256807420204747*lam4_32 + 0.016011409030815008*t21);
-    const panda_real t72 = c4*t70 + 0.0001219124209507298*(neg_lam3_11 + lam3_22) +
+    const panda_real t72 = t70 - (0.08256807420204747*lam4_32 + 0.016011409030815008*t21);
+    const panda_real t73 = c4*t71 + 0.0001219124209507298*(neg_lam3_11 + lam3_22) +
         (0.005487648106562251*lam3_23 + (0.002328735327434986*t17 + 1.3360662912304e-05*neg_lam3_21
-        - t71));
+        - t72));
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const panda_real n3_z = 0.013297019103287523*neg_lam3_13 - (s4*t66 - t72);
+    const panda_real n3_z = 0.013297019103287523*neg_lam3_13 - (s4*t67 - t73);
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam3_12 = neg_ww2_zx - neg_ww3_xy;
-    const panda_real t73 = 0.001208932934385*lam5_31 + (s6*t58 + 0.02767241350487109*t26 + c6*t59);
-    const panda_real t74 = 0.0039053550262761055*lam4_23 + c5*t62 - (0.30879988491513166*lam4_12 -
-        (0.00164448757736928*lam4_13 - 0.07937575371526083*(t3 - t63) +
+    const panda_real t74 = 0.001208932934385*lam5_31 + (s6*t59 + 0.02767241350487109*t26 + c6*t60);
+    const panda_real t75 = 0.0039053550262761055*lam4_23 + c5*t63 - (0.30879988491513166*lam4_12 -
+        (0.00164448757736928*lam4_13 - 0.07937575371526083*(t3 - t64) +
         0.005415763498190499*lam4_21));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const panda_real n4_z = t73 + (s5*t57 + 0.08256807420204747*t19) + t74;
+    const panda_real n4_z = t74 + (s5*t58 + 0.08256807420204747*t19) + t75;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const panda_real lam3_32 = ww3_yz + alpha3_x;
-    const panda_real t75 = t1 - (qd[0] - t1);
-    const panda_real t76 = 3.83030303030303*t71 - (s4*t70 + c4*t66) - (0.10510540975539216*lam3_23 -
+    const panda_real t76 = t1 - (qd[0] - t1);
+    const panda_real t77 = 3.83030303030303*t72 - (s4*t71 + c4*t67) - (0.10510540975539216*lam3_23 -
         (0.27690780075317833*c2 - (0.013297019103287523*t2 - 0.005487648106562251*neg_lam3_21 +
         0.0001219124209507298*neg_lam3_31)));
-    const panda_real t77 = 0.016011409030815008*t19 - 0.08256807420204747*lam4_12 + (c5*t67 -
-        s5*t68);
-    const panda_real t78 = 0.08256807420204747*neg_lam4_22 + (t73 - 0.016011409030815008*t25);
-    const panda_real t79 = s4*t77 + c4*t78 - 3.83030303030303*(c4*t77 - s4*t78) +
+    const panda_real t78 = 0.016011409030815008*t19 - 0.08256807420204747*lam4_12 + (c5*t68 -
+        s5*t69);
+    const panda_real t79 = 0.08256807420204747*neg_lam4_22 + (t74 - 0.016011409030815008*t25);
+    const panda_real t80 = s4*t78 + c4*t79 - 3.83030303030303*(c4*t78 - s4*t79) +
         0.013297019103287523*lam3_12;
-    const panda_real t80 = t79 - (n4_z + (0.005487648106562251*(0.0024346792383292625*neg_lam3_31 +
+    const panda_real t81 = t80 - (n4_z + (0.005487648106562251*(0.0024346792383292625*neg_lam3_31 +
         (neg_lam3_11 - neg_lam2_22)) + (0.0001219124209507298*lam3_32 +
         0.10510540975539216*neg_lam3_13)));
-    const panda_real t81 = ww2_zz*(0.010261101821008168*c2 - 0.0007689361029464017*s2) - c2*n3_z +
-        s2*(c3*t76 - s3*t80);
+    const panda_real t82 = ww2_zz*(0.010261101821008168*c2 - 0.0007689361029464017*s2) - c2*n3_z +
+        s2*(c3*t77 - s3*t81);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const panda_real n1_z = 0.007966717767871044*qd[1]*t75 - t81;
+    const panda_real n1_z = 0.007966717767871044*qd[1]*t76 - t82;
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const panda_real n2_z = c3*t80 - (t75*(0.003983358883935522*qd[0]) - s3*t76 +
+    const panda_real n2_z = c3*t81 - (t76*(0.003983358883935522*qd[0]) - s3*t77 +
         (4.746153896127808*s2 - 0.01993386669246*c2));
+    const panda_real t83 = s7 - 1.2650190832031087*c7;
     /* link 7: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h7_x = 0.002573605371338201*c7 - 0.0020344399586618637*s7;
-    const panda_real h7_y = 0.0020344399586618637*c7 + 0.002573605371338201*s7;
-    const panda_real t82 = c7*c7;
-    const panda_real t83 = c7*s7;
-    const panda_real t84 = 0.002420943778521227*t82 - 0.000782782563368495*t83;
-    /* link 7: second moment of the composite body [kg m^2] */
-    const panda_real neg_k7_xx = t84 - 0.004552547872941087;
-    const panda_real neg_k7_xy = 0.002420943778521227*t83 + 0.0003913912816842475*(2.0*t82 - 1.0);
-    /* link 6: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu6_x = c6*h7_y;
-    const panda_real neg_fu6_y = s6*h7_y;
-    const panda_real t85 = 0.006684151967360947 + 0.088*h7_x;
-    /* link 6: moment for a unit acceleration of a joint further out */
-    const panda_real nu6_x = s6*t85 - c6*k7_xz;
-    const panda_real neg_nu6_y = c6*t85 + s6*k7_xz;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu5_x = s5*h7_x - c5*neg_fu6_x;
-    const panda_real fu5_y = c5*h7_x + s5*neg_fu6_x;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const panda_real nu5_x = s5*k7_yz - c5*nu6_x;
-    const panda_real neg_nu5_y = c5*k7_yz + s5*nu6_x;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real neg_m4_7 = neg_nu5_y + (0.384*neg_fu5_x - 0.0825*neg_fu6_y);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const panda_real fu4_x = c4*neg_fu5_x + s4*neg_fu6_y;
-    const panda_real fu4_y = s4*neg_fu5_x - c4*neg_fu6_y;
-    const panda_real t86 = 0.384*fu5_y - nu5_x;
-    const panda_real t87 = 0.0825*fu5_y;
-    const panda_real t88 = neg_nu6_y - t87;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_x = c4*t86 + s4*t88;
-    const panda_real nu4_y = s4*t86 - c4*t88;
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real neg_m3_7 = t87 - nu4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real fu3_x = c3*fu4_x + s3*fu5_y;
-    const panda_real fu3_y = s3*fu4_x - c3*fu5_y;
-    const panda_real t89 = neg_m4_7 - 0.0825*fu4_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x = c3*nu4_x - s3*t89;
-    const panda_real nu3_y = s3*nu4_x + c3*t89;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_7 = nu3_y + 0.316*fu3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu2_y = c2*neg_m3_7 + s2*(nu3_x - 0.316*fu3_y);
-    const panda_real t90 = neg_k7_xx - 0.176*h7_x;
-    /* link 6: mass matrix, its row of this joint */
-    const panda_real neg_m6_6 = t90 - 0.05045667791624746;
-    const panda_real t91 = h7_x + 0.231847552695;
+    const panda_real neg_h7_x = 0.0020344399586618637*t83;
+    const panda_real t84 = neg_h7_x - 0.231847552695;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h6_x = c6*t91 + 0.17380470556899996*s6;
-    const panda_real h6_y = s6*t91 - 0.17380470556899996*c6;
-    const panda_real t92 = c6*c6;
-    const panda_real t93 = t90 + 0.007412167175072353;
-    const panda_real t94 = k7_xz + 0.014748570382675314;
-    const panda_real t95 = c6*s6;
-    const panda_real t96 = t92*t93 - t94*(2.0*t95);
-    /* link 6: second moment of the composite body [kg m^2] */
-    const panda_real neg_k6_yy = t90 - 0.021522255370587554 - t96;
-    const panda_real neg_k6_xy = t93*t95 - t94*(1.0 - 2.0*t92);
-    const panda_real t97 = neg_k7_xy - 0.088*h7_y - 0.0001037589172186853;
-    const panda_real k6_xz = s6*t48 - c6*t97;
-    const panda_real neg_k6_yz = s6*t97 + c6*t48;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const panda_real fu5_x = c5*h6_y;
-    const panda_real fu5_y_2 = s5*h6_y;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const panda_real nu5_x_2 = c5*k6_xz + s5*neg_m6_6;
-    const panda_real nu5_y = s5*k6_xz - c5*neg_m6_6;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_6 = nu5_y - (0.0825*h6_x - 0.384*fu5_x);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu4_x = s4*h6_x + c4*fu5_x;
-    const panda_real fu4_y_2 = c4*h6_x - s4*fu5_x;
-    const panda_real t98 = nu5_x_2 - 0.384*fu5_y_2;
-    const panda_real t99 = 0.0825*fu5_y_2;
-    const panda_real t100 = neg_k6_yz + t99;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu4_x = c4*t98 + s4*t100;
-    const panda_real nu4_y_2 = c4*t100 - s4*t98;
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real neg_m3_6 = t99 - nu4_y_2;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real fu3_x_2 = s3*fu5_y_2 - c3*neg_fu4_x;
-    const panda_real neg_fu3_y = s3*neg_fu4_x + c3*fu5_y_2;
-    const panda_real t101 = m4_6 + 0.0825*fu4_y_2;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu3_x = c3*neg_nu4_x - s3*t101;
-    const panda_real neg_nu3_y = s3*neg_nu4_x + c3*t101;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_6 = 0.316*fu3_x_2 - neg_nu3_y;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu2_y_2 = c2*neg_m3_6 - s2*(neg_nu3_x - 0.316*neg_fu3_y);
-    /* link 5: mass matrix, its row of this joint */
-    const panda_real m5_5 = t84 - t96 + 0.04256237053342773;
-    const panda_real t102 = h6_x - 0.014653732538;
-    const panda_real t103 = h7_y - 0.067870631425;
+    const panda_real h6_x = 0.17380470556899996*s6 - c6*t84;
+    const panda_real t85 = s7 + 1.5495146829101907*t83;
+    /* link 7: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real h7_y = 0.0010094491271572172*t85 + 0.00401312745666211*c7;
+    const panda_real t86 = h6_x - 0.014653732538;
+    const panda_real t87 = h7_y - 0.067870631425;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real neg_h5_x = c5*t102 + s5*t103;
-    const panda_real neg_h5_y = s5*t102 - c5*t103;
-    const panda_real t104 = c5*c5;
-    const panda_real t105 = t84 + t96 - 0.018208786687945514;
-    const panda_real t106 = k6_xz - 0.00151524447332703;
-    const panda_real t107 = c5*s5;
-    const panda_real t108 = t104*t105 - t106*(2.0*t107);
+    const panda_real neg_h5_x = c5*t86 + s5*t87;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real neg_h6_y = 0.17380470556899996*c6 + s6*t84;
+    const panda_real t88 = neg_h5_x - 0.5527802746499999;
+    const panda_real t89 = neg_h6_y - 2.0125235536029997;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real h4_y = s4*t88 - c4*t89;
+    const panda_real h4_x = c4*t88 + s4*t89;
+    /* link 7: second moment of the composite body [kg m^2] */
+    const panda_real neg_k7_xz = 0.0004924610188319264*t85;
+    const panda_real k7_yz = 0.0009653051699191118*t83 + 0.0024766660593352045*c7;
+    const panda_real t90 = 9.35690973146064e-05 + k7_yz;
+    const panda_real t91 = 0.002420943778521227*c7;
+    const panda_real t92 = c7*t91;
+    const panda_real t93 = s7*t91;
+    const panda_real t94 = 0.32333777029991095*t92 + (t93 - 0.088*h7_y - 0.0004951501989029328);
+    /* link 6: second moment of the composite body [kg m^2] */
+    const panda_real k6_xz = s6*t90 - c6*t94;
+    const panda_real t95 = c5*c5;
+    const panda_real t96 = t92 + 0.012176791922741105 - 0.32333777029991095*t93;
+    const panda_real t97 = c6*s6;
+    const panda_real t98 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628);
+    const panda_real t99 = c6*c6;
+    const panda_real t100 = 0.000179030716362244*t83;
+    const panda_real t101 = t100 + (t96 + (t100 - 0.00931717262060984));
+    const panda_real t102 = t97*t98 + 0.6173375163284962 + t99*t101;
+    const panda_real t103 = t102 - 0.6477230949391829;
+    const panda_real t104 = t96 + t103;
+    const panda_real t105 = c5*s5;
+    const panda_real t106 = k6_xz + (k6_xz - 0.00303048894665406);
     /* link 5: second moment of the composite body [kg m^2] */
-    const panda_real k5_xx = t84 + 0.012176791922741105 - t108;
-    const panda_real k5_yy = t108 - (t96 - 0.03038557861068662);
-    const panda_real k5_xy = t106*(1.0 - 2.0*t104) - t105*t107;
-    const panda_real t109 = neg_k6_xy - 0.004600245517563107;
-    const panda_real t110 = neg_k6_yz - 0.0021640520520981327;
-    const panda_real k5_xz = c5*t109 + s5*t110;
-    const panda_real k5_yz = s5*t109 - c5*t110;
+    const panda_real k5_yy = t95*t104 - (t103 + t105*t106);
+    /* link 5: mass matrix, its row of this joint */
+    const panda_real m5_5 = t96 - t103;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const panda_real neg_k6_yz = s6*t94 + c6*t90;
+    /* link 6: mass matrix, its row of this joint */
+    const panda_real m6_6 = 0.057868845091319815 - t101;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real neg_h5_y = s5*t86 - c5*t87;
+    const panda_real t107 = t97*t101 - 0.004600245517563107 - t98*(t99 - 0.5);
+    const panda_real t108 = neg_k6_yz - 0.0021640520520981327;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const panda_real k5_yz = s5*t107 - c5*t108;
     /* link 4: mass matrix, its row of this joint */
     const panda_real neg_m4_5 = k5_yz - 0.384*neg_h5_y;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu4_x_2 = c4*neg_h5_y;
-    const panda_real neg_fu4_y = s4*neg_h5_y;
-    const panda_real t111 = 0.384*neg_h5_x;
-    const panda_real t112 = k5_xz - t111;
-    const panda_real t113 = 0.0825*neg_h5_x;
-    const panda_real t114 = m5_5 - t113;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const panda_real nu4_x_2 = c4*t112 - s4*t114;
-    const panda_real nu4_y_3 = s4*t112 + c4*t114;
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_5 = t113 + nu4_y_3;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu3_x = c3*neg_fu4_x_2 + s3*neg_h5_x;
-    const panda_real fu3_y_2 = c3*neg_h5_x - s3*neg_fu4_x_2;
-    const panda_real t115 = neg_m4_5 + 0.0825*neg_fu4_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x_2 = c3*nu4_x_2 - s3*t115;
-    const panda_real nu3_y_2 = s3*nu4_x_2 + c3*t115;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_5 = nu3_y_2 - 0.316*neg_fu3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y = c2*m3_5 - s2*(nu3_x_2 - 0.316*fu3_y_2);
-    const panda_real t116 = k5_xx - 0.165*neg_h5_x;
-    const panda_real t117 = neg_k6_yy - 0.768*h6_y;
-    /* link 4: mass matrix, its row of this joint */
-    const panda_real m4_4 = t116 - t117 + 0.7483122111877871;
-    const panda_real t118 = neg_h5_x - 0.5527802746499999;
-    const panda_real t119 = h6_y + 2.0125235536029997;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h4_x = c4*t118 - s4*t119;
-    const panda_real h4_y = s4*t118 + c4*t119;
-    const panda_real t120 = c4*c4;
-    const panda_real t121 = t116 + t117 - 0.6462719388741561;
-    const panda_real t122 = t111 - (k5_xz + 0.0825*h6_y) - 0.16284087268546082;
-    const panda_real t123 = c4*s4;
-    const panda_real t124 = t120*t121 - t122*(2.0*t123);
+    const panda_real t109 = 0.0825*neg_h5_y;
+    const panda_real t110 = t104*t105 + (t106*(t95 - 0.5) + (t109 - 0.0039053550262761055));
+    const panda_real t111 = neg_m4_5 + 0.00164448757736928;
     /* link 4: second moment of the composite body [kg m^2] */
-    const panda_real neg_k4_xx = t117 - 0.6972920750309717 - t124;
-    const panda_real neg_k4_yy = t124 - (t116 + 0.05102013615681549);
-    const panda_real k4_xy = t121*t123 - t122*(1.0 - 2.0*t120);
-    const panda_real t125 = 0.0825*neg_h5_y;
-    const panda_real t126 = t125 - k5_xy - 0.0039053550262761055;
-    const panda_real t127 = neg_m4_5 + 0.00164448757736928;
-    const panda_real k4_xz = c4*t126 - s4*t127;
-    const panda_real k4_yz = c4*t127 + s4*t126;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const panda_real neg_fu3_x_2 = c3*h4_y;
-    const panda_real neg_fu3_y_2 = s3*h4_y;
-    const panda_real t128 = m4_4 + 0.0825*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const panda_real nu3_x_3 = s3*t128 - c3*k4_xz;
-    const panda_real neg_nu3_y_2 = s3*k4_xz + c3*t128;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real neg_m2_4 = neg_nu3_y_2 + 0.316*neg_fu3_x_2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real neg_nu2_y_3 = c2*k4_yz + s2*(nu3_x_3 + 0.316*neg_fu3_y_2);
-    const panda_real t129 = neg_k4_xx - 0.165*h4_x;
-    /* link 3: mass matrix, its row of this joint */
-    const panda_real m3_3 = k5_yy - t129 + 0.08378056999140594;
-    const panda_real t130 = h4_x + 0.746857959872;
-    const panda_real t131 = neg_h5_y + 0.028227094877999827;
+    const panda_real k4_xz = c4*t110 - s4*t111;
+    const panda_real t112 = 0.384*neg_h6_y;
+    const panda_real t113 = t112 - m6_6;
+    const panda_real t114 = t102 - (t112 + t113);
+    const panda_real t115 = 0.0825*neg_h5_x;
+    const panda_real t116 = m5_5 - t115;
+    const panda_real t117 = t115 + (k5_yy - t116);
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_4 = t114 - (t117 - 0.10204027231363098);
+    /* link 4: second moment of the composite body [kg m^2] */
+    const panda_real k4_yz = c4*t111 + s4*t110;
+    const panda_real t118 = h4_x + 0.746857959872;
+    const panda_real t119 = neg_h5_y + 0.028227094877999827;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const panda_real h3_x = c3*t130 - s3*t131;
-    const panda_real h3_y = s3*t130 + c3*t131;
-    const panda_real t132 = c3*c3;
-    const panda_real t133 = k5_yy + t129 - 0.039424272061649446;
-    const panda_real t134 = t125 - k4_xz + 0.0001219124209507298;
+    const panda_real h3_x = c3*t118 - s3*t119;
+    const panda_real t120 = k5_yy + 0.022178148964878252;
+    const panda_real t121 = 0.0825*h4_x;
+    const panda_real t122 = c4*s4;
+    const panda_real t123 = c5*t107 - (0.384*neg_h5_x - s5*t108);
+    const panda_real t124 = 0.0825*neg_h6_y;
+    const panda_real t125 = t123 + 0.16284087268546082 - t124;
+    const panda_real t126 = t122*t125;
+    const panda_real t127 = 0.316*h4_y;
+    const panda_real t128 = c4*c4;
+    const panda_real t129 = t114 + t117;
+    const panda_real t130 = t121 + (t117 + t126) - (t127 - (t126 - (t128*t129 -
+        0.010582284869712202)));
+    const panda_real t131 = t121 + t127;
+    const panda_real t132 = m4_4 + t131;
+    const panda_real t133 = t130 + t132;
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real m3_3 = t120 + t133;
+    const panda_real t134 = t131 - (t130 - 1.0937644822584085);
     const panda_real t135 = c3*s3;
-    const panda_real t136 = t132*t133 + t134*(2.0*t135);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const panda_real k3_xx = k5_yy + 0.022178148964878252 - t136;
-    const panda_real k3_yy = t136 - (t129 - 0.061602421026527694);
-    const panda_real neg_k3_xy = t133*t135 + t134*(1.0 - 2.0*t132);
-    const panda_real t137 = k4_xy + 0.0825*h4_y + 0.005487648106562251;
-    const panda_real t138 = k4_yz - 0.0043772571218395765;
-    const panda_real k3_xz = c3*t137 + s3*t138;
-    const panda_real k3_yz = s3*t137 - c3*t138;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real neg_m2_3 = k3_yz + 0.316*h3_y;
-    const panda_real t139 = k3_xz + 0.316*h3_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const panda_real nu2_y_2 = s2*t139 + c2*m3_3;
-    const panda_real t140 = neg_k4_yy - 0.632*h4_y;
-    /* link 2: mass matrix, its row of this joint */
-    const panda_real m2_2 = k3_xx - t140 + 1.0552399437268125;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const panda_real k2_xx = c2*c2*(k3_xx + t140 - 1.009084178736949) + (t139 -
-        0.003983358883935522)*(2.0*(s2*c2)) - (t140 - 1.0321620612318807);
-    const panda_real k2_yz = s2*(neg_k3_xy + 0.010261101821008168) + c2*(neg_m2_3 +
-        0.0007689361029464017);
+    const panda_real t136 = k4_xz - (t109 + 0.0001219124209507298);
+    const panda_real t137 = t135*t136;
+    const panda_real t138 = c3*c3;
+    const panda_real t139 = t120 - t133;
+    const panda_real t140 = t120 + (t137 + (t137 + 0.023077882494931805 - t138*t139));
+    const panda_real t141 = t134 - t140;
+    const panda_real t142 = k4_yz - 0.0043772571218395765;
+    const panda_real t143 = t125*t128;
+    const panda_real t144 = t122*t129 + (t143 - 0.0825*h4_y - (t125 - (t143 -
+        0.005487648106562251)));
+    const panda_real t145 = s3*t142 + (0.316*h3_x - c3*t144);
     /* link 1: mass matrix, its row of this joint */
-    const panda_real m1_1 = k3_yy + k2_xx + 0.014259565994474374;
+    const panda_real m1_1 = t141 + (c2*(s2*(2.0*(t145 - 0.003983358883935522))) + (m3_3 -
+        t141*(c2*c2)) + 0.03733744848940618);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const panda_real h3_y = s3*t118 + c3*t119;
+    /* link 2: mass matrix, its row of this joint */
+    const panda_real m2_3 = s3*t144 - 0.316*h3_y + c3*t142;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const panda_real k2_yz = s2*(2.0*(t136*t138) + t135*t139 - (t136 - 0.010261101821008168)) -
+        c2*(m2_3 - 0.0007689361029464017);
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const panda_real nu2_y = c2*m3_3 + s2*t145;
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real m3_5 = s4*t123 + (t115 + c4*t116);
+    /* link 4: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu4_x = c4*neg_h5_y;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const panda_real fu3_y = c3*neg_h5_x - s3*neg_fu4_x;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const panda_real nu4_x = c4*t123 - s4*t116;
+    const panda_real t146 = s5*t124;
+    const panda_real t147 = neg_k6_yz - t146;
+    const panda_real t148 = s5*t113 + c5*k6_xz;
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real m3_6 = t146 + c4*t147 - s4*t148;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu5_x = c5*neg_h6_y;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const panda_real fu4_y = s4*neg_fu5_x + c4*h6_x;
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_6 = s5*k6_xz - c5*t113 - 0.0825*h6_x;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu5_y = 12.121212121212121*t146;
+    const panda_real t149 = 0.006684151967360947 - t100;
+    /* link 6: moment for a unit acceleration of a joint further out */
+    const panda_real neg_nu6_y = c6*t149 - s6*neg_k7_xz;
+    /* link 6: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu6_x = c6*h7_y;
+    /* link 6: moment for a unit acceleration of a joint further out */
+    const panda_real nu6_x = s6*t149 + c6*neg_k7_xz;
+    const panda_real t150 = c5*neg_h7_x - s5*neg_fu6_x;
+    const panda_real t151 = 0.0825*t150;
+    const panda_real t152 = neg_nu6_y + t151;
+    const panda_real t153 = c5*nu6_x - (0.384*t150 + s5*k7_yz);
+    /* link 3: mass matrix, its row of this joint */
+    const panda_real neg_m3_7 = c4*t152 - (t151 + s4*t153);
+    /* link 6: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu6_y = s6*h7_y;
+    const panda_real t154 = s5*neg_h7_x + c5*neg_fu6_x;
+    /* link 4: mass matrix, its row of this joint */
+    const panda_real m4_7 = 0.0825*neg_fu6_y - s5*nu6_x - (c5*k7_yz - 0.384*t154);
+    /* link 2: mass matrix, its row of this joint */
+    const panda_real m2_2 = t134 + t140;
+    const panda_real neg_m2_4 = c3*t132 + s3*k4_xz;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const panda_real neg_fu3_x = c3*neg_fu4_x + s3*neg_h5_x;
+    const panda_real t155 = neg_m4_5 + s4*t109;
+    /* link 2: mass matrix, its row of this joint */
+    const panda_real m2_5 = s3*nu4_x + (c3*t155 - 0.316*neg_fu3_x);
+    const panda_real t156 = c4*t148 + s4*t147;
+    const panda_real t157 = s4*h6_x - c4*neg_fu5_x;
+    const panda_real t158 = m4_6 + 0.0825*fu4_y;
+    const panda_real neg_m2_6 = s3*t156 + 0.316*(c3*t157 + s3*neg_fu5_y) + c3*t158;
+    const panda_real t159 = c4*t153 + s4*t152;
+    const panda_real t160 = m4_7 - 0.0825*(c4*neg_fu6_y + s4*t154);
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const panda_real nu3_y = s3*t159 - c3*t160;
+    const panda_real t161 = c4*t154 - s4*neg_fu6_y;
+    /* link 2: mass matrix, its row of this joint */
+    const panda_real m2_7 = nu3_y - 0.316*(c3*t161 + s3*t150);
+    /* factorisation M = L D L^T */
+    const panda_real neg_ld4_1 = c2*k4_yz - s2*(c3*k4_xz - s3*t132);
+    const panda_real ld5_1 = c2*m3_5 - s2*(c3*nu4_x - 0.316*fu3_y - s3*t155);
+    const panda_real ld6_1 = c2*m3_6 - s2*(s3*t158 + (0.316*(s3*t157 - c3*neg_fu5_y) - c3*t156));
+    const panda_real neg_ld7_1 = c2*neg_m3_7 + s2*(c3*t159 - (0.316*(c3*t150 - s3*t161) - s3*t160));
     /* link 1: forward substitution */
     const panda_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
     const panda_real ipivot1 = 1.0 / m1_1;
     const panda_real neg_l2_1 = k2_yz*ipivot1;
-    const panda_real l3_1 = nu2_y_2*ipivot1;
-    const panda_real neg_l4_1 = neg_nu2_y_3*ipivot1;
-    const panda_real l5_1 = nu2_y*ipivot1;
-    const panda_real neg_l6_1 = neg_nu2_y_2*ipivot1;
-    const panda_real neg_l7_1 = neg_nu2_y*ipivot1;
+    const panda_real l3_1 = nu2_y*ipivot1;
+    const panda_real neg_l4_1 = neg_ld4_1*ipivot1;
+    const panda_real l5_1 = ld5_1*ipivot1;
+    const panda_real l6_1 = ld6_1*ipivot1;
+    const panda_real neg_l7_1 = neg_ld7_1*ipivot1;
     const panda_real pivot2 = m2_2 - k2_yz*neg_l2_1;
     const panda_real ipivot2 = 1.0 / pivot2;
-    const panda_real neg_ld3_2 = neg_m2_3 - k2_yz*l3_1;
-    const panda_real neg_l3_2 = ipivot2*neg_ld3_2;
+    const panda_real ld3_2 = m2_3 + k2_yz*l3_1;
+    const panda_real l3_2 = ipivot2*ld3_2;
     const panda_real neg_ld4_2 = neg_m2_4 + k2_yz*neg_l4_1;
     const panda_real neg_l4_2 = ipivot2*neg_ld4_2;
     const panda_real ld5_2 = m2_5 + k2_yz*l5_1;
     const panda_real l5_2 = ipivot2*ld5_2;
-    const panda_real neg_ld6_2 = k2_yz*neg_l6_1 - m2_6;
+    const panda_real neg_ld6_2 = neg_m2_6 - k2_yz*l6_1;
     const panda_real neg_l6_2 = ipivot2*neg_ld6_2;
-    const panda_real ld7_2 = m2_7 - k2_yz*neg_l7_1;
-    const panda_real l7_2 = ipivot2*ld7_2;
-    const panda_real pivot3 = m3_3 - nu2_y_2*l3_1 - neg_ld3_2*neg_l3_2;
+    const panda_real neg_ld7_2 = k2_yz*neg_l7_1 - m2_7;
+    const panda_real neg_l7_2 = ipivot2*neg_ld7_2;
+    const panda_real pivot3 = m3_3 - nu2_y*l3_1 - ld3_2*l3_2;
     const panda_real ipivot3 = 1.0 / pivot3;
-    const panda_real neg_ld4_3 = k4_yz - nu2_y_2*neg_l4_1 + neg_ld3_2*neg_l4_2;
+    const panda_real neg_ld4_3 = k4_yz - nu2_y*neg_l4_1 - ld3_2*neg_l4_2;
     const panda_real neg_l4_3 = ipivot3*neg_ld4_3;
-    const panda_real ld5_3 = m3_5 - nu2_y_2*l5_1 + neg_ld3_2*l5_2;
+    const panda_real ld5_3 = m3_5 - nu2_y*l5_1 - ld3_2*l5_2;
     const panda_real l5_3 = ipivot3*ld5_3;
-    const panda_real neg_ld6_3 = neg_m3_6 - nu2_y_2*neg_l6_1 + neg_ld3_2*neg_l6_2;
-    const panda_real neg_l6_3 = ipivot3*neg_ld6_3;
-    const panda_real neg_ld7_3 = neg_m3_7 - nu2_y_2*neg_l7_1 - neg_ld3_2*l7_2;
+    const panda_real ld6_3 = m3_6 - nu2_y*l6_1 + ld3_2*neg_l6_2;
+    const panda_real l6_3 = ipivot3*ld6_3;
+    const panda_real neg_ld7_3 = neg_m3_7 - nu2_y*neg_l7_1 - ld3_2*neg_l7_2;
     const panda_real neg_l7_3 = ipivot3*neg_ld7_3;
-    const panda_real pivot4 = m4_4 - neg_nu2_y_3*neg_l4_1 - neg_ld4_2*neg_l4_2 - neg_ld4_3*neg_l4_3;
+    const panda_real pivot4 = m4_4 - neg_ld4_1*neg_l4_1 - neg_ld4_2*neg_l4_2 - neg_ld4_3*neg_l4_3;
     const panda_real ipivot4 = 1.0 / pivot4;
-    const panda_real neg_ld5_4 = neg_m4_5 - neg_nu2_y_3*l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3;
+    const panda_real neg_ld5_4 = neg_m4_5 - neg_ld4_1*l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3;
     const panda_real neg_l5_4 = ipivot4*neg_ld5_4;
-    const panda_real ld6_4 = m4_6 - neg_nu2_y_3*neg_l6_1 - neg_ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3;
+    const panda_real ld6_4 = m4_6 + neg_ld4_1*l6_1 - neg_ld4_2*neg_l6_2 + neg_ld4_3*l6_3;
     const panda_real l6_4 = ipivot4*ld6_4;
-    const panda_real neg_ld7_4 = neg_m4_7 + neg_nu2_y_3*neg_l7_1 - neg_ld4_2*l7_2 +
-        neg_ld4_3*neg_l7_3;
-    const panda_real neg_l7_4 = ipivot4*neg_ld7_4;
-    const panda_real pivot5 = m5_5 - nu2_y*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4;
+    const panda_real ld7_4 = m4_7 - neg_ld4_1*neg_l7_1 - neg_ld4_2*neg_l7_2 - neg_ld4_3*neg_l7_3;
+    const panda_real l7_4 = ipivot4*ld7_4;
+    const panda_real pivot5 = m5_5 - ld5_1*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4;
     const panda_real ipivot5 = 1.0 / pivot5;
-    const panda_real ld6_5 = neg_k6_yz + nu2_y*neg_l6_1 + ld5_2*neg_l6_2 + ld5_3*neg_l6_3 +
-        neg_ld5_4*l6_4;
+    const panda_real ld6_5 = neg_k6_yz - ld5_1*l6_1 + ld5_2*neg_l6_2 - ld5_3*l6_3 + neg_ld5_4*l6_4;
     const panda_real l6_5 = ipivot5*ld6_5;
-    const panda_real neg_ld7_5 = neg_nu6_y - nu2_y*neg_l7_1 + ld5_2*l7_2 - ld5_3*neg_l7_3 +
-        neg_ld5_4*neg_l7_4;
+    const panda_real neg_ld7_5 = neg_nu6_y - ld5_1*neg_l7_1 - ld5_2*neg_l7_2 - ld5_3*neg_l7_3 -
+        neg_ld5_4*l7_4;
     const panda_real neg_l7_5 = ipivot5*neg_ld7_5;
-    const panda_real neg_pivot6 = neg_m6_6 + neg_nu2_y_2*neg_l6_1 + neg_ld6_2*neg_l6_2 +
-        neg_ld6_3*neg_l6_3 + ld6_4*l6_4 + ld6_5*l6_5;
+    const panda_real neg_pivot6 = ld6_1*l6_1 - m6_6 + neg_ld6_2*neg_l6_2 + ld6_3*l6_3 + ld6_4*l6_4 +
+        ld6_5*l6_5;
     const panda_real neg_ipivot6 = 1.0 / neg_pivot6;
-    const panda_real neg_ld7_6 = k7_yz + neg_nu2_y_2*neg_l7_1 - neg_ld6_2*l7_2 + neg_ld6_3*neg_l7_3
-        - ld6_4*neg_l7_4 - ld6_5*neg_l7_5;
+    const panda_real neg_ld7_6 = k7_yz - ld6_1*neg_l7_1 + neg_ld6_2*neg_l7_2 - ld6_3*neg_l7_3 +
+        ld6_4*l7_4 - ld6_5*neg_l7_5;
     const panda_real l7_6 = neg_ipivot6*neg_ld7_6;
-    const panda_real t141 = 0.006684151967360947 - neg_nu2_y*neg_l7_1 - ld7_2*l7_2 -
-        neg_ld7_3*neg_l7_3 - neg_ld7_4*neg_l7_4 - neg_ld7_5*neg_l7_5;
-    const panda_real pivot7 = t141 + neg_ld7_6*l7_6;
+    const panda_real t162 = 0.006684151967360947 - neg_ld7_1*neg_l7_1 - neg_ld7_2*neg_l7_2 -
+        neg_ld7_3*neg_l7_3 - ld7_4*l7_4 - neg_ld7_5*neg_l7_5;
+    const panda_real pivot7 = t162 + neg_ld7_6*l7_6;
     const panda_real ipivot7 = 1.0 / pivot7;
     /* link 2: forward substitution */
     const panda_real neg_y2 = n2_z - tau[1] + neg_y1*neg_l2_1;
     /* link 3: forward substitution */
-    const panda_real neg_y3 = n3_z - tau[2] - neg_y1*l3_1 + neg_l3_2*neg_y2;
+    const panda_real neg_y3 = n3_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
     const panda_real neg_y4 = n4_z - tau[3] + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3;
     /* link 5: forward substitution */
     const panda_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 +
         neg_l5_4*neg_y4;
     /* link 6: forward substitution */
-    const panda_real y6 = neg_n6_z + tau[5] - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 +
+    const panda_real y6 = neg_n6_z + tau[5] + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 +
         l6_4*neg_y4 + l6_5*neg_y5;
-    const panda_real t142 = nc7_z - tau[6] + neg_y1*neg_l7_1 - l7_2*neg_y2 + neg_l7_3*neg_y3 +
-        neg_l7_4*neg_y4 + neg_l7_5*neg_y5;
+    const panda_real t163 = nc7_z - tau[6] + neg_y1*neg_l7_1 + neg_l7_2*neg_y2 + neg_l7_3*neg_y3 -
+        l7_4*neg_y4 + neg_l7_5*neg_y5;
     /* link 7: forward substitution */
-    const panda_real neg_y7 = t142 + l7_6*y6;
+    const panda_real neg_y7 = t163 + l7_6*y6;
     /* link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const panda_real neg_qdd7 = ipivot7*neg_y7;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
@@ -1584,28 +1523,28 @@ void panda_forward_dynamics(
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const panda_real neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6 + neg_l7_5*neg_qdd7;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6 +
-        neg_l7_4*neg_qdd7;
+    const panda_real neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6 - l7_4*neg_qdd7;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real neg_qdd3 = ipivot3*neg_y3 + neg_l4_3*neg_qdd4 - l5_3*neg_qdd5 +
-        neg_l6_3*neg_qdd6 + neg_l7_3*neg_qdd7;
+    const panda_real neg_qdd3 = ipivot3*neg_y3 + neg_l4_3*neg_qdd4 - l5_3*neg_qdd5 - l6_3*neg_qdd6 +
+        neg_l7_3*neg_qdd7;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real qdd2 = l7_2*neg_qdd7 - (ipivot2*neg_y2 + neg_l3_2*neg_qdd3 + neg_l4_2*neg_qdd4
-        - l5_2*neg_qdd5 + neg_l6_2*neg_qdd6);
-    const panda_real t143 = neg_y1*ipivot1 - neg_l2_1*qdd2 - l3_1*neg_qdd3 + neg_l4_1*neg_qdd4 -
-        l5_1*neg_qdd5 + neg_l6_1*neg_qdd6;
+    const panda_real neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 +
+        neg_l6_2*neg_qdd6 + neg_l7_2*neg_qdd7;
+    const panda_real t164 = neg_y1*ipivot1 + neg_l2_1*neg_qdd2 - l3_1*neg_qdd3 + neg_l4_1*neg_qdd4 -
+        l5_1*neg_qdd5 - l6_1*neg_qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const panda_real qdd1 = -neg_l7_1*neg_qdd7 - t143;
-    const panda_real t144 = -neg_qdd3;
-    const panda_real t145 = -neg_qdd4;
-    const panda_real t146 = -neg_qdd5;
-    const panda_real t147 = -neg_qdd6;
-    const panda_real t148 = -neg_qdd7;
+    const panda_real qdd1 = -neg_l7_1*neg_qdd7 - t164;
+    const panda_real t165 = -neg_qdd2;
+    const panda_real t166 = -neg_qdd3;
+    const panda_real t167 = -neg_qdd4;
+    const panda_real t168 = -neg_qdd5;
+    const panda_real t169 = -neg_qdd6;
+    const panda_real t170 = -neg_qdd7;
     qdd[0] = qdd1;
-    qdd[1] = qdd2;
-    qdd[2] = t144;
-    qdd[3] = t145;
-    qdd[4] = t146;
-    qdd[5] = t147;
-    qdd[6] = t148;
+    qdd[1] = t165;
+    qdd[2] = t166;
+    qdd[3] = t167;
+    qdd[4] = t168;
+    qdd[5] = t169;
+    qdd[6] = t170;
 }

@@ -15,15 +15,16 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
-! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
-!   to the recursion without being written like it: robodyn --optimize full, seed 1.
+! Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+!   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+!   seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 272 multiplications, 258 additions = 530; 6 unary minus; 12 sine/cosine
 !   gravity: 60 multiplications, 36 additions = 96; 2 unary minus; 12 sine/cosine
 !   bias: 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine
-!   mass_matrix: 203 multiplications, 173 additions = 376; 7 unary minus; 12 sine/cosine
-!   forward_dynamics: 582 multiplications, 517 additions, 7 divisions = 1106; 6 unary minus; 12
+!   mass_matrix: 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
+!   forward_dynamics: 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12
 !       sine/cosine
 module panda_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -772,25 +773,22 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 203 multiplications, 173 additions = 376; 7 unary minus; 12 sine/cosine
+  ! 184 multiplications, 166 additions = 350; 3 unary minus; 12 sine/cosine
   pure subroutine panda_mass_matrix(q, M) &
       bind(c, name="panda_mass_matrix_f")
     real(rk), intent(in) :: q(7)
     real(rk), intent(out) :: M(49)
-    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, h7_x, neg_h7_y, t1, t2, t3, k7_xx
-    real(rk) :: neg_k7_xy, k7_xz, neg_k7_yz, fu6_x, fu6_y, t4, nu6_x, nu6_y, fu5_x, fu5_y, nu5_x
-    real(rk) :: nu5_y, m4_7, fu4_x, fu4_y, t5, t6, t7, nu4_x, nu4_y, m3_7, fu3_x, fu3_y, t8, nu3_x
-    real(rk) :: nu3_y, m2_7, nu2_y, t9, m6_6, t10, h6_x, h6_y, t11, t12, t13, t14, t15, k6_yy
-    real(rk) :: neg_k6_xy, t16, t17, k6_xz, neg_k6_yz, fu5_x_2, fu5_y_2, nu5_x_2, nu5_y_2, m4_6
-    real(rk) :: fu4_x_2, neg_fu4_y, t18, t19, t20, nu4_x_2, nu4_y_2, m3_6, fu3_x_2, fu3_y_2, t21
-    real(rk) :: nu3_x_2, nu3_y_2, m2_6, nu2_y_2, m5_5, t22, t23, h5_x, h5_y, t24, t25, t26, t27
-    real(rk) :: t28, k5_xx, k5_yy, neg_k5_xy, t29, t30, k5_xz, k5_yz, m4_5, fu4_x_3, fu4_y_2, t31
-    real(rk) :: t32, t33, t34, nu4_x_3, nu4_y_3, m3_5, fu3_x_3, fu3_y_3, t35, nu3_x_3, nu3_y_3
-    real(rk) :: m2_5, nu2_y_3, t36, t37, m4_4, t38, t39, h4_x, h4_y, t40, t41, t42, t43, t44, k4_xx
-    real(rk) :: k4_yy, k4_xy, t45, t46, t47, k4_xz, neg_k4_yz, neg_fu3_x, neg_fu3_y, t48, nu3_x_4
-    real(rk) :: neg_nu3_y, m2_4, nu2_y_4, t49, m3_3, t50, t51, h3_x, h3_y, t52, t53, t54, t55, t56
-    real(rk) :: k3_xx, neg_k3_yy, k3_xy, t57, t58, k3_xz, k3_yz, m2_3, t59, nu2_y_5, t60, m2_2
-    real(rk) :: k2_xx, neg_k2_yz, m1_1
+    real(rk) :: c2, s2, c3, s3, c4, s4, c5, s5, c6, s6, c7, s7, t1, neg_h7_x, t2, h6_x, t3, h7_y
+    real(rk) :: t4, t5, neg_h5_x, neg_h6_y, t6, t7, h4_y, h4_x, neg_k7_xz, k7_yz, t8, t9, t10, t11
+    real(rk) :: t12, k6_xz, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, t24, k5_yy, m5_5
+    real(rk) :: neg_k6_yz, m6_6, neg_h5_y, t25, t26, k5_yz, m4_5, t27, t28, t29, k4_xz, t30, t31
+    real(rk) :: t32, t33, t34, t35, m4_4, neg_k4_yz, t36, t37, h3_x, t38, t39, t40, t41, t42, t43
+    real(rk) :: t44, t45, t46, t47, t48, t49, t50, t51, m3_3, t52, t53, t54, t55, t56, t57, t58
+    real(rk) :: t59, t60, t61, t62, t63, m1_1, h3_y, m2_3, neg_k2_yz, nu2_y, m3_5, neg_fu4_x, fu3_y
+    real(rk) :: nu4_x, t64, t65, t66, m3_6, neg_fu5_x, fu4_y, m4_6, neg_fu5_y, t67, nu6_y
+    real(rk) :: neg_fu6_x, neg_nu6_x, t68, t69, t70, t71, m3_7, neg_fu6_y, t72, m4_7, m2_2, m2_4
+    real(rk) :: neg_fu3_x, t73, m2_5, t74, t75, t76, m2_6, t77, t78, nu3_y, t79, m2_7, t80, t81
+    real(rk) :: t82, t83, t84
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -805,224 +803,193 @@ contains
     s6 = sin(q(6))
     c7 = cos(q(7))
     s7 = sin(q(7))
+    t1 = s7 - 1.2650190832031087_rk*c7
     ! link 7: first moment of the composite body, about the frame's origin [kg m]
-    h7_x = 0.002573605371338201_rk*c7 - 0.0020344399586618637_rk*s7
-    neg_h7_y = -0.0020344399586618637_rk*c7 - 0.002573605371338201_rk*s7
-    t1 = c7*c7
-    t2 = c7*s7
-    t3 = 0.002420943778521227_rk*t1 - 0.000782782563368495_rk*t2
-    ! link 7: second moment of the composite body [kg m^2]
-    k7_xx = 0.004552547872941087_rk - t3
-    neg_k7_xy = 0.002420943778521227_rk*t2 + 0.0003913912816842475_rk*(2.0_rk*t1 - 1.0_rk)
-    k7_xz = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
-    neg_k7_yz = -0.0012555365982729084_rk*c7 - 0.0009653051699191118_rk*s7
-    ! link 6: force for a unit acceleration of a joint further out
-    fu6_x = c6*neg_h7_y
-    fu6_y = s6*neg_h7_y
-    t4 = 0.088_rk*h7_x + 0.006684151967360947_rk
-    ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = s6*t4 - c6*k7_xz
-    nu6_y = -c6*t4 - s6*k7_xz
-    ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = -s5*h7_x - c5*fu6_x
-    fu5_y = c5*h7_x - s5*fu6_x
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = -c5*nu6_x - s5*neg_k7_yz
-    nu5_y = c5*neg_k7_yz - s5*nu6_x
-    ! link 4: mass matrix, its row of this joint
-    m4_7 = nu5_y + (0.384_rk*fu5_x - 0.0825_rk*fu6_y)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = -c4*fu5_x - s4*fu6_y
-    fu4_y = c4*fu6_y - s4*fu5_x
-    t5 = 0.384_rk*fu5_y - nu5_x
-    t6 = 0.0825_rk*fu5_y
-    t7 = nu6_y + t6
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*t5 - s4*t7
-    nu4_y = s4*t5 + c4*t7
-    ! link 3: mass matrix, its row of this joint
-    m3_7 = nu4_y - t6
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c3*fu4_x + s3*fu5_y
-    fu3_y = s3*fu4_x - c3*fu5_y
-    t8 = m4_7 + 0.0825_rk*fu4_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c3*nu4_x + s3*t8
-    nu3_y = s3*nu4_x - c3*t8
-    ! link 2: mass matrix, its row of this joint
-    m2_7 = nu3_y + 0.316_rk*fu3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = c2*m3_7 - s2*(nu3_x - 0.316_rk*fu3_y)
-    t9 = k7_xx + 0.176_rk*h7_x
-    ! link 6: mass matrix, its row of this joint
-    m6_6 = t9 + 0.05045667791624746_rk
-    t10 = h7_x + 0.231847552695_rk
+    neg_h7_x = 0.0020344399586618637_rk*t1
+    t2 = neg_h7_x - 0.231847552695_rk
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = c6*t10 + 0.17380470556899996_rk*s6
-    h6_y = s6*t10 - 0.17380470556899996_rk*c6
-    t11 = c6*c6
-    t12 = 0.007412167175072353_rk - t9
-    t13 = k7_xz + 0.014748570382675314_rk
-    t14 = c6*s6
-    t15 = t11*t12 - t13*(2.0_rk*t14)
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_yy = t9 + 0.021522255370587554_rk + t15
-    neg_k6_xy = t12*t14 - t13*(1.0_rk - 2.0_rk*t11)
-    t16 = 9.35690973146064e-05_rk - neg_k7_yz
-    t17 = neg_k7_xy + 0.088_rk*neg_h7_y - 0.0001037589172186853_rk
-    k6_xz = s6*t16 - c6*t17
-    neg_k6_yz = s6*t17 + c6*t16
-    ! link 5: force for a unit acceleration of a joint further out
-    fu5_x_2 = c5*h6_y
-    fu5_y_2 = s5*h6_y
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x_2 = c5*k6_xz - s5*m6_6
-    nu5_y_2 = s5*k6_xz + c5*m6_6
-    ! link 4: mass matrix, its row of this joint
-    m4_6 = nu5_y_2 - (0.0825_rk*h6_x - 0.384_rk*fu5_x_2)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = -s4*h6_x - c4*fu5_x_2
-    neg_fu4_y = s4*fu5_x_2 - c4*h6_x
-    t18 = 0.384_rk*fu5_y_2 - nu5_x_2
-    t19 = 0.0825_rk*fu5_y_2
-    t20 = neg_k6_yz + t19
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c4*t18 - s4*t20
-    nu4_y_2 = s4*t18 + c4*t20
-    ! link 3: mass matrix, its row of this joint
-    m3_6 = nu4_y_2 - t19
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c3*fu4_x_2 + s3*fu5_y_2
-    fu3_y_2 = s3*fu4_x_2 - c3*fu5_y_2
-    t21 = 0.0825_rk*neg_fu4_y - m4_6
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_2 = c3*nu4_x_2 - s3*t21
-    nu3_y_2 = s3*nu4_x_2 + c3*t21
-    ! link 2: mass matrix, its row of this joint
-    m2_6 = nu3_y_2 + 0.316_rk*fu3_x_2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = c2*m3_6 - s2*(nu3_x_2 - 0.316_rk*fu3_y_2)
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t3 - t15 + 0.04256237053342773_rk
-    t22 = 0.014653732538_rk - h6_x
-    t23 = neg_h7_y + 0.067870631425_rk
+    h6_x = 0.17380470556899996_rk*s6 - c6*t2
+    t3 = s7 + 1.5495146829101907_rk*t1
+    ! link 7: first moment of the composite body, about the frame's origin [kg m]
+    h7_y = 0.0010094491271572172_rk*t3 + 0.00401312745666211_rk*c7
+    t4 = h6_x - 0.014653732538_rk
+    t5 = h7_y - 0.067870631425_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = c5*t22 + s5*t23
-    h5_y = s5*t22 - c5*t23
-    t24 = c5*c5
-    t25 = t3 + t15 - 0.018208786687945514_rk
-    t26 = 0.00151524447332703_rk - k6_xz
-    t27 = c5*s5
-    t28 = t24*t25 + t26*(2.0_rk*t27)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = t3 + 0.012176791922741105_rk - t28
-    k5_yy = t28 - (t15 - 0.03038557861068662_rk)
-    neg_k5_xy = t25*t27 + t26*(1.0_rk - 2.0_rk*t24)
-    t29 = neg_k6_xy - 0.004600245517563107_rk
-    t30 = neg_k6_yz - 0.0021640520520981327_rk
-    k5_xz = c5*t29 + s5*t30
-    k5_yz = s5*t29 - c5*t30
-    ! link 4: mass matrix, its row of this joint
-    m4_5 = -0.384_rk*h5_y - k5_yz
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_3 = c4*h5_y
-    fu4_y_2 = s4*h5_y
-    t31 = -0.384_rk*h5_x
-    t32 = k5_xz - t31
-    t33 = 0.0825_rk*h5_x
-    t34 = m5_5 + t33
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_3 = c4*t32 - s4*t34
-    nu4_y_3 = s4*t32 + c4*t34
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_3 - t33
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_3 = c3*fu4_x_3 + s3*h5_x
-    fu3_y_3 = s3*fu4_x_3 - c3*h5_x
-    t35 = -0.0825_rk*fu4_y_2 - m4_5
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_3 = c3*nu4_x_3 - s3*t35
-    nu3_y_3 = s3*nu4_x_3 + c3*t35
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = nu3_y_3 + 0.316_rk*fu3_x_3
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_3 = c2*m3_5 - s2*(nu3_x_3 - 0.316_rk*fu3_y_3)
-    t36 = k5_xx + 0.165_rk*h5_x
-    t37 = k6_yy + 0.768_rk*h6_y
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = t36 + t37 + 0.7483122111877871_rk
-    t38 = -h5_x - 0.5527802746499999_rk
-    t39 = h6_y + 2.0125235536029997_rk
+    neg_h5_x = c5*t4 + s5*t5
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    neg_h6_y = 0.17380470556899996_rk*c6 + s6*t2
+    t6 = neg_h5_x - 0.5527802746499999_rk
+    t7 = neg_h6_y - 2.0125235536029997_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t38 - s4*t39
-    h4_y = s4*t38 + c4*t39
-    t40 = c4*c4
-    t41 = t36 - t37 - 0.6462719388741561_rk
-    t42 = t31 - (k5_xz + 0.0825_rk*h6_y) - 0.16284087268546082_rk
-    t43 = c4*s4
-    t44 = t40*t41 - t42*(2.0_rk*t43)
+    h4_y = s4*t6 - c4*t7
+    h4_x = c4*t6 + s4*t7
+    ! link 7: second moment of the composite body [kg m^2]
+    neg_k7_xz = 0.0004924610188319264_rk*t3
+    k7_yz = 0.0009653051699191118_rk*t1 + 0.0024766660593352045_rk*c7
+    t8 = k7_yz + 9.35690973146064e-05_rk
+    t9 = 0.002420943778521227_rk*c7
+    t10 = c7*t9
+    t11 = s7*t9
+    t12 = 0.32333777029991095_rk*t10 + (t11 - 0.088_rk*h7_y - 0.0004951501989029328_rk)
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xz = s6*t8 - c6*t12
+    t13 = c5*c5
+    t14 = t10 + 0.012176791922741105_rk - 0.32333777029991095_rk*t11
+    t15 = c6*s6
+    t16 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628_rk)
+    t17 = c6*c6
+    t18 = 0.000179030716362244_rk*t1
+    t19 = t18 + (t14 + (t18 - 0.00931717262060984_rk))
+    t20 = t15*t16 + 0.6173375163284962_rk + t17*t19
+    t21 = t20 - 0.6477230949391829_rk
+    t22 = t14 + t21
+    t23 = c5*s5
+    t24 = 0.00303048894665406_rk - k6_xz - k6_xz
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yy = t13*t22 - (t21 - t23*t24)
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t14 - t21
+    ! link 6: second moment of the composite body [kg m^2]
+    neg_k6_yz = s6*t12 + c6*t8
+    ! link 6: mass matrix, its row of this joint
+    m6_6 = 0.057868845091319815_rk - t19
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_y = s5*t4 - c5*t5
+    t25 = t15*t19 - 0.004600245517563107_rk - t16*(t17 - 0.5_rk)
+    t26 = neg_k6_yz - 0.0021640520520981327_rk
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yz = s5*t25 - c5*t26
+    ! link 4: mass matrix, its row of this joint
+    m4_5 = 0.384_rk*neg_h5_y - k5_yz
+    t27 = 0.0825_rk*neg_h5_y
+    t28 = t22*t23 - (t24*(t13 - 0.5_rk) - (t27 - 0.0039053550262761055_rk))
+    t29 = m4_5 - 0.00164448757736928_rk
     ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t37 + 0.6972920750309717_rk + t44
-    k4_yy = t36 + 0.05102013615681549_rk - t44
-    k4_xy = t41*t43 - t42*(1.0_rk - 2.0_rk*t40)
-    t45 = -0.0825_rk*h5_y
-    t46 = neg_k5_xy + t45 - 0.0039053550262761055_rk
-    t47 = m4_5 - 0.00164448757736928_rk
-    k4_xz = c4*t46 + s4*t47
-    neg_k4_yz = c4*t47 - s4*t46
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c3*h4_y
-    neg_fu3_y = s3*h4_y
-    t48 = m4_4 + 0.0825_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_4 = s3*t48 - c3*k4_xz
-    neg_nu3_y = s3*k4_xz + c3*t48
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = -0.316_rk*neg_fu3_x - neg_nu3_y
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_4 = c2*neg_k4_yz - s2*(nu3_x_4 + 0.316_rk*neg_fu3_y)
-    t49 = -0.165_rk*h4_x - k4_xx
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = 0.08378056999140594_rk - (t49 - k5_yy)
-    t50 = h4_x + 0.746857959872_rk
-    t51 = 0.028227094877999827_rk - h5_y
+    k4_xz = c4*t28 + s4*t29
+    t30 = 0.384_rk*neg_h6_y
+    t31 = t30 - m6_6
+    t32 = t20 - (t30 + t31)
+    t33 = 0.0825_rk*neg_h5_x
+    t34 = t33 - m5_5
+    t35 = t33 + (k5_yy + t34)
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t32 - (t35 - 0.10204027231363098_rk)
+    ! link 4: second moment of the composite body [kg m^2]
+    neg_k4_yz = c4*t29 - s4*t28
+    t36 = h4_x + 0.746857959872_rk
+    t37 = neg_h5_y + 0.028227094877999827_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c3*t50 - s3*t51
-    h3_y = s3*t50 + c3*t51
-    t52 = c3*c3
-    t53 = 0.039424272061649446_rk - (k5_yy + t49)
-    t54 = t45 - k4_xz + 0.0001219124209507298_rk
-    t55 = c3*s3
-    t56 = t52*t53 - t54*(2.0_rk*t55)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = k5_yy + 0.022178148964878252_rk + t56
-    neg_k3_yy = t49 - 0.061602421026527694_rk + t56
-    k3_xy = t53*t55 - t54*(1.0_rk - 2.0_rk*t52)
-    t57 = k4_xy + 0.0825_rk*h4_y + 0.005487648106562251_rk
-    t58 = -neg_k4_yz - 0.0043772571218395765_rk
-    k3_xz = c3*t57 + s3*t58
-    k3_yz = s3*t57 - c3*t58
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = -0.316_rk*h3_y - k3_yz
-    t59 = k3_xz + 0.316_rk*h3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_5 = s2*t59 + c2*m3_3
-    t60 = k4_yy + 0.632_rk*h4_y
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = k3_xx + t60 + 1.0552399437268125_rk
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t60 + 1.0321620612318807_rk - (c2*c2*(t60 - k3_xx + 1.009084178736949_rk) - (t59 - &
-        0.003983358883935522_rk)*(2.0_rk*(c2*s2)))
-    neg_k2_yz = s2*(k3_xy - 0.010261101821008168_rk) - c2*(0.0007689361029464017_rk - m2_3)
+    h3_x = c3*t36 - s3*t37
+    t38 = k5_yy + 0.022178148964878252_rk
+    t39 = 0.0825_rk*h4_x
+    t40 = c4*s4
+    t41 = c5*t25 - (0.384_rk*neg_h5_x - s5*t26)
+    t42 = 0.0825_rk*neg_h6_y
+    t43 = t41 + 0.16284087268546082_rk - t42
+    t44 = t40*t43
+    t45 = 0.316_rk*h4_y
+    t46 = c4*c4
+    t47 = t35 + t32
+    t48 = t39 + (t35 + t44) - (t45 - (t44 - (t46*t47 - 0.010582284869712202_rk)))
+    t49 = t45 + t39
+    t50 = t49 + m4_4
+    t51 = t48 + t50
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t38 + t51
+    t52 = t49 - (t48 - 1.0937644822584085_rk)
+    t53 = c3*s3
+    t54 = t27 + 0.0001219124209507298_rk - k4_xz
+    t55 = t53*t54
+    t56 = c3*c3
+    t57 = t38 - t51
+    t58 = t38 - (t55 + (t55 - 0.023077882494931805_rk + t56*t57))
+    t59 = t52 - t58
+    t60 = neg_k4_yz + 0.0043772571218395765_rk
+    t61 = t43*t46
+    t62 = t40*t47 + (t61 - 0.0825_rk*h4_y - (t43 - (t61 - 0.005487648106562251_rk)))
+    t63 = s3*t60 - (0.316_rk*h3_x - c3*t62)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = k2_xx - neg_k3_yy + 0.014259565994474374_rk
+    m1_1 = t59 - (c2*(s2*(2.0_rk*(t63 + 0.003983358883935522_rk))) - (m3_3 - t59*(c2*c2)) - &
+        0.03733744848940618_rk)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s3*t36 + c3*t37
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = s3*t62 - 0.316_rk*h3_y - c3*t60
+    ! link 2: second moment of the composite body [kg m^2]
+    neg_k2_yz = s2*(2.0_rk*(t54*t56) - t53*t57 - (t54 + 0.010261101821008168_rk)) - &
+        c2*(0.0007689361029464017_rk - m2_3)
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = c2*m3_3 - s2*t63
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = s4*t41 + (t33 - c4*t34)
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = c4*neg_h5_y
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_y = c3*neg_h5_x - s3*neg_fu4_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = c4*t41 + s4*t34
+    t64 = s5*t42
+    t65 = neg_k6_yz - t64
+    t66 = s5*t31 + c5*k6_xz
+    ! link 3: mass matrix, its row of this joint
+    m3_6 = t64 + c4*t65 - s4*t66
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_x = c5*neg_h6_y
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_y = s4*neg_fu5_x + c4*h6_x
+    ! link 4: mass matrix, its row of this joint
+    m4_6 = s5*k6_xz - c5*t31 - 0.0825_rk*h6_x
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_y = 12.121212121212121_rk*t64
+    t67 = t18 - 0.006684151967360947_rk
+    ! link 6: moment for a unit acceleration of a joint further out
+    nu6_y = c6*t67 + s6*neg_k7_xz
+    ! link 6: force for a unit acceleration of a joint further out
+    neg_fu6_x = c6*h7_y
+    ! link 6: moment for a unit acceleration of a joint further out
+    neg_nu6_x = s6*t67 - c6*neg_k7_xz
+    t68 = c5*neg_h7_x - s5*neg_fu6_x
+    t69 = 0.0825_rk*t68
+    t70 = nu6_y - t69
+    t71 = c5*neg_nu6_x + (0.384_rk*t68 + s5*k7_yz)
+    ! link 3: mass matrix, its row of this joint
+    m3_7 = c4*t70 + (t69 - s4*t71)
+    ! link 6: force for a unit acceleration of a joint further out
+    neg_fu6_y = s6*h7_y
+    t72 = s5*neg_h7_x + c5*neg_fu6_x
+    ! link 4: mass matrix, its row of this joint
+    m4_7 = 0.0825_rk*neg_fu6_y + s5*neg_nu6_x - (c5*k7_yz - 0.384_rk*t72)
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t52 + t58
+    m2_4 = -c3*t50 - s3*k4_xz
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = c3*neg_fu4_x + s3*neg_h5_x
+    t73 = m4_5 - s4*t27
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = s3*nu4_x - (c3*t73 + 0.316_rk*neg_fu3_x)
+    t74 = c4*t66 + s4*t65
+    t75 = s4*h6_x - c4*neg_fu5_x
+    t76 = 0.0825_rk*fu4_y + m4_6
+    m2_6 = -s3*t74 - 0.316_rk*(c3*t75 + s3*neg_fu5_y) - c3*t76
+    t77 = 0.0825_rk*(c4*neg_fu6_y + s4*t72) - m4_7
+    t78 = c4*t71 + s4*t70
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = c3*t77 - s3*t78
+    t79 = c4*t72 - s4*neg_fu6_y
+    ! link 2: mass matrix, its row of this joint
+    m2_7 = nu3_y - 0.316_rk*(c3*t79 + s3*t68)
+    t80 = c2*neg_k4_yz + s2*(c3*k4_xz - s3*t50)
+    t81 = c2*m3_5 - s2*(c3*nu4_x - 0.316_rk*fu3_y + s3*t73)
+    t82 = c2*m3_6 - s2*(s3*t76 + (0.316_rk*(s3*t75 - c3*neg_fu5_y) - c3*t74))
+    t83 = c2*m3_7 + s2*(c3*t78 + (0.316_rk*(c3*t68 - s3*t79) + s3*t77))
+    t84 = -k7_yz
     M(1) = m1_1
     M(2) = neg_k2_yz
-    M(3) = nu2_y_5
-    M(4) = nu2_y_4
-    M(5) = nu2_y_3
-    M(6) = nu2_y_2
-    M(7) = nu2_y
+    M(3) = nu2_y
+    M(4) = t80
+    M(5) = t81
+    M(6) = t82
+    M(7) = t83
     M(8) = neg_k2_yz
     M(9) = m2_2
     M(10) = m2_3
@@ -1030,45 +997,45 @@ contains
     M(12) = m2_5
     M(13) = m2_6
     M(14) = m2_7
-    M(15) = nu2_y_5
+    M(15) = nu2_y
     M(16) = m2_3
     M(17) = m3_3
     M(18) = neg_k4_yz
     M(19) = m3_5
     M(20) = m3_6
     M(21) = m3_7
-    M(22) = nu2_y_4
+    M(22) = t80
     M(23) = m2_4
     M(24) = neg_k4_yz
     M(25) = m4_4
     M(26) = m4_5
     M(27) = m4_6
     M(28) = m4_7
-    M(29) = nu2_y_3
+    M(29) = t81
     M(30) = m2_5
     M(31) = m3_5
     M(32) = m4_5
     M(33) = m5_5
     M(34) = neg_k6_yz
     M(35) = nu6_y
-    M(36) = nu2_y_2
+    M(36) = t82
     M(37) = m2_6
     M(38) = m3_6
     M(39) = m4_6
     M(40) = neg_k6_yz
     M(41) = m6_6
-    M(42) = neg_k7_yz
-    M(43) = nu2_y
+    M(42) = t84
+    M(43) = t83
     M(44) = m2_7
     M(45) = m3_7
     M(46) = m4_7
     M(47) = nu6_y
-    M(48) = neg_k7_yz
+    M(48) = t84
     M(49) = 0.006684151967360947_rk
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 582 multiplications, 517 additions, 7 divisions = 1106; 6 unary minus; 12 sine/cosine
+  ! 567 multiplications, 513 additions, 7 divisions = 1087; 7 unary minus; 12 sine/cosine
   pure subroutine panda_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="panda_forward_dynamics_f")
     real(rk), intent(in) :: q(7)
@@ -1084,34 +1051,31 @@ contains
     real(rk) :: neg_alpha5_x, neg_lam5_32, neg_lam3_31, t1, ww2_xx, neg_lam2_22, t2, lam3_22, t3
     real(rk) :: neg_lam4_11, lam4_31, lam3_23, neg_lam3_21, alpha5_y, lam5_13, lam6_21, t4, t5
     real(rk) :: lam6_31, ww7_zz, neg_lam5_23, t6, lam6_32, lam6_12, lam5_31, t7, lam5_11, t8
-    real(rk) :: neg_lam6_22, t9, t10, t11, t12, neg_lam6_11, neg_lam6_13, k7_yz, k7_xz, t13, t14
-    real(rk) :: t15, t16, t17, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31
-    real(rk) :: t32, t33, t34, t35, t36, t37, t38, t39, t40, nc7_z, lam6_23, neg_lam5_12, t41, t42
-    real(rk) :: t43, t44, t45, t46, t47, t48, neg_n6_z, lam4_32, t49, t50, t51, t52, t53, t54, t55
-    real(rk) :: t56, t57, t58, t59, t60, t61, t62, t63, t64, n4_x, lam4_23, lam4_13, lam4_12, t65
-    real(rk) :: n5_z, t66, t67, t68, t69, t70, t71, t72, n3_z, lam3_12, t73, t74, n4_z, lam3_32
-    real(rk) :: t75, t76, t77, t78, t79, t80, t81, n1_z, n2_z, h7_x, h7_y, t82, t83, t84, neg_k7_xx
-    real(rk) :: neg_k7_xy, neg_fu6_x, neg_fu6_y, t85, nu6_x, neg_nu6_y, neg_fu5_x, fu5_y, nu5_x
-    real(rk) :: neg_nu5_y, neg_m4_7, fu4_x, fu4_y, t86, t87, t88, nu4_x, nu4_y, neg_m3_7, fu3_x
-    real(rk) :: fu3_y, t89, nu3_x, nu3_y, m2_7, neg_nu2_y, t90, neg_m6_6, t91, h6_x, h6_y, t92, t93
-    real(rk) :: t94, t95, t96, neg_k6_yy, neg_k6_xy, t97, k6_xz, neg_k6_yz, fu5_x, fu5_y_2, nu5_x_2
-    real(rk) :: nu5_y, m4_6, neg_fu4_x, fu4_y_2, t98, t99, t100, neg_nu4_x, nu4_y_2, neg_m3_6
-    real(rk) :: fu3_x_2, neg_fu3_y, t101, neg_nu3_x, neg_nu3_y, m2_6, neg_nu2_y_2, m5_5, t102, t103
-    real(rk) :: neg_h5_x, neg_h5_y, t104, t105, t106, t107, t108, k5_xx, k5_yy, k5_xy, t109, t110
-    real(rk) :: k5_xz, k5_yz, neg_m4_5, neg_fu4_x_2, neg_fu4_y, t111, t112, t113, t114, nu4_x_2
-    real(rk) :: nu4_y_3, m3_5, neg_fu3_x, fu3_y_2, t115, nu3_x_2, nu3_y_2, m2_5, nu2_y, t116, t117
-    real(rk) :: m4_4, t118, t119, h4_x, h4_y, t120, t121, t122, t123, t124, neg_k4_xx, neg_k4_yy
-    real(rk) :: k4_xy, t125, t126, t127, k4_xz, k4_yz, neg_fu3_x_2, neg_fu3_y_2, t128, nu3_x_3
-    real(rk) :: neg_nu3_y_2, neg_m2_4, neg_nu2_y_3, t129, m3_3, t130, t131, h3_x, h3_y, t132, t133
-    real(rk) :: t134, t135, t136, k3_xx, k3_yy, neg_k3_xy, t137, t138, k3_xz, k3_yz, neg_m2_3, t139
-    real(rk) :: nu2_y_2, t140, m2_2, k2_xx, k2_yz, m1_1, neg_y1, ipivot1, neg_l2_1, l3_1, neg_l4_1
-    real(rk) :: l5_1, neg_l6_1, neg_l7_1, pivot2, ipivot2, neg_ld3_2, neg_l3_2, neg_ld4_2, neg_l4_2
-    real(rk) :: ld5_2, l5_2, neg_ld6_2, neg_l6_2, ld7_2, l7_2, pivot3, ipivot3, neg_ld4_3, neg_l4_3
-    real(rk) :: ld5_3, l5_3, neg_ld6_3, neg_l6_3, neg_ld7_3, neg_l7_3, pivot4, ipivot4, neg_ld5_4
-    real(rk) :: neg_l5_4, ld6_4, l6_4, neg_ld7_4, neg_l7_4, pivot5, ipivot5, ld6_5, l6_5, neg_ld7_5
-    real(rk) :: neg_l7_5, neg_pivot6, neg_ipivot6, neg_ld7_6, l7_6, t141, pivot7, ipivot7, neg_y2
-    real(rk) :: neg_y3, neg_y4, neg_y5, y6, t142, neg_y7, neg_qdd7, neg_qdd6, neg_qdd5, neg_qdd4
-    real(rk) :: neg_qdd3, qdd2, t143, qdd1, t144, t145, t146, t147, t148
+    real(rk) :: neg_lam6_22, t9, t10, t11, t12, neg_lam6_11, neg_lam6_13, t13, t14, t15, t16, t17
+    real(rk) :: t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34
+    real(rk) :: t35, t36, t37, t38, t39, t40, t41, t42, nc7_z, lam6_23, neg_lam5_12, t43, t44, t45
+    real(rk) :: t46, t47, t48, t49, neg_n6_z, lam4_32, t50, t51, t52, t53, t54, t55, t56, t57, t58
+    real(rk) :: t59, t60, t61, t62, t63, t64, t65, n4_x, lam4_23, lam4_13, lam4_12, t66, n5_z, t67
+    real(rk) :: t68, t69, t70, t71, t72, t73, n3_z, lam3_12, t74, t75, n4_z, lam3_32, t76, t77, t78
+    real(rk) :: t79, t80, t81, t82, n1_z, n2_z, t83, neg_h7_x, t84, h6_x, t85, h7_y, t86, t87
+    real(rk) :: neg_h5_x, neg_h6_y, t88, t89, h4_y, h4_x, neg_k7_xz, k7_yz, t90, t91, t92, t93, t94
+    real(rk) :: k6_xz, t95, t96, t97, t98, t99, t100, t101, t102, t103, t104, t105, t106, k5_yy
+    real(rk) :: m5_5, neg_k6_yz, m6_6, neg_h5_y, t107, t108, k5_yz, neg_m4_5, t109, t110, t111
+    real(rk) :: k4_xz, t112, t113, t114, t115, t116, t117, m4_4, k4_yz, t118, t119, h3_x, t120
+    real(rk) :: t121, t122, t123, t124, t125, t126, t127, t128, t129, t130, t131, t132, t133, m3_3
+    real(rk) :: t134, t135, t136, t137, t138, t139, t140, t141, t142, t143, t144, t145, m1_1, h3_y
+    real(rk) :: m2_3, k2_yz, nu2_y, m3_5, neg_fu4_x, fu3_y, nu4_x, t146, t147, t148, m3_6
+    real(rk) :: neg_fu5_x, fu4_y, m4_6, neg_fu5_y, t149, neg_nu6_y, neg_fu6_x, nu6_x, t150, t151
+    real(rk) :: t152, t153, neg_m3_7, neg_fu6_y, t154, m4_7, m2_2, neg_m2_4, neg_fu3_x, t155, m2_5
+    real(rk) :: t156, t157, t158, neg_m2_6, t159, t160, nu3_y, t161, m2_7, neg_ld4_1, ld5_1, ld6_1
+    real(rk) :: neg_ld7_1, neg_y1, ipivot1, neg_l2_1, l3_1, neg_l4_1, l5_1, l6_1, neg_l7_1, pivot2
+    real(rk) :: ipivot2, ld3_2, l3_2, neg_ld4_2, neg_l4_2, ld5_2, l5_2, neg_ld6_2, neg_l6_2
+    real(rk) :: neg_ld7_2, neg_l7_2, pivot3, ipivot3, neg_ld4_3, neg_l4_3, ld5_3, l5_3, ld6_3, l6_3
+    real(rk) :: neg_ld7_3, neg_l7_3, pivot4, ipivot4, neg_ld5_4, neg_l5_4, ld6_4, l6_4, ld7_4, l7_4
+    real(rk) :: pivot5, ipivot5, ld6_5, l6_5, neg_ld7_5, neg_l7_5, neg_pivot6, neg_ipivot6
+    real(rk) :: neg_ld7_6, l7_6, t162, pivot7, ipivot7, neg_y2, neg_y3, neg_y4, neg_y5, y6, t163
+    real(rk) :: neg_y7, neg_qdd7, neg_qdd6, neg_qdd5, neg_qdd4, neg_qdd3, neg_qdd2, t164, qdd1
+    real(rk) :: t165, t166, t167, t168, t169, t170
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
@@ -1253,9 +1217,6 @@ contains
     t12 = t9 - t11
     neg_lam6_11 = neg_lam5_22 + t12
     neg_lam6_13 = t5 - neg_w5_y*w6_x
-    ! link 7: second moment of the composite body [kg m^2]
-    k7_yz = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
-    k7_xz = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
     t13 = 0.0002123224431354016_rk*s7
     t14 = t13 + 0.00016784129658960374_rk*c7
     t15 = neg_lam3_31 - 118.9090909090909_rk*c2 + 3.83030303030303_rk*neg_lam2_22
@@ -1278,387 +1239,359 @@ contains
     t32 = 0.0002123224431354016_rk*c7
     t33 = t30*t32
     t34 = 0.32333777029991095_rk*t31 - (t33 + 0.00213160409441986_rk)
-    t35 = t31 + (0.32333777029991095_rk*t33 - 0.0003913912816842475_rk)
-    t36 = t34 + 0.006684151967360947_rk
-    t37 = s5*t20 + c5*t22
-    t38 = t37 + (4.654545454545454_rk*neg_lam5_23 + 1.0666666666666667_rk*lam6_31)
-    t39 = t32 - 0.00016784129658960374_rk*s7
-    t40 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*k7_yz - (t12*t35 - lam6_31*t36))) + t38*t39
+    t35 = 0.0009653051699191118_rk*s7 + 0.0012555365982729084_rk*c7
+    t36 = t31 + (0.32333777029991095_rk*t33 - 0.0003913912816842475_rk)
+    t37 = t34 + 0.006684151967360947_rk
+    t38 = s5*t20 + c5*t22
+    t39 = t38 + (4.654545454545454_rk*neg_lam5_23 + 1.0666666666666667_rk*lam6_31)
+    t40 = t32 - 0.00016784129658960374_rk*s7
+    t41 = t14*t29 - (neg_lam6_13*t34 - (lam6_12*t35 - (t12*t36 - lam6_31*t37))) + t39*t40
+    t42 = 0.0009653051699191118_rk*c7 - 0.0012555365982729084_rk*s7
     ! link 7: moment that turns the link [N m]
-    nc7_z = t40 - lam6_32*k7_xz
+    nc7_z = t41 - lam6_32*t42
     ! link 6: lambda matrix: takes a position to its acceleration [1/s^2]
     lam6_23 = t6 + neg_w5_y*w6_y
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam5_12 = neg_ww5_xy - alpha4_y
-    t41 = -2.0_rk*w7_z
-    t42 = lam6_12 - w6_x*t41
-    t43 = s6*t24 + c6*t27
-    t44 = t43 - 1.0666666666666667_rk*lam6_21
-    t45 = lam6_32 - w6_z*t41
-    t46 = t14*t45 - (0.014338888209442497_rk*neg_lam6_22 - 0.017931959153753906_rk*t44 - t39*t42)
-    t47 = 0.0001037589172186853_rk*lam6_23 + (t11*k7_xz - (t39*t44 - (t35*t45 - &
-        (1.0666666666666667_rk*t46 + 0.014338888209442497_rk*t29))))
-    t48 = k7_yz + 9.35690973146064e-05_rk
+    t43 = -2.0_rk*w7_z
+    t44 = lam6_12 - w6_x*t43
+    t45 = s6*t24 + c6*t27
+    t46 = t45 - 1.0666666666666667_rk*lam6_21
+    t47 = lam6_32 - w6_z*t43
+    t48 = t14*t47 - (0.014338888209442497_rk*neg_lam6_22 - 0.017931959153753906_rk*t46 - t40*t44)
+    t49 = 0.0001037589172186853_rk*lam6_23 + (t11*t42 - (t40*t46 - (t36*t47 - &
+        (1.0666666666666667_rk*t48 + 0.014338888209442497_rk*t29))))
     ! link 6: moment through the joint, about the frame's origin [N m]
-    neg_n6_z = t36*t42 + (0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11) + &
-        (0.028934422545659907_rk*lam6_12 - (0.0011196707334275547_rk*lam6_21 + t47))) + &
-        neg_lam6_13*t48
+    neg_n6_z = t37*t44 + (0.0005462437073966822_rk*(neg_lam6_22 - neg_lam6_11) + &
+        (0.028934422545659907_rk*lam6_12 - (0.0011196707334275547_rk*lam6_21 + t49))) + &
+        neg_lam6_13*(t35 + 9.35690973146064e-05_rk)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_32 = ww4_yz - neg_alpha4_x
-    t49 = 0.028934422545659907_rk*lam6_32 - (0.014338888209442497_rk*t38 + (t9*k7_yz + &
-        (9.35690973146064e-05_rk*t8 + (0.0055993270925625_rk*t43 + &
+    t50 = 0.028934422545659907_rk*lam6_32 - (0.014338888209442497_rk*t39 + (t9*t35 + &
+        (9.35690973146064e-05_rk*t8 + (0.0055993270925625_rk*t45 + &
         0.0001037589172186853_rk*lam6_21))))
-    t50 = t34*t45 + (t35*t42 - (t14*t44 + t49)) + lam6_31*(k7_xz - 0.0005462437073966822_rk)
-    t51 = neg_lam5_22 + lam5_11
-    t52 = 0.017931959153753906_rk*t38 + (lam6_31*t39 - (0.014338888209442497_rk*lam6_32 + t14*(t10 &
+    t51 = t34*t47 + (t36*t44 - (t14*t46 + t50)) + lam6_31*(t42 - 0.0005462437073966822_rk)
+    t52 = neg_lam5_22 + lam5_11
+    t53 = 0.017931959153753906_rk*t39 + (lam6_31*t40 - (0.014338888209442497_rk*lam6_32 + t14*(t10 &
         - t12)))
-    t53 = 0.0055993270925625_rk*neg_lam5_22 + t52
-    t54 = nc7_z + 0.0005462437073966822_rk*lam6_32 + (9.35690973146064e-05_rk*lam6_12 + &
-        0.0001037589172186853_rk*t12 + 1.0666666666666667_rk*(t52 + 0.005249369149277343_rk*t28))
-    t55 = t54 + 0.0011196707334275547_rk*lam6_31
-    t56 = 0.010045187828321245_rk*neg_lam5_32 + c6*t50 - 0.00151524447332703_rk*lam5_31 - &
-        0.0021640520520981327_rk*(t7 - t51) - (4.654545454545454_rk*t53 + s6*t55)
-    t57 = 0.0010267877770288932_rk*neg_lam5_21 + t56
-    t58 = 0.017931959153753906_rk*t29 + (0.014338888209442497_rk*lam6_12 + t10*t39) + &
+    t54 = 0.0055993270925625_rk*neg_lam5_22 + t53
+    t55 = nc7_z + 0.0005462437073966822_rk*lam6_32 + (9.35690973146064e-05_rk*lam6_12 + &
+        0.0001037589172186853_rk*t12 + 1.0666666666666667_rk*(t53 + 0.005249369149277343_rk*t28))
+    t56 = t55 + 0.0011196707334275547_rk*lam6_31
+    t57 = 0.010045187828321245_rk*neg_lam5_32 + c6*t51 - 0.00151524447332703_rk*lam5_31 - &
+        0.0021640520520981327_rk*(t7 - t52) - (4.654545454545454_rk*t54 + s6*t56)
+    t58 = 0.0010267877770288932_rk*neg_lam5_21 + t57
+    t59 = 0.017931959153753906_rk*t29 + (0.014338888209442497_rk*lam6_12 + t10*t40) + &
         neg_lam6_13*(t14 - 0.0055993270925625_rk)
-    t59 = t46 + 0.0055993270925625_rk*lam6_23
-    t60 = c6*t58 - s6*t59
-    t61 = 0.0010267877770288932_rk*t7 + (0.001208932934385_rk*t26 + 4.654545454545454_rk*t60 - &
+    t60 = t48 + 0.0055993270925625_rk*lam6_23
+    t61 = c6*t59 - s6*t60
+    t62 = 0.0010267877770288932_rk*t7 + (0.001208932934385_rk*t26 + 4.654545454545454_rk*t61 - &
         (0.00151524447332703_rk*neg_lam5_32 + (neg_n6_z + 0.0021640520520981327_rk*neg_lam5_12)))
-    t62 = 0.001451156065026714_rk*lam5_31 + t61
-    t63 = neg_lam4_22 + lam3_22
-    t64 = 0.0039053550262761055_rk*lam4_21 - c5*t57 + 0.07937575371526083_rk*lam4_31 + (s5*t62 - &
-        (0.08256807420204747_rk*t21 - 0.00164448757736928_rk*t63))
+    t63 = 0.001451156065026714_rk*lam5_31 + t62
+    t64 = neg_lam4_22 + lam3_22
+    t65 = 0.0039053550262761055_rk*lam4_21 - c5*t58 + 0.07937575371526083_rk*lam4_31 + (s5*t63 - &
+        (0.08256807420204747_rk*t21 - 0.00164448757736928_rk*t64))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = 0.30879988491513166_rk*lam4_32 - t64
+    n4_x = 0.30879988491513166_rk*lam4_32 - t65
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_23 = ww4_yz + neg_alpha4_x
     lam4_13 = ww4_zx + alpha4_y
     lam4_12 = ww4_xy + alpha3_y
-    t65 = 0.0010267877770288932_rk*neg_lam5_23 + 0.0021640520520981327_rk*lam5_13 - (c6*t55 + &
-        s6*t50) - (0.001451156065026714_rk*neg_lam5_21 - 0.010045187828321245_rk*neg_lam5_12)
+    t66 = 0.0010267877770288932_rk*neg_lam5_23 + 0.0021640520520981327_rk*lam5_13 - (c6*t56 + &
+        s6*t51) - (0.001451156065026714_rk*neg_lam5_21 - 0.010045187828321245_rk*neg_lam5_12)
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = t65 - (0.00151524447332703_rk*t51 - 0.001208932934385_rk*t37)
-    t66 = n4_x - 0.022178148964878252_rk*lam4_23
-    t67 = t60 - (0.02767241350487109_rk*t23 - 0.001208932934385_rk*lam5_11)
-    t68 = t53 - (0.001208932934385_rk*neg_lam5_21 - 0.02767241350487109_rk*t37)
-    t69 = s5*t67 + c5*t68
-    t70 = n5_z - (0.02759391246306875_rk*lam4_13 - 0.00164448757736928_rk*lam4_12 - t69) + &
+    n5_z = t66 - (0.00151524447332703_rk*t52 - 0.001208932934385_rk*t38)
+    t67 = n4_x - 0.022178148964878252_rk*lam4_23
+    t68 = t61 - (0.02767241350487109_rk*t23 - 0.001208932934385_rk*lam5_11)
+    t69 = t54 - (0.001208932934385_rk*neg_lam5_21 - 0.02767241350487109_rk*t38)
+    t70 = s5*t68 + c5*t69
+    t71 = n5_z - (0.02759391246306875_rk*lam4_13 - 0.00164448757736928_rk*lam4_12 - t70) + &
         (0.010831526996380998_rk*ww4_zx + (0.0039053550262761055_rk*t3 - &
         0.07937575371526083_rk*lam4_32))
-    t71 = t69 - (0.08256807420204747_rk*lam4_32 + 0.016011409030815008_rk*t21)
-    t72 = c4*t70 + 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) + &
+    t72 = t70 - (0.08256807420204747_rk*lam4_32 + 0.016011409030815008_rk*t21)
+    t73 = c4*t71 + 0.0001219124209507298_rk*(neg_lam3_11 + lam3_22) + &
         (0.005487648106562251_rk*lam3_23 + (0.002328735327434986_rk*t17 + &
-        1.3360662912304e-05_rk*neg_lam3_21 - t71))
+        1.3360662912304e-05_rk*neg_lam3_21 - t72))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = 0.013297019103287523_rk*neg_lam3_13 - (s4*t66 - t72)
+    n3_z = 0.013297019103287523_rk*neg_lam3_13 - (s4*t67 - t73)
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     lam3_12 = neg_ww2_zx - neg_ww3_xy
-    t73 = 0.001208932934385_rk*lam5_31 + (s6*t58 + 0.02767241350487109_rk*t26 + c6*t59)
-    t74 = 0.0039053550262761055_rk*lam4_23 + c5*t62 - (0.30879988491513166_rk*lam4_12 - &
-        (0.00164448757736928_rk*lam4_13 - 0.07937575371526083_rk*(t3 - t63) + &
+    t74 = 0.001208932934385_rk*lam5_31 + (s6*t59 + 0.02767241350487109_rk*t26 + c6*t60)
+    t75 = 0.0039053550262761055_rk*lam4_23 + c5*t63 - (0.30879988491513166_rk*lam4_12 - &
+        (0.00164448757736928_rk*lam4_13 - 0.07937575371526083_rk*(t3 - t64) + &
         0.005415763498190499_rk*lam4_21))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = t73 + (s5*t57 + 0.08256807420204747_rk*t19) + t74
+    n4_z = t74 + (s5*t58 + 0.08256807420204747_rk*t19) + t75
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     lam3_32 = ww3_yz + alpha3_x
-    t75 = t1 - (qd(1) - t1)
-    t76 = 3.83030303030303_rk*t71 - (s4*t70 + c4*t66) - (0.10510540975539216_rk*lam3_23 - &
+    t76 = t1 - (qd(1) - t1)
+    t77 = 3.83030303030303_rk*t72 - (s4*t71 + c4*t67) - (0.10510540975539216_rk*lam3_23 - &
         (0.27690780075317833_rk*c2 - (0.013297019103287523_rk*t2 - &
         0.005487648106562251_rk*neg_lam3_21 + 0.0001219124209507298_rk*neg_lam3_31)))
-    t77 = 0.016011409030815008_rk*t19 - 0.08256807420204747_rk*lam4_12 + (c5*t67 - s5*t68)
-    t78 = 0.08256807420204747_rk*neg_lam4_22 + (t73 - 0.016011409030815008_rk*t25)
-    t79 = s4*t77 + c4*t78 - 3.83030303030303_rk*(c4*t77 - s4*t78) + &
+    t78 = 0.016011409030815008_rk*t19 - 0.08256807420204747_rk*lam4_12 + (c5*t68 - s5*t69)
+    t79 = 0.08256807420204747_rk*neg_lam4_22 + (t74 - 0.016011409030815008_rk*t25)
+    t80 = s4*t78 + c4*t79 - 3.83030303030303_rk*(c4*t78 - s4*t79) + &
         0.013297019103287523_rk*lam3_12
-    t80 = t79 - (n4_z + (0.005487648106562251_rk*(0.0024346792383292625_rk*neg_lam3_31 + &
+    t81 = t80 - (n4_z + (0.005487648106562251_rk*(0.0024346792383292625_rk*neg_lam3_31 + &
         (neg_lam3_11 - neg_lam2_22)) + (0.0001219124209507298_rk*lam3_32 + &
         0.10510540975539216_rk*neg_lam3_13)))
-    t81 = ww2_zz*(0.010261101821008168_rk*c2 - 0.0007689361029464017_rk*s2) - c2*n3_z + s2*(c3*t76 &
-        - s3*t80)
+    t82 = ww2_zz*(0.010261101821008168_rk*c2 - 0.0007689361029464017_rk*s2) - c2*n3_z + s2*(c3*t77 &
+        - s3*t81)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = 0.007966717767871044_rk*qd(2)*t75 - t81
+    n1_z = 0.007966717767871044_rk*qd(2)*t76 - t82
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = c3*t80 - (t75*(0.003983358883935522_rk*qd(1)) - s3*t76 + (4.746153896127808_rk*s2 - &
+    n2_z = c3*t81 - (t76*(0.003983358883935522_rk*qd(1)) - s3*t77 + (4.746153896127808_rk*s2 - &
         0.01993386669246_rk*c2))
+    t83 = s7 - 1.2650190832031087_rk*c7
     ! link 7: first moment of the composite body, about the frame's origin [kg m]
-    h7_x = 0.002573605371338201_rk*c7 - 0.0020344399586618637_rk*s7
-    h7_y = 0.0020344399586618637_rk*c7 + 0.002573605371338201_rk*s7
-    t82 = c7*c7
-    t83 = c7*s7
-    t84 = 0.002420943778521227_rk*t82 - 0.000782782563368495_rk*t83
-    ! link 7: second moment of the composite body [kg m^2]
-    neg_k7_xx = t84 - 0.004552547872941087_rk
-    neg_k7_xy = 0.002420943778521227_rk*t83 + 0.0003913912816842475_rk*(2.0_rk*t82 - 1.0_rk)
-    ! link 6: force for a unit acceleration of a joint further out
-    neg_fu6_x = c6*h7_y
-    neg_fu6_y = s6*h7_y
-    t85 = 0.006684151967360947_rk + 0.088_rk*h7_x
-    ! link 6: moment for a unit acceleration of a joint further out
-    nu6_x = s6*t85 - c6*k7_xz
-    neg_nu6_y = c6*t85 + s6*k7_xz
-    ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x = s5*h7_x - c5*neg_fu6_x
-    fu5_y = c5*h7_x + s5*neg_fu6_x
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = s5*k7_yz - c5*nu6_x
-    neg_nu5_y = c5*k7_yz + s5*nu6_x
-    ! link 4: mass matrix, its row of this joint
-    neg_m4_7 = neg_nu5_y + (0.384_rk*neg_fu5_x - 0.0825_rk*neg_fu6_y)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_fu5_x + s4*neg_fu6_y
-    fu4_y = s4*neg_fu5_x - c4*neg_fu6_y
-    t86 = 0.384_rk*fu5_y - nu5_x
-    t87 = 0.0825_rk*fu5_y
-    t88 = neg_nu6_y - t87
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*t86 + s4*t88
-    nu4_y = s4*t86 - c4*t88
-    ! link 3: mass matrix, its row of this joint
-    neg_m3_7 = t87 - nu4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c3*fu4_x + s3*fu5_y
-    fu3_y = s3*fu4_x - c3*fu5_y
-    t89 = neg_m4_7 - 0.0825_rk*fu4_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x = c3*nu4_x - s3*t89
-    nu3_y = s3*nu4_x + c3*t89
-    ! link 2: mass matrix, its row of this joint
-    m2_7 = nu3_y + 0.316_rk*fu3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = c2*neg_m3_7 + s2*(nu3_x - 0.316_rk*fu3_y)
-    t90 = neg_k7_xx - 0.176_rk*h7_x
-    ! link 6: mass matrix, its row of this joint
-    neg_m6_6 = t90 - 0.05045667791624746_rk
-    t91 = h7_x + 0.231847552695_rk
+    neg_h7_x = 0.0020344399586618637_rk*t83
+    t84 = neg_h7_x - 0.231847552695_rk
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = c6*t91 + 0.17380470556899996_rk*s6
-    h6_y = s6*t91 - 0.17380470556899996_rk*c6
-    t92 = c6*c6
-    t93 = t90 + 0.007412167175072353_rk
-    t94 = k7_xz + 0.014748570382675314_rk
-    t95 = c6*s6
-    t96 = t92*t93 - t94*(2.0_rk*t95)
-    ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yy = t90 - 0.021522255370587554_rk - t96
-    neg_k6_xy = t93*t95 - t94*(1.0_rk - 2.0_rk*t92)
-    t97 = neg_k7_xy - 0.088_rk*h7_y - 0.0001037589172186853_rk
-    k6_xz = s6*t48 - c6*t97
-    neg_k6_yz = s6*t97 + c6*t48
-    ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = c5*h6_y
-    fu5_y_2 = s5*h6_y
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x_2 = c5*k6_xz + s5*neg_m6_6
-    nu5_y = s5*k6_xz - c5*neg_m6_6
-    ! link 4: mass matrix, its row of this joint
-    m4_6 = nu5_y - (0.0825_rk*h6_x - 0.384_rk*fu5_x)
-    ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x = s4*h6_x + c4*fu5_x
-    fu4_y_2 = c4*h6_x - s4*fu5_x
-    t98 = nu5_x_2 - 0.384_rk*fu5_y_2
-    t99 = 0.0825_rk*fu5_y_2
-    t100 = neg_k6_yz + t99
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = c4*t98 + s4*t100
-    nu4_y_2 = c4*t100 - s4*t98
-    ! link 3: mass matrix, its row of this joint
-    neg_m3_6 = t99 - nu4_y_2
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = s3*fu5_y_2 - c3*neg_fu4_x
-    neg_fu3_y = s3*neg_fu4_x + c3*fu5_y_2
-    t101 = m4_6 + 0.0825_rk*fu4_y_2
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_x = c3*neg_nu4_x - s3*t101
-    neg_nu3_y = s3*neg_nu4_x + c3*t101
-    ! link 2: mass matrix, its row of this joint
-    m2_6 = 0.316_rk*fu3_x_2 - neg_nu3_y
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = c2*neg_m3_6 - s2*(neg_nu3_x - 0.316_rk*neg_fu3_y)
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t84 - t96 + 0.04256237053342773_rk
-    t102 = h6_x - 0.014653732538_rk
-    t103 = h7_y - 0.067870631425_rk
+    h6_x = 0.17380470556899996_rk*s6 - c6*t84
+    t85 = s7 + 1.5495146829101907_rk*t83
+    ! link 7: first moment of the composite body, about the frame's origin [kg m]
+    h7_y = 0.0010094491271572172_rk*t85 + 0.00401312745666211_rk*c7
+    t86 = h6_x - 0.014653732538_rk
+    t87 = h7_y - 0.067870631425_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_x = c5*t102 + s5*t103
-    neg_h5_y = s5*t102 - c5*t103
-    t104 = c5*c5
-    t105 = t84 + t96 - 0.018208786687945514_rk
-    t106 = k6_xz - 0.00151524447332703_rk
-    t107 = c5*s5
-    t108 = t104*t105 - t106*(2.0_rk*t107)
+    neg_h5_x = c5*t86 + s5*t87
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    neg_h6_y = 0.17380470556899996_rk*c6 + s6*t84
+    t88 = neg_h5_x - 0.5527802746499999_rk
+    t89 = neg_h6_y - 2.0125235536029997_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_y = s4*t88 - c4*t89
+    h4_x = c4*t88 + s4*t89
+    ! link 7: second moment of the composite body [kg m^2]
+    neg_k7_xz = 0.0004924610188319264_rk*t85
+    k7_yz = 0.0009653051699191118_rk*t83 + 0.0024766660593352045_rk*c7
+    t90 = 9.35690973146064e-05_rk + k7_yz
+    t91 = 0.002420943778521227_rk*c7
+    t92 = c7*t91
+    t93 = s7*t91
+    t94 = 0.32333777029991095_rk*t92 + (t93 - 0.088_rk*h7_y - 0.0004951501989029328_rk)
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xz = s6*t90 - c6*t94
+    t95 = c5*c5
+    t96 = t92 + 0.012176791922741105_rk - 0.32333777029991095_rk*t93
+    t97 = c6*s6
+    t98 = neg_k7_xz + (neg_k7_xz - 0.029497140765350628_rk)
+    t99 = c6*c6
+    t100 = 0.000179030716362244_rk*t83
+    t101 = t100 + (t96 + (t100 - 0.00931717262060984_rk))
+    t102 = t97*t98 + 0.6173375163284962_rk + t99*t101
+    t103 = t102 - 0.6477230949391829_rk
+    t104 = t96 + t103
+    t105 = c5*s5
+    t106 = k6_xz + (k6_xz - 0.00303048894665406_rk)
     ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = t84 + 0.012176791922741105_rk - t108
-    k5_yy = t108 - (t96 - 0.03038557861068662_rk)
-    k5_xy = t106*(1.0_rk - 2.0_rk*t104) - t105*t107
-    t109 = neg_k6_xy - 0.004600245517563107_rk
-    t110 = neg_k6_yz - 0.0021640520520981327_rk
-    k5_xz = c5*t109 + s5*t110
-    k5_yz = s5*t109 - c5*t110
+    k5_yy = t95*t104 - (t103 + t105*t106)
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t96 - t103
+    ! link 6: second moment of the composite body [kg m^2]
+    neg_k6_yz = s6*t94 + c6*t90
+    ! link 6: mass matrix, its row of this joint
+    m6_6 = 0.057868845091319815_rk - t101
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_y = s5*t86 - c5*t87
+    t107 = t97*t101 - 0.004600245517563107_rk - t98*(t99 - 0.5_rk)
+    t108 = neg_k6_yz - 0.0021640520520981327_rk
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yz = s5*t107 - c5*t108
     ! link 4: mass matrix, its row of this joint
     neg_m4_5 = k5_yz - 0.384_rk*neg_h5_y
-    ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x_2 = c4*neg_h5_y
-    neg_fu4_y = s4*neg_h5_y
-    t111 = 0.384_rk*neg_h5_x
-    t112 = k5_xz - t111
-    t113 = 0.0825_rk*neg_h5_x
-    t114 = m5_5 - t113
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c4*t112 - s4*t114
-    nu4_y_3 = s4*t112 + c4*t114
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = t113 + nu4_y_3
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c3*neg_fu4_x_2 + s3*neg_h5_x
-    fu3_y_2 = c3*neg_h5_x - s3*neg_fu4_x_2
-    t115 = neg_m4_5 + 0.0825_rk*neg_fu4_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_2 = c3*nu4_x_2 - s3*t115
-    nu3_y_2 = s3*nu4_x_2 + c3*t115
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = nu3_y_2 - 0.316_rk*neg_fu3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = c2*m3_5 - s2*(nu3_x_2 - 0.316_rk*fu3_y_2)
-    t116 = k5_xx - 0.165_rk*neg_h5_x
-    t117 = neg_k6_yy - 0.768_rk*h6_y
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = t116 - t117 + 0.7483122111877871_rk
-    t118 = neg_h5_x - 0.5527802746499999_rk
-    t119 = h6_y + 2.0125235536029997_rk
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t118 - s4*t119
-    h4_y = s4*t118 + c4*t119
-    t120 = c4*c4
-    t121 = t116 + t117 - 0.6462719388741561_rk
-    t122 = t111 - (k5_xz + 0.0825_rk*h6_y) - 0.16284087268546082_rk
-    t123 = c4*s4
-    t124 = t120*t121 - t122*(2.0_rk*t123)
+    t109 = 0.0825_rk*neg_h5_y
+    t110 = t104*t105 + (t106*(t95 - 0.5_rk) + (t109 - 0.0039053550262761055_rk))
+    t111 = neg_m4_5 + 0.00164448757736928_rk
     ! link 4: second moment of the composite body [kg m^2]
-    neg_k4_xx = t117 - 0.6972920750309717_rk - t124
-    neg_k4_yy = t124 - (t116 + 0.05102013615681549_rk)
-    k4_xy = t121*t123 - t122*(1.0_rk - 2.0_rk*t120)
-    t125 = 0.0825_rk*neg_h5_y
-    t126 = t125 - k5_xy - 0.0039053550262761055_rk
-    t127 = neg_m4_5 + 0.00164448757736928_rk
-    k4_xz = c4*t126 - s4*t127
-    k4_yz = c4*t127 + s4*t126
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x_2 = c3*h4_y
-    neg_fu3_y_2 = s3*h4_y
-    t128 = m4_4 + 0.0825_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_x_3 = s3*t128 - c3*k4_xz
-    neg_nu3_y_2 = s3*k4_xz + c3*t128
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_4 = neg_nu3_y_2 + 0.316_rk*neg_fu3_x_2
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_3 = c2*k4_yz + s2*(nu3_x_3 + 0.316_rk*neg_fu3_y_2)
-    t129 = neg_k4_xx - 0.165_rk*h4_x
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = k5_yy - t129 + 0.08378056999140594_rk
-    t130 = h4_x + 0.746857959872_rk
-    t131 = neg_h5_y + 0.028227094877999827_rk
+    k4_xz = c4*t110 - s4*t111
+    t112 = 0.384_rk*neg_h6_y
+    t113 = t112 - m6_6
+    t114 = t102 - (t112 + t113)
+    t115 = 0.0825_rk*neg_h5_x
+    t116 = m5_5 - t115
+    t117 = t115 + (k5_yy - t116)
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t114 - (t117 - 0.10204027231363098_rk)
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_yz = c4*t111 + s4*t110
+    t118 = h4_x + 0.746857959872_rk
+    t119 = neg_h5_y + 0.028227094877999827_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c3*t130 - s3*t131
-    h3_y = s3*t130 + c3*t131
-    t132 = c3*c3
-    t133 = k5_yy + t129 - 0.039424272061649446_rk
-    t134 = t125 - k4_xz + 0.0001219124209507298_rk
+    h3_x = c3*t118 - s3*t119
+    t120 = k5_yy + 0.022178148964878252_rk
+    t121 = 0.0825_rk*h4_x
+    t122 = c4*s4
+    t123 = c5*t107 - (0.384_rk*neg_h5_x - s5*t108)
+    t124 = 0.0825_rk*neg_h6_y
+    t125 = t123 + 0.16284087268546082_rk - t124
+    t126 = t122*t125
+    t127 = 0.316_rk*h4_y
+    t128 = c4*c4
+    t129 = t114 + t117
+    t130 = t121 + (t117 + t126) - (t127 - (t126 - (t128*t129 - 0.010582284869712202_rk)))
+    t131 = t121 + t127
+    t132 = m4_4 + t131
+    t133 = t130 + t132
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t120 + t133
+    t134 = t131 - (t130 - 1.0937644822584085_rk)
     t135 = c3*s3
-    t136 = t132*t133 + t134*(2.0_rk*t135)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = k5_yy + 0.022178148964878252_rk - t136
-    k3_yy = t136 - (t129 - 0.061602421026527694_rk)
-    neg_k3_xy = t133*t135 + t134*(1.0_rk - 2.0_rk*t132)
-    t137 = k4_xy + 0.0825_rk*h4_y + 0.005487648106562251_rk
-    t138 = k4_yz - 0.0043772571218395765_rk
-    k3_xz = c3*t137 + s3*t138
-    k3_yz = s3*t137 - c3*t138
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_3 = k3_yz + 0.316_rk*h3_y
-    t139 = k3_xz + 0.316_rk*h3_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = s2*t139 + c2*m3_3
-    t140 = neg_k4_yy - 0.632_rk*h4_y
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = k3_xx - t140 + 1.0552399437268125_rk
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = c2*c2*(k3_xx + t140 - 1.009084178736949_rk) + (t139 - &
-        0.003983358883935522_rk)*(2.0_rk*(s2*c2)) - (t140 - 1.0321620612318807_rk)
-    k2_yz = s2*(neg_k3_xy + 0.010261101821008168_rk) + c2*(neg_m2_3 + 0.0007689361029464017_rk)
+    t136 = k4_xz - (t109 + 0.0001219124209507298_rk)
+    t137 = t135*t136
+    t138 = c3*c3
+    t139 = t120 - t133
+    t140 = t120 + (t137 + (t137 + 0.023077882494931805_rk - t138*t139))
+    t141 = t134 - t140
+    t142 = k4_yz - 0.0043772571218395765_rk
+    t143 = t125*t128
+    t144 = t122*t129 + (t143 - 0.0825_rk*h4_y - (t125 - (t143 - 0.005487648106562251_rk)))
+    t145 = s3*t142 + (0.316_rk*h3_x - c3*t144)
     ! link 1: mass matrix, its row of this joint
-    m1_1 = k3_yy + k2_xx + 0.014259565994474374_rk
+    m1_1 = t141 + (c2*(s2*(2.0_rk*(t145 - 0.003983358883935522_rk))) + (m3_3 - t141*(c2*c2)) + &
+        0.03733744848940618_rk)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s3*t118 + c3*t119
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = s3*t144 - 0.316_rk*h3_y + c3*t142
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_yz = s2*(2.0_rk*(t136*t138) + t135*t139 - (t136 - 0.010261101821008168_rk)) - c2*(m2_3 - &
+        0.0007689361029464017_rk)
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = c2*m3_3 + s2*t145
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = s4*t123 + (t115 + c4*t116)
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = c4*neg_h5_y
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_y = c3*neg_h5_x - s3*neg_fu4_x
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_x = c4*t123 - s4*t116
+    t146 = s5*t124
+    t147 = neg_k6_yz - t146
+    t148 = s5*t113 + c5*k6_xz
+    ! link 3: mass matrix, its row of this joint
+    m3_6 = t146 + c4*t147 - s4*t148
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_x = c5*neg_h6_y
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_y = s4*neg_fu5_x + c4*h6_x
+    ! link 4: mass matrix, its row of this joint
+    m4_6 = s5*k6_xz - c5*t113 - 0.0825_rk*h6_x
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_y = 12.121212121212121_rk*t146
+    t149 = 0.006684151967360947_rk - t100
+    ! link 6: moment for a unit acceleration of a joint further out
+    neg_nu6_y = c6*t149 - s6*neg_k7_xz
+    ! link 6: force for a unit acceleration of a joint further out
+    neg_fu6_x = c6*h7_y
+    ! link 6: moment for a unit acceleration of a joint further out
+    nu6_x = s6*t149 + c6*neg_k7_xz
+    t150 = c5*neg_h7_x - s5*neg_fu6_x
+    t151 = 0.0825_rk*t150
+    t152 = neg_nu6_y + t151
+    t153 = c5*nu6_x - (0.384_rk*t150 + s5*k7_yz)
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_7 = c4*t152 - (t151 + s4*t153)
+    ! link 6: force for a unit acceleration of a joint further out
+    neg_fu6_y = s6*h7_y
+    t154 = s5*neg_h7_x + c5*neg_fu6_x
+    ! link 4: mass matrix, its row of this joint
+    m4_7 = 0.0825_rk*neg_fu6_y - s5*nu6_x - (c5*k7_yz - 0.384_rk*t154)
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t134 + t140
+    neg_m2_4 = c3*t132 + s3*k4_xz
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = c3*neg_fu4_x + s3*neg_h5_x
+    t155 = neg_m4_5 + s4*t109
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = s3*nu4_x + (c3*t155 - 0.316_rk*neg_fu3_x)
+    t156 = c4*t148 + s4*t147
+    t157 = s4*h6_x - c4*neg_fu5_x
+    t158 = m4_6 + 0.0825_rk*fu4_y
+    neg_m2_6 = s3*t156 + 0.316_rk*(c3*t157 + s3*neg_fu5_y) + c3*t158
+    t159 = c4*t153 + s4*t152
+    t160 = m4_7 - 0.0825_rk*(c4*neg_fu6_y + s4*t154)
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = s3*t159 - c3*t160
+    t161 = c4*t154 - s4*neg_fu6_y
+    ! link 2: mass matrix, its row of this joint
+    m2_7 = nu3_y - 0.316_rk*(c3*t161 + s3*t150)
+    ! factorisation M = L D L^T
+    neg_ld4_1 = c2*k4_yz - s2*(c3*k4_xz - s3*t132)
+    ld5_1 = c2*m3_5 - s2*(c3*nu4_x - 0.316_rk*fu3_y - s3*t155)
+    ld6_1 = c2*m3_6 - s2*(s3*t158 + (0.316_rk*(s3*t157 - c3*neg_fu5_y) - c3*t156))
+    neg_ld7_1 = c2*neg_m3_7 + s2*(c3*t159 - (0.316_rk*(c3*t150 - s3*t161) - s3*t160))
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
     neg_l2_1 = k2_yz*ipivot1
-    l3_1 = nu2_y_2*ipivot1
-    neg_l4_1 = neg_nu2_y_3*ipivot1
-    l5_1 = nu2_y*ipivot1
-    neg_l6_1 = neg_nu2_y_2*ipivot1
-    neg_l7_1 = neg_nu2_y*ipivot1
+    l3_1 = nu2_y*ipivot1
+    neg_l4_1 = neg_ld4_1*ipivot1
+    l5_1 = ld5_1*ipivot1
+    l6_1 = ld6_1*ipivot1
+    neg_l7_1 = neg_ld7_1*ipivot1
     pivot2 = m2_2 - k2_yz*neg_l2_1
     ipivot2 = 1.0_rk / pivot2
-    neg_ld3_2 = neg_m2_3 - k2_yz*l3_1
-    neg_l3_2 = ipivot2*neg_ld3_2
+    ld3_2 = m2_3 + k2_yz*l3_1
+    l3_2 = ipivot2*ld3_2
     neg_ld4_2 = neg_m2_4 + k2_yz*neg_l4_1
     neg_l4_2 = ipivot2*neg_ld4_2
     ld5_2 = m2_5 + k2_yz*l5_1
     l5_2 = ipivot2*ld5_2
-    neg_ld6_2 = k2_yz*neg_l6_1 - m2_6
+    neg_ld6_2 = neg_m2_6 - k2_yz*l6_1
     neg_l6_2 = ipivot2*neg_ld6_2
-    ld7_2 = m2_7 - k2_yz*neg_l7_1
-    l7_2 = ipivot2*ld7_2
-    pivot3 = m3_3 - nu2_y_2*l3_1 - neg_ld3_2*neg_l3_2
+    neg_ld7_2 = k2_yz*neg_l7_1 - m2_7
+    neg_l7_2 = ipivot2*neg_ld7_2
+    pivot3 = m3_3 - nu2_y*l3_1 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
-    neg_ld4_3 = k4_yz - nu2_y_2*neg_l4_1 + neg_ld3_2*neg_l4_2
+    neg_ld4_3 = k4_yz - nu2_y*neg_l4_1 - ld3_2*neg_l4_2
     neg_l4_3 = ipivot3*neg_ld4_3
-    ld5_3 = m3_5 - nu2_y_2*l5_1 + neg_ld3_2*l5_2
+    ld5_3 = m3_5 - nu2_y*l5_1 - ld3_2*l5_2
     l5_3 = ipivot3*ld5_3
-    neg_ld6_3 = neg_m3_6 - nu2_y_2*neg_l6_1 + neg_ld3_2*neg_l6_2
-    neg_l6_3 = ipivot3*neg_ld6_3
-    neg_ld7_3 = neg_m3_7 - nu2_y_2*neg_l7_1 - neg_ld3_2*l7_2
+    ld6_3 = m3_6 - nu2_y*l6_1 + ld3_2*neg_l6_2
+    l6_3 = ipivot3*ld6_3
+    neg_ld7_3 = neg_m3_7 - nu2_y*neg_l7_1 - ld3_2*neg_l7_2
     neg_l7_3 = ipivot3*neg_ld7_3
-    pivot4 = m4_4 - neg_nu2_y_3*neg_l4_1 - neg_ld4_2*neg_l4_2 - neg_ld4_3*neg_l4_3
+    pivot4 = m4_4 - neg_ld4_1*neg_l4_1 - neg_ld4_2*neg_l4_2 - neg_ld4_3*neg_l4_3
     ipivot4 = 1.0_rk / pivot4
-    neg_ld5_4 = neg_m4_5 - neg_nu2_y_3*l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3
+    neg_ld5_4 = neg_m4_5 - neg_ld4_1*l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3
     neg_l5_4 = ipivot4*neg_ld5_4
-    ld6_4 = m4_6 - neg_nu2_y_3*neg_l6_1 - neg_ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3
+    ld6_4 = m4_6 + neg_ld4_1*l6_1 - neg_ld4_2*neg_l6_2 + neg_ld4_3*l6_3
     l6_4 = ipivot4*ld6_4
-    neg_ld7_4 = neg_m4_7 + neg_nu2_y_3*neg_l7_1 - neg_ld4_2*l7_2 + neg_ld4_3*neg_l7_3
-    neg_l7_4 = ipivot4*neg_ld7_4
-    pivot5 = m5_5 - nu2_y*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4
+    ld7_4 = m4_7 - neg_ld4_1*neg_l7_1 - neg_ld4_2*neg_l7_2 - neg_ld4_3*neg_l7_3
+    l7_4 = ipivot4*ld7_4
+    pivot5 = m5_5 - ld5_1*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = neg_k6_yz + nu2_y*neg_l6_1 + ld5_2*neg_l6_2 + ld5_3*neg_l6_3 + neg_ld5_4*l6_4
+    ld6_5 = neg_k6_yz - ld5_1*l6_1 + ld5_2*neg_l6_2 - ld5_3*l6_3 + neg_ld5_4*l6_4
     l6_5 = ipivot5*ld6_5
-    neg_ld7_5 = neg_nu6_y - nu2_y*neg_l7_1 + ld5_2*l7_2 - ld5_3*neg_l7_3 + neg_ld5_4*neg_l7_4
+    neg_ld7_5 = neg_nu6_y - ld5_1*neg_l7_1 - ld5_2*neg_l7_2 - ld5_3*neg_l7_3 - neg_ld5_4*l7_4
     neg_l7_5 = ipivot5*neg_ld7_5
-    neg_pivot6 = neg_m6_6 + neg_nu2_y_2*neg_l6_1 + neg_ld6_2*neg_l6_2 + neg_ld6_3*neg_l6_3 + &
-        ld6_4*l6_4 + ld6_5*l6_5
+    neg_pivot6 = ld6_1*l6_1 - m6_6 + neg_ld6_2*neg_l6_2 + ld6_3*l6_3 + ld6_4*l6_4 + ld6_5*l6_5
     neg_ipivot6 = 1.0_rk / neg_pivot6
-    neg_ld7_6 = k7_yz + neg_nu2_y_2*neg_l7_1 - neg_ld6_2*l7_2 + neg_ld6_3*neg_l7_3 - &
-        ld6_4*neg_l7_4 - ld6_5*neg_l7_5
+    neg_ld7_6 = k7_yz - ld6_1*neg_l7_1 + neg_ld6_2*neg_l7_2 - ld6_3*neg_l7_3 + ld6_4*l7_4 - &
+        ld6_5*neg_l7_5
     l7_6 = neg_ipivot6*neg_ld7_6
-    t141 = 0.006684151967360947_rk - neg_nu2_y*neg_l7_1 - ld7_2*l7_2 - neg_ld7_3*neg_l7_3 - &
-        neg_ld7_4*neg_l7_4 - neg_ld7_5*neg_l7_5
-    pivot7 = t141 + neg_ld7_6*l7_6
+    t162 = 0.006684151967360947_rk - neg_ld7_1*neg_l7_1 - neg_ld7_2*neg_l7_2 - neg_ld7_3*neg_l7_3 &
+        - ld7_4*l7_4 - neg_ld7_5*neg_l7_5
+    pivot7 = t162 + neg_ld7_6*l7_6
     ipivot7 = 1.0_rk / pivot7
     ! link 2: forward substitution
     neg_y2 = n2_z - tau(2) + neg_y1*neg_l2_1
     ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 + neg_l3_2*neg_y2
+    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
     ! link 4: forward substitution
     neg_y4 = n4_z - tau(4) + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3
     ! link 5: forward substitution
     neg_y5 = n5_z - tau(5) - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 + neg_l5_4*neg_y4
     ! link 6: forward substitution
-    y6 = neg_n6_z + tau(6) - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 + l6_4*neg_y4 + &
+    y6 = neg_n6_z + tau(6) + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 + l6_4*neg_y4 + &
         l6_5*neg_y5
-    t142 = nc7_z - tau(7) + neg_y1*neg_l7_1 - l7_2*neg_y2 + neg_l7_3*neg_y3 + neg_l7_4*neg_y4 + &
+    t163 = nc7_z - tau(7) + neg_y1*neg_l7_1 + neg_l7_2*neg_y2 + neg_l7_3*neg_y3 - l7_4*neg_y4 + &
         neg_l7_5*neg_y5
     ! link 7: forward substitution
-    neg_y7 = t142 + l7_6*y6
+    neg_y7 = t163 + l7_6*y6
     ! link 7: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     neg_qdd7 = ipivot7*neg_y7
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
@@ -1666,28 +1599,29 @@ contains
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6 + neg_l7_5*neg_qdd7
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6 + neg_l7_4*neg_qdd7
+    neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6 - l7_4*neg_qdd7
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 + neg_l4_3*neg_qdd4 - l5_3*neg_qdd5 + neg_l6_3*neg_qdd6 + &
+    neg_qdd3 = ipivot3*neg_y3 + neg_l4_3*neg_qdd4 - l5_3*neg_qdd5 - l6_3*neg_qdd6 + &
         neg_l7_3*neg_qdd7
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = l7_2*neg_qdd7 - (ipivot2*neg_y2 + neg_l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 &
-        + neg_l6_2*neg_qdd6)
-    t143 = neg_y1*ipivot1 - neg_l2_1*qdd2 - l3_1*neg_qdd3 + neg_l4_1*neg_qdd4 - l5_1*neg_qdd5 + &
-        neg_l6_1*neg_qdd6
+    neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 + &
+        neg_l6_2*neg_qdd6 + neg_l7_2*neg_qdd7
+    t164 = neg_y1*ipivot1 + neg_l2_1*neg_qdd2 - l3_1*neg_qdd3 + neg_l4_1*neg_qdd4 - l5_1*neg_qdd5 &
+        - l6_1*neg_qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -neg_l7_1*neg_qdd7 - t143
-    t144 = -neg_qdd3
-    t145 = -neg_qdd4
-    t146 = -neg_qdd5
-    t147 = -neg_qdd6
-    t148 = -neg_qdd7
+    qdd1 = -neg_l7_1*neg_qdd7 - t164
+    t165 = -neg_qdd2
+    t166 = -neg_qdd3
+    t167 = -neg_qdd4
+    t168 = -neg_qdd5
+    t169 = -neg_qdd6
+    t170 = -neg_qdd7
     qdd(1) = qdd1
-    qdd(2) = qdd2
-    qdd(3) = t144
-    qdd(4) = t145
-    qdd(5) = t146
-    qdd(6) = t147
-    qdd(7) = t148
+    qdd(2) = t165
+    qdd(3) = t166
+    qdd(4) = t167
+    qdd(5) = t168
+    qdd(6) = t169
+    qdd(7) = t170
   end subroutine
 end module

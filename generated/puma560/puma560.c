@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 145 multiplications, 117 additions = 262; 0 unary minus; 8 sine/cosine
  *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
  *   bias: 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 84 multiplications, 68 additions = 152; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 298 multiplications, 228 additions, 6 divisions = 532; 2 unary minus; 8
+ *   mass_matrix: 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
+ *   forward_dynamics: 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8
  *       sine/cosine
  */
 #include "puma560.h"
@@ -402,7 +404,7 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 84 multiplications, 68 additions = 152; 0 unary minus; 8 sine/cosine */
+ * 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine */
 void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -419,99 +421,73 @@ void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
     const puma560_real c23 = cos(angle23);
     const puma560_real s23 = sin(angle23);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_real nu5_x = 4e-05*s5;
     const puma560_real neg_nu5_y = 4e-05*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_real nu4_x = c4*nu5_x;
-    const puma560_real nu4_y = s4*nu5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu3_y = c23*neg_nu5_y - s23*nu4_x;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_real h5_x = 0.00288*s5;
-    const puma560_real neg_h5_y = 0.00288*c5;
-    const puma560_real t1 = 0.00020216*(c5*c5);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_real k5_yy = t1 + 0.00022;
-    const puma560_real neg_k5_xy = 0.00020216*(c5*s5);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_real fu4_x = c4*neg_h5_y;
-    const puma560_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu4_x = 0.00064216*s4;
-    const puma560_real nu4_y_2 = 0.00064216*c4;
+    const puma560_real t1 = 0.001247328*c5;
+    const puma560_real t2 = t1 + 0.00064216;
+    const puma560_real t3 = 5.8464e-05*s5;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_real m3_5 = nu4_y_2 - (5.8464e-05*s5 - 0.4331*fu4_x);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_real fu3_x = c23*fu4_x - s23*h5_x;
-    const puma560_real fu3_y = s23*fu4_x + c23*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real nu3_y = c23*(0.0203*fu4_y) - s23*(neg_nu4_x + 0.4331*fu4_y);
-    const puma560_real t2 = 0.4318*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real nu2_y = nu3_y - t2*fu4_y;
-    const puma560_real t3 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_real m1_5 = -0.1501*fu3_x - nu2_y;
+    const puma560_real m3_5 = c4*t2 - t3;
+    const puma560_real t4 = c4*t3;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_real h4_x = c4*h5_x;
-    const puma560_real h4_y = s4*h5_x;
-    const puma560_real t4 = t1 - 0.00030216;
-    const puma560_real t5 = c4*c4*t4;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_real k4_xx = 0.00077 - t5;
-    const puma560_real k4_yy = t5 - (t1 - 0.00107216);
-    const puma560_real neg_k4_xy = t4*(c4*s4);
-    const puma560_real k4_xz = c4*neg_k5_xy;
-    const puma560_real k4_yz = s4*neg_k5_xy;
-    /* link 4: mass matrix, its row of this joint */
-    const puma560_real m4_4 = 0.20184216 - t1;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_real m3_4 = -0.4331*h4_y - k4_yz;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_real neg_fu3_x = c23*h4_y;
-    const puma560_real neg_fu3_y = s23*h4_y;
-    const puma560_real t6 = 0.4331*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real nu3_y_2 = c23*(t1 - 0.00184216 + 0.0203*h4_x) - s23*(k4_xz + t6);
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real nu2_y_2 = nu3_y_2 - t2*h4_x;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_real m1_4 = 0.1501*neg_fu3_x - nu2_y_2;
-    const puma560_real t7 = h4_x - 0.025375;
-    const puma560_real t8 = neg_h5_y + 0.861795;
+    const puma560_real h4_x = 49.26108374384236*t4;
+    const puma560_real t5 = h4_x - 0.025375;
+    const puma560_real t6 = 3.4578544061302683*c5 + 21.334975369458128;
+    const puma560_real t7 = 0.0008328864265927978*t6 + 0.8440253886030866;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_real h3_x = c23*t7 + s23*t8;
-    const puma560_real h3_y = s23*t7 - c23*t8;
-    const puma560_real t9 = k5_yy + 0.002494656*c5;
-    const puma560_real t10 = 0.0406*h4_x - k4_xx;
-    const puma560_real t11 = c23*c23*(t10 + t9 + 0.298925024) - (t6 + (k4_xz - 5.8464e-05*c5) -
-        0.0106736385)*(2.0*(c23*s23));
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_real k3_xx = t9 + 0.3156901365 - t11;
-    const puma560_real k3_yy = t11 - (t10 - 0.0167651125);
-    const puma560_real neg_k3_yz = s23*(neg_k4_xy + 0.0203*h4_y) + c23*(0.004704 - m3_4);
-    const puma560_real t12 = t10 - t9;
+    const puma560_real h3_x = c23*t5 + s23*t7;
+    const puma560_real t8 = 5.8464e-05*c5;
+    const puma560_real t9 = t8*t6;
+    const puma560_real t10 = t1 - t9;
+    /* link 4: mass matrix, its row of this joint */
+    const puma560_real m4_4 = t10 + 0.20184216;
+    const puma560_real t11 = t1 + t9;
+    const puma560_real t12 = c4*(t9 + 0.00034) - m3_5;
+    const puma560_real t13 = c4*t12 + t4;
+    const puma560_real t14 = 0.4318*c2*h3_x;
+    const puma560_real t15 = s4*t3;
+    const puma560_real t16 = 7.394088669950739*t15;
+    const puma560_real t17 = t16 - (t4 - (t10 + 0.00184216));
+    const puma560_real t18 = s23*t4;
+    const puma560_real t19 = t6*t18;
+    const puma560_real t20 = t14 + 4.45115636 + (t17 + c23*(t19 - s23*(t8 + 0.0106736385)));
+    const puma560_real t21 = s23*(s23*(t11 + 0.298375024 + t13)) + t20 + (t20 + (c2*(1.601861202*c2
+        - 0.0141984*s2) - 6.010691657));
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_real m1_1 = t21 - m4_4;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_real m3_3 = 1.162455249 - t12;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_3 = t2*h3_x + t3*h3_y - (t12 - 0.332455249);
+    const puma560_real m3_4 = -t6*t15;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_real h3_y = s23*t5 - c23*t7;
+    const puma560_real t22 = 0.1501*h3_y;
+    const puma560_real t23 = s4*s23;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_real m1_3 = 0.1501*h3_y - neg_k3_yz;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_real h2_y = h3_y + (3.79559*s2 + 0.1044*c2);
-    const puma560_real t13 = k3_xx + t2*(2.0*h3_x);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_real k2_xx = t13 + (1.601861202*(c2*c2) - 0.0141984*(c2*s2) + 0.0731264);
-    const puma560_real k2_yz = t3*h4_y - neg_k3_yz + (0.12059664*s2 + 0.00808056*c2);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_2 = t13 + (k3_yy + t3*(2.0*h3_y)) + 6.458114002;
+    const puma560_real m1_3 = t22 - t12*t23 - c23*(0.004704 - m3_4);
+    const puma560_real t24 = 2.876748834110593*s2;
+    const puma560_real t25 = t16*t24;
+    const puma560_real m1_2 = 0.690314699*s2 + (0.023751*c2 + m1_3 + t25);
+    const puma560_real t26 = 21.27093596059113*c2;
+    const puma560_real m1_4 = t19 + (t4*t26 + c23*t17);
+    const puma560_real t27 = c23*t8;
+    const puma560_real t28 = t8*t26;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const puma560_real nu2_y = s4*(t27 - t28) - t2*t23;
+    const puma560_real t29 = 7.394088669950739*(s23*t3 - c4*t27);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_real m1_1 = k2_xx + (k4_yy + 0.3002*h4_y) + 2.6017295505;
+    const puma560_real m1_5 = t29 - nu2_y;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const puma560_real neg_nu3_y = 0.6841817186644773*(t27 - t18);
+    const puma560_real t30 = t14 + 6.458114002 + t22*t24;
+    const puma560_real t31 = t13 - (t11 - 6.124668753);
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_real m2_3 = t30 - t31;
+    const puma560_real m2_2 = t30 + m2_3;
+    const puma560_real t32 = t3*t26;
+    const puma560_real m2_4 = m3_4 + (c23*t25 - t23*t32);
+    const puma560_real m2_5 = t24*t29 + (m3_5 + (c4*(s23*t28) + c23*t32));
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const puma560_real nu4_y = 0.6841817186644773*t15;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_real m3_3 = 7.288114002 - t31;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -551,7 +527,7 @@ void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 298 multiplications, 228 additions, 6 divisions = 532; 2 unary minus; 8 sine/cosine */
+ * 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8 sine/cosine */
 void puma560_forward_dynamics(
     const puma560_real q[6],
     const puma560_real qd[6],
@@ -689,173 +665,147 @@ void puma560_forward_dynamics(
     const puma560_real tau2 = neg_lam2_33*t35 + (n3_z - (2247.2413793103447*t34 - t8*(s23*t37 +
         c23*t38))) - t10*t39;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_real nu5_x = 4e-05*s5;
     const puma560_real neg_nu5_y = 4e-05*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_real nu4_x = c4*nu5_x;
-    const puma560_real nu4_y = s4*nu5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real neg_nu3_y = c23*neg_nu5_y - s23*nu4_x;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_real h5_x = 0.00288*s5;
-    const puma560_real neg_h5_y = 0.00288*c5;
-    const puma560_real t40 = 0.00020216*(c5*c5);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_real k5_yy = t40 + 0.00022;
-    const puma560_real neg_k5_xy = 0.00020216*(c5*s5);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_real fu4_x = c4*neg_h5_y;
-    const puma560_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_real nu4_x_2 = -0.00064216*s4;
-    const puma560_real nu4_y_2 = 0.00064216*c4;
+    const puma560_real t40 = 0.001247328*c5;
+    const puma560_real t41 = t40 + 0.00064216;
+    const puma560_real t42 = 5.8464e-05*s5;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_real m3_5 = nu4_y_2 - (5.8464e-05*s5 - 0.4331*fu4_x);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_real fu3_x = c23*fu4_x - s23*h5_x;
-    const puma560_real fu3_y = s23*fu4_x + c23*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real nu3_y = c23*(0.0203*fu4_y) - s23*(0.4331*fu4_y - nu4_x_2);
-    const puma560_real t41 = 0.4318*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real nu2_y = nu3_y - fu4_y*t41;
-    const puma560_real t42 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_5 = m3_5 + (fu3_y*t41 - fu3_x*t42);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_real neg_m1_5 = nu2_y + 0.1501*fu3_x;
+    const puma560_real m3_5 = c4*t41 - t42;
+    const puma560_real t43 = c4*t42;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_real h4_x = c4*h5_x;
-    const puma560_real h4_y = s4*h5_x;
-    const puma560_real t43 = t40 - 0.00030216;
-    const puma560_real t44 = c4*c4*t43;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_real k4_xx = 0.00077 - t44;
-    const puma560_real k4_yy = t44 - (t40 - 0.00107216);
-    const puma560_real neg_k4_xy = t43*(s4*c4);
-    const puma560_real k4_xz = c4*neg_k5_xy;
-    const puma560_real k4_yz = s4*neg_k5_xy;
-    /* link 4: mass matrix, its row of this joint */
-    const puma560_real m4_4 = 0.20184216 - t40;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_real neg_m3_4 = k4_yz + 0.4331*h4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_real neg_fu3_x = c23*h4_y;
-    const puma560_real neg_fu3_y = s23*h4_y;
-    const puma560_real t45 = 0.4331*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_real nu3_y_2 = c23*(t40 - 0.00184216 + 0.0203*h4_x) - s23*(k4_xz + t45);
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_real nu2_y_2 = nu3_y_2 - t41*h4_x;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_real neg_m2_4 = neg_m3_4 + (t41*neg_fu3_y - t42*neg_fu3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_real neg_m1_4 = nu2_y_2 - 0.1501*neg_fu3_x;
-    const puma560_real t46 = h4_x - 0.025375;
-    const puma560_real t47 = neg_h5_y + 0.861795;
+    const puma560_real h4_x = 49.26108374384236*t43;
+    const puma560_real t44 = h4_x - 0.025375;
+    const puma560_real t45 = 3.4578544061302683*c5 + 21.334975369458128;
+    const puma560_real t46 = 0.0008328864265927978*t45 + 0.8440253886030866;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_real h3_x = c23*t46 + s23*t47;
-    const puma560_real h3_y = s23*t46 - c23*t47;
-    const puma560_real t48 = k5_yy + 0.002494656*c5;
-    const puma560_real t49 = 0.0406*h4_x - k4_xx;
-    const puma560_real t50 = c23*c23*(t48 + t49 + 0.298925024) - (t45 + (k4_xz - 5.8464e-05*c5) -
-        0.0106736385)*(2.0*(s23*c23));
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_real k3_xx = t48 + 0.3156901365 - t50;
-    const puma560_real k3_yy = t50 - (t49 - 0.0167651125);
-    const puma560_real neg_k3_yz = s23*(neg_k4_xy + 0.0203*h4_y) + c23*(neg_m3_4 + 0.004704);
-    const puma560_real t51 = t48 - t49;
+    const puma560_real h3_x = c23*t44 + s23*t46;
+    const puma560_real t47 = 5.8464e-05*c5;
+    const puma560_real t48 = t45*t47;
+    const puma560_real t49 = t40 - t48;
+    /* link 4: mass matrix, its row of this joint */
+    const puma560_real m4_4 = t49 + 0.20184216;
+    const puma560_real t50 = t40 + t48;
+    const puma560_real t51 = m3_5 - c4*(t48 + 0.00034);
+    const puma560_real t52 = t43 - c4*t51;
+    const puma560_real t53 = h3_x*(0.4318*c2);
+    const puma560_real t54 = s4*t42;
+    const puma560_real t55 = 7.394088669950739*t54;
+    const puma560_real t56 = t55 - (t43 - (t49 + 0.00184216));
+    const puma560_real t57 = s23*t43;
+    const puma560_real t58 = t45*t57;
+    const puma560_real t59 = t53 + 4.45115636 + (t56 + c23*(t58 - s23*(t47 + 0.0106736385)));
+    const puma560_real t60 = s23*(s23*(t50 + 0.298375024 + t52)) + t59 + (t59 + (c2*(1.601861202*c2
+        - 0.0141984*s2) - 6.010691657));
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_real neg_m1_1 = m4_4 - t60;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_real m3_3 = t51 + 1.162455249;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_3 = t41*h3_x + t42*h3_y + (t51 + 0.332455249);
+    const puma560_real neg_m3_4 = t45*t54;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_real h3_y = s23*t44 - c23*t46;
+    const puma560_real t61 = 0.1501*h3_y;
+    const puma560_real t62 = s23*s4;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_real neg_m1_3 = neg_k3_yz - 0.1501*h3_y;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_real h2_y = h3_y + (3.79559*s2 + 0.1044*c2);
-    const puma560_real t52 = k3_xx + t41*(2.0*h3_x);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_real k2_xx = t52 + (1.601861202*(c2*c2) - 0.0141984*(c2*s2) + 0.0731264);
-    const puma560_real neg_k2_yz = neg_k3_yz - t42*h4_y - (0.12059664*s2 + 0.00808056*c2);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_real m2_2 = t52 + (k3_yy + t42*(2.0*h3_y)) + 6.458114002;
+    const puma560_real m1_3 = t61 + t51*t62 - c23*(neg_m3_4 + 0.004704);
+    const puma560_real t63 = t10*t55;
+    const puma560_real m1_2 = 0.690314699*s2 + (m1_3 + 0.023751*c2 + t63);
+    const puma560_real t64 = 21.27093596059113*c2;
+    const puma560_real m1_4 = t58 + (t43*t64 + c23*t56);
+    const puma560_real t65 = c23*t47;
+    const puma560_real t66 = t47*t64;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const puma560_real nu2_y = s4*(t65 - t66) - t41*t62;
+    const puma560_real t67 = 7.394088669950739*(s23*t42 - c4*t65);
     /* link 1: mass matrix, its row of this joint */
-    const puma560_real neg_m1_2 = neg_k2_yz - 0.1501*h2_y;
-    const puma560_real m1_1 = k2_xx + (k4_yy + 0.3002*h4_y) + 2.6017295505;
+    const puma560_real neg_m1_5 = nu2_y - t67;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const puma560_real nu3_y = 0.6841817186644773*(t57 - t65);
+    const puma560_real t68 = t53 + 6.458114002 + t10*t61;
+    const puma560_real t69 = t52 - (t50 - 6.124668753);
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_real m2_3 = t68 - t69;
+    const puma560_real m2_2 = t68 + m2_3;
+    const puma560_real t70 = t42*t64;
+    const puma560_real neg_m2_4 = neg_m3_4 - (c23*t63 - t62*t70);
+    const puma560_real m2_5 = t10*t67 + (m3_5 + (c4*(s23*t66) + c23*t70));
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const puma560_real nu4_y = 0.6841817186644773*t54;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_real neg_m3_3 = t69 - 7.288114002;
     /* link 1: forward substitution */
     const puma560_real neg_y1 = tau1 - tau[0];
     /* factorisation M = L D L^T */
-    const puma560_real ipivot1 = 1.0 / m1_1;
-    const puma560_real neg_l2_1 = neg_m1_2*ipivot1;
-    const puma560_real neg_l3_1 = neg_m1_3*ipivot1;
-    const puma560_real neg_l4_1 = neg_m1_4*ipivot1;
-    const puma560_real neg_l5_1 = neg_m1_5*ipivot1;
-    const puma560_real l6_1 = neg_nu3_y*ipivot1;
-    const puma560_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
+    const puma560_real neg_ipivot1 = 1.0 / neg_m1_1;
+    const puma560_real neg_l2_1 = m1_2*neg_ipivot1;
+    const puma560_real neg_l3_1 = m1_3*neg_ipivot1;
+    const puma560_real neg_l4_1 = m1_4*neg_ipivot1;
+    const puma560_real l5_1 = neg_m1_5*neg_ipivot1;
+    const puma560_real l6_1 = nu3_y*neg_ipivot1;
+    const puma560_real pivot2 = m2_2 + m1_2*neg_l2_1;
     const puma560_real ipivot2 = 1.0 / pivot2;
-    const puma560_real ld3_2 = m2_3 - neg_m1_2*neg_l3_1;
+    const puma560_real ld3_2 = m2_3 + m1_2*neg_l3_1;
     const puma560_real l3_2 = ipivot2*ld3_2;
-    const puma560_real neg_ld4_2 = neg_m2_4 + neg_m1_2*neg_l4_1;
+    const puma560_real neg_ld4_2 = neg_m2_4 - m1_2*neg_l4_1;
     const puma560_real neg_l4_2 = ipivot2*neg_ld4_2;
-    const puma560_real ld5_2 = m2_5 - neg_m1_2*neg_l5_1;
+    const puma560_real ld5_2 = m2_5 - m1_2*l5_1;
     const puma560_real l5_2 = ipivot2*ld5_2;
-    const puma560_real ld6_2 = nu4_y + neg_m1_2*l6_1;
+    const puma560_real ld6_2 = nu4_y - m1_2*l6_1;
     const puma560_real l6_2 = ipivot2*ld6_2;
-    const puma560_real pivot3 = m3_3 - neg_m1_3*neg_l3_1 - ld3_2*l3_2;
-    const puma560_real ipivot3 = 1.0 / pivot3;
-    const puma560_real neg_ld4_3 = neg_m3_4 + neg_m1_3*neg_l4_1 - ld3_2*neg_l4_2;
-    const puma560_real neg_l4_3 = ipivot3*neg_ld4_3;
-    const puma560_real ld5_3 = m3_5 - neg_m1_3*neg_l5_1 - ld3_2*l5_2;
-    const puma560_real l5_3 = ipivot3*ld5_3;
-    const puma560_real ld6_3 = nu4_y + neg_m1_3*l6_1 - ld3_2*l6_2;
-    const puma560_real l6_3 = ipivot3*ld6_3;
-    const puma560_real neg_pivot4 = neg_m1_4*neg_l4_1 - m4_4 + neg_ld4_2*neg_l4_2 +
-        neg_ld4_3*neg_l4_3;
-    const puma560_real neg_ipivot4 = 1.0 / neg_pivot4;
-    const puma560_real neg_ld5_4 = neg_m1_4*neg_l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3;
-    const puma560_real l5_4 = neg_ipivot4*neg_ld5_4;
-    const puma560_real ld6_4 = neg_nu5_y + neg_m1_4*l6_1 + neg_ld4_2*l6_2 + neg_ld4_3*l6_3;
-    const puma560_real neg_l6_4 = neg_ipivot4*ld6_4;
-    const puma560_real neg_pivot5 = neg_m1_5*neg_l5_1 - 0.17964216 + ld5_2*l5_2 + ld5_3*l5_3 -
-        neg_ld5_4*l5_4;
-    const puma560_real neg_ipivot5 = 1.0 / neg_pivot5;
-    const puma560_real ld6_5 = neg_m1_5*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - neg_ld5_4*neg_l6_4;
-    const puma560_real neg_l6_5 = neg_ipivot5*ld6_5;
-    const puma560_real neg_pivot6 = neg_nu3_y*l6_1 - 0.19304 + ld6_2*l6_2 + ld6_3*l6_3 -
-        ld6_4*neg_l6_4 - ld6_5*neg_l6_5;
-    const puma560_real neg_ipivot6 = 1.0 / neg_pivot6;
+    const puma560_real neg_pivot3 = neg_m3_3 - m1_3*neg_l3_1 + ld3_2*l3_2;
+    const puma560_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const puma560_real neg_ld4_3 = neg_m3_4 - m1_3*neg_l4_1 - ld3_2*neg_l4_2;
+    const puma560_real l4_3 = neg_ipivot3*neg_ld4_3;
+    const puma560_real ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2;
+    const puma560_real neg_l5_3 = neg_ipivot3*ld5_3;
+    const puma560_real ld6_3 = nu4_y - m1_3*l6_1 - ld3_2*l6_2;
+    const puma560_real neg_l6_3 = neg_ipivot3*ld6_3;
+    const puma560_real pivot4 = m4_4 + m1_4*neg_l4_1 - neg_ld4_2*neg_l4_2 + neg_ld4_3*l4_3;
+    const puma560_real ipivot4 = 1.0 / pivot4;
+    const puma560_real neg_ld5_4 = m1_4*l5_1 - neg_ld4_2*l5_2 + neg_ld4_3*neg_l5_3;
+    const puma560_real neg_l5_4 = ipivot4*neg_ld5_4;
+    const puma560_real ld6_4 = neg_nu5_y - m1_4*l6_1 + neg_ld4_2*l6_2 - neg_ld4_3*neg_l6_3;
+    const puma560_real l6_4 = ipivot4*ld6_4;
+    const puma560_real pivot5 = neg_m1_5*l5_1 + 0.17964216 - ld5_2*l5_2 + ld5_3*neg_l5_3 -
+        neg_ld5_4*neg_l5_4;
+    const puma560_real ipivot5 = 1.0 / pivot5;
+    const puma560_real ld6_5 = neg_m1_5*l6_1 - ld5_2*l6_2 + ld5_3*neg_l6_3 + neg_ld5_4*l6_4;
+    const puma560_real l6_5 = ipivot5*ld6_5;
+    const puma560_real pivot6 = nu3_y*l6_1 + 0.19304 - ld6_2*l6_2 + ld6_3*neg_l6_3 - ld6_4*l6_4 -
+        ld6_5*l6_5;
+    const puma560_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
     const puma560_real neg_y2 = tau2 - tau[1] + neg_y1*neg_l2_1;
     /* link 3: forward substitution */
     const puma560_real neg_y3 = n3_z - tau[2] + neg_y1*neg_l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
-    const puma560_real neg_y4 = n4_z - tau[3] + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3;
+    const puma560_real neg_y4 = n4_z - tau[3] + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 - l4_3*neg_y3;
     /* link 5: forward substitution */
-    const puma560_real neg_y5 = n5_z - tau[4] + neg_y1*neg_l5_1 - l5_2*neg_y2 - l5_3*neg_y3 -
-        l5_4*neg_y4;
+    const puma560_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 + neg_l5_3*neg_y3 +
+        neg_l5_4*neg_y4;
     /* link 6: forward substitution */
-    const puma560_real y6 = tau[5] - n06_z + neg_y1*l6_1 + l6_2*neg_y2 + l6_3*neg_y3 -
-        neg_l6_4*neg_y4 - neg_l6_5*neg_y5;
+    const puma560_real y6 = tau[5] - n06_z + neg_y1*l6_1 + l6_2*neg_y2 - neg_l6_3*neg_y3 +
+        l6_4*neg_y4 + l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real neg_qdd6 = neg_ipivot6*y6;
+    const puma560_real qdd6 = ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real qdd5 = neg_ipivot5*neg_y5 - neg_l6_5*neg_qdd6;
+    const puma560_real neg_qdd5 = ipivot5*neg_y5 + l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real qdd4 = neg_ipivot4*neg_y4 - l5_4*qdd5 - neg_l6_4*neg_qdd6;
+    const puma560_real neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 + l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 + l5_3*qdd5 - l6_3*neg_qdd6;
+    const puma560_real qdd3 = neg_ipivot3*neg_y3 + l4_3*neg_qdd4 - neg_l5_3*neg_qdd5 +
+        neg_l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - l3_2*neg_qdd3 - neg_l4_2*qdd4 +
-        l5_2*qdd5);
+    const puma560_real neg_qdd2 = ipivot2*neg_y2 + l3_2*qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 +
+        l6_2*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_real qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + neg_l3_1*neg_qdd3 -
-        neg_l4_1*qdd4 - neg_l5_1*qdd5);
-    const puma560_real t53 = -neg_qdd3;
-    const puma560_real t54 = -neg_qdd6;
+    const puma560_real qdd1 = neg_y1*neg_ipivot1 - neg_l2_1*neg_qdd2 + neg_l3_1*qdd3 -
+        neg_l4_1*neg_qdd4 + l5_1*neg_qdd5 - l6_1*qdd6;
+    const puma560_real t71 = -neg_qdd2;
+    const puma560_real t72 = -neg_qdd4;
+    const puma560_real t73 = -neg_qdd5;
     qdd[0] = qdd1;
-    qdd[1] = qdd2;
-    qdd[2] = t53;
-    qdd[3] = qdd4;
-    qdd[4] = qdd5;
-    qdd[5] = t54;
+    qdd[1] = t71;
+    qdd[2] = qdd3;
+    qdd[3] = t72;
+    qdd[4] = t73;
+    qdd[5] = qdd6;
 }

@@ -15,13 +15,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 6.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 145 multiplications, 117 additions = 262; 0 unary minus; 8 sine/cosine
 !   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
 !   bias: 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine
-!   mass_matrix: 84 multiplications, 68 additions = 152; 0 unary minus; 8 sine/cosine
-!   forward_dynamics: 298 multiplications, 228 additions, 6 divisions = 532; 2 unary minus; 8
+!   mass_matrix: 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
+!   forward_dynamics: 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8
 !       sine/cosine
 module puma560_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -424,17 +426,15 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 84 multiplications, 68 additions = 152; 0 unary minus; 8 sine/cosine
+  ! 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
   pure subroutine puma560_mass_matrix(q, M) &
       bind(c, name="puma560_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, nu5_x, neg_nu5_y, nu4_x, nu4_y
-    real(rk) :: neg_nu3_y, h5_x, neg_h5_y, t1, k5_yy, neg_k5_xy, fu4_x, fu4_y, neg_nu4_x, nu4_y_2
-    real(rk) :: m3_5, fu3_x, fu3_y, nu3_y, t2, nu2_y, t3, m2_5, m1_5, h4_x, h4_y, t4, t5, k4_xx
-    real(rk) :: k4_yy, neg_k4_xy, k4_xz, k4_yz, m4_4, m3_4, neg_fu3_x, neg_fu3_y, t6, nu3_y_2
-    real(rk) :: nu2_y_2, m2_4, m1_4, t7, t8, h3_x, h3_y, t9, t10, t11, k3_xx, k3_yy, neg_k3_yz, t12
-    real(rk) :: m3_3, m2_3, m1_3, h2_y, t13, k2_xx, k2_yz, m2_2, m1_2, m1_1
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, neg_nu5_y, t1, t2, t3, m3_5, t4, h4_x
+    real(rk) :: t5, t6, t7, h3_x, t8, t9, t10, m4_4, t11, t12, t13, t14, t15, t16, t17, t18, t19
+    real(rk) :: t20, t21, m1_1, m3_4, h3_y, t22, t23, m1_3, t24, t25, m1_2, t26, m1_4, t27, t28
+    real(rk) :: nu2_y, t29, m1_5, neg_nu3_y, t30, t31, m2_3, m2_2, t32, m2_4, m2_5, nu4_y, m3_3
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -447,99 +447,73 @@ contains
     c23 = cos(angle23)
     s23 = sin(angle23)
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 4e-05_rk*s5
     neg_nu5_y = 4e-05_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
-    nu4_y = s4*nu5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = c23*neg_nu5_y - s23*nu4_x
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = 0.00288_rk*s5
-    neg_h5_y = 0.00288_rk*c5
-    t1 = 0.00020216_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t1 + 0.00022_rk
-    neg_k5_xy = 0.00020216_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = 0.00064216_rk*s4
-    nu4_y_2 = 0.00064216_rk*c4
+    t1 = 0.001247328_rk*c5
+    t2 = t1 + 0.00064216_rk
+    t3 = 5.8464e-05_rk*s5
     ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 - (5.8464e-05_rk*s5 - 0.4331_rk*fu4_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*h5_x
-    fu3_y = s23*fu4_x + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = c23*(0.0203_rk*fu4_y) - s23*(neg_nu4_x + 0.4331_rk*fu4_y)
-    t2 = 0.4318_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y - t2*fu4_y
-    t3 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = -0.1501_rk*fu3_x - nu2_y
+    m3_5 = c4*t2 - t3
+    t4 = c4*t3
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*h5_x
-    h4_y = s4*h5_x
-    t4 = t1 - 0.00030216_rk
-    t5 = c4*c4*t4
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = 0.00077_rk - t5
-    k4_yy = t5 - (t1 - 0.00107216_rk)
-    neg_k4_xy = t4*(c4*s4)
-    k4_xz = c4*neg_k5_xy
-    k4_yz = s4*neg_k5_xy
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.20184216_rk - t1
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = -0.4331_rk*h4_y - k4_yz
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c23*h4_y
-    neg_fu3_y = s23*h4_y
-    t6 = 0.4331_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = c23*(t1 - 0.00184216_rk + 0.0203_rk*h4_x) - s23*(k4_xz + t6)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 - t2*h4_x
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_2
-    t7 = h4_x - 0.025375_rk
-    t8 = neg_h5_y + 0.861795_rk
+    h4_x = 49.26108374384236_rk*t4
+    t5 = h4_x - 0.025375_rk
+    t6 = 3.4578544061302683_rk*c5 + 21.334975369458128_rk
+    t7 = 0.0008328864265927978_rk*t6 + 0.8440253886030866_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c23*t7 + s23*t8
-    h3_y = s23*t7 - c23*t8
-    t9 = k5_yy + 0.002494656_rk*c5
-    t10 = 0.0406_rk*h4_x - k4_xx
-    t11 = c23*c23*(t10 + t9 + 0.298925024_rk) - (t6 + (k4_xz - 5.8464e-05_rk*c5) - &
-        0.0106736385_rk)*(2.0_rk*(c23*s23))
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t9 + 0.3156901365_rk - t11
-    k3_yy = t11 - (t10 - 0.0167651125_rk)
-    neg_k3_yz = s23*(neg_k4_xy + 0.0203_rk*h4_y) + c23*(0.004704_rk - m3_4)
-    t12 = t10 - t9
+    h3_x = c23*t5 + s23*t7
+    t8 = 5.8464e-05_rk*c5
+    t9 = t8*t6
+    t10 = t1 - t9
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t10 + 0.20184216_rk
+    t11 = t1 + t9
+    t12 = c4*(t9 + 0.00034_rk) - m3_5
+    t13 = c4*t12 + t4
+    t14 = 0.4318_rk*c2*h3_x
+    t15 = s4*t3
+    t16 = 7.394088669950739_rk*t15
+    t17 = t16 - (t4 - (t10 + 0.00184216_rk))
+    t18 = s23*t4
+    t19 = t6*t18
+    t20 = t14 + 4.45115636_rk + (t17 + c23*(t19 - s23*(t8 + 0.0106736385_rk)))
+    t21 = s23*(s23*(t11 + 0.298375024_rk + t13)) + t20 + (t20 + (c2*(1.601861202_rk*c2 - &
+        0.0141984_rk*s2) - 6.010691657_rk))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t21 - m4_4
     ! link 3: mass matrix, its row of this joint
-    m3_3 = 1.162455249_rk - t12
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = t2*h3_x + t3*h3_y - (t12 - 0.332455249_rk)
+    m3_4 = -t6*t15
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s23*t5 - c23*t7
+    t22 = 0.1501_rk*h3_y
+    t23 = s4*s23
     ! link 1: mass matrix, its row of this joint
-    m1_3 = 0.1501_rk*h3_y - neg_k3_yz
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + (3.79559_rk*s2 + 0.1044_rk*c2)
-    t13 = k3_xx + t2*(2.0_rk*h3_x)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t13 + (1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
-    k2_yz = t3*h4_y - neg_k3_yz + (0.12059664_rk*s2 + 0.00808056_rk*c2)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = t13 + (k3_yy + t3*(2.0_rk*h3_y)) + 6.458114002_rk
+    m1_3 = t22 - t12*t23 - c23*(0.004704_rk - m3_4)
+    t24 = 2.876748834110593_rk*s2
+    t25 = t16*t24
+    m1_2 = 0.690314699_rk*s2 + (0.023751_rk*c2 + m1_3 + t25)
+    t26 = 21.27093596059113_rk*c2
+    m1_4 = t19 + (t4*t26 + c23*t17)
+    t27 = c23*t8
+    t28 = t8*t26
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = s4*(t27 - t28) - t2*t23
+    t29 = 7.394088669950739_rk*(s23*t3 - c4*t27)
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.3002_rk*h4_y) + 2.6017295505_rk
+    m1_5 = t29 - nu2_y
+    ! link 3: moment for a unit acceleration of a joint further out
+    neg_nu3_y = 0.6841817186644773_rk*(t27 - t18)
+    t30 = t14 + 6.458114002_rk + t22*t24
+    t31 = t13 - (t11 - 6.124668753_rk)
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = t30 - t31
+    m2_2 = t30 + m2_3
+    t32 = t3*t26
+    m2_4 = m3_4 + (c23*t25 - t23*t32)
+    m2_5 = t24*t29 + (m3_5 + (c4*(s23*t28) + c23*t32))
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = 0.6841817186644773_rk*t15
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = 7.288114002_rk - t31
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -579,7 +553,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 298 multiplications, 228 additions, 6 divisions = 532; 2 unary minus; 8 sine/cosine
+  ! 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8 sine/cosine
   pure subroutine puma560_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -592,18 +566,16 @@ contains
     real(rk) :: neg_lam3_32, t1, neg_lam5_12, t2, alpha4_x, neg_ww5_zx, alpha5_y, n06_z, t3, t4, t5
     real(rk) :: t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, n4_z, t21
     real(rk) :: t22, t23, t24, t25, t26, t27, neg_n3_y, n4_x, t28, lam3_22, t29, t30, n5_z, nc4_y
-    real(rk) :: t31, t32, n3_x, t33, t34, t35, t36, t37, t38, t39, tau1, n3_z, tau2, nu5_x
-    real(rk) :: neg_nu5_y, nu4_x, nu4_y, neg_nu3_y, h5_x, neg_h5_y, t40, k5_yy, neg_k5_xy, fu4_x
-    real(rk) :: fu4_y, nu4_x_2, nu4_y_2, m3_5, fu3_x, fu3_y, nu3_y, t41, nu2_y, t42, m2_5, neg_m1_5
-    real(rk) :: h4_x, h4_y, t43, t44, k4_xx, k4_yy, neg_k4_xy, k4_xz, k4_yz, m4_4, neg_m3_4
-    real(rk) :: neg_fu3_x, neg_fu3_y, t45, nu3_y_2, nu2_y_2, neg_m2_4, neg_m1_4, t46, t47, h3_x
-    real(rk) :: h3_y, t48, t49, t50, k3_xx, k3_yy, neg_k3_yz, t51, m3_3, m2_3, neg_m1_3, h2_y, t52
-    real(rk) :: k2_xx, neg_k2_yz, m2_2, neg_m1_2, m1_1, neg_y1, ipivot1, neg_l2_1, neg_l3_1
-    real(rk) :: neg_l4_1, neg_l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, neg_ld4_2, neg_l4_2, ld5_2
-    real(rk) :: l5_2, ld6_2, l6_2, pivot3, ipivot3, neg_ld4_3, neg_l4_3, ld5_3, l5_3, ld6_3, l6_3
-    real(rk) :: neg_pivot4, neg_ipivot4, neg_ld5_4, l5_4, ld6_4, neg_l6_4, neg_pivot5, neg_ipivot5
-    real(rk) :: ld6_5, neg_l6_5, neg_pivot6, neg_ipivot6, neg_y2, neg_y3, neg_y4, neg_y5, y6
-    real(rk) :: neg_qdd6, qdd5, qdd4, neg_qdd3, qdd2, qdd1, t53, t54
+    real(rk) :: t31, t32, n3_x, t33, t34, t35, t36, t37, t38, t39, tau1, n3_z, tau2, neg_nu5_y, t40
+    real(rk) :: t41, t42, m3_5, t43, h4_x, t44, t45, t46, h3_x, t47, t48, t49, m4_4, t50, t51, t52
+    real(rk) :: t53, t54, t55, t56, t57, t58, t59, t60, neg_m1_1, neg_m3_4, h3_y, t61, t62, m1_3
+    real(rk) :: t63, m1_2, t64, m1_4, t65, t66, nu2_y, t67, neg_m1_5, nu3_y, t68, t69, m2_3, m2_2
+    real(rk) :: t70, neg_m2_4, m2_5, nu4_y, neg_m3_3, neg_y1, neg_ipivot1, neg_l2_1, neg_l3_1
+    real(rk) :: neg_l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, neg_ld4_2, neg_l4_2, ld5_2
+    real(rk) :: l5_2, ld6_2, l6_2, neg_pivot3, neg_ipivot3, neg_ld4_3, l4_3, ld5_3, neg_l5_3, ld6_3
+    real(rk) :: neg_l6_3, pivot4, ipivot4, neg_ld5_4, neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5
+    real(rk) :: l6_5, pivot6, ipivot6, neg_y2, neg_y3, neg_y4, neg_y5, y6, qdd6, neg_qdd5, neg_qdd4
+    real(rk) :: qdd3, neg_qdd2, qdd1, t71, t72, t73
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -732,170 +704,142 @@ contains
     tau2 = neg_lam2_33*t35 + (n3_z - (2247.2413793103447_rk*t34 - t8*(s23*t37 + c23*t38))) - &
         t10*t39
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 4e-05_rk*s5
     neg_nu5_y = 4e-05_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
-    nu4_y = s4*nu5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = c23*neg_nu5_y - s23*nu4_x
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = 0.00288_rk*s5
-    neg_h5_y = 0.00288_rk*c5
-    t40 = 0.00020216_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t40 + 0.00022_rk
-    neg_k5_xy = 0.00020216_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = -0.00064216_rk*s4
-    nu4_y_2 = 0.00064216_rk*c4
+    t40 = 0.001247328_rk*c5
+    t41 = t40 + 0.00064216_rk
+    t42 = 5.8464e-05_rk*s5
     ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 - (5.8464e-05_rk*s5 - 0.4331_rk*fu4_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*h5_x
-    fu3_y = s23*fu4_x + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = c23*(0.0203_rk*fu4_y) - s23*(0.4331_rk*fu4_y - nu4_x_2)
-    t41 = 0.4318_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y - fu4_y*t41
-    t42 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (fu3_y*t41 - fu3_x*t42)
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_5 = nu2_y + 0.1501_rk*fu3_x
+    m3_5 = c4*t41 - t42
+    t43 = c4*t42
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*h5_x
-    h4_y = s4*h5_x
-    t43 = t40 - 0.00030216_rk
-    t44 = c4*c4*t43
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = 0.00077_rk - t44
-    k4_yy = t44 - (t40 - 0.00107216_rk)
-    neg_k4_xy = t43*(s4*c4)
-    k4_xz = c4*neg_k5_xy
-    k4_yz = s4*neg_k5_xy
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.20184216_rk - t40
-    ! link 3: mass matrix, its row of this joint
-    neg_m3_4 = k4_yz + 0.4331_rk*h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c23*h4_y
-    neg_fu3_y = s23*h4_y
-    t45 = 0.4331_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = c23*(t40 - 0.00184216_rk + 0.0203_rk*h4_x) - s23*(k4_xz + t45)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 - t41*h4_x
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_4 = neg_m3_4 + (t41*neg_fu3_y - t42*neg_fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_4 = nu2_y_2 - 0.1501_rk*neg_fu3_x
-    t46 = h4_x - 0.025375_rk
-    t47 = neg_h5_y + 0.861795_rk
+    h4_x = 49.26108374384236_rk*t43
+    t44 = h4_x - 0.025375_rk
+    t45 = 3.4578544061302683_rk*c5 + 21.334975369458128_rk
+    t46 = 0.0008328864265927978_rk*t45 + 0.8440253886030866_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c23*t46 + s23*t47
-    h3_y = s23*t46 - c23*t47
-    t48 = k5_yy + 0.002494656_rk*c5
-    t49 = 0.0406_rk*h4_x - k4_xx
-    t50 = c23*c23*(t48 + t49 + 0.298925024_rk) - (t45 + (k4_xz - 5.8464e-05_rk*c5) - &
-        0.0106736385_rk)*(2.0_rk*(s23*c23))
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t48 + 0.3156901365_rk - t50
-    k3_yy = t50 - (t49 - 0.0167651125_rk)
-    neg_k3_yz = s23*(neg_k4_xy + 0.0203_rk*h4_y) + c23*(neg_m3_4 + 0.004704_rk)
-    t51 = t48 - t49
+    h3_x = c23*t44 + s23*t46
+    t47 = 5.8464e-05_rk*c5
+    t48 = t45*t47
+    t49 = t40 - t48
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t49 + 0.20184216_rk
+    t50 = t40 + t48
+    t51 = m3_5 - c4*(t48 + 0.00034_rk)
+    t52 = t43 - c4*t51
+    t53 = h3_x*(0.4318_rk*c2)
+    t54 = s4*t42
+    t55 = 7.394088669950739_rk*t54
+    t56 = t55 - (t43 - (t49 + 0.00184216_rk))
+    t57 = s23*t43
+    t58 = t45*t57
+    t59 = t53 + 4.45115636_rk + (t56 + c23*(t58 - s23*(t47 + 0.0106736385_rk)))
+    t60 = s23*(s23*(t50 + 0.298375024_rk + t52)) + t59 + (t59 + (c2*(1.601861202_rk*c2 - &
+        0.0141984_rk*s2) - 6.010691657_rk))
+    ! link 1: mass matrix, its row of this joint
+    neg_m1_1 = m4_4 - t60
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t51 + 1.162455249_rk
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = t41*h3_x + t42*h3_y + (t51 + 0.332455249_rk)
+    neg_m3_4 = t45*t54
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s23*t44 - c23*t46
+    t61 = 0.1501_rk*h3_y
+    t62 = s23*s4
     ! link 1: mass matrix, its row of this joint
-    neg_m1_3 = neg_k3_yz - 0.1501_rk*h3_y
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + (3.79559_rk*s2 + 0.1044_rk*c2)
-    t52 = k3_xx + t41*(2.0_rk*h3_x)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t52 + (1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
-    neg_k2_yz = neg_k3_yz - t42*h4_y - (0.12059664_rk*s2 + 0.00808056_rk*c2)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = t52 + (k3_yy + t42*(2.0_rk*h3_y)) + 6.458114002_rk
+    m1_3 = t61 + t51*t62 - c23*(neg_m3_4 + 0.004704_rk)
+    t63 = t10*t55
+    m1_2 = 0.690314699_rk*s2 + (m1_3 + 0.023751_rk*c2 + t63)
+    t64 = 21.27093596059113_rk*c2
+    m1_4 = t58 + (t43*t64 + c23*t56)
+    t65 = c23*t47
+    t66 = t47*t64
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = s4*(t65 - t66) - t41*t62
+    t67 = 7.394088669950739_rk*(s23*t42 - c4*t65)
     ! link 1: mass matrix, its row of this joint
-    neg_m1_2 = neg_k2_yz - 0.1501_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.3002_rk*h4_y) + 2.6017295505_rk
+    neg_m1_5 = nu2_y - t67
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = 0.6841817186644773_rk*(t57 - t65)
+    t68 = t53 + 6.458114002_rk + t10*t61
+    t69 = t52 - (t50 - 6.124668753_rk)
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = t68 - t69
+    m2_2 = t68 + m2_3
+    t70 = t42*t64
+    neg_m2_4 = neg_m3_4 - (c23*t63 - t62*t70)
+    m2_5 = t10*t67 + (m3_5 + (c4*(s23*t66) + c23*t70))
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = 0.6841817186644773_rk*t54
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_3 = t69 - 7.288114002_rk
     ! link 1: forward substitution
     neg_y1 = tau1 - tau(1)
     ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    neg_l2_1 = neg_m1_2*ipivot1
-    neg_l3_1 = neg_m1_3*ipivot1
-    neg_l4_1 = neg_m1_4*ipivot1
-    neg_l5_1 = neg_m1_5*ipivot1
-    l6_1 = neg_nu3_y*ipivot1
-    pivot2 = m2_2 - neg_m1_2*neg_l2_1
+    neg_ipivot1 = 1.0_rk / neg_m1_1
+    neg_l2_1 = m1_2*neg_ipivot1
+    neg_l3_1 = m1_3*neg_ipivot1
+    neg_l4_1 = m1_4*neg_ipivot1
+    l5_1 = neg_m1_5*neg_ipivot1
+    l6_1 = nu3_y*neg_ipivot1
+    pivot2 = m2_2 + m1_2*neg_l2_1
     ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - neg_m1_2*neg_l3_1
+    ld3_2 = m2_3 + m1_2*neg_l3_1
     l3_2 = ipivot2*ld3_2
-    neg_ld4_2 = neg_m2_4 + neg_m1_2*neg_l4_1
+    neg_ld4_2 = neg_m2_4 - m1_2*neg_l4_1
     neg_l4_2 = ipivot2*neg_ld4_2
-    ld5_2 = m2_5 - neg_m1_2*neg_l5_1
+    ld5_2 = m2_5 - m1_2*l5_1
     l5_2 = ipivot2*ld5_2
-    ld6_2 = nu4_y + neg_m1_2*l6_1
+    ld6_2 = nu4_y - m1_2*l6_1
     l6_2 = ipivot2*ld6_2
-    pivot3 = m3_3 - neg_m1_3*neg_l3_1 - ld3_2*l3_2
-    ipivot3 = 1.0_rk / pivot3
-    neg_ld4_3 = neg_m3_4 + neg_m1_3*neg_l4_1 - ld3_2*neg_l4_2
-    neg_l4_3 = ipivot3*neg_ld4_3
-    ld5_3 = m3_5 - neg_m1_3*neg_l5_1 - ld3_2*l5_2
-    l5_3 = ipivot3*ld5_3
-    ld6_3 = nu4_y + neg_m1_3*l6_1 - ld3_2*l6_2
-    l6_3 = ipivot3*ld6_3
-    neg_pivot4 = neg_m1_4*neg_l4_1 - m4_4 + neg_ld4_2*neg_l4_2 + neg_ld4_3*neg_l4_3
-    neg_ipivot4 = 1.0_rk / neg_pivot4
-    neg_ld5_4 = neg_m1_4*neg_l5_1 - neg_ld4_2*l5_2 - neg_ld4_3*l5_3
-    l5_4 = neg_ipivot4*neg_ld5_4
-    ld6_4 = neg_nu5_y + neg_m1_4*l6_1 + neg_ld4_2*l6_2 + neg_ld4_3*l6_3
-    neg_l6_4 = neg_ipivot4*ld6_4
-    neg_pivot5 = neg_m1_5*neg_l5_1 - 0.17964216_rk + ld5_2*l5_2 + ld5_3*l5_3 - neg_ld5_4*l5_4
-    neg_ipivot5 = 1.0_rk / neg_pivot5
-    ld6_5 = neg_m1_5*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - neg_ld5_4*neg_l6_4
-    neg_l6_5 = neg_ipivot5*ld6_5
-    neg_pivot6 = neg_nu3_y*l6_1 - 0.19304_rk + ld6_2*l6_2 + ld6_3*l6_3 - ld6_4*neg_l6_4 - &
-        ld6_5*neg_l6_5
-    neg_ipivot6 = 1.0_rk / neg_pivot6
+    neg_pivot3 = neg_m3_3 - m1_3*neg_l3_1 + ld3_2*l3_2
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    neg_ld4_3 = neg_m3_4 - m1_3*neg_l4_1 - ld3_2*neg_l4_2
+    l4_3 = neg_ipivot3*neg_ld4_3
+    ld5_3 = m3_5 - m1_3*l5_1 - ld3_2*l5_2
+    neg_l5_3 = neg_ipivot3*ld5_3
+    ld6_3 = nu4_y - m1_3*l6_1 - ld3_2*l6_2
+    neg_l6_3 = neg_ipivot3*ld6_3
+    pivot4 = m4_4 + m1_4*neg_l4_1 - neg_ld4_2*neg_l4_2 + neg_ld4_3*l4_3
+    ipivot4 = 1.0_rk / pivot4
+    neg_ld5_4 = m1_4*l5_1 - neg_ld4_2*l5_2 + neg_ld4_3*neg_l5_3
+    neg_l5_4 = ipivot4*neg_ld5_4
+    ld6_4 = neg_nu5_y - m1_4*l6_1 + neg_ld4_2*l6_2 - neg_ld4_3*neg_l6_3
+    l6_4 = ipivot4*ld6_4
+    pivot5 = neg_m1_5*l5_1 + 0.17964216_rk - ld5_2*l5_2 + ld5_3*neg_l5_3 - neg_ld5_4*neg_l5_4
+    ipivot5 = 1.0_rk / pivot5
+    ld6_5 = neg_m1_5*l6_1 - ld5_2*l6_2 + ld5_3*neg_l6_3 + neg_ld5_4*l6_4
+    l6_5 = ipivot5*ld6_5
+    pivot6 = nu3_y*l6_1 + 0.19304_rk - ld6_2*l6_2 + ld6_3*neg_l6_3 - ld6_4*l6_4 - ld6_5*l6_5
+    ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
     neg_y2 = tau2 - tau(2) + neg_y1*neg_l2_1
     ! link 3: forward substitution
     neg_y3 = n3_z - tau(3) + neg_y1*neg_l3_1 - l3_2*neg_y2
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3
+    neg_y4 = n4_z - tau(4) + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 - l4_3*neg_y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) + neg_y1*neg_l5_1 - l5_2*neg_y2 - l5_3*neg_y3 - l5_4*neg_y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 - l5_2*neg_y2 + neg_l5_3*neg_y3 + neg_l5_4*neg_y4
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z + neg_y1*l6_1 + l6_2*neg_y2 + l6_3*neg_y3 - neg_l6_4*neg_y4 - &
-        neg_l6_5*neg_y5
+    y6 = tau(6) - n06_z + neg_y1*l6_1 + l6_2*neg_y2 - neg_l6_3*neg_y3 + l6_4*neg_y4 + l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd6 = neg_ipivot6*y6
+    qdd6 = ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = neg_ipivot5*neg_y5 - neg_l6_5*neg_qdd6
+    neg_qdd5 = ipivot5*neg_y5 + l6_5*qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = neg_ipivot4*neg_y4 - l5_4*qdd5 - neg_l6_4*neg_qdd6
+    neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 + l6_4*qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 + l5_3*qdd5 - l6_3*neg_qdd6
+    qdd3 = neg_ipivot3*neg_y3 + l4_3*neg_qdd4 - neg_l5_3*neg_qdd5 + neg_l6_3*qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - l3_2*neg_qdd3 - neg_l4_2*qdd4 + l5_2*qdd5)
+    neg_qdd2 = ipivot2*neg_y2 + l3_2*qdd3 + neg_l4_2*neg_qdd4 - l5_2*neg_qdd5 + l6_2*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + neg_l3_1*neg_qdd3 - neg_l4_1*qdd4 - &
-        neg_l5_1*qdd5)
-    t53 = -neg_qdd3
-    t54 = -neg_qdd6
+    qdd1 = neg_y1*neg_ipivot1 - neg_l2_1*neg_qdd2 + neg_l3_1*qdd3 - neg_l4_1*neg_qdd4 + &
+        l5_1*neg_qdd5 - l6_1*qdd6
+    t71 = -neg_qdd2
+    t72 = -neg_qdd4
+    t73 = -neg_qdd5
     qdd(1) = qdd1
-    qdd(2) = qdd2
-    qdd(3) = t53
-    qdd(4) = qdd4
-    qdd(5) = qdd5
-    qdd(6) = t54
+    qdd(2) = t71
+    qdd(3) = qdd3
+    qdd(4) = t72
+    qdd(5) = t73
+    qdd(6) = qdd6
   end subroutine
 end module

@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 145 multiplications, 117 additions = 262; 0 unary minus; 8 sine/cosine
  *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
  *   bias: 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 84 multiplications, 68 additions = 152; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 298 multiplications, 228 additions, 6 divisions = 532; 2 unary minus; 8
+ *   mass_matrix: 58 multiplications, 55 additions = 113; 1 unary minus; 8 sine/cosine
+ *   forward_dynamics: 271 multiplications, 215 additions, 6 divisions = 492; 3 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_H

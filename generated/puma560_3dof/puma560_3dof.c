@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
  *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
  *   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4
+ *   mass_matrix: 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof.h"
@@ -158,7 +160,7 @@ void puma560_3dof_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine */
+ * 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[9])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -170,31 +172,18 @@ void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[
     const volatile puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real c23 = cos(angle23);
     const puma560_3dof_real s23 = sin(angle23);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_real h3_x = 0.336*s23;
-    const puma560_3dof_real h3_y = -0.336*c23;
-    const puma560_3dof_real t1 = 0.07702*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_real k3_xx = 0.09327 - t1;
-    const puma560_3dof_real k3_yy = t1 + 0.01625;
-    const puma560_3dof_real neg_k3_yz = 0.004704*c23;
-    const puma560_3dof_real t2 = 0.4318*c2;
-    const puma560_3dof_real t3 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_real m2_3 = t2*h3_x + t3*h3_y + 0.10952;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_real m1_3 = -0.0551376*c23;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_real h2_y = h3_y + (3.25584*s2 + 0.1044*c2);
-    const puma560_3dof_real t4 = k3_xx + t2*(0.672*s23);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_real k2_xx = t4 + (1.368797152*(c2*c2) - 0.0141984*(c2*s2) + 0.0731264);
-    const puma560_3dof_real k2_yz = 0.12059664*s2 + 0.00808056*c2 - neg_k3_yz;
+    const puma560_3dof_real t1 = 0.1450848*c2;
+    const puma560_3dof_real t2 = s23*t1;
+    const puma560_3dof_real t3 = t2 + 0.10952;
+    const puma560_3dof_real t4 = 0.09786276715410573*s2;
+    const puma560_3dof_real m1_1 = t3 + (t1*(9.434462824499878*c2 - t4) + (t2 + 2.630443438 +
+        1.3968689242912278*(c23*m1_3)));
+    const puma560_3dof_real m1_2 = m1_3 + (0.023751*c2 + 0.609298224*s2);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_real m2_2 = 6.225049952 - (t3*(0.672*c23) - k3_yy - t4);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_3dof_real m1_1 = k2_xx + 2.573567038;
+    const puma560_3dof_real m2_3 = t3 - t4*(1.4825331862068964*c23);
+    const puma560_3dof_real m2_2 = m2_3 + (m2_3 + 6.115529952);
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -207,7 +196,7 @@ void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[
 }
 
 /* accelerations that the torques tau give
- * 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4 sine/cosine */
+ * 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_forward_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -240,60 +229,46 @@ void puma560_3dof_forward_dynamics(
     const puma560_3dof_real tau1 = 404.8626213771833*(ww2_zz*t1) + (0.0551376*(s23*ww3_zz) +
         2.0*((c23*(w3_z*t4) - qd[1]*t6)*qd[0]));
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_3dof_real lam2_33 = -qd[0]*qd[0];
+    const puma560_3dof_real neg_lam2_33 = qd[0]*qd[0];
     const puma560_3dof_real t7 = c23*t3 + s23*t5;
     /* link 3: moment that turns the link [N m] */
-    const puma560_3dof_real neg_nc3_z = 3.2928*s23 - c23*(t4*lam2_33) + ww2_zz*t7;
+    const puma560_3dof_real neg_nc3_z = c23*(t4*neg_lam2_33) + 3.2928*s23 + ww2_zz*t7;
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
-    const puma560_3dof_real neg_tau2 = t6*lam2_33 - (1.02312*s2 - neg_nc3_z) + (31.907232*c2 -
+    const puma560_3dof_real neg_tau2 = neg_nc3_z - 1.02312*s2 - t6*neg_lam2_33 + (31.907232*c2 -
         ww3_zz*t7);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_real h3_x = 0.336*s23;
-    const puma560_3dof_real h3_y = -0.336*c23;
-    const puma560_3dof_real t8 = 0.07702*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_real k3_xx = 0.09327 - t8;
-    const puma560_3dof_real k3_yy = t8 + 0.01625;
-    const puma560_3dof_real neg_k3_yz = 0.004704*c23;
-    const puma560_3dof_real t9 = 0.4318*c2;
-    const puma560_3dof_real t10 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_real m2_3 = h3_x*t9 + h3_y*t10 + 0.10952;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_real m1_3 = -0.0551376*c23;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_real h2_y = h3_y + (3.25584*s2 + 0.1044*c2);
-    const puma560_3dof_real t11 = k3_xx + t9*(0.672*s23);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_real k2_xx = t11 + (1.368797152*(c2*c2) - 0.0141984*(c2*s2) + 0.0731264);
-    const puma560_3dof_real k2_yz = 0.12059664*s2 + 0.00808056*c2 - neg_k3_yz;
+    const puma560_3dof_real neg_m1_3 = 0.0551376*c23;
+    const puma560_3dof_real t8 = s23*t3;
+    const puma560_3dof_real t9 = t8 + 0.10952;
+    const puma560_3dof_real t10 = 0.09786276715410573*s2;
+    const puma560_3dof_real m1_1 = t9 + (t3*(9.434462824499878*c2 - t10) + (t8 + 2.630443438 -
+        1.3968689242912278*(c23*neg_m1_3)));
+    const puma560_3dof_real neg_m1_2 = neg_m1_3 - (0.023751*c2 + 0.609298224*s2);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_real m2_2 = 6.225049952 - (t10*(0.672*c23) - k3_yy - t11);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_3dof_real m1_1 = k2_xx + 2.573567038;
+    const puma560_3dof_real m2_3 = t9 - t10*(1.4825331862068964*c23);
+    const puma560_3dof_real m2_2 = m2_3 + (m2_3 + 6.115529952);
     /* link 1: forward substitution */
-    const puma560_3dof_real y1 = tau[0] - tau1;
+    const puma560_3dof_real neg_y1 = tau1 - tau[0];
     /* factorisation M = L D L^T */
     const puma560_3dof_real ipivot1 = 1.0 / m1_1;
-    const puma560_3dof_real l2_1 = m1_2*ipivot1;
-    const puma560_3dof_real l3_1 = m1_3*ipivot1;
-    const puma560_3dof_real pivot2 = m2_2 - m1_2*l2_1;
+    const puma560_3dof_real neg_l2_1 = neg_m1_2*ipivot1;
+    const puma560_3dof_real neg_l3_1 = neg_m1_3*ipivot1;
+    const puma560_3dof_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
     const puma560_3dof_real ipivot2 = 1.0 / pivot2;
-    const puma560_3dof_real ld3_2 = m2_3 - m1_2*l3_1;
+    const puma560_3dof_real ld3_2 = m2_3 - neg_m1_2*neg_l3_1;
     const puma560_3dof_real l3_2 = ipivot2*ld3_2;
-    const puma560_3dof_real pivot3 = 0.93952 - m1_3*l3_1 - ld3_2*l3_2;
-    const puma560_3dof_real ipivot3 = 1.0 / pivot3;
+    const puma560_3dof_real neg_pivot3 = neg_m1_3*neg_l3_1 - 0.93952 + ld3_2*l3_2;
+    const puma560_3dof_real neg_ipivot3 = 1.0 / neg_pivot3;
     /* link 2: forward substitution */
-    const puma560_3dof_real y2 = neg_tau2 + tau[1] - y1*l2_1;
+    const puma560_3dof_real y2 = neg_tau2 + tau[1] - neg_y1*neg_l2_1;
     /* link 3: forward substitution */
-    const puma560_3dof_real y3 = neg_nc3_z + tau[2] - y1*l3_1 - l3_2*y2;
+    const puma560_3dof_real neg_y3 = l3_2*y2 - (neg_nc3_z + tau[2] - neg_y1*neg_l3_1);
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_real qdd3 = ipivot3*y3;
+    const puma560_3dof_real qdd3 = neg_ipivot3*neg_y3;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_3dof_real qdd2 = ipivot2*y2 - l3_2*qdd3;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_3dof_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3;
+    const puma560_3dof_real qdd1 = neg_l3_1*qdd3 - (neg_y1*ipivot1 - neg_l2_1*qdd2);
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

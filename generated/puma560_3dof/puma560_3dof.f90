@@ -15,13 +15,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 3.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
 !   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
 !   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
-!   mass_matrix: 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
-!   forward_dynamics: 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4
+!   mass_matrix: 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
+!   forward_dynamics: 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4
 !       sine/cosine
 module puma560_3dof_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -164,13 +166,12 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
+  ! 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_mass_matrix(q, M) &
       bind(c, name="puma560_3dof_mass_matrix_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: M(9)
-    real(rk) :: c2, s2, angle23, c23, s23, h3_x, h3_y, t1, k3_xx, k3_yy, neg_k3_yz, t2, t3, m2_3
-    real(rk) :: m1_3, h2_y, t4, k2_xx, k2_yz, m2_2, m1_2, m1_1
+    real(rk) :: c2, s2, angle23, c23, s23, m1_3, t1, t2, t3, t4, m1_1, m1_2, m2_3, m2_2
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -178,31 +179,18 @@ contains
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = 0.336_rk*s23
-    h3_y = -0.336_rk*c23
-    t1 = 0.07702_rk*(c23*c23)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.09327_rk - t1
-    k3_yy = t1 + 0.01625_rk
-    neg_k3_yz = 0.004704_rk*c23
-    t2 = 0.4318_rk*c2
-    t3 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = t2*h3_x + t3*h3_y + 0.10952_rk
     ! link 1: mass matrix, its row of this joint
     m1_3 = -0.0551376_rk*c23
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + (3.25584_rk*s2 + 0.1044_rk*c2)
-    t4 = k3_xx + t2*(0.672_rk*s23)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t4 + (1.368797152_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
-    k2_yz = 0.12059664_rk*s2 + 0.00808056_rk*c2 - neg_k3_yz
+    t1 = 0.1450848_rk*c2
+    t2 = s23*t1
+    t3 = t2 + 0.10952_rk
+    t4 = 0.09786276715410573_rk*s2
+    m1_1 = t3 + (t1*(9.434462824499878_rk*c2 - t4) + (t2 + 2.630443438_rk + &
+        1.3968689242912278_rk*(c23*m1_3)))
+    m1_2 = m1_3 + (0.023751_rk*c2 + 0.609298224_rk*s2)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.225049952_rk - (t3*(0.672_rk*c23) - k3_yy - t4)
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx + 2.573567038_rk
+    m2_3 = t3 - t4*(1.4825331862068964_rk*c23)
+    m2_2 = m2_3 + (m2_3 + 6.115529952_rk)
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -215,7 +203,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4 sine/cosine
+  ! 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
@@ -223,9 +211,9 @@ contains
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
     real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, tau1
-    real(rk) :: lam2_33, t7, neg_nc3_z, neg_tau2, h3_x, h3_y, t8, k3_xx, k3_yy, neg_k3_yz, t9, t10
-    real(rk) :: m2_3, m1_3, h2_y, t11, k2_xx, k2_yz, m2_2, m1_2, m1_1, y1, ipivot1, l2_1, l3_1
-    real(rk) :: pivot2, ipivot2, ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2, qdd1
+    real(rk) :: neg_lam2_33, t7, neg_nc3_z, neg_tau2, neg_m1_3, t8, t9, t10, m1_1, neg_m1_2, m2_3
+    real(rk) :: m2_2, neg_y1, ipivot1, neg_l2_1, neg_l3_1, pivot2, ipivot2, ld3_2, l3_2, neg_pivot3
+    real(rk) :: neg_ipivot3, y2, neg_y3, qdd3, qdd2, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -249,59 +237,45 @@ contains
     tau1 = 404.8626213771833_rk*(ww2_zz*t1) + (0.0551376_rk*(s23*ww3_zz) + 2.0_rk*((c23*(w3_z*t4) &
         - qd(2)*t6)*qd(1)))
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam2_33 = -qd(1)*qd(1)
+    neg_lam2_33 = qd(1)*qd(1)
     t7 = c23*t3 + s23*t5
     ! link 3: moment that turns the link [N m]
-    neg_nc3_z = 3.2928_rk*s23 - c23*(t4*lam2_33) + ww2_zz*t7
+    neg_nc3_z = c23*(t4*neg_lam2_33) + 3.2928_rk*s23 + ww2_zz*t7
     ! link 2: joint torque [N m], at a prismatic joint force [N]
-    neg_tau2 = t6*lam2_33 - (1.02312_rk*s2 - neg_nc3_z) + (31.907232_rk*c2 - ww3_zz*t7)
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = 0.336_rk*s23
-    h3_y = -0.336_rk*c23
-    t8 = 0.07702_rk*(c23*c23)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.09327_rk - t8
-    k3_yy = t8 + 0.01625_rk
-    neg_k3_yz = 0.004704_rk*c23
-    t9 = 0.4318_rk*c2
-    t10 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = h3_x*t9 + h3_y*t10 + 0.10952_rk
+    neg_tau2 = neg_nc3_z - 1.02312_rk*s2 - t6*neg_lam2_33 + (31.907232_rk*c2 - ww3_zz*t7)
     ! link 1: mass matrix, its row of this joint
-    m1_3 = -0.0551376_rk*c23
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + (3.25584_rk*s2 + 0.1044_rk*c2)
-    t11 = k3_xx + t9*(0.672_rk*s23)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t11 + (1.368797152_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 0.0731264_rk)
-    k2_yz = 0.12059664_rk*s2 + 0.00808056_rk*c2 - neg_k3_yz
+    neg_m1_3 = 0.0551376_rk*c23
+    t8 = s23*t3
+    t9 = t8 + 0.10952_rk
+    t10 = 0.09786276715410573_rk*s2
+    m1_1 = t9 + (t3*(9.434462824499878_rk*c2 - t10) + (t8 + 2.630443438_rk - &
+        1.3968689242912278_rk*(c23*neg_m1_3)))
+    neg_m1_2 = neg_m1_3 - (0.023751_rk*c2 + 0.609298224_rk*s2)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.225049952_rk - (t10*(0.672_rk*c23) - k3_yy - t11)
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx + 2.573567038_rk
+    m2_3 = t9 - t10*(1.4825331862068964_rk*c23)
+    m2_2 = m2_3 + (m2_3 + 6.115529952_rk)
     ! link 1: forward substitution
-    y1 = tau(1) - tau1
+    neg_y1 = tau1 - tau(1)
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
-    l2_1 = m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    pivot2 = m2_2 - m1_2*l2_1
+    neg_l2_1 = neg_m1_2*ipivot1
+    neg_l3_1 = neg_m1_3*ipivot1
+    pivot2 = m2_2 - neg_m1_2*neg_l2_1
     ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - m1_2*l3_1
+    ld3_2 = m2_3 - neg_m1_2*neg_l3_1
     l3_2 = ipivot2*ld3_2
-    pivot3 = 0.93952_rk - m1_3*l3_1 - ld3_2*l3_2
-    ipivot3 = 1.0_rk / pivot3
+    neg_pivot3 = neg_m1_3*neg_l3_1 - 0.93952_rk + ld3_2*l3_2
+    neg_ipivot3 = 1.0_rk / neg_pivot3
     ! link 2: forward substitution
-    y2 = neg_tau2 + tau(2) - y1*l2_1
+    y2 = neg_tau2 + tau(2) - neg_y1*neg_l2_1
     ! link 3: forward substitution
-    y3 = neg_nc3_z + tau(3) - y1*l3_1 - l3_2*y2
+    neg_y3 = l3_2*y2 - (neg_nc3_z + tau(3) - neg_y1*neg_l3_1)
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = ipivot3*y3
+    qdd3 = neg_ipivot3*neg_y3
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = ipivot2*y2 - l3_2*qdd3
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3
+    qdd1 = neg_l3_1*qdd3 - (neg_y1*ipivot1 - neg_l2_1*qdd2)
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

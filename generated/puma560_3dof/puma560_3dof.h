@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 45 multiplications, 35 additions = 80; 0 unary minus; 4 sine/cosine
  *   gravity: 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine
  *   bias: 30 multiplications, 18 additions = 48; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 23 multiplications, 18 additions = 41; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 69 multiplications, 48 additions, 3 divisions = 120; 1 unary minus; 4
+ *   mass_matrix: 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 57 multiplications, 42 additions, 3 divisions = 102; 0 unary minus; 4
  *       sine/cosine
  */
 #ifndef PUMA560_3DOF_H

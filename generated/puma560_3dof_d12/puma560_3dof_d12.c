@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 5.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 38 multiplications, 26 additions = 64; 0 unary minus; 4 sine/cosine
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4
+ *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 51 multiplications, 35 additions, 3 divisions = 89; 2 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d12.h"
@@ -145,7 +147,7 @@ void puma560_3dof_d12_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine */
+ * 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d12_mass_matrix(const puma560_3dof_d12_real q[3], puma560_3dof_d12_real M[9])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -157,31 +159,15 @@ void puma560_3dof_d12_mass_matrix(const puma560_3dof_d12_real q[3], puma560_3dof
     const volatile puma560_3dof_d12_real angle23 = q[1] + q[2];
     const puma560_3dof_d12_real c23 = cos(angle23);
     const puma560_3dof_d12_real s23 = sin(angle23);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d12_real h3_x = 0.4235*s23;
-    const puma560_3dof_d12_real h3_y = -0.4235*c23;
-    const puma560_3dof_d12_real t1 = 0.206245*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d12_real k3_xx = 0.638945 - t1;
-    const puma560_3dof_d12_real k3_yy = t1 + 0.4327;
-    const puma560_3dof_d12_real t2 = 0.4318*c2;
-    const puma560_3dof_d12_real t3 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m2_3 = t2*h3_x + t3*h3_y + 1.071645;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_d12_real m1_3 = -0.06356735*c23;
-    const puma560_3dof_d12_real t4 = k3_xx + t2*(0.847*s23);
+    const puma560_3dof_d12_real m1_1 = 1.602487602*(c2*(c2 + 0.22822928523349661*s23)) +
+        3.0096367105 + m1_3*(3.2445115298970304*c23);
+    const puma560_3dof_d12_real m1_2 = m1_3 + 0.104010539*s2;
+    const puma560_3dof_d12_real t1 = 0.1828673*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m2_2 = 6.457487602 - (t3*(0.847*c23) - k3_yy - t4);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d12_real neg_k2_yz = 0.11051088*s2;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d12_real h2_y = h3_y + 1.42919*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d12_real k2_xx = t4 + (1.602487602*(c2*c2) + 2.4275);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m1_2 = 0.1501*h2_y - neg_k2_yz;
-    const puma560_3dof_d12_real m1_1 = k2_xx - 0.0568082895;
+    const puma560_3dof_d12_real m2_2 = 7.529132602 - t1 - t1;
+    const puma560_3dof_d12_real m2_3 = 1.071645 - t1;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -194,7 +180,7 @@ void puma560_3dof_d12_mass_matrix(const puma560_3dof_d12_real q[3], puma560_3dof
 }
 
 /* accelerations that the torques tau give
- * 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4 sine/cosine */
+ * 51 multiplications, 35 additions, 3 divisions = 89; 2 unary minus; 4 sine/cosine */
 void puma560_3dof_d12_forward_dynamics(
     const puma560_3dof_d12_real q[3],
     const puma560_3dof_d12_real qd[3],
@@ -234,31 +220,15 @@ void puma560_3dof_d12_forward_dynamics(
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const puma560_3dof_d12_real n02_z = c2*(w3_z*t4 - 14.006062) + (s2*(t7 - lam2_33*t6) -
         neg_nc3_z);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d12_real h3_x = 0.4235*s23;
-    const puma560_3dof_d12_real h3_y = -0.4235*c23;
-    const puma560_3dof_d12_real t8 = 0.206245*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d12_real k3_xx = 0.638945 - t8;
-    const puma560_3dof_d12_real k3_yy = t8 + 0.4327;
-    const puma560_3dof_d12_real t9 = 0.4318*c2;
-    const puma560_3dof_d12_real t10 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m2_3 = h3_x*t9 + h3_y*t10 + 1.071645;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_d12_real m1_3 = -0.06356735*c23;
-    const puma560_3dof_d12_real t11 = k3_xx + t9*(0.847*s23);
+    const puma560_3dof_d12_real m1_1 = 1.602487602*(c2*(c2 + 0.22822928523349661*s23)) +
+        3.0096367105 + m1_3*(3.2445115298970304*c23);
+    const puma560_3dof_d12_real m1_2 = m1_3 + 0.104010539*s2;
+    const puma560_3dof_d12_real t8 = 0.1828673*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m2_2 = k3_yy - t10*(0.847*c23) + t11 + 6.457487602;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d12_real neg_k2_yz = 0.11051088*s2;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d12_real h2_y = h3_y + 1.42919*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d12_real k2_xx = t11 + (1.602487602*(c2*c2) + 2.4275);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d12_real m1_2 = 0.1501*h2_y - neg_k2_yz;
-    const puma560_3dof_d12_real m1_1 = k2_xx - 0.0568082895;
+    const puma560_3dof_d12_real m2_2 = 7.529132602 - t8 - t8;
+    const puma560_3dof_d12_real m2_3 = 1.071645 - t8;
     /* link 1: forward substitution */
     const puma560_3dof_d12_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
@@ -272,7 +242,7 @@ void puma560_3dof_d12_forward_dynamics(
     const puma560_3dof_d12_real pivot3 = 1.071645 - m1_3*l3_1 - ld3_2*l3_2;
     const puma560_3dof_d12_real ipivot3 = 1.0 / pivot3;
     /* link 2: forward substitution */
-    const puma560_3dof_d12_real y2 = tau[1] - n02_z - y1*l2_1;
+    const puma560_3dof_d12_real y2 = -y1*l2_1 - (n02_z - tau[1]);
     /* link 3: forward substitution */
     const puma560_3dof_d12_real y3 = neg_nc3_z + tau[2] - y1*l3_1 - l3_2*y2;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */

@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 5.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 36 multiplications, 26 additions = 62; 0 unary minus; 4 sine/cosine
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4
+ *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d3.h"
@@ -144,7 +146,7 @@ void puma560_3dof_d3_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine */
+ * 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d3_mass_matrix(const puma560_3dof_d3_real q[3], puma560_3dof_d3_real M[9])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -156,31 +158,15 @@ void puma560_3dof_d3_mass_matrix(const puma560_3dof_d3_real q[3], puma560_3dof_d
     const volatile puma560_3dof_d3_real angle23 = q[1] + q[2];
     const puma560_3dof_d3_real c23 = cos(angle23);
     const puma560_3dof_d3_real s23 = sin(angle23);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d3_real h3_x = 0.336*s23;
-    const puma560_3dof_d3_real h3_y = -0.336*c23;
-    const puma560_3dof_d3_real t1 = 0.07612*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d3_real k3_xx = 0.51957 - t1;
-    const puma560_3dof_d3_real k3_yy = t1 + 0.44345;
-    const puma560_3dof_d3_real t2 = 0.4318*c2;
-    const puma560_3dof_d3_real t3 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d3_real m2_3 = t2*h3_x + t3*h3_y + 0.96302;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_d3_real m1_3 = -0.0504336*c23;
-    const puma560_3dof_d3_real t4 = k3_xx + t2*(0.672*s23);
+    const puma560_3dof_d3_real m1_1 = 1.449223552*(c2*(c2 + 0.20022418183830343*s23)) + 2.854449198
+        + m1_3*(1.5093112528155832*c23);
+    const puma560_3dof_d3_real m1_2 = m1_3 + 0.022994064*s2;
+    const puma560_3dof_d3_real t1 = 0.1450848*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d3_real m2_2 = 6.305523552 - (t3*(0.672*c23) - k3_yy - t4);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d3_real neg_k2_yz = 0.11051088*s2;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d3_real h2_y = h3_y + 0.88944*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d3_real k2_xx = t4 + (1.449223552*(c2*c2) + 2.42815);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d3_real m1_2 = 0.1501*h2_y - neg_k2_yz;
-    const puma560_3dof_d3_real m1_1 = k2_xx - 0.093270802;
+    const puma560_3dof_d3_real m2_2 = 7.268543552 - t1 - t1;
+    const puma560_3dof_d3_real m2_3 = 0.96302 - t1;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -193,7 +179,7 @@ void puma560_3dof_d3_mass_matrix(const puma560_3dof_d3_real q[3], puma560_3dof_d
 }
 
 /* accelerations that the torques tau give
- * 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4 sine/cosine */
+ * 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_d3_forward_dynamics(
     const puma560_3dof_d3_real q[3],
     const puma560_3dof_d3_real qd[3],
@@ -232,31 +218,15 @@ void puma560_3dof_d3_forward_dynamics(
         22.69569245020843);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const puma560_3dof_d3_real n02_z = s2*t7 + c2*(w3_z*t4 - 8.716512) - neg_nc3_z - t6*lam2_33;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d3_real h3_x = 0.336*s23;
-    const puma560_3dof_d3_real h3_y = -0.336*c23;
-    const puma560_3dof_d3_real t8 = 0.07612*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d3_real k3_xx = 0.51957 - t8;
-    const puma560_3dof_d3_real k3_yy = t8 + 0.44345;
-    const puma560_3dof_d3_real t9 = 0.4318*c2;
-    const puma560_3dof_d3_real t10 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d3_real m2_3 = h3_x*t9 + h3_y*t10 + 0.96302;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_d3_real m1_3 = -0.0504336*c23;
-    const puma560_3dof_d3_real t11 = k3_xx + t9*(0.672*s23);
+    const puma560_3dof_d3_real m1_1 = 1.449223552*(c2*(c2 + 0.20022418183830343*s23)) + 2.854449198
+        + m1_3*(1.5093112528155832*c23);
+    const puma560_3dof_d3_real m1_2 = m1_3 + 0.022994064*s2;
+    const puma560_3dof_d3_real t8 = 0.1450848*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d3_real m2_2 = k3_yy - t10*(0.672*c23) + t11 + 6.305523552;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d3_real neg_k2_yz = 0.11051088*s2;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d3_real h2_y = h3_y + 0.88944*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d3_real k2_xx = t11 + (1.449223552*(c2*c2) + 2.42815);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d3_real m1_2 = 0.1501*h2_y - neg_k2_yz;
-    const puma560_3dof_d3_real m1_1 = k2_xx - 0.093270802;
+    const puma560_3dof_d3_real m2_2 = 7.268543552 - t8 - t8;
+    const puma560_3dof_d3_real m2_3 = 0.96302 - t8;
     /* link 1: forward substitution */
     const puma560_3dof_d3_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */

@@ -15,13 +15,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 5.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 36 multiplications, 26 additions = 62; 0 unary minus; 4 sine/cosine
 !   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
 !   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
-!   mass_matrix: 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
-!   forward_dynamics: 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4
+!   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
+!   forward_dynamics: 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4
 !       sine/cosine
 module puma560_3dof_d3_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -154,13 +156,12 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
+  ! 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_d3_mass_matrix(q, M) &
       bind(c, name="puma560_3dof_d3_mass_matrix_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: M(9)
-    real(rk) :: c2, s2, angle23, c23, s23, h3_x, h3_y, t1, k3_xx, k3_yy, t2, t3, m2_3, m1_3, t4
-    real(rk) :: m2_2, neg_k2_yz, h2_y, k2_xx, m1_2, m1_1
+    real(rk) :: c2, s2, angle23, c23, s23, m1_3, m1_1, m1_2, t1, m2_2, m2_3
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -168,31 +169,15 @@ contains
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = 0.336_rk*s23
-    h3_y = -0.336_rk*c23
-    t1 = 0.07612_rk*(c23*c23)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.51957_rk - t1
-    k3_yy = t1 + 0.44345_rk
-    t2 = 0.4318_rk*c2
-    t3 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = t2*h3_x + t3*h3_y + 0.96302_rk
     ! link 1: mass matrix, its row of this joint
     m1_3 = -0.0504336_rk*c23
-    t4 = k3_xx + t2*(0.672_rk*s23)
+    m1_1 = 1.449223552_rk*(c2*(c2 + 0.20022418183830343_rk*s23)) + 2.854449198_rk + &
+        m1_3*(1.5093112528155832_rk*c23)
+    m1_2 = m1_3 + 0.022994064_rk*s2
+    t1 = 0.1450848_rk*(s2*c23 - c2*s23)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.305523552_rk - (t3*(0.672_rk*c23) - k3_yy - t4)
-    ! link 2: second moment of the composite body [kg m^2]
-    neg_k2_yz = 0.11051088_rk*s2
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + 0.88944_rk*s2
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t4 + (1.449223552_rk*(c2*c2) + 2.42815_rk)
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = 0.1501_rk*h2_y - neg_k2_yz
-    m1_1 = k2_xx - 0.093270802_rk
+    m2_2 = 7.268543552_rk - t1 - t1
+    m2_3 = 0.96302_rk - t1
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -205,7 +190,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4 sine/cosine
+  ! 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4 sine/cosine
   pure subroutine puma560_3dof_d3_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_3dof_d3_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
@@ -213,9 +198,8 @@ contains
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
     real(rk) :: c2, s2, angle23, c23, s23, ww2_zz, w3_z, ww3_zz, t1, t2, t3, t4, t5, t6, t7, n1_z
-    real(rk) :: lam2_33, neg_nc3_z, n02_z, h3_x, h3_y, t8, k3_xx, k3_yy, t9, t10, m2_3, m1_3, t11
-    real(rk) :: m2_2, neg_k2_yz, h2_y, k2_xx, m1_2, m1_1, y1, ipivot1, l2_1, l3_1, pivot2, ipivot2
-    real(rk) :: ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2, qdd1
+    real(rk) :: lam2_33, neg_nc3_z, n02_z, m1_3, m1_1, m1_2, t8, m2_2, m2_3, y1, ipivot1, l2_1
+    real(rk) :: l3_1, pivot2, ipivot2, ld3_2, l3_2, pivot3, ipivot3, y2, y3, qdd3, qdd2, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -245,31 +229,15 @@ contains
     neg_nc3_z = t3*(t1 - t2*lam2_33) + t5*(s2*ww2_zz + 22.69569245020843_rk)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
     n02_z = s2*t7 + c2*(w3_z*t4 - 8.716512_rk) - neg_nc3_z - t6*lam2_33
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = 0.336_rk*s23
-    h3_y = -0.336_rk*c23
-    t8 = 0.07612_rk*(c23*c23)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = 0.51957_rk - t8
-    k3_yy = t8 + 0.44345_rk
-    t9 = 0.4318_rk*c2
-    t10 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = h3_x*t9 + h3_y*t10 + 0.96302_rk
     ! link 1: mass matrix, its row of this joint
     m1_3 = -0.0504336_rk*c23
-    t11 = k3_xx + t9*(0.672_rk*s23)
+    m1_1 = 1.449223552_rk*(c2*(c2 + 0.20022418183830343_rk*s23)) + 2.854449198_rk + &
+        m1_3*(1.5093112528155832_rk*c23)
+    m1_2 = m1_3 + 0.022994064_rk*s2
+    t8 = 0.1450848_rk*(s2*c23 - c2*s23)
     ! link 2: mass matrix, its row of this joint
-    m2_2 = k3_yy - t10*(0.672_rk*c23) + t11 + 6.305523552_rk
-    ! link 2: second moment of the composite body [kg m^2]
-    neg_k2_yz = 0.11051088_rk*s2
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + 0.88944_rk*s2
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t11 + (1.449223552_rk*(c2*c2) + 2.42815_rk)
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = 0.1501_rk*h2_y - neg_k2_yz
-    m1_1 = k2_xx - 0.093270802_rk
+    m2_2 = 7.268543552_rk - t8 - t8
+    m2_3 = 0.96302_rk - t8
     ! link 1: forward substitution
     y1 = tau(1) - n1_z
     ! factorisation M = L D L^T

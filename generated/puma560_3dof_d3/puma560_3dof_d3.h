@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 5.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 36 multiplications, 26 additions = 62; 0 unary minus; 4 sine/cosine
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4
+ *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4
  *       sine/cosine
  */
 #ifndef PUMA560_3DOF_D3_H

@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 36 multiplications, 26 additions = 62; 0 unary minus; 4 sine/cosine
  *   gravity: 2 multiplications, 2 additions = 4; 0 unary minus; 2 sine/cosine
  *   bias: 25 multiplications, 14 additions = 39; 1 unary minus; 4 sine/cosine
- *   mass_matrix: 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine
- *   forward_dynamics: 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4
+ *   mass_matrix: 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine
+ *   forward_dynamics: 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4
  *       sine/cosine
  */
 #include "puma560_3dof_d4.h"
@@ -144,7 +146,7 @@ void puma560_3dof_d4_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 18 multiplications, 14 additions = 32; 0 unary minus; 4 sine/cosine */
+ * 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d4_mass_matrix(const puma560_3dof_d4_real q[3], puma560_3dof_d4_real M[9])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -156,31 +158,15 @@ void puma560_3dof_d4_mass_matrix(const puma560_3dof_d4_real q[3], puma560_3dof_d
     const volatile puma560_3dof_d4_real angle23 = q[1] + q[2];
     const puma560_3dof_d4_real c23 = cos(angle23);
     const puma560_3dof_d4_real s23 = sin(angle23);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d4_real h3_x = 4.74117*s23;
-    const puma560_3dof_d4_real h3_y = -4.74117*c23;
-    const puma560_3dof_d4_real t1 = 3.441653618*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real k3_xx = 3.874353618 - t1;
-    const puma560_3dof_d4_real k3_yy = t1 + 0.4327;
-    const puma560_3dof_d4_real t2 = 0.4318*c2;
-    const puma560_3dof_d4_real t3 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m2_3 = t2*h3_x + t3*h3_y + 4.307053618;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_d4_real m1_3 = -0.711649617*c23;
-    const puma560_3dof_d4_real t4 = k3_xx + t2*(9.48234*s23);
+    const puma560_3dof_d4_real m1_1 = 3.467000002*(c2*(c2 + 1.18098483116182*s23)) + 6.4703454285 +
+        m1_3*(4.8361631001903564*c23);
+    const puma560_3dof_d4_real m1_2 = m1_3 + 0.752142339*s2;
+    const puma560_3dof_d4_real t1 = 2.047237206*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m2_2 = 8.322000002 - (t3*(9.48234*c23) - k3_yy - t4);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real neg_k2_yz = 0.11051088*s2;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d4_real h2_y = h3_y + 5.74719*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real k2_xx = t4 + (3.467000002*(c2*c2) + 2.4275);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m1_2 = 0.1501*h2_y - neg_k2_yz;
-    const puma560_3dof_d4_real m1_1 = k2_xx + 0.1684918105;
+    const puma560_3dof_d4_real m2_2 = 12.62905362 - t1 - t1;
+    const puma560_3dof_d4_real m2_3 = 4.307053618 - t1;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -193,7 +179,7 @@ void puma560_3dof_d4_mass_matrix(const puma560_3dof_d4_real q[3], puma560_3dof_d
 }
 
 /* accelerations that the torques tau give
- * 59 multiplications, 40 additions, 3 divisions = 102; 1 unary minus; 4 sine/cosine */
+ * 51 multiplications, 35 additions, 3 divisions = 89; 1 unary minus; 4 sine/cosine */
 void puma560_3dof_d4_forward_dynamics(
     const puma560_3dof_d4_real q[3],
     const puma560_3dof_d4_real qd[3],
@@ -232,31 +218,15 @@ void puma560_3dof_d4_forward_dynamics(
         22.69569245020843);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const puma560_3dof_d4_real n02_z = s2*t7 + c2*(w3_z*t4 - 56.322462) - neg_nc3_z - t6*lam2_33;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d4_real h3_x = 4.74117*s23;
-    const puma560_3dof_d4_real h3_y = -4.74117*c23;
-    const puma560_3dof_d4_real t8 = 3.441653618*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real k3_xx = 3.874353618 - t8;
-    const puma560_3dof_d4_real k3_yy = t8 + 0.4327;
-    const puma560_3dof_d4_real t9 = 0.4318*c2;
-    const puma560_3dof_d4_real t10 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m2_3 = h3_x*t9 + h3_y*t10 + 4.307053618;
     /* link 1: mass matrix, its row of this joint */
     const puma560_3dof_d4_real m1_3 = -0.711649617*c23;
-    const puma560_3dof_d4_real t11 = k3_xx + t9*(9.48234*s23);
+    const puma560_3dof_d4_real m1_1 = 3.467000002*(c2*(c2 + 1.18098483116182*s23)) + 6.4703454285 +
+        m1_3*(4.8361631001903564*c23);
+    const puma560_3dof_d4_real m1_2 = m1_3 + 0.752142339*s2;
+    const puma560_3dof_d4_real t8 = 2.047237206*(s2*c23 - c2*s23);
     /* link 2: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m2_2 = k3_yy - t10*(9.48234*c23) + t11 + 8.322000002;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real neg_k2_yz = 0.11051088*s2;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_3dof_d4_real h2_y = h3_y + 5.74719*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_3dof_d4_real k2_xx = t11 + (3.467000002*(c2*c2) + 2.4275);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_3dof_d4_real m1_2 = 0.1501*h2_y - neg_k2_yz;
-    const puma560_3dof_d4_real m1_1 = k2_xx + 0.1684918105;
+    const puma560_3dof_d4_real m2_2 = 12.62905362 - t8 - t8;
+    const puma560_3dof_d4_real m2_3 = 4.307053618 - t8;
     /* link 1: forward substitution */
     const puma560_3dof_d4_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */

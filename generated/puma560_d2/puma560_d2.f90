@@ -15,13 +15,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 6.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
 !   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
 !   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
-!   mass_matrix: 80 multiplications, 62 additions = 142; 0 unary minus; 8 sine/cosine
-!   forward_dynamics: 283 multiplications, 213 additions, 6 divisions = 502; 2 unary minus; 8
+!   mass_matrix: 56 multiplications, 50 additions = 106; 0 unary minus; 8 sine/cosine
+!   forward_dynamics: 259 multiplications, 201 additions, 6 divisions = 466; 4 unary minus; 8
 !       sine/cosine
 module puma560_d2_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -396,17 +398,15 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 80 multiplications, 62 additions = 142; 0 unary minus; 8 sine/cosine
+  ! 56 multiplications, 50 additions = 106; 0 unary minus; 8 sine/cosine
   pure subroutine puma560_d2_mass_matrix(q, M) &
       bind(c, name="puma560_d2_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, nu5_x, neg_nu5_y, nu4_x, nu4_y
-    real(rk) :: neg_nu3_y, h5_x, neg_h5_y, t1, k5_yy, k5_xy, fu4_x, fu4_y, neg_nu4_x, nu4_y_2, m3_5
-    real(rk) :: fu3_x, fu3_y, nu3_y, t2, nu2_y, t3, m2_5, m1_5, m4_4, h4_x, h4_y, t4, t5, k4_xx
-    real(rk) :: k4_yy, k4_xy, neg_k4_xz, neg_k4_yz, m3_4, neg_fu3_x, neg_fu3_y, t6, nu3_y_2
-    real(rk) :: nu2_y_2, m2_4, m1_4, t7, t8, m3_3, t9, t10, h3_x, h3_y, t11, k3_xx, k3_yy, k3_yz
-    real(rk) :: m2_3, m1_3, t12, m2_2, h2_y, k2_xx, k2_yz, m1_2, m1_1
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, nu5_x, neg_nu5_y, nu4_y, h5_y, t1, t2
+    real(rk) :: h4_x, t3, t4, h3_x, t5, t6, t7, t8, m4_4, t9, t10, t11, t12, t13, t14, t15, t16
+    real(rk) :: t17, t18, t19, m1_1, m3_4, neg_h3_y, t20, t21, m1_3, t22, m1_2, t23, m1_4, t24, t25
+    real(rk) :: t26, neg_nu2_y, t27, m1_5, neg_nu3_y, m3_3, t28, m2_3, m2_2, m2_4, m3_5, m2_5
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -422,95 +422,70 @@ contains
     nu5_x = 0.193_rk*s5
     neg_nu5_y = 0.193_rk*c5
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
     nu4_y = s4*nu5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = c23*neg_nu5_y - s23*nu4_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = 0.00288_rk*s5
-    neg_h5_y = 0.00288_rk*c5
-    t1 = 0.19266564_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = 0.1862_rk - t1
-    k5_xy = 0.19266564_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = 0.17973436_rk*s4
-    nu4_y_2 = 0.17973436_rk*c4
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 - (5.8464e-05_rk*s5 - 0.4331_rk*fu4_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*h5_x
-    fu3_y = s23*fu4_x + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = c23*(0.0203_rk*fu4_y) - s23*(neg_nu4_x + 0.4331_rk*fu4_y)
-    t2 = 0.4318_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y - t2*fu4_y
-    t3 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = -0.1501_rk*fu3_x - nu2_y
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = t1 + 0.20193436_rk
+    h5_y = -0.00288_rk*c5
+    t1 = 5.8464e-05_rk*s5
+    t2 = c4*t1
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*h5_x
-    h4_y = s4*h5_x
-    t4 = t1 - 0.01356564_rk
-    t5 = c4*c4*t4
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t5 + 0.10775_rk
-    k4_yy = t1 + 0.09418436_rk - t5
-    k4_xy = t4*(c4*s4)
-    neg_k4_xz = c4*k5_xy
-    neg_k4_yz = s4*k5_xy
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = neg_k4_yz - 0.4331_rk*h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c23*h4_y
-    neg_fu3_y = s23*h4_y
-    t6 = 0.4331_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = c23*(0.0203_rk*h4_x - m4_4) - s23*(t6 - neg_k4_xz)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 - t2*h4_x
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_2
-    t7 = k4_xx - 0.0406_rk*h4_x
-    t8 = k5_yy + 0.002494656_rk*c5
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = t7 + t8 + 1.086255249_rk
-    t9 = h4_x - 0.025375_rk
-    t10 = neg_h5_y + 0.861795_rk
+    h4_x = 49.26108374384236_rk*t2
+    t3 = 0.861795_rk - h5_y
+    t4 = h4_x - 0.025375_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c23*t9 + s23*t10
-    h3_y = s23*t9 - c23*t10
-    t11 = c23*c23*(t7 - t8 - 0.198325024_rk) + (t6 - (neg_k4_xz + 5.8464e-05_rk*c5) - &
-        0.0106736385_rk)*(2.0_rk*(c23*s23))
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t8 + 0.6422901365_rk + t11
-    k3_yy = t7 + 0.4439651125_rk - t11
-    k3_yz = s23*(k4_xy - 0.0203_rk*h4_y) + c23*m3_4
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t2*h3_x + t3*h3_y)
+    h3_x = s23*t3 + c23*t4
+    t5 = 0.001247328_rk*c5
+    t6 = t5 + 0.8284901365_rk
+    t7 = 800.3248261618751_rk*t6 - 663.0676873105689_rk
+    t8 = neg_nu5_y*t7
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t5 + 0.20193436_rk + t8
+    t9 = s23*nu5_x
+    t10 = c4*t9
+    t11 = t7*t10
+    t12 = 0.4318_rk*c2
+    t13 = t12*h3_x
+    t14 = 0.0022398341968911917_rk*nu4_y
+    t15 = m4_4 + t14 - t2
+    t16 = c23*(s23*(5.8464e-05_rk*c5 + 0.0106736385_rk) + t11) - 3.3587219355_rk - (t13 + t15)
+    t17 = t6 - t8
+    t18 = t1 - c4*(m4_4 - 0.2155_rk)
+    t19 = c4*t18 + (t2 - 0.5517151125_rk)
     ! link 1: mass matrix, its row of this joint
-    m1_3 = k3_yz + 0.1501_rk*h3_y
-    t12 = k3_xx + t2*(2.0_rk*h3_x)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.538587602_rk - (t3*(-2.0_rk*h3_y) - k3_yy - t12)
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + 1.42919_rk*s2
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t12 + (1.682287602_rk*(c2*c2) + 2.42815_rk)
-    k2_yz = k3_yz + t3*h4_y - 0.11051088_rk*s2
+    m1_1 = c2*(1.682287602_rk*c2) - (t16 + (m4_4 - (t17 + t19)*(s23*s23))) - (t16 + &
+        3.910437048_rk)
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = nu4_y*t7
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    neg_h3_y = c23*t3 - s23*t4
+    t20 = s4*s23
+    t21 = 0.1501_rk*neg_h3_y
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.3002_rk*h4_y) - 0.0651082895_rk
+    m1_3 = c23*m3_4 - (t18*t20 + t21)
+    t22 = 2.876748834110593_rk*s2
+    m1_2 = m1_3 + t22*(t14 + 0.036155585696850394_rk)
+    t23 = c2*(0.001243584_rk*s5)
+    m1_4 = c23*t15 - (t11 - c4*t23)
+    t24 = t5 + 0.17973436_rk
+    t25 = c23*neg_nu5_y
+    t26 = h5_y*t12
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = s4*(s23*t24 - 0.0003029222797927461_rk*t25 - t26)
+    t27 = 0.0022398341968911917_rk*(t9 - c4*t25)
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = neg_nu2_y + t27
+    ! link 3: moment for a unit acceleration of a joint further out
+    neg_nu3_y = t25 - t10
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t17 - t19
+    t28 = t13 - t21*t22
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = t28 + m3_3
+    m2_2 = t28 + (m2_3 + 6.538587602_rk)
+    m2_4 = m3_4 + (t14*(c23*t22) - t20*t23)
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = c4*t24 - t1
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = c23*t23 + m3_5 + (t22*t27 - s23*(c4*t26))
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -550,7 +525,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 283 multiplications, 213 additions, 6 divisions = 502; 2 unary minus; 8 sine/cosine
+  ! 259 multiplications, 201 additions, 6 divisions = 466; 4 unary minus; 8 sine/cosine
   pure subroutine puma560_d2_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_d2_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -564,17 +539,15 @@ contains
     real(rk) :: neg_lam3_11, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17
     real(rk) :: neg_n4_z, t18, alpha4_y, lam5_12, t19, t20, t21, t22, t23, t24, t25, n3_y
     real(rk) :: neg_lam3_22, t26, n5_z, t27, t28, n3_x, t29, t30, t31, n1_z, n3_z, n02_z, nu5_x
-    real(rk) :: neg_nu5_y, nu4_x, nu4_y, neg_nu3_y, h5_x, neg_h5_y, t32, neg_k5_yy, k5_xy, fu4_x
-    real(rk) :: fu4_y, nu4_x_2, nu4_y_2, m3_5, fu3_x, fu3_y, nu3_y, t33, nu2_y, t34, m2_5, neg_m1_5
-    real(rk) :: m4_4, h4_x, h4_y, t35, t36, k4_xx, neg_k4_yy, k4_xy, neg_k4_xz, neg_k4_yz, m3_4
-    real(rk) :: neg_fu3_x, neg_fu3_y, t37, nu3_y_2, nu2_y_2, m2_4, m1_4, t38, t39, m3_3, t40, t41
-    real(rk) :: h3_x, h3_y, t42, neg_k3_xx, neg_k3_yy, k3_yz, m2_3, m1_3, t43, neg_m2_2, h2_y
-    real(rk) :: k2_xx, k2_yz, m1_2, neg_m1_1, neg_y1, neg_ipivot1, neg_l2_1, neg_l3_1, neg_l4_1
-    real(rk) :: l5_1, neg_l6_1, neg_pivot2, neg_ipivot2, ld3_2, neg_l3_2, ld4_2, neg_l4_2, ld5_2
-    real(rk) :: neg_l5_2, ld6_2, neg_l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3
-    real(rk) :: pivot4, ipivot4, neg_ld5_4, neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, neg_ld6_5
-    real(rk) :: neg_l6_5, pivot6, ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, qdd6, neg_qdd5, qdd4
-    real(rk) :: neg_qdd3, qdd2, qdd1, t44, t45
+    real(rk) :: neg_nu5_y, nu4_y, neg_h5_y, t32, h4_x, t33, t34, h3_x, t35, t36, t37, t38, m4_4
+    real(rk) :: t39, t40, t41, t42, t43, t44, t45, t46, t47, t48, t49, m1_1, m3_4, h3_y, t50, t51
+    real(rk) :: m1_3, t52, m1_2, t53, neg_m1_4, t54, t55, t56, neg_nu2_y, t57, m1_5, nu3_y, m3_3
+    real(rk) :: t58, m2_3, m2_2, m2_4, neg_m3_5, m2_5, neg_y1, ipivot1, l2_1, l3_1, neg_l4_1, l5_1
+    real(rk) :: neg_l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, neg_ld5_2, neg_l5_2, ld6_2
+    real(rk) :: l6_2, pivot3, ipivot3, ld4_3, l4_3, neg_ld5_3, neg_l5_3, ld6_3, l6_3, pivot4
+    real(rk) :: ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, neg_pivot6
+    real(rk) :: neg_ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, neg_qdd6, neg_qdd5, qdd4, neg_qdd3
+    real(rk) :: qdd2, qdd1, t59, t60, t61
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -700,167 +673,139 @@ contains
     nu5_x = 0.193_rk*s5
     neg_nu5_y = 0.193_rk*c5
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
     nu4_y = s4*nu5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = c23*neg_nu5_y - s23*nu4_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = 0.00288_rk*s5
     neg_h5_y = 0.00288_rk*c5
-    t32 = 0.19266564_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_yy = t32 - 0.1862_rk
-    k5_xy = 0.19266564_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = -0.17973436_rk*s4
-    nu4_y_2 = 0.17973436_rk*c4
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 - (t20 - 0.4331_rk*fu4_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*h5_x
-    fu3_y = s23*fu4_x + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = c23*(0.0203_rk*fu4_y) - s23*(0.4331_rk*fu4_y - nu4_x_2)
-    t33 = 0.4318_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y - fu4_y*t33
-    t34 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (fu3_y*t33 - fu3_x*t34)
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_5 = nu2_y + 0.1501_rk*fu3_x
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = t32 + 0.20193436_rk
+    t32 = c4*t20
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*h5_x
-    h4_y = s4*h5_x
-    t35 = t32 - 0.01356564_rk
-    t36 = c4*c4*t35
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t36 + 0.10775_rk
-    neg_k4_yy = t36 - (t32 + 0.09418436_rk)
-    k4_xy = t35*(s4*c4)
-    neg_k4_xz = c4*k5_xy
-    neg_k4_yz = s4*k5_xy
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = neg_k4_yz - 0.4331_rk*h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c23*h4_y
-    neg_fu3_y = s23*h4_y
-    t37 = 0.4331_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = s23*(neg_k4_xz - t37) - c23*(m4_4 - 0.0203_rk*h4_x)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 - t33*h4_x
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 - (t33*neg_fu3_y - t34*neg_fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_2
-    t38 = k4_xx - 0.0406_rk*h4_x
-    t39 = neg_k5_yy - 0.002494656_rk*c5
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = t38 - t39 + 1.086255249_rk
-    t40 = h4_x - 0.025375_rk
-    t41 = neg_h5_y + 0.861795_rk
+    h4_x = 49.26108374384236_rk*t32
+    t33 = neg_h5_y + 0.861795_rk
+    t34 = h4_x - 0.025375_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c23*t40 + s23*t41
-    h3_y = s23*t40 - c23*t41
-    t42 = c23*c23*(t38 + t39 - 0.198325024_rk) + (t37 - (t21 + neg_k4_xz) - &
-        0.0106736385_rk)*(2.0_rk*(s23*c23))
-    ! link 3: second moment of the composite body [kg m^2]
-    neg_k3_xx = t39 - 0.6422901365_rk - t42
-    neg_k3_yy = t42 - (t38 + 0.4439651125_rk)
-    k3_yz = s23*(k4_xy - 0.0203_rk*h4_y) + c23*m3_4
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t33*h3_x + t34*h3_y)
+    h3_x = s23*t33 + c23*t34
+    t35 = 0.001247328_rk*c5
+    t36 = t35 + 0.8284901365_rk
+    t37 = 800.3248261618751_rk*t36 - 663.0676873105689_rk
+    t38 = neg_nu5_y*t37
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t35 + 0.20193436_rk + t38
+    t39 = s23*nu5_x
+    t40 = c4*t39
+    t41 = t37*t40
+    t42 = 0.4318_rk*c2
+    t43 = h3_x*t42
+    t44 = 0.0022398341968911917_rk*nu4_y
+    t45 = t32 - (m4_4 + t44)
+    t46 = c23*(s23*(t21 + 0.0106736385_rk) + t41) - 3.3587219355_rk - (t43 - t45)
+    t47 = t36 - t38
+    t48 = t20 - c4*(m4_4 - 0.2155_rk)
+    t49 = c4*t48 + (t32 - 0.5517151125_rk)
     ! link 1: mass matrix, its row of this joint
-    m1_3 = k3_yz + 0.1501_rk*h3_y
-    t43 = neg_k3_xx - t33*(2.0_rk*h3_x)
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_2 = neg_k3_yy - t34*(2.0_rk*h3_y) + t43 - 6.538587602_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + 1.42919_rk*s2
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = 1.682287602_rk*(c2*c2) + 2.42815_rk - t43
-    k2_yz = k3_yz + t34*h4_y - 0.11051088_rk*s2
+    m1_1 = c2*(1.682287602_rk*c2) - (t46 + (m4_4 - (t47 + t49)*(s23*s23))) - (t46 + &
+        3.910437048_rk)
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = nu4_y*t37
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s23*t34 - c23*t33
+    t50 = s23*s4
+    t51 = -0.1501_rk*h3_y
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    neg_m1_1 = neg_k4_yy - 0.3002_rk*h4_y - k2_xx + 0.0651082895_rk
+    m1_3 = c23*m3_4 - (t48*t50 + t51)
+    t52 = 2.876748834110593_rk*s2
+    m1_2 = m1_3 + t52*(t44 + 0.036155585696850394_rk)
+    t53 = c2*(0.001243584_rk*s5)
+    neg_m1_4 = c23*t45 + (t41 - c4*t53)
+    t54 = t35 + 0.17973436_rk
+    t55 = c23*neg_nu5_y
+    t56 = neg_h5_y*t42
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = s4*(s23*t54 - 0.0003029222797927461_rk*t55 + t56)
+    t57 = 0.0022398341968911917_rk*(t39 - c4*t55)
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = neg_nu2_y + t57
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = t40 - t55
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t47 - t49
+    t58 = t43 - t51*t52
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = m3_3 + t58
+    m2_2 = t58 + (m2_3 + 6.538587602_rk)
+    m2_4 = m3_4 + (t44*(c23*t52) - t50*t53)
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_5 = t20 - c4*t54
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = t52*t57 + s23*(c4*t56) - (neg_m3_5 - c23*t53)
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
-    neg_ipivot1 = 1.0_rk / neg_m1_1
-    neg_l2_1 = m1_2*neg_ipivot1
-    neg_l3_1 = m1_3*neg_ipivot1
-    neg_l4_1 = m1_4*neg_ipivot1
-    l5_1 = neg_m1_5*neg_ipivot1
-    neg_l6_1 = neg_nu3_y*neg_ipivot1
-    neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1
-    neg_ipivot2 = 1.0_rk / neg_pivot2
-    ld3_2 = m2_3 + m1_2*neg_l3_1
-    neg_l3_2 = neg_ipivot2*ld3_2
+    ipivot1 = 1.0_rk / m1_1
+    l2_1 = m1_2*ipivot1
+    l3_1 = m1_3*ipivot1
+    neg_l4_1 = neg_m1_4*ipivot1
+    l5_1 = m1_5*ipivot1
+    neg_l6_1 = nu3_y*ipivot1
+    pivot2 = m2_2 - m1_2*l2_1
+    ipivot2 = 1.0_rk / pivot2
+    ld3_2 = m2_3 - m1_2*l3_1
+    l3_2 = ipivot2*ld3_2
     ld4_2 = m2_4 + m1_2*neg_l4_1
-    neg_l4_2 = neg_ipivot2*ld4_2
-    ld5_2 = m2_5 - m1_2*l5_1
-    neg_l5_2 = neg_ipivot2*ld5_2
+    l4_2 = ipivot2*ld4_2
+    neg_ld5_2 = m1_2*l5_1 - m2_5
+    neg_l5_2 = ipivot2*neg_ld5_2
     ld6_2 = nu4_y + m1_2*neg_l6_1
-    neg_l6_2 = neg_ipivot2*ld6_2
-    pivot3 = m3_3 + m1_3*neg_l3_1 + ld3_2*neg_l3_2
+    l6_2 = ipivot2*ld6_2
+    pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
-    ld4_3 = m3_4 + m1_3*neg_l4_1 + ld3_2*neg_l4_2
+    ld4_3 = m3_4 + m1_3*neg_l4_1 - ld3_2*l4_2
     l4_3 = ipivot3*ld4_3
-    ld5_3 = m3_5 - m1_3*l5_1 + ld3_2*neg_l5_2
-    l5_3 = ipivot3*ld5_3
-    ld6_3 = nu4_y + m1_3*neg_l6_1 + ld3_2*neg_l6_2
+    neg_ld5_3 = neg_m3_5 + m1_3*l5_1 - ld3_2*neg_l5_2
+    neg_l5_3 = ipivot3*neg_ld5_3
+    ld6_3 = nu4_y + m1_3*neg_l6_1 - ld3_2*l6_2
     l6_3 = ipivot3*ld6_3
-    pivot4 = m4_4 + m1_4*neg_l4_1 + ld4_2*neg_l4_2 - ld4_3*l4_3
+    pivot4 = m4_4 - neg_m1_4*neg_l4_1 - ld4_2*l4_2 - ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    neg_ld5_4 = m1_4*l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3
-    neg_l5_4 = ipivot4*neg_ld5_4
-    ld6_4 = neg_nu5_y + m1_4*neg_l6_1 + ld4_2*neg_l6_2 - ld4_3*l6_3
+    ld5_4 = neg_m1_4*l5_1 + ld4_2*neg_l5_2 + ld4_3*neg_l5_3
+    l5_4 = ipivot4*ld5_4
+    ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 - ld4_2*l6_2 - ld4_3*l6_3
     l6_4 = ipivot4*ld6_4
-    pivot5 = neg_m1_5*l5_1 + 0.17973436_rk + ld5_2*neg_l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4
+    pivot5 = 0.17973436_rk - m1_5*l5_1 - neg_ld5_2*neg_l5_2 - neg_ld5_3*neg_l5_3 - ld5_4*l5_4
     ipivot5 = 1.0_rk / pivot5
-    neg_ld6_5 = neg_m1_5*neg_l6_1 - ld5_2*neg_l6_2 + ld5_3*l6_3 - neg_ld5_4*l6_4
-    neg_l6_5 = ipivot5*neg_ld6_5
-    pivot6 = neg_nu3_y*neg_l6_1 + 0.193_rk + ld6_2*neg_l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - &
-        neg_ld6_5*neg_l6_5
-    ipivot6 = 1.0_rk / pivot6
+    ld6_5 = m1_5*neg_l6_1 + neg_ld5_2*l6_2 + neg_ld5_3*l6_3 - ld5_4*l6_4
+    l6_5 = ipivot5*ld6_5
+    neg_pivot6 = nu3_y*neg_l6_1 - 0.193_rk + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4 + ld6_5*l6_5
+    neg_ipivot6 = 1.0_rk / neg_pivot6
     ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) + neg_y1*neg_l2_1
+    neg_y2 = n02_z - tau(2) - neg_y1*l2_1
     ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) + neg_y1*neg_l3_1 + neg_l3_2*neg_y2
+    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
     ! link 4: forward substitution
-    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 - neg_l4_2*neg_y2 + l4_3*neg_y3
+    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 + l4_2*neg_y2 + l4_3*neg_y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 - neg_l5_4*y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 + neg_l5_3*neg_y3 + l5_4*y4
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 - l6_4*y4 - &
-        neg_l6_5*neg_y5
+    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 + l6_2*neg_y2 + l6_3*neg_y3 - l6_4*y4 + l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = ipivot6*y6
+    neg_qdd6 = neg_ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6
+    neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 - l6_4*qdd6
+    qdd4 = ipivot4*y4 + l5_4*neg_qdd5 + l6_4*neg_qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 + l4_3*qdd4 - l5_3*neg_qdd5 + l6_3*qdd6
+    neg_qdd3 = ipivot3*neg_y3 + l4_3*qdd4 + neg_l5_3*neg_qdd5 - l6_3*neg_qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 + neg_l4_2*qdd4 - neg_l5_2*neg_qdd5 + &
-        neg_l6_2*qdd6
+    qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - l3_2*neg_qdd3 + l4_2*qdd4 + neg_l5_2*neg_qdd5)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 + neg_l4_1*qdd4 + l5_1*neg_qdd5 &
-        + neg_l6_1*qdd6
-    t44 = -neg_qdd3
-    t45 = -neg_qdd5
+    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3 - neg_l4_1*qdd4 - &
+        l5_1*neg_qdd5)
+    t59 = -neg_qdd3
+    t60 = -neg_qdd5
+    t61 = -neg_qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = t44
+    qdd(3) = t59
     qdd(4) = qdd4
-    qdd(5) = t45
-    qdd(6) = qdd6
+    qdd(5) = t60
+    qdd(6) = t61
   end subroutine
 end module

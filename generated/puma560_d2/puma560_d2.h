@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
  *   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
  *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 80 multiplications, 62 additions = 142; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 283 multiplications, 213 additions, 6 divisions = 502; 2 unary minus; 8
+ *   mass_matrix: 56 multiplications, 50 additions = 106; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 259 multiplications, 201 additions, 6 divisions = 466; 4 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_D2_H

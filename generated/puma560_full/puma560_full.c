@@ -15,15 +15,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
  *   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
  *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 141 multiplications, 122 additions = 263; 3 unary minus; 10 sine/cosine
- *   forward_dynamics: 421 multiplications, 369 additions, 6 divisions = 796; 2 unary minus; 10
+ *   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
+ *   forward_dynamics: 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10
  *       sine/cosine
  */
 #include "puma560_full.h"
@@ -591,7 +592,7 @@ void puma560_full_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 141 multiplications, 122 additions = 263; 3 unary minus; 10 sine/cosine */
+ * 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine */
 void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -609,149 +610,124 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     const volatile puma560_full_real angle23 = q[1] + q[2];
     const puma560_full_real c23 = cos(angle23);
     const puma560_full_real s23 = sin(angle23);
+    const puma560_full_real t1 = 1.1185374890947408*s6;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h6_x = -1.2975168001325401*s6 - 1.1185374890947408*c6;
-    const puma560_full_real neg_h6_y = 1.1185374890947408*s6 - 1.2975168001325401*c6;
-    const puma560_full_real t1 = c6*s6;
-    const puma560_full_real t2 = c6*c6;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real k6_xy = 0.03507607665595572*t1 - 0.4019452224328564*(2.0*t2 - 1.0);
-    const puma560_full_real k6_xz = 0.1902613160848803*c6 + 0.2519035474197792*s6;
-    const puma560_full_real k6_yz = 0.1902613160848803*s6 - 0.2519035474197792*c6;
+    const puma560_full_real neg_h6_y = t1 - 1.2975168001325401*c6;
     /* link 5: force for a unit acceleration of a joint further out */
     const puma560_full_real fu5_x = c5*neg_h6_y;
     const puma560_full_real fu5_y = s5*neg_h6_y;
+    const puma560_full_real t2 = t1 - 8.074308788029867*neg_h6_y;
+    const puma560_full_real t3 = t2 - 17.297929233919618*c6;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real h6_x = 0.1639752994550661*t3;
+    const puma560_full_real t4 = 0.47660058733283606 - h6_x;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real h5_x = 0.15165250821211493*s5 - c5*t4;
+    const puma560_full_real t5 = neg_h6_y - 0.8719880516308344;
+    const puma560_full_real t6 = h5_x + 0.7777930398944852;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real h4_x = s4*t5 + c4*t6;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const puma560_full_real neg_k6_yz = 0.02404451046533376*t2;
+    const puma560_full_real t7 = 0.8038904448657128*c6;
+    const puma560_full_real t8 = s6*t7 - 0.7502906175782786;
+    const puma560_full_real t9 = c6*t7;
+    const puma560_full_real t10 = 0.04363290654837309*t8 + 0.27886416156622007 - t9;
+    const puma560_full_real t11 = neg_k6_yz - 0.18116108322165295;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const puma560_full_real k5_xz = c5*t10 - s5*t11;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const puma560_full_real k6_xz = 0.02789191831646398*(t1 - t3);
+    const puma560_full_real t12 = c5*(k6_xz - 0.08058935149735619);
+    const puma560_full_real t13 = t8 + 0.04363290654837309*t9;
+    const puma560_full_real t14 = t13 + 0.9479140356861228;
+    const puma560_full_real t15 = t12 - s5*t14;
+    const puma560_full_real t16 = s5*t12 - 3.8706455741586216 + s5*t15;
+    /* link 4: mass matrix, its row of this joint */
+    const puma560_full_real m4_4 = t16 + 5.555998411819751;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real neg_h5_y = 0.15165250821211493*c5 + s5*t4;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const puma560_full_real k5_yz = c5*t11 + s5*t10;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real h4_y = s4*t6 - c4*t5;
+    const puma560_full_real t17 = 0.0203*h4_x;
+    const puma560_full_real t18 = c4*s4;
+    const puma560_full_real t19 = k5_xz + 0.10674324035379577;
+    const puma560_full_real t20 = -k5_xz - t19;
+    const puma560_full_real t21 = c4*c4;
+    const puma560_full_real t22 = t13 + (t13 + m4_4);
+    const puma560_full_real t23 = t17 - (t18*t20 - t14) - (t21*t22 - (t17 - 1.4196782145498086));
+    const puma560_full_real t24 = 0.8662*neg_h5_y - t16;
+    const puma560_full_real t25 = h4_x + 1.046378600789203;
+    const puma560_full_real t26 = 0.4318*c2;
+    const puma560_full_real t27 = c23*t26;
+    const puma560_full_real t28 = s23*t26;
+    const puma560_full_real t29 = neg_h5_y + 5.729293810689829;
+    const puma560_full_real t30 = t25*t27 + t28*t29;
+    const puma560_full_real t31 = k6_xz - 0.36433845752396576 - c5*(t12 + t15);
+    const puma560_full_real t32 = k5_yz - 0.10734691974802549;
+    const puma560_full_real t33 = c4*t31 - 0.4331*h4_x - s4*t32;
+    const puma560_full_real t34 = 0.0203*neg_h5_y;
+    const puma560_full_real t35 = t30 - c23*(s23*(t33 + (t34 + 0.28615890025504537)));
+    const puma560_full_real t36 = 0.4318*s2;
+    const puma560_full_real t37 = t17 - 0.1501*h4_y;
+    const puma560_full_real t38 = 0.07491193080123078*c2;
+    const puma560_full_real t39 = m4_4 - t37;
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_full_real m1_1 = (t23 + t24)*(s23*s23) + (t35 - 0.5437979622122006*(c2*t36)) +
+        (t35 - t37 + (102.49099587639564*(t26*t38) + (t39 + 3.3083718390798666)));
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_full_real m3_4 = s4*t31 + (c4*t32 - 0.4331*h4_y);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const puma560_full_real k3_yz = c23*(m3_4 + 0.060845712710754084) + s23*(t18*t22 - (t20*t21 -
+        (0.07232010303947682 - 0.0203*h4_y)) - t19);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real h3_y = s23*t25 - c23*t29;
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_full_real m1_3 = k3_yz + 0.1501*h3_y;
+    const puma560_full_real t40 = t36*h4_y;
+    const puma560_full_real m1_2 = t38 + 1.1673405148125928*s2 + m1_3 + t40;
+    const puma560_full_real m1_4 = c23*t39 + h4_x*t26 - s23*t33;
+    /* link 5: mass matrix, its row of this joint */
+    const puma560_full_real m5_5 = t13 + 1.728139590481575;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu4_x = c4*neg_h5_y;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu3_x = c23*fu4_x - s23*h5_x;
+    const puma560_full_real t41 = m5_5 + 0.4331*neg_h5_y;
+    const puma560_full_real t42 = s4*t34;
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_full_real m1_5 = s23*(s4*t41 + c4*k5_xz) -
+        (21.27093596059113*(0.007056577119036591*fu3_x - c2*t42) - c23*(k5_yz - t42));
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const puma560_full_real neg_nu5_y = 0.907820001453264*c5 + s5*k6_xz;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu4_y = s4*fu5_x + c4*h6_x;
     /* link 5: moment for a unit acceleration of a joint further out */
     const puma560_full_real nu5_x = 0.907820001453264*s5 - c5*k6_xz;
-    const puma560_full_real neg_nu5_y = s5*k6_xz + 0.907820001453264*c5;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu4_x = c4*fu5_x - s4*h6_x;
-    const puma560_full_real fu4_y = s4*fu5_x + c4*h6_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu4_x = c4*nu5_x + s4*k6_yz;
-    const puma560_full_real nu4_y = s4*nu5_x - c4*k6_yz;
+    const puma560_full_real t43 = c4*fu5_x - s4*h6_x;
+    const puma560_full_real t44 = s23*fu5_y - c23*t43;
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_full_real m1_6 = 0.1501*t44 - c23*(0.0203*fu4_y - neg_nu5_y) - (s23*(c4*nu5_x -
+        0.4331*fu4_y - s4*neg_k6_yz) - t26*fu4_y);
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_6 = nu4_y - (0.0203*fu5_y - 0.4331*fu4_x);
+    const puma560_full_real m3_3 = t24 - t23;
+    const puma560_full_real t45 = t30 + t36*h3_y;
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_full_real m2_3 = m3_3 + t45;
+    const puma560_full_real m2_2 = m2_3 + (t45 + 3.7298822532370677);
+    const puma560_full_real m2_4 = m3_4 - t28*h4_y + c23*t40;
     /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu3_x = c23*fu4_x - s23*fu5_y;
-    const puma560_full_real fu3_y = s23*fu4_x + c23*fu5_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_y = c23*(0.0203*fu4_y - neg_nu5_y) - s23*(0.4331*fu4_y - nu4_x);
-    const puma560_full_real t3 = 0.4318*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_y = nu3_y - t3*fu4_y;
-    const puma560_full_real t4 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_6 = m3_6 + (t3*fu3_y - t4*fu3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_6 = -0.1501*fu3_x - nu2_y;
-    const puma560_full_real t5 = 0.03507607665595572*t2 + 0.8038904448657128*t1;
-    /* link 5: mass matrix, its row of this joint */
-    const puma560_full_real m5_5 = t5 + 0.9778489729032964;
-    const puma560_full_real t6 = 0.47660058733283606 - h6_x;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h5_x = 0.15165250821211493*s5 - c5*t6;
-    const puma560_full_real neg_h5_y = s5*t6 + 0.15165250821211493*c5;
-    const puma560_full_real t7 = c5*c5;
-    const puma560_full_real t8 = t5 + 0.1976234181078441;
-    const puma560_full_real t9 = k6_xz - 0.08058935149735619;
-    const puma560_full_real t10 = c5*s5;
-    const puma560_full_real t11 = t7*t8 + t9*(2.0*t10);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_yy = t5 + 0.5877361955055702 - t11;
-    const puma560_full_real k5_xy = t8*t10 + t9*(1.0 - 2.0*t7);
-    const puma560_full_real t12 = k6_xy - 0.1558184212675505;
-    const puma560_full_real t13 = k6_yz + 0.18116108322165295;
-    const puma560_full_real k5_xz = c5*t12 + s5*t13;
-    const puma560_full_real k5_yz = s5*t12 - c5*t13;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu4_x_2 = c4*neg_h5_y;
-    const puma560_full_real fu4_y_2 = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu4_x = c4*k5_xz + s4*m5_5;
-    const puma560_full_real nu4_y_2 = c4*m5_5 - s4*k5_xz;
+    const puma560_full_real fu3_y = s23*fu4_x + c23*h5_x;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_5 = nu4_y_2 + (0.4331*fu4_x_2 - 0.0203*h5_x);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu3_x_2 = c23*fu4_x_2 - s23*h5_x;
-    const puma560_full_real fu3_y_2 = s23*fu4_x_2 + c23*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_y_2 = c23*(0.0203*fu4_y_2 - k5_yz) - s23*(neg_nu4_x +
-        0.4331*fu4_y_2);
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_y_2 = nu3_y_2 - t3*fu4_y_2;
+    const puma560_full_real m3_5 = c4*t41 - 0.0203*h5_x - s4*k5_xz;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_5 = m3_5 + (t3*fu3_y_2 - t4*fu3_x_2);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_5 = -0.1501*fu3_x_2 - nu2_y_2;
-    /* link 4: mass matrix, its row of this joint */
-    const puma560_full_real m4_4 = 1.4877294195532857 - (t5 - t11);
-    const puma560_full_real t14 = h5_x + 0.7777930398944852;
-    const puma560_full_real t15 = 0.8719880516308344 - neg_h6_y;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h4_x = c4*t14 - s4*t15;
-    const puma560_full_real h4_y = s4*t14 + c4*t15;
-    const puma560_full_real t16 = c4*c4;
-    const puma560_full_real t17 = t5 + t11 - 0.012851815603271595;
-    const puma560_full_real t18 = k5_xz + 0.05337162017689789;
-    const puma560_full_real t19 = c4*s4;
-    const puma560_full_real t20 = t16*t17 - t18*(2.0*t19);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_full_real k4_xx = t20 - (t5 - 0.7502906175782786);
-    const puma560_full_real k4_yy = t11 + 0.7374388019750071 - t20;
-    const puma560_full_real k4_xy = t17*t19 - t18*(1.0 - 2.0*t16);
-    const puma560_full_real t21 = k5_yz - 0.10734691974802549;
-    const puma560_full_real t22 = k5_xy - 0.2837491060266096;
-    const puma560_full_real k4_xz = s4*t21 - c4*t22;
-    const puma560_full_real neg_k4_yz = s4*t22 + c4*t21;
+    const puma560_full_real m2_5 = t26*fu3_y + m3_5 - t36*fu3_x;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_4 = neg_k4_yz - 0.4331*h4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_full_real neg_fu3_x = c23*h4_y;
-    const puma560_full_real fu3_y_3 = -s23*h4_y;
-    const puma560_full_real t23 = -0.4331*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_y_3 = s23*(t23 - k4_xz) - c23*(m4_4 - 0.0203*h4_x);
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_y_3 = nu3_y_3 - t3*h4_x;
+    const puma560_full_real m3_6 = s4*nu5_x + (0.4331*t43 - (0.0203*fu5_y - c4*neg_k6_yz));
     /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_4 = m3_4 + (t3*fu3_y_3 + t4*neg_fu3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_4 = 0.1501*neg_fu3_x - nu2_y_3;
-    const puma560_full_real t24 = 0.0406*h4_x - k4_xx;
-    const puma560_full_real t25 = k5_yy + 0.8662*neg_h5_y;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_3 = 3.9522969756245816 - (t24 - t25);
-    const puma560_full_real t26 = neg_h5_y + 5.729293810689829;
-    const puma560_full_real t27 = -h4_x - 1.046378600789203;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h3_x = s23*t26 - c23*t27;
-    const puma560_full_real neg_h3_y = s23*t27 + c23*t26;
-    const puma560_full_real t28 = c23*c23*(t24 + t25 + 3.0087686178972097) + (t23 + (0.0203*neg_h5_y
-        - k4_xz) + 0.28615890025504537)*(2.0*(c23*s23));
-    /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real k3_xx = t25 + 3.4805327967608957 - t28;
-    const puma560_full_real k3_yy = t28 - (t24 - 0.47176417886368593);
-    const puma560_full_real k3_yz = s23*(k4_xy - 0.0203*h4_y + 0.01894848286257894) + c23*(m3_4 +
-        0.060845712710754084);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_3 = m3_3 - (t4*neg_h3_y - t3*h3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_3 = k3_yz - 0.1501*neg_h3_y;
-    const puma560_full_real t29 = k3_xx - t3*(-2.0*h3_x);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_2 = t29 - (t4*(2.0*neg_h3_y) - k3_yy) + 3.7298822532370677;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h2_y = 7.6631781603519995*s2 + 0.1606745919581151*c2 - neg_h3_y;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_full_real k2_xx = t29 + (3.31527334516548*(c2*c2) - 0.2348119600832282*(c2*s2) +
-        0.20730445403579364);
-    const puma560_full_real k2_yz = k3_yz + t4*h4_y + (0.017097472943757824*s2 +
-        0.0507946745483177*c2);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_full_real m1_1 = k2_xx + (k4_yy + 0.3002*h4_y) + 2.629303206180387;
-    const puma560_full_real t30 = -k6_yz;
+    const puma560_full_real m2_6 = t28*t43 + (t36*t44 + fu5_y*t27 + m3_6);
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -781,17 +757,17 @@ void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[
     M[26] = m3_5;
     M[27] = k5_yz;
     M[28] = m5_5;
-    M[29] = t30;
+    M[29] = neg_k6_yz;
     M[30] = m1_6;
     M[31] = m2_6;
     M[32] = m3_6;
     M[33] = neg_nu5_y;
-    M[34] = t30;
+    M[34] = neg_k6_yz;
     M[35] = 0.907820001453264;
 }
 
 /* accelerations that the torques tau give
- * 421 multiplications, 369 additions, 6 divisions = 796; 2 unary minus; 10 sine/cosine */
+ * 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10 sine/cosine */
 void puma560_full_forward_dynamics(
     const puma560_full_real q[6],
     const puma560_full_real qd[6],
@@ -808,51 +784,52 @@ void puma560_full_forward_dynamics(
     /* sines and cosines of the joint angles */
     const volatile puma560_full_real angle23 = q[1] + q[2];
     const puma560_full_real s23 = sin(angle23);
+    const puma560_full_real t1 = -qd[0];
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real neg_w3_x = qd[0]*s23;
+    const puma560_full_real w3_x = t1*s23;
     /* sines and cosines of the joint angles */
     const puma560_full_real c23 = cos(angle23);
     /* link 3: angular velocity [rad/s] */
-    const puma560_full_real neg_w3_y = qd[0]*c23;
+    const puma560_full_real w3_y = t1*c23;
     /* link 3: products of the angular velocity [1/s^2] */
-    const puma560_full_real neg_ww3_yz = w3_z*neg_w3_y;
-    const puma560_full_real neg_ww3_zx = w3_z*neg_w3_x;
-    const puma560_full_real ww3_yy = neg_w3_y*neg_w3_y;
+    const puma560_full_real ww3_yz = w3_z*w3_y;
+    const puma560_full_real ww3_zx = w3_z*w3_x;
+    const puma560_full_real ww3_yy = w3_y*w3_y;
     const puma560_full_real ww3_zz = w3_z*w3_z;
-    const puma560_full_real ww3_xy = neg_w3_x*neg_w3_y;
+    const puma560_full_real ww3_xy = w3_x*w3_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real neg_lam3_11 = ww3_yy + ww3_zz;
-    const puma560_full_real lam3_32 = -2.0*neg_ww3_yz;
+    const puma560_full_real lam3_32 = 2.0*ww3_yz;
     /* sines and cosines of the joint angles */
     const puma560_full_real c4 = cos(q[3]);
     const puma560_full_real s4 = sin(again[3]);
     /* link 4: angular velocity [rad/s] */
-    const puma560_full_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
-    const puma560_full_real w4_z = neg_w3_y + qd[3];
-    const puma560_full_real w4_y = neg_w3_x*s4 + w3_z*c4;
+    const puma560_full_real w4_x = w3_x*c4 + w3_z*s4;
+    const puma560_full_real w4_z = qd[3] - w3_y;
+    const puma560_full_real w4_y = w3_z*c4 - w3_x*s4;
     /* link 4: products of the angular velocity [1/s^2] */
-    const puma560_full_real neg_ww4_xy = neg_w4_x*w4_y;
+    const puma560_full_real ww4_xy = w4_x*w4_y;
     const puma560_full_real ww4_zz = w4_z*w4_z;
     const puma560_full_real ww4_yy = w4_y*w4_y;
     const puma560_full_real ww4_yz = w4_z*w4_y;
-    const puma560_full_real neg_ww4_zx = neg_w4_x*w4_z;
+    const puma560_full_real ww4_zx = w4_x*w4_z;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam4_21 = neg_ww3_zx + neg_ww4_xy;
+    const puma560_full_real lam4_21 = ww3_zx + ww4_xy;
     const puma560_full_real neg_lam4_11 = ww4_zz + ww4_yy;
-    const puma560_full_real lam4_12 = neg_ww3_zx - neg_ww4_xy;
+    const puma560_full_real lam4_12 = ww4_xy - ww3_zx;
     /* sines and cosines of the joint angles */
     const puma560_full_real c5 = cos(q[4]);
     const puma560_full_real s5 = sin(again[4]);
     /* link 5: angular velocity [rad/s] */
-    const puma560_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
+    const puma560_full_real w5_x = w4_x*c5 - w4_z*s5;
     const puma560_full_real w5_z = w4_y + qd[4];
-    const puma560_full_real w5_y = neg_w4_x*s5 - w4_z*c5;
+    const puma560_full_real w5_y = -w4_z*c5 - w4_x*s5;
     /* link 5: products of the angular velocity [1/s^2] */
-    const puma560_full_real neg_ww5_zx = neg_w5_x*w5_z;
-    const puma560_full_real ww5_xx = neg_w5_x*neg_w5_x;
+    const puma560_full_real ww5_zx = w5_x*w5_z;
+    const puma560_full_real ww5_xx = w5_x*w5_x;
     const puma560_full_real ww5_zz = w5_z*w5_z;
     const puma560_full_real ww5_yz = w5_z*w5_y;
-    const puma560_full_real neg_ww5_xy = neg_w5_x*w5_y;
+    const puma560_full_real ww5_xy = w5_x*w5_y;
     /* link 6: angular velocity [rad/s] */
     const puma560_full_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
@@ -861,295 +838,270 @@ void puma560_full_forward_dynamics(
     const puma560_full_real c2 = cos(q[1]);
     const puma560_full_real s2 = sin(again[1]);
     /* link 4: angular acceleration [rad/s^2] */
-    const puma560_full_real neg_alpha4_x = neg_ww3_yz*c4 - qd[3]*w4_y;
+    const puma560_full_real alpha4_x = ww3_yz*c4 + qd[3]*w4_y;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_23 = ww4_yz + neg_alpha4_x;
+    const puma560_full_real lam4_23 = ww4_yz - alpha4_x;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam5_13 = w4_y*neg_w5_x - (neg_ww3_zx*c5 + s5*neg_alpha4_x);
+    const puma560_full_real lam5_13 = w4_y*w5_x + (-s5*alpha4_x - ww3_zx*c5);
     /* link 4: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha4_y = neg_ww3_yz*s4 + neg_w4_x*qd[3];
+    const puma560_full_real alpha4_y = -w4_x*qd[3] - ww3_yz*s4;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam5_12 = neg_ww5_xy + alpha4_y;
+    const puma560_full_real lam5_12 = ww5_xy - alpha4_y;
     /* link 5: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha5_x = neg_ww3_zx*s5 + (qd[4]*w5_y - c5*neg_alpha4_x);
+    const puma560_full_real alpha5_x = qd[4]*w5_y + c5*alpha4_x - ww3_zx*s5;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real lam5_32 = ww5_yz + alpha5_x;
     /* link 6: products of the angular velocity [1/s^2] */
     const puma560_full_real ww6_zz = w6_z*w6_z;
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_full_real ww2_zz = qd[1]*qd[1];
-    const puma560_full_real t1 = ww3_yy - ww3_zz;
-    const puma560_full_real t2 = ww1_zz - neg_lam3_11;
-    const puma560_full_real t3 = t1 - t2;
+    const puma560_full_real t2 = ww3_yy - ww3_zz;
+    const puma560_full_real t3 = ww1_zz - neg_lam3_11;
+    const puma560_full_real t4 = t2 - t3;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam3_22 = neg_lam3_11 - t3;
+    const puma560_full_real lam3_22 = t4 - neg_lam3_11;
     /* link 6: angular acceleration [rad/s^2] */
-    const puma560_full_real alpha6_z = neg_lam5_13 - neg_ww5_zx;
+    const puma560_full_real alpha6_z = ww5_zx - lam5_13;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam5_31 = neg_ww5_zx - alpha6_z;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real neg_k6_yz = 0.2519035474197792*c6 - 0.1902613160848803*s6;
-    const puma560_full_real k6_xz = 0.1902613160848803*c6 + 0.2519035474197792*s6;
-    const puma560_full_real t4 = 0.561954526137403*c6;
-    const puma560_full_real t5 = 0.062417998297925076*c6;
-    const puma560_full_real t6 = t4*t5 + 0.43637196239865417;
-    const puma560_full_real t7 = 0.561954526137403*s6;
-    const puma560_full_real t8 = t5*t7;
-    const puma560_full_real t9 = t6 + 22.918482381900507*t8;
-    const puma560_full_real t10 = t9 - 0.907820001453264;
-    const puma560_full_real t11 = 0.9969983837450935*s2;
-    const puma560_full_real t12 = ww2_zz*t11 + 22.627568690833527;
-    const puma560_full_real t13 = 0.9969983837450935*c2;
-    const puma560_full_real t14 = t13*(ww1_zz + ww2_zz);
-    const puma560_full_real t15 = s23*t12 + c23*t14;
-    const puma560_full_real t16 = 0.04687139228815516*neg_lam3_11 - (ww3_xy + t15);
-    const puma560_full_real t17 = qd[0]*qd[1];
-    const puma560_full_real t18 = 0.07491193080123078*s2;
-    const puma560_full_real t19 = 0.3465712306626645*ww1_zz + 26.617879771127544*(t17*t18);
-    const puma560_full_real t20 = 0.09374278457631031*neg_ww3_zx - t19 - lam3_32;
-    const puma560_full_real t21 = s4*t16 - c4*t20;
-    const puma560_full_real t22 = t7 + 0.4844385865269322*c6;
-    const puma560_full_real t23 = 0.04687139228815516*ww3_xy - s23*t14 - (neg_lam3_22 - c23*t12);
-    const puma560_full_real t24 = c4*t16 + s4*t20;
-    const puma560_full_real t25 = s5*t23 - c5*t24;
-    const puma560_full_real t26 = t4 - 0.4844385865269322*s6;
-    const puma560_full_real t27 = ww5_xx + ww6_zz;
-    const puma560_full_real t28 = ww5_zz + ww6_zz;
-    const puma560_full_real t29 = t27 - t28;
-    const puma560_full_real t30 = t8 - (22.918482381900507*t6 - 10.402928354621762);
+    const puma560_full_real lam5_31 = ww5_zx + alpha6_z;
+    const puma560_full_real t5 = 0.1902613160848803*c6 + 0.2519035474197792*s6;
+    const puma560_full_real t6 = 0.2519035474197792*c6 - 0.1902613160848803*s6;
+    const puma560_full_real t7 = 0.561954526137403*c6;
+    const puma560_full_real t8 = 0.062417998297925076*c6;
+    const puma560_full_real t9 = t7*t8 + 0.43637196239865417;
+    const puma560_full_real t10 = 0.561954526137403*s6;
+    const puma560_full_real t11 = t8*t10;
+    const puma560_full_real t12 = t9 + 22.918482381900507*t11;
+    const puma560_full_real t13 = t12 - 0.907820001453264;
+    const puma560_full_real t14 = 0.9969983837450935*s2;
+    const puma560_full_real t15 = ww2_zz*t14 + 22.627568690833527;
+    const puma560_full_real t16 = 0.9969983837450935*c2;
+    const puma560_full_real t17 = t16*(ww1_zz + ww2_zz);
+    const puma560_full_real t18 = s23*t15 + c23*t17;
+    const puma560_full_real t19 = 0.04687139228815516*neg_lam3_11 - (ww3_xy + t18);
+    const puma560_full_real t20 = qd[0]*qd[1];
+    const puma560_full_real t21 = 0.07491193080123078*s2;
+    const puma560_full_real t22 = 0.3465712306626645*ww1_zz + 26.617879771127544*(t20*t21);
+    const puma560_full_real t23 = -0.09374278457631031*ww3_zx - t22 - lam3_32;
+    const puma560_full_real t24 = s4*t19 - c4*t23;
+    const puma560_full_real t25 = t10 + 0.4844385865269322*c6;
+    const puma560_full_real t26 = -lam5_32*t5 - lam5_12*t6 - (-lam5_31*t12 - lam5_13*t13 - t24*t25);
+    const puma560_full_real t27 = 0.04687139228815516*ww3_xy - s23*t17 + (lam3_22 + c23*t15);
+    const puma560_full_real t28 = c4*t19 + s4*t23;
+    const puma560_full_real t29 = s5*t27 - c5*t28;
+    const puma560_full_real t30 = t7 - 0.4844385865269322*s6;
+    const puma560_full_real t31 = ww5_xx + ww6_zz;
+    const puma560_full_real t32 = ww5_zz + ww6_zz;
+    const puma560_full_real t33 = t31 - t32;
+    const puma560_full_real t34 = t11 - (22.918482381900507*t9 - 10.402928354621762);
     /* link 6: moment that turns the link [N m] */
-    const puma560_full_real nc6_z = neg_lam5_12*neg_k6_yz - lam5_32*k6_xz - (neg_lam5_13*t10 +
-        neg_lam5_31*t9 - t21*t22) + (t25*t26 - t29*t30);
+    const puma560_full_real nc6_z = t26 + (t29*t30 - t33*t34);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_13 = alpha4_y - neg_ww4_zx;
+    const puma560_full_real lam4_13 = ww4_zx + alpha4_y;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam5_21 = neg_ww5_xy - alpha4_y;
+    const puma560_full_real lam5_21 = ww5_xy + alpha4_y;
     const puma560_full_real neg_lam5_22 = ww5_xx + ww5_zz;
-    const puma560_full_real t31 = ww4_zz - ww4_yy;
+    const puma560_full_real t35 = ww4_zz - ww4_yy;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam4_22 = neg_lam3_22 + t31;
+    const puma560_full_real lam4_22 = lam3_22 - t35;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_full_real lam5_23 = ww5_yz - alpha5_x;
-    const puma560_full_real t32 = 0.08058935149735619*lam5_32;
-    const puma560_full_real t33 = 0.37765802516131436*t25;
-    const puma560_full_real t34 = 0.18116108322165295*neg_lam5_12 - t32 - (nc6_z +
-        (0.1558184212675505*t29 + t33 - 0.1513642331069161*neg_lam5_31 + 0.2064157143738513*t21));
-    const puma560_full_real t35 = 0.2788425785236688*neg_lam5_13 - t34;
-    const puma560_full_real t36 = neg_lam4_11 - neg_lam3_22;
-    const puma560_full_real t37 = qd[5] + w6_z;
-    const puma560_full_real t38 = alpha5_x + w5_z*t37;
-    const puma560_full_real t39 = neg_lam5_22 - neg_lam4_22;
-    const puma560_full_real t40 = t26 + 0.37765802516131436;
-    const puma560_full_real t41 = s5*t24 + c5*t23;
-    const puma560_full_real t42 = alpha4_y + neg_w5_x*t37;
-    const puma560_full_real t43 = neg_k6_yz*(t27 - neg_lam5_22) + (0.18116108322165295*t39 -
-        (t40*t41 - (t30*t42 + (0.1558184212675505*neg_lam5_21 - 0.06568070130666698*t21))));
-    const puma560_full_real t44 = k6_xz - 0.08058935149735619;
-    const puma560_full_real t45 = 0.2788425785236688*lam5_23 - (0.3901127773977262*lam5_32 -
-        (t10*t38 + t43)) - neg_lam5_31*t44;
-    const puma560_full_real t46 = 0.3473260245772809*neg_lam4_21 - (c5*t35 -
-        0.10734691974802549*lam4_13 - 0.05337162017689789*(t31 - t36)) - s5*t45;
+    const puma560_full_real t36 = 0.08058935149735619*lam5_32;
+    const puma560_full_real t37 = 0.37765802516131436*t29;
+    const puma560_full_real t38 = -0.18116108322165295*lam5_12 - t36 - (nc6_z +
+        (0.1558184212675505*t33 + t37 + 0.1513642331069161*lam5_31 + 0.2064157143738513*t24));
+    const puma560_full_real t39 = -0.2788425785236688*lam5_13 - t38;
+    const puma560_full_real t40 = neg_lam4_11 + lam3_22;
+    const puma560_full_real t41 = qd[5] + w6_z;
+    const puma560_full_real t42 = alpha5_x + w5_z*t41;
+    const puma560_full_real t43 = neg_lam5_22 + lam4_22;
+    const puma560_full_real t44 = t30 + 0.37765802516131436;
+    const puma560_full_real t45 = s5*t28 + c5*t27;
+    const puma560_full_real t46 = alpha4_y - w5_x*t41;
+    const puma560_full_real t47 = t6*(t31 - neg_lam5_22) + (0.18116108322165295*t43 - (t44*t45 -
+        (t34*t46 + (-0.1558184212675505*lam5_21 - 0.06568070130666698*t24))));
+    const puma560_full_real t48 = 0.2788425785236688*lam5_23 - (0.3901127773977262*lam5_32 -
+        (t13*t42 + t47)) + lam5_31*(t5 - 0.08058935149735619);
+    const puma560_full_real t49 = -0.3473260245772809*lam4_21 - (c5*t39 -
+        0.10734691974802549*lam4_13 - 0.05337162017689789*(t35 - t40)) - s5*t48;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_z = 0.2837491060266096*lam4_23 - (t46 + 0.33686216557830156*t21);
-    const puma560_full_real t47 = t29 + t39;
+    const puma560_full_real n4_z = 0.2837491060266096*lam4_23 - (t49 + 0.33686216557830156*t24);
+    const puma560_full_real t50 = t33 + t43;
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam5_11 = t47 - neg_lam5_22;
-    const puma560_full_real t48 = t22*t42 - (0.06568070130666698*neg_lam5_22 +
-        (0.37765802516131436*lam5_23 + 0.2064157143738513*neg_lam5_21)) + t26*t38;
-    const puma560_full_real t49 = 0.06568070130666698*neg_lam5_12 + (t22*t28 -
-        0.2064157143738513*lam5_11) - neg_lam5_13*t40;
-    const puma560_full_real t50 = 0.33686216557830156*neg_lam4_11 + (9.668724351427649*t24 - s5*t48
-        - c5*t49);
-    const puma560_full_real t51 = t26*t27 - (9.668724351427649*t21 + neg_lam5_31*t22 -
-        0.8150047132321409*(t32 - 0.2532693504989058*neg_lam5_31)) +
-        0.37765802516131436*neg_lam4_22;
-    const puma560_full_real t52 = 0.33686216557830156*neg_lam4_21 + t51;
-    const puma560_full_real t53 = s4*t50 + c4*t52;
+    const puma560_full_real lam5_11 = t50 - neg_lam5_22;
+    const puma560_full_real t51 = t25*t46 - (0.06568070130666698*neg_lam5_22 +
+        (0.37765802516131436*lam5_23 - 0.2064157143738513*lam5_21)) + t30*t42;
+    const puma560_full_real t52 = t25*t32 - 0.2064157143738513*lam5_11 - 0.06568070130666698*lam5_12
+        + lam5_13*t44;
+    const puma560_full_real t53 = 0.33686216557830156*neg_lam4_11 + (9.668724351427649*t28 - s5*t51
+        - c5*t52);
+    const puma560_full_real t54 = t30*t31 - (9.668724351427649*t24 - lam5_31*t25 -
+        0.8150047132321409*(t36 + 0.2532693504989058*lam5_31)) - 0.37765802516131436*lam4_22;
+    const puma560_full_real t55 = t54 - 0.33686216557830156*lam4_21;
+    const puma560_full_real t56 = s4*t53 + c4*t55;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n3_y = n4_z - 0.060845712710754084*ww3_xy -
-        (0.9860113289194135*neg_ww3_zx + (1.4786909445136986*neg_ww3_yz - (0.04687139228815516*t53 -
-        0.01894848286257894*t2)));
+    const puma560_full_real n3_y = -1.4786909445136986*ww3_yz - (0.04687139228815516*t56 -
+        0.01894848286257894*t3) - 0.9860113289194135*ww3_zx - (n4_z - 0.060845712710754084*ww3_xy);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real neg_lam4_31 = neg_ww4_zx + alpha4_y;
+    const puma560_full_real lam4_31 = ww4_zx - alpha4_y;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n4_x = c5*t45 - (s5*t35 - 0.05337162017689789*neg_lam4_31 +
-        (0.2837491060266096*neg_lam4_21 + 0.10734691974802549*t31));
-    const puma560_full_real t54 = neg_k6_yz - 0.18116108322165295;
-    const puma560_full_real t55 = 0.17391580988809086*(t33 + 0.8959416706728075*lam5_23) - (t9*t42 +
-        (k6_xz*(ww5_xx - ww6_zz) - 0.1513642331069161*neg_lam5_21));
+    const puma560_full_real n4_x = s5*t39 + 0.05337162017689789*lam4_31 + (0.10734691974802549*t35 -
+        0.2837491060266096*lam4_21) - c5*t48;
+    const puma560_full_real t57 = 0.17391580988809086*(t37 + 0.8959416706728075*lam5_23) - (t12*t46
+        + (t5*(ww5_xx - ww6_zz) + 0.1513642331069161*lam5_21));
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n5_z = neg_lam5_13*t54 - (0.08058935149735619*t47 -
-        (0.3901127773977262*neg_lam5_12 - (t30*t38 - (t41*(t22 + 0.2064157143738513) - t55))));
+    const puma560_full_real n5_z = -0.3901127773977262*lam5_12 - (t34*t42 - (t45*(t25 +
+        0.2064157143738513) - t57)) - 0.08058935149735619*t50 - lam5_13*(t6 - 0.18116108322165295);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const puma560_full_real lam4_32 = ww4_yz - neg_alpha4_x;
+    const puma560_full_real lam4_32 = ww4_yz + alpha4_x;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n4_y = n5_z + 0.10734691974802549*lam4_12 - 0.2837491060266096*t36 +
-        0.3473260245772809*neg_lam4_31 - (0.05337162017689789*lam4_32 + 0.33686216557830156*t23);
-    const puma560_full_real t56 = t53 - s4*n4_y - (1.4786909445136986*neg_ww3_zx +
-        0.060845712710754084*(t1 + 432.2163900256032*neg_ww3_yz) - 12.150081500837414*t19);
+    const puma560_full_real n4_y = n5_z + 0.10734691974802549*lam4_12 - 0.2837491060266096*t40 -
+        0.3473260245772809*lam4_31 - (0.05337162017689789*lam4_32 + 0.33686216557830156*t27);
+    const puma560_full_real t58 = t56 - s4*n4_y - (0.060845712710754084*(t2 -
+        432.2163900256032*ww3_yz) - 1.4786909445136986*ww3_zx - 12.150081500837414*t22);
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n3_x = 0.01894848286257894*ww3_xy + c4*neg_n4_x - t56;
-    const puma560_full_real t57 = 0.2348119600832282*c2;
-    const puma560_full_real t58 = 55.04847880816545*(s2*t57) + (c2*t57 - 0.1174059800416141);
-    const puma560_full_real t59 = t17*t58;
-    const puma560_full_real t60 = t13*(t53 - 24.30016300167483*neg_ww3_yz) + (ww2_zz*(t18 -
-        4.508184091221399*c2) + (t59 - s23*neg_n3_x));
-    const puma560_full_real t61 = c4*t50 - s4*t52;
-    const puma560_full_real t62 = 12.150081500837414*ww3_xy + t61;
-    const puma560_full_real t63 = 0.33686216557830156*neg_lam4_31 + (s5*t49 - c5*t48 +
-        9.668724351427649*t23);
-    const puma560_full_real t64 = t63 + 12.150081500837414*neg_lam3_22;
-    const puma560_full_real t65 = c23*t62 + s23*t64;
+    const puma560_full_real n3_x = t58 - (0.01894848286257894*ww3_xy - c4*n4_x);
+    const puma560_full_real t59 = 0.2348119600832282*c2;
+    const puma560_full_real t60 = 55.04847880816545*(s2*t59) + (c2*t59 - 0.1174059800416141);
+    const puma560_full_real t61 = t20*t60;
+    const puma560_full_real t62 = t16*(t56 + 24.30016300167483*ww3_yz) + (ww2_zz*(t21 -
+        4.508184091221399*c2) + (t61 + s23*n3_x));
+    const puma560_full_real t63 = c4*t53 - s4*t55;
+    const puma560_full_real t64 = 12.150081500837414*ww3_xy + t63;
+    const puma560_full_real t65 = s5*t52 - c5*t51 + 9.668724351427649*t27 -
+        0.33686216557830156*lam4_31;
+    const puma560_full_real t66 = t65 - 12.150081500837414*lam3_22;
+    const puma560_full_real t67 = c23*t64 + s23*t66;
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real n1_z = c23*neg_n3_y - (t60 + (t59 - 0.3465712306626645*t65));
-    const puma560_full_real t66 = 0.04687139228815516*t63 - (0.7393454722568493*t3 -
-        (12.150081500837414*t15 - (c4*n4_y - (t61 + s4*neg_n4_x))));
+    const puma560_full_real neg_n1_z = t62 + (t61 - 0.3465712306626645*t67) + c23*n3_y;
+    const puma560_full_real t68 = 0.04687139228815516*t65 - (0.7393454722568493*t4 -
+        (12.150081500837414*t18 - (c4*n4_y - (t63 - s4*n4_x))));
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const puma560_full_real neg_n3_z = 12.656251483728838*ww3_xy + t66;
-    const puma560_full_real t67 = neg_n3_z + t13*(s23*t62 - c23*t64) + (293.22217760906653*(c2 -
-        0.005370026967362786*s2) - t11*t65);
+    const puma560_full_real neg_n3_z = 12.656251483728838*ww3_xy + t68;
+    const puma560_full_real t69 = neg_n3_z + t16*(s23*t64 - c23*t66) + (293.22217760906653*(c2 -
+        0.005370026967362786*s2) - t14*t67);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const puma560_full_real n02_z = ww1_zz*t58 - t67;
+    const puma560_full_real n02_z = ww1_zz*t60 - t69;
+    const puma560_full_real t70 = 1.1185374890947408*s6;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real neg_h6_x = 1.2975168001325401*s6 + 1.1185374890947408*c6;
-    const puma560_full_real neg_h6_y = 1.1185374890947408*s6 - 1.2975168001325401*c6;
-    const puma560_full_real t68 = c6*s6;
-    const puma560_full_real t69 = c6*c6;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const puma560_full_real k6_xy = 0.03507607665595572*t68 - 0.4019452224328564*(2.0*t69 - 1.0);
+    const puma560_full_real neg_h6_y = t70 - 1.2975168001325401*c6;
     /* link 5: force for a unit acceleration of a joint further out */
     const puma560_full_real fu5_x = c5*neg_h6_y;
     const puma560_full_real fu5_y = s5*neg_h6_y;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu5_x = 0.907820001453264*s5 - c5*k6_xz;
-    const puma560_full_real neg_nu5_y = s5*k6_xz + 0.907820001453264*c5;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu4_x = c4*fu5_x + s4*neg_h6_x;
-    const puma560_full_real fu4_y = s4*fu5_x - c4*neg_h6_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu4_x = c4*nu5_x - s4*neg_k6_yz;
-    const puma560_full_real nu4_y = s4*nu5_x + c4*neg_k6_yz;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_6 = nu4_y - (0.0203*fu5_y - 0.4331*fu4_x);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu3_x = c23*fu4_x - s23*fu5_y;
-    const puma560_full_real fu3_y = s23*fu4_x + c23*fu5_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_y = s23*(nu4_x - 0.4331*fu4_y) - c23*(neg_nu5_y - 0.0203*fu4_y);
-    const puma560_full_real t70 = 0.4318*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu2_y = fu4_y*t70 - nu3_y;
-    const puma560_full_real t71 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_6 = m3_6 + (fu3_y*t70 - fu3_x*t71);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_6 = neg_nu2_y - 0.1501*fu3_x;
-    const puma560_full_real t72 = 0.03507607665595572*t69 + 0.8038904448657128*t68;
-    /* link 5: mass matrix, its row of this joint */
-    const puma560_full_real m5_5 = t72 + 0.9778489729032964;
-    const puma560_full_real t73 = neg_h6_x + 0.47660058733283606;
+    const puma560_full_real t71 = t70 - 8.074308788029867*neg_h6_y;
+    const puma560_full_real t72 = t71 - 17.297929233919618*c6;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real h6_x = 0.1639752994550661*t72;
+    const puma560_full_real t73 = h6_x - 0.47660058733283606;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h5_x = 0.15165250821211493*s5 - c5*t73;
-    const puma560_full_real neg_h5_y = s5*t73 + 0.15165250821211493*c5;
-    const puma560_full_real t74 = c5*c5;
-    const puma560_full_real t75 = t72 + 0.1976234181078441;
-    const puma560_full_real t76 = c5*s5;
-    const puma560_full_real t77 = t74*t75 + t44*(2.0*t76);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_full_real k5_yy = t72 + 0.5877361955055702 - t77;
-    const puma560_full_real k5_xy = t75*t76 + t44*(1.0 - 2.0*t74);
-    const puma560_full_real t78 = k6_xy - 0.1558184212675505;
-    const puma560_full_real k5_xz = c5*t78 - s5*t54;
-    const puma560_full_real k5_yz = s5*t78 + c5*t54;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu4_x_2 = c4*neg_h5_y;
-    const puma560_full_real fu4_y_2 = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu4_x = c4*k5_xz + s4*m5_5;
-    const puma560_full_real nu4_y_2 = c4*m5_5 - s4*k5_xz;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_5 = nu4_y_2 + (0.4331*fu4_x_2 - 0.0203*h5_x);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_full_real fu3_x_2 = c23*fu4_x_2 - s23*h5_x;
-    const puma560_full_real fu3_y_2 = s23*fu4_x_2 + c23*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu3_y = c23*(k5_yz - 0.0203*fu4_y_2) + s23*(neg_nu4_x +
-        0.4331*fu4_y_2);
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real neg_nu2_y_2 = neg_nu3_y + t70*fu4_y_2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_5 = m3_5 + (t70*fu3_y_2 - t71*fu3_x_2);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_5 = neg_nu2_y_2 - 0.1501*fu3_x_2;
-    /* link 4: mass matrix, its row of this joint */
-    const puma560_full_real m4_4 = 1.4877294195532857 - (t72 - t77);
-    const puma560_full_real t79 = h5_x + 0.7777930398944852;
-    const puma560_full_real t80 = neg_h6_y - 0.8719880516308344;
+    const puma560_full_real h5_x = 0.15165250821211493*s5 + c5*t73;
+    const puma560_full_real t74 = neg_h6_y - 0.8719880516308344;
+    const puma560_full_real t75 = h5_x + 0.7777930398944852;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h4_x = c4*t79 + s4*t80;
-    const puma560_full_real h4_y = s4*t79 - c4*t80;
-    const puma560_full_real t81 = c4*c4;
-    const puma560_full_real t82 = t72 + t77 - 0.012851815603271595;
-    const puma560_full_real t83 = k5_xz + 0.05337162017689789;
-    const puma560_full_real t84 = c4*s4;
-    const puma560_full_real t85 = t81*t82 - t83*(2.0*t84);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_full_real k4_xx = t85 - (t72 - 0.7502906175782786);
-    const puma560_full_real neg_k4_yy = t85 - (t77 + 0.7374388019750071);
-    const puma560_full_real k4_xy = t82*t84 - t83*(1.0 - 2.0*t81);
-    const puma560_full_real t86 = k5_yz - 0.10734691974802549;
-    const puma560_full_real t87 = k5_xy - 0.2837491060266096;
-    const puma560_full_real k4_xz = s4*t86 - c4*t87;
-    const puma560_full_real neg_k4_yz = s4*t87 + c4*t86;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_4 = neg_k4_yz - 0.4331*h4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_full_real neg_fu3_x = c23*h4_y;
-    const puma560_full_real neg_fu3_y = s23*h4_y;
-    const puma560_full_real t88 = 0.4331*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu3_y_2 = c23*(0.0203*h4_x - m4_4) - s23*(k4_xz + t88);
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_full_real nu2_y = nu3_y_2 - t70*h4_x;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_4 = m3_4 - (t70*neg_fu3_y - t71*neg_fu3_x);
+    const puma560_full_real h4_x = s4*t74 + c4*t75;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const puma560_full_real k6_yz = -0.02404451046533376*t71;
+    const puma560_full_real t76 = 0.8038904448657128*c6;
+    const puma560_full_real t77 = s6*t76 - 0.7502906175782786;
+    const puma560_full_real t78 = c6*t76;
+    const puma560_full_real t79 = 0.04363290654837309*t77 + 0.27886416156622007 - t78;
+    const puma560_full_real t80 = 0.18116108322165295 + k6_yz;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const puma560_full_real k5_xz = c5*t79 + s5*t80;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const puma560_full_real k6_xz = 0.02789191831646398*(t70 - t72);
+    const puma560_full_real t81 = c5*(0.08058935149735619 - k6_xz);
+    const puma560_full_real t82 = t77 + 0.04363290654837309*t78;
+    const puma560_full_real t83 = t82 + 0.9479140356861228;
+    const puma560_full_real t84 = t81 + (t81 + s5*t83);
+    const puma560_full_real t85 = s5*t84;
+    /* link 4: mass matrix, its row of this joint */
+    const puma560_full_real m4_4 = 1.6853528376611298 - t85;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real neg_h5_y = 0.15165250821211493*c5 - s5*t73;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const puma560_full_real k5_yz = s5*t79 - c5*t80;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real h4_y = s4*t75 - c4*t74;
+    const puma560_full_real t86 = 0.0203*h4_x;
+    const puma560_full_real t87 = c4*s4;
+    const puma560_full_real t88 = k5_xz + 0.10674324035379577;
+    const puma560_full_real t89 = k5_xz + t88;
+    const puma560_full_real t90 = c4*c4;
+    const puma560_full_real t91 = t82 + (t82 + m4_4);
+    const puma560_full_real t92 = t86 + (t83 + t87*t89) - (t90*t91 - (t86 - 1.4196782145498086));
+    const puma560_full_real t93 = t85 + 3.8706455741586216 + 0.8662*neg_h5_y;
+    const puma560_full_real t94 = h4_x + 1.046378600789203;
+    const puma560_full_real t95 = 0.4318*c2;
+    const puma560_full_real t96 = c23*t95;
+    const puma560_full_real t97 = s23*t95;
+    const puma560_full_real t98 = neg_h5_y + 5.729293810689829;
+    const puma560_full_real t99 = t94*t96 + t97*t98;
+    const puma560_full_real t100 = 0.0203*neg_h5_y;
+    const puma560_full_real t101 = k5_yz - 0.10734691974802549;
+    const puma560_full_real t102 = k6_xz - 0.36433845752396576 + c5*t84;
+    const puma560_full_real t103 = s4*t101 - (c4*t102 - 0.4331*h4_x);
+    const puma560_full_real t104 = t99 - c23*(s23*(t100 + 0.28615890025504537 - t103));
+    const puma560_full_real t105 = 0.4318*s2;
+    const puma560_full_real t106 = t86 - 0.1501*h4_y;
+    const puma560_full_real t107 = 0.07491193080123078*c2;
+    const puma560_full_real t108 = t106 - m4_4;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_4 = 0.1501*neg_fu3_x - nu2_y;
-    const puma560_full_real t89 = k4_xx - 0.0406*h4_x;
-    const puma560_full_real t90 = k5_yy + 0.8662*neg_h5_y;
+    const puma560_full_real m1_1 = (t92 + t93)*(s23*s23) + (t104 - 0.5437979622122006*(c2*t105)) +
+        (t104 - t106 + (102.49099587639564*(t95*t107) - (t108 - 3.3083718390798666)));
     /* link 3: mass matrix, its row of this joint */
-    const puma560_full_real m3_3 = t89 + t90 + 3.9522969756245816;
-    const puma560_full_real t91 = neg_h5_y + 5.729293810689829;
-    const puma560_full_real t92 = h4_x + 1.046378600789203;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h3_x = s23*t91 + c23*t92;
-    const puma560_full_real h3_y = s23*t92 - c23*t91;
-    const puma560_full_real t93 = c23*c23*(t89 - t90 - 3.0087686178972097) + (t88 + (k4_xz -
-        0.0203*neg_h5_y) - 0.28615890025504537)*(2.0*(s23*c23));
+    const puma560_full_real m3_4 = s4*t102 - (0.4331*h4_y - c4*t101);
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_full_real k3_xx = t90 + 3.4805327967608957 + t93;
-    const puma560_full_real neg_k3_yy = t93 - (t89 + 0.47176417886368593);
-    const puma560_full_real k3_yz = s23*(k4_xy - 0.0203*h4_y + 0.01894848286257894) + c23*(m3_4 +
-        0.060845712710754084);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_3 = m3_3 + (t71*h3_y + t70*h3_x);
+    const puma560_full_real k3_yz = c23*(m3_4 + 0.060845712710754084) - s23*(t88 - (t87*t91 +
+        (t89*t90 - (0.0203*h4_y - 0.07232010303947682))));
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_full_real h3_y = s23*t94 - c23*t98;
     /* link 1: mass matrix, its row of this joint */
     const puma560_full_real m1_3 = k3_yz + 0.1501*h3_y;
-    const puma560_full_real t94 = k3_xx + t70*(2.0*h3_x);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_full_real m2_2 = t94 - (neg_k3_yy - t71*(2.0*h3_y)) + 3.7298822532370677;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_full_real h2_y = h3_y + (7.6631781603519995*s2 + 0.1606745919581151*c2);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_full_real k2_xx = t94 + (3.31527334516548*(c2*c2) - 0.2348119600832282*(c2*s2) +
-        0.20730445403579364);
-    const puma560_full_real k2_yz = k3_yz + t71*h4_y + (0.017097472943757824*s2 +
-        0.0507946745483177*c2);
+    const puma560_full_real t109 = h4_y*t105;
+    const puma560_full_real m1_2 = m1_3 + (t107 + 1.1673405148125928*s2) + t109;
+    const puma560_full_real m1_4 = s23*t103 - (c23*t108 - h4_x*t95);
+    /* link 5: mass matrix, its row of this joint */
+    const puma560_full_real m5_5 = t82 + 1.728139590481575;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu4_x = c4*neg_h5_y;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu3_x = c23*fu4_x - s23*h5_x;
+    const puma560_full_real t110 = m5_5 + 0.4331*neg_h5_y;
+    const puma560_full_real t111 = s4*t100;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_full_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_full_real m1_1 = k2_xx - (neg_k4_yy - 0.3002*h4_y) + 2.629303206180387;
+    const puma560_full_real m1_5 = s23*(s4*t110 + c4*k5_xz) -
+        (21.27093596059113*(0.007056577119036591*fu3_x - c2*t111) + c23*(t111 - k5_yz));
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const puma560_full_real neg_nu5_y = 0.907820001453264*c5 + s5*k6_xz;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu4_y = s4*fu5_x + c4*h6_x;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const puma560_full_real nu5_x = 0.907820001453264*s5 - c5*k6_xz;
+    const puma560_full_real t112 = c4*fu5_x - s4*h6_x;
+    const puma560_full_real t113 = s23*fu5_y - c23*t112;
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_full_real m1_6 = 0.1501*t113 - c23*(0.0203*fu4_y - neg_nu5_y) - (s23*(c4*nu5_x -
+        0.4331*fu4_y + s4*k6_yz) - t95*fu4_y);
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_full_real m3_3 = t93 - t92;
+    const puma560_full_real t114 = t99 + t105*h3_y;
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_full_real m2_3 = m3_3 + t114;
+    const puma560_full_real m2_2 = m2_3 + (t114 + 3.7298822532370677);
+    const puma560_full_real m2_4 = m3_4 - h4_y*t97 + c23*t109;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const puma560_full_real fu3_y = s23*fu4_x + c23*h5_x;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_full_real m3_5 = c4*t110 - 0.0203*h5_x - s4*k5_xz;
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_full_real m2_5 = m3_5 + t95*fu3_y - t105*fu3_x;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_full_real m3_6 = s4*nu5_x + (0.4331*t112 - (0.0203*fu5_y + c4*k6_yz));
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_full_real m2_6 = t97*t112 + (m3_6 + (t105*t113 + fu5_y*t96));
     /* link 1: forward substitution */
-    const puma560_full_real y1 = tau[0] - n1_z;
+    const puma560_full_real y1 = neg_n1_z + tau[0];
     /* factorisation M = L D L^T */
     const puma560_full_real ipivot1 = 1.0 / m1_1;
     const puma560_full_real l2_1 = m1_2*ipivot1;
@@ -1175,52 +1127,47 @@ void puma560_full_forward_dynamics(
     const puma560_full_real l5_3 = ipivot3*ld5_3;
     const puma560_full_real ld6_3 = m3_6 - m1_3*l6_1 - ld3_2*l6_2;
     const puma560_full_real l6_3 = ipivot3*ld6_3;
-    const puma560_full_real neg_pivot4 = m1_4*l4_1 - m4_4 + ld4_2*l4_2 + ld4_3*l4_3;
-    const puma560_full_real neg_ipivot4 = 1.0 / neg_pivot4;
+    const puma560_full_real pivot4 = -(m1_4*l4_1 - m4_4 + ld4_2*l4_2) - ld4_3*l4_3;
+    const puma560_full_real ipivot4 = 1.0 / pivot4;
     const puma560_full_real ld5_4 = k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
-    const puma560_full_real neg_l5_4 = neg_ipivot4*ld5_4;
-    const puma560_full_real ld6_4 = neg_nu5_y - m1_4*l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
-    const puma560_full_real neg_l6_4 = neg_ipivot4*ld6_4;
-    const puma560_full_real pivot5 = m5_5 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 + ld5_4*neg_l5_4;
+    const puma560_full_real l5_4 = ipivot4*ld5_4;
+    const puma560_full_real ld6_4 = -ld4_2*l6_2 - (m1_4*l6_1 - neg_nu5_y) - ld4_3*l6_3;
+    const puma560_full_real l6_4 = ipivot4*ld6_4;
+    const puma560_full_real pivot5 = m5_5 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
     const puma560_full_real ipivot5 = 1.0 / pivot5;
-    const puma560_full_real ld6_5 = neg_k6_yz - m1_5*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 +
-        ld5_4*neg_l6_4;
+    const puma560_full_real ld6_5 = -ld5_2*l6_2 - (k6_yz + m1_5*l6_1) - ld5_3*l6_3 - ld5_4*l6_4;
     const puma560_full_real l6_5 = ipivot5*ld6_5;
-    const puma560_full_real pivot6 = 0.907820001453264 - m1_6*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 +
-        ld6_4*neg_l6_4 - ld6_5*l6_5;
+    const puma560_full_real pivot6 = 0.907820001453264 - m1_6*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 -
+        ld6_4*l6_4 - ld6_5*l6_5;
     const puma560_full_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
-    const puma560_full_real neg_y2 = n02_z - tau[1] + y1*l2_1;
+    const puma560_full_real y2 = -y1*l2_1 - (n02_z - tau[1]);
     /* link 3: forward substitution */
-    const puma560_full_real y3 = neg_n3_z + tau[2] - y1*l3_1 + l3_2*neg_y2;
+    const puma560_full_real y3 = neg_n3_z + tau[2] - y1*l3_1 - l3_2*y2;
     /* link 4: forward substitution */
-    const puma560_full_real neg_y4 = n4_z - tau[3] + y1*l4_1 - l4_2*neg_y2 + l4_3*y3;
+    const puma560_full_real y4 = -l4_2*y2 - (n4_z - tau[3] + y1*l4_1) - l4_3*y3;
     /* link 5: forward substitution */
-    const puma560_full_real neg_y5 = n5_z - tau[4] + y1*l5_1 - l5_2*neg_y2 + l5_3*y3 +
-        neg_l5_4*neg_y4;
+    const puma560_full_real y5 = -(n5_z - tau[4] + y1*l5_1 + l5_2*y2 + l5_3*y3) - l5_4*y4;
+    const puma560_full_real t115 = -l6_4*y4 - (nc6_z - tau[5] + y1*l6_1 + l6_2*y2 + l6_3*y3);
     /* link 6: forward substitution */
-    const puma560_full_real neg_y6 = nc6_z - tau[5] + y1*l6_1 - l6_2*neg_y2 + l6_3*y3 +
-        neg_l6_4*neg_y4 - l6_5*neg_y5;
+    const puma560_full_real y6 = t115 - l6_5*y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real neg_qdd6 = ipivot6*neg_y6;
+    const puma560_full_real qdd6 = ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6;
+    const puma560_full_real qdd5 = ipivot5*y5 - l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd4 = neg_ipivot4*neg_y4 - neg_l5_4*neg_qdd5 - neg_l6_4*neg_qdd6;
+    const puma560_full_real qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd3 = ipivot3*y3 - l4_3*qdd4 + l5_3*neg_qdd5 + l6_3*neg_qdd6;
+    const puma560_full_real qdd3 = -l6_3*qdd6 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5);
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 + l3_2*qdd3 + l4_2*qdd4 -
-        l5_2*neg_qdd5);
+    const puma560_full_real qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_full_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 + l5_1*neg_qdd5 +
-        l6_1*neg_qdd6;
-    const puma560_full_real t95 = -neg_qdd5;
-    const puma560_full_real t96 = -neg_qdd6;
+    const puma560_full_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 -
+        l6_1*qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;
     qdd[3] = qdd4;
-    qdd[4] = t95;
-    qdd[5] = t96;
+    qdd[4] = qdd5;
+    qdd[5] = qdd6;
 }

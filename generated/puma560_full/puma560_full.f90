@@ -14,15 +14,16 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
-! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
-!   to the recursion without being written like it: robodyn --optimize full, seed 1.
+! Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+!   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+!   seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
 !   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
 !   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
-!   mass_matrix: 141 multiplications, 122 additions = 263; 3 unary minus; 10 sine/cosine
-!   forward_dynamics: 421 multiplications, 369 additions, 6 divisions = 796; 2 unary minus; 10
+!   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
+!   forward_dynamics: 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10
 !       sine/cosine
 module puma560_full_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -617,20 +618,18 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 141 multiplications, 122 additions = 263; 3 unary minus; 10 sine/cosine
+  ! 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
   pure subroutine puma560_full_mass_matrix(q, M) &
       bind(c, name="puma560_full_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, h6_x, neg_h6_y, t1, t2, k6_xy
-    real(rk) :: k6_xz, k6_yz, fu5_x, fu5_y, nu5_x, neg_nu5_y, fu4_x, fu4_y, nu4_x, nu4_y, m3_6
-    real(rk) :: fu3_x, fu3_y, nu3_y, t3, nu2_y, t4, m2_6, m1_6, t5, m5_5, t6, h5_x, neg_h5_y, t7
-    real(rk) :: t8, t9, t10, t11, k5_yy, k5_xy, t12, t13, k5_xz, k5_yz, fu4_x_2, fu4_y_2, neg_nu4_x
-    real(rk) :: nu4_y_2, m3_5, fu3_x_2, fu3_y_2, nu3_y_2, nu2_y_2, m2_5, m1_5, m4_4, t14, t15, h4_x
-    real(rk) :: h4_y, t16, t17, t18, t19, t20, k4_xx, k4_yy, k4_xy, t21, t22, k4_xz, neg_k4_yz
-    real(rk) :: m3_4, neg_fu3_x, fu3_y_3, t23, nu3_y_3, nu2_y_3, m2_4, m1_4, t24, t25, m3_3, t26
-    real(rk) :: t27, h3_x, neg_h3_y, t28, k3_xx, k3_yy, k3_yz, m2_3, m1_3, t29, m2_2, h2_y, k2_xx
-    real(rk) :: k2_yz, m1_2, m1_1, t30
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, t1, neg_h6_y, fu5_x, fu5_y, t2
+    real(rk) :: t3, h6_x, t4, h5_x, t5, t6, h4_x, neg_k6_yz, t7, t8, t9, t10, t11, k5_xz, k6_xz
+    real(rk) :: t12, t13, t14, t15, t16, m4_4, neg_h5_y, k5_yz, h4_y, t17, t18, t19, t20, t21, t22
+    real(rk) :: t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, t35, t36, t37, t38, t39
+    real(rk) :: m1_1, m3_4, k3_yz, h3_y, m1_3, t40, m1_2, m1_4, m5_5, fu4_x, fu3_x, t41, t42, m1_5
+    real(rk) :: neg_nu5_y, fu4_y, nu5_x, t43, t44, m1_6, m3_3, t45, m2_3, m2_2, m2_4, fu3_y, m3_5
+    real(rk) :: m2_5, m3_6, m2_6
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -644,147 +643,124 @@ contains
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
+    t1 = 1.1185374890947408_rk*s6
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = -1.2975168001325401_rk*s6 - 1.1185374890947408_rk*c6
-    neg_h6_y = 1.1185374890947408_rk*s6 - 1.2975168001325401_rk*c6
-    t1 = c6*s6
-    t2 = c6*c6
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_xy = 0.03507607665595572_rk*t1 - 0.4019452224328564_rk*(2.0_rk*t2 - 1.0_rk)
-    k6_xz = 0.1902613160848803_rk*c6 + 0.2519035474197792_rk*s6
-    k6_yz = 0.1902613160848803_rk*s6 - 0.2519035474197792_rk*c6
+    neg_h6_y = t1 - 1.2975168001325401_rk*c6
     ! link 5: force for a unit acceleration of a joint further out
     fu5_x = c5*neg_h6_y
     fu5_y = s5*neg_h6_y
+    t2 = t1 - 8.074308788029867_rk*neg_h6_y
+    t3 = t2 - 17.297929233919618_rk*c6
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_x = 0.1639752994550661_rk*t3
+    t4 = 0.47660058733283606_rk - h6_x
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = 0.15165250821211493_rk*s5 - c5*t4
+    t5 = neg_h6_y - 0.8719880516308344_rk
+    t6 = h5_x + 0.7777930398944852_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = s4*t5 + c4*t6
+    ! link 6: second moment of the composite body [kg m^2]
+    neg_k6_yz = 0.02404451046533376_rk*t2
+    t7 = 0.8038904448657128_rk*c6
+    t8 = s6*t7 - 0.7502906175782786_rk
+    t9 = c6*t7
+    t10 = 0.04363290654837309_rk*t8 + 0.27886416156622007_rk - t9
+    t11 = neg_k6_yz - 0.18116108322165295_rk
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xz = c5*t10 - s5*t11
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xz = 0.02789191831646398_rk*(t1 - t3)
+    t12 = c5*(k6_xz - 0.08058935149735619_rk)
+    t13 = t8 + 0.04363290654837309_rk*t9
+    t14 = t13 + 0.9479140356861228_rk
+    t15 = t12 - s5*t14
+    t16 = s5*t12 - 3.8706455741586216_rk + s5*t15
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t16 + 5.555998411819751_rk
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_y = 0.15165250821211493_rk*c5 + s5*t4
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yz = c5*t11 + s5*t10
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_y = s4*t6 - c4*t5
+    t17 = 0.0203_rk*h4_x
+    t18 = c4*s4
+    t19 = k5_xz + 0.10674324035379577_rk
+    t20 = -k5_xz - t19
+    t21 = c4*c4
+    t22 = t13 + (t13 + m4_4)
+    t23 = t17 - (t18*t20 - t14) - (t21*t22 - (t17 - 1.4196782145498086_rk))
+    t24 = 0.8662_rk*neg_h5_y - t16
+    t25 = h4_x + 1.046378600789203_rk
+    t26 = 0.4318_rk*c2
+    t27 = c23*t26
+    t28 = s23*t26
+    t29 = neg_h5_y + 5.729293810689829_rk
+    t30 = t25*t27 + t28*t29
+    t31 = k6_xz - 0.36433845752396576_rk - c5*(t12 + t15)
+    t32 = k5_yz - 0.10734691974802549_rk
+    t33 = c4*t31 - 0.4331_rk*h4_x - s4*t32
+    t34 = 0.0203_rk*neg_h5_y
+    t35 = t30 - c23*(s23*(t33 + (t34 + 0.28615890025504537_rk)))
+    t36 = 0.4318_rk*s2
+    t37 = t17 - 0.1501_rk*h4_y
+    t38 = 0.07491193080123078_rk*c2
+    t39 = m4_4 - t37
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = (t23 + t24)*(s23*s23) + (t35 - 0.5437979622122006_rk*(c2*t36)) + (t35 - t37 + &
+        (102.49099587639564_rk*(t26*t38) + (t39 + 3.3083718390798666_rk)))
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = s4*t31 + (c4*t32 - 0.4331_rk*h4_y)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_yz = c23*(m3_4 + 0.060845712710754084_rk) + s23*(t18*t22 - (t20*t21 - &
+        (0.07232010303947682_rk - 0.0203_rk*h4_y)) - t19)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s23*t25 - c23*t29
+    ! link 1: mass matrix, its row of this joint
+    m1_3 = k3_yz + 0.1501_rk*h3_y
+    t40 = t36*h4_y
+    m1_2 = t38 + 1.1673405148125928_rk*s2 + m1_3 + t40
+    m1_4 = c23*t39 + h4_x*t26 - s23*t33
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t13 + 1.728139590481575_rk
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = c4*neg_h5_y
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c23*fu4_x - s23*h5_x
+    t41 = m5_5 + 0.4331_rk*neg_h5_y
+    t42 = s4*t34
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = s23*(s4*t41 + c4*k5_xz) - (21.27093596059113_rk*(0.007056577119036591_rk*fu3_x - &
+        c2*t42) - c23*(k5_yz - t42))
+    ! link 5: moment for a unit acceleration of a joint further out
+    neg_nu5_y = 0.907820001453264_rk*c5 + s5*k6_xz
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_y = s4*fu5_x + c4*h6_x
     ! link 5: moment for a unit acceleration of a joint further out
     nu5_x = 0.907820001453264_rk*s5 - c5*k6_xz
-    neg_nu5_y = s5*k6_xz + 0.907820001453264_rk*c5
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*fu5_x - s4*h6_x
-    fu4_y = s4*fu5_x + c4*h6_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x + s4*k6_yz
-    nu4_y = s4*nu5_x - c4*k6_yz
+    t43 = c4*fu5_x - s4*h6_x
+    t44 = s23*fu5_y - c23*t43
+    ! link 1: mass matrix, its row of this joint
+    m1_6 = 0.1501_rk*t44 - c23*(0.0203_rk*fu4_y - neg_nu5_y) - (s23*(c4*nu5_x - 0.4331_rk*fu4_y - &
+        s4*neg_k6_yz) - t26*fu4_y)
     ! link 3: mass matrix, its row of this joint
-    m3_6 = nu4_y - (0.0203_rk*fu5_y - 0.4331_rk*fu4_x)
+    m3_3 = t24 - t23
+    t45 = t30 + t36*h3_y
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = m3_3 + t45
+    m2_2 = m2_3 + (t45 + 3.7298822532370677_rk)
+    m2_4 = m3_4 - t28*h4_y + c23*t40
     ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*fu5_y
-    fu3_y = s23*fu4_x + c23*fu5_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = c23*(0.0203_rk*fu4_y - neg_nu5_y) - s23*(0.4331_rk*fu4_y - nu4_x)
-    t3 = 0.4318_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y - t3*fu4_y
-    t4 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_6 = m3_6 + (t3*fu3_y - t4*fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_6 = -0.1501_rk*fu3_x - nu2_y
-    t5 = 0.03507607665595572_rk*t2 + 0.8038904448657128_rk*t1
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t5 + 0.9778489729032964_rk
-    t6 = 0.47660058733283606_rk - h6_x
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = 0.15165250821211493_rk*s5 - c5*t6
-    neg_h5_y = s5*t6 + 0.15165250821211493_rk*c5
-    t7 = c5*c5
-    t8 = t5 + 0.1976234181078441_rk
-    t9 = k6_xz - 0.08058935149735619_rk
-    t10 = c5*s5
-    t11 = t7*t8 + t9*(2.0_rk*t10)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t5 + 0.5877361955055702_rk - t11
-    k5_xy = t8*t10 + t9*(1.0_rk - 2.0_rk*t7)
-    t12 = k6_xy - 0.1558184212675505_rk
-    t13 = k6_yz + 0.18116108322165295_rk
-    k5_xz = c5*t12 + s5*t13
-    k5_yz = s5*t12 - c5*t13
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = c4*neg_h5_y
-    fu4_y_2 = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = c4*k5_xz + s4*m5_5
-    nu4_y_2 = c4*m5_5 - s4*k5_xz
+    fu3_y = s23*fu4_x + c23*h5_x
     ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 + (0.4331_rk*fu4_x_2 - 0.0203_rk*h5_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c23*fu4_x_2 - s23*h5_x
-    fu3_y_2 = s23*fu4_x_2 + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = c23*(0.0203_rk*fu4_y_2 - k5_yz) - s23*(neg_nu4_x + 0.4331_rk*fu4_y_2)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 - t3*fu4_y_2
+    m3_5 = c4*t41 - 0.0203_rk*h5_x - s4*k5_xz
     ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (t3*fu3_y_2 - t4*fu3_x_2)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = -0.1501_rk*fu3_x_2 - nu2_y_2
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 1.4877294195532857_rk - (t5 - t11)
-    t14 = h5_x + 0.7777930398944852_rk
-    t15 = 0.8719880516308344_rk - neg_h6_y
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t14 - s4*t15
-    h4_y = s4*t14 + c4*t15
-    t16 = c4*c4
-    t17 = t5 + t11 - 0.012851815603271595_rk
-    t18 = k5_xz + 0.05337162017689789_rk
-    t19 = c4*s4
-    t20 = t16*t17 - t18*(2.0_rk*t19)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t20 - (t5 - 0.7502906175782786_rk)
-    k4_yy = t11 + 0.7374388019750071_rk - t20
-    k4_xy = t17*t19 - t18*(1.0_rk - 2.0_rk*t16)
-    t21 = k5_yz - 0.10734691974802549_rk
-    t22 = k5_xy - 0.2837491060266096_rk
-    k4_xz = s4*t21 - c4*t22
-    neg_k4_yz = s4*t22 + c4*t21
+    m2_5 = t26*fu3_y + m3_5 - t36*fu3_x
     ! link 3: mass matrix, its row of this joint
-    m3_4 = neg_k4_yz - 0.4331_rk*h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c23*h4_y
-    fu3_y_3 = -s23*h4_y
-    t23 = -0.4331_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_3 = s23*(t23 - k4_xz) - c23*(m4_4 - 0.0203_rk*h4_x)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_3 = nu3_y_3 - t3*h4_x
+    m3_6 = s4*nu5_x + (0.4331_rk*t43 - (0.0203_rk*fu5_y - c4*neg_k6_yz))
     ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 + (t3*fu3_y_3 + t4*neg_fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_3
-    t24 = 0.0406_rk*h4_x - k4_xx
-    t25 = k5_yy + 0.8662_rk*neg_h5_y
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = 3.9522969756245816_rk - (t24 - t25)
-    t26 = neg_h5_y + 5.729293810689829_rk
-    t27 = -h4_x - 1.046378600789203_rk
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = s23*t26 - c23*t27
-    neg_h3_y = s23*t27 + c23*t26
-    t28 = c23*c23*(t24 + t25 + 3.0087686178972097_rk) + (t23 + (0.0203_rk*neg_h5_y - k4_xz) + &
-        0.28615890025504537_rk)*(2.0_rk*(c23*s23))
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t25 + 3.4805327967608957_rk - t28
-    k3_yy = t28 - (t24 - 0.47176417886368593_rk)
-    k3_yz = s23*(k4_xy - 0.0203_rk*h4_y + 0.01894848286257894_rk) + c23*(m3_4 + &
-        0.060845712710754084_rk)
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 - (t4*neg_h3_y - t3*h3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_3 = k3_yz - 0.1501_rk*neg_h3_y
-    t29 = k3_xx - t3*(-2.0_rk*h3_x)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = t29 - (t4*(2.0_rk*neg_h3_y) - k3_yy) + 3.7298822532370677_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = 7.6631781603519995_rk*s2 + 0.1606745919581151_rk*c2 - neg_h3_y
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t29 + (3.31527334516548_rk*(c2*c2) - 0.2348119600832282_rk*(c2*s2) + &
-        0.20730445403579364_rk)
-    k2_yz = k3_yz + t4*h4_y + (0.017097472943757824_rk*s2 + 0.0507946745483177_rk*c2)
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.3002_rk*h4_y) + 2.629303206180387_rk
-    t30 = -k6_yz
+    m2_6 = t28*t43 + (t36*t44 + fu5_y*t27 + m3_6)
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -814,48 +790,44 @@ contains
     M(27) = m3_5
     M(28) = k5_yz
     M(29) = m5_5
-    M(30) = t30
+    M(30) = neg_k6_yz
     M(31) = m1_6
     M(32) = m2_6
     M(33) = m3_6
     M(34) = neg_nu5_y
-    M(35) = t30
+    M(35) = neg_k6_yz
     M(36) = 0.907820001453264_rk
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 421 multiplications, 369 additions, 6 divisions = 796; 2 unary minus; 10 sine/cosine
+  ! 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10 sine/cosine
   pure subroutine puma560_full_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_full_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(in) :: qd(6)
     real(rk), intent(in) :: tau(6)
     real(rk), intent(out) :: qdd(6)
-    real(rk) :: ww1_zz, w3_z, angle23, s23, neg_w3_x, c23, neg_w3_y, neg_ww3_yz, neg_ww3_zx, ww3_yy
-    real(rk) :: ww3_zz, ww3_xy, neg_lam3_11, lam3_32, c4, s4, neg_w4_x, w4_z, w4_y, neg_ww4_xy
-    real(rk) :: ww4_zz, ww4_yy, ww4_yz, neg_ww4_zx, neg_lam4_21, neg_lam4_11, lam4_12, c5, s5
-    real(rk) :: neg_w5_x, w5_z, w5_y, neg_ww5_zx, ww5_xx, ww5_zz, ww5_yz, neg_ww5_xy, w6_z, c6, s6
-    real(rk) :: c2, s2, neg_alpha4_x, lam4_23, neg_lam5_13, alpha4_y, neg_lam5_12, alpha5_x
-    real(rk) :: lam5_32, ww6_zz, ww2_zz, t1, t2, t3, neg_lam3_22, alpha6_z, neg_lam5_31, neg_k6_yz
-    real(rk) :: k6_xz, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19
-    real(rk) :: t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, nc6_z, lam4_13, neg_lam5_21
-    real(rk) :: neg_lam5_22, t31, neg_lam4_22, lam5_23, t32, t33, t34, t35, t36, t37, t38, t39, t40
-    real(rk) :: t41, t42, t43, t44, t45, t46, n4_z, t47, lam5_11, t48, t49, t50, t51, t52, t53
-    real(rk) :: neg_n3_y, neg_lam4_31, neg_n4_x, t54, t55, n5_z, lam4_32, n4_y, t56, neg_n3_x, t57
-    real(rk) :: t58, t59, t60, t61, t62, t63, t64, t65, n1_z, t66, neg_n3_z, t67, n02_z, neg_h6_x
-    real(rk) :: neg_h6_y, t68, t69, k6_xy, fu5_x, fu5_y, nu5_x, neg_nu5_y, fu4_x, fu4_y, nu4_x
-    real(rk) :: nu4_y, m3_6, fu3_x, fu3_y, nu3_y, t70, neg_nu2_y, t71, m2_6, m1_6, t72, m5_5, t73
-    real(rk) :: h5_x, neg_h5_y, t74, t75, t76, t77, k5_yy, k5_xy, t78, k5_xz, k5_yz, fu4_x_2
-    real(rk) :: fu4_y_2, neg_nu4_x, nu4_y_2, m3_5, fu3_x_2, fu3_y_2, neg_nu3_y, neg_nu2_y_2, m2_5
-    real(rk) :: m1_5, m4_4, t79, t80, h4_x, h4_y, t81, t82, t83, t84, t85, k4_xx, neg_k4_yy, k4_xy
-    real(rk) :: t86, t87, k4_xz, neg_k4_yz, m3_4, neg_fu3_x, neg_fu3_y, t88, nu3_y_2, nu2_y, m2_4
-    real(rk) :: m1_4, t89, t90, m3_3, t91, t92, h3_x, h3_y, t93, k3_xx, neg_k3_yy, k3_yz, m2_3
-    real(rk) :: m1_3, t94, m2_2, h2_y, k2_xx, k2_yz, m1_2, m1_1, y1, ipivot1, l2_1, l3_1, l4_1
-    real(rk) :: l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2
-    real(rk) :: pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, neg_pivot4, neg_ipivot4
-    real(rk) :: ld5_4, neg_l5_4, ld6_4, neg_l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6
-    real(rk) :: neg_y2, y3, neg_y4, neg_y5, neg_y6, neg_qdd6, neg_qdd5, qdd4, qdd3, qdd2, qdd1, t95
-    real(rk) :: t96
+    real(rk) :: ww1_zz, w3_z, angle23, s23, t1, w3_x, c23, w3_y, ww3_yz, ww3_zx, ww3_yy, ww3_zz
+    real(rk) :: ww3_xy, neg_lam3_11, lam3_32, c4, s4, w4_x, w4_z, w4_y, ww4_xy, ww4_zz, ww4_yy
+    real(rk) :: ww4_yz, ww4_zx, lam4_21, neg_lam4_11, lam4_12, c5, s5, w5_x, w5_z, w5_y, ww5_zx
+    real(rk) :: ww5_xx, ww5_zz, ww5_yz, ww5_xy, w6_z, c6, s6, c2, s2, alpha4_x, lam4_23, lam5_13
+    real(rk) :: alpha4_y, lam5_12, alpha5_x, lam5_32, ww6_zz, ww2_zz, t2, t3, t4, lam3_22, alpha6_z
+    real(rk) :: lam5_31, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20
+    real(rk) :: t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, nc6_z
+    real(rk) :: lam4_13, lam5_21, neg_lam5_22, t35, lam4_22, lam5_23, t36, t37, t38, t39, t40, t41
+    real(rk) :: t42, t43, t44, t45, t46, t47, t48, t49, n4_z, t50, lam5_11, t51, t52, t53, t54, t55
+    real(rk) :: t56, n3_y, lam4_31, n4_x, t57, n5_z, lam4_32, n4_y, t58, n3_x, t59, t60, t61, t62
+    real(rk) :: t63, t64, t65, t66, t67, neg_n1_z, t68, neg_n3_z, t69, n02_z, t70, neg_h6_y, fu5_x
+    real(rk) :: fu5_y, t71, t72, h6_x, t73, h5_x, t74, t75, h4_x, k6_yz, t76, t77, t78, t79, t80
+    real(rk) :: k5_xz, k6_xz, t81, t82, t83, t84, t85, m4_4, neg_h5_y, k5_yz, h4_y, t86, t87, t88
+    real(rk) :: t89, t90, t91, t92, t93, t94, t95, t96, t97, t98, t99, t100, t101, t102, t103, t104
+    real(rk) :: t105, t106, t107, t108, m1_1, m3_4, k3_yz, h3_y, m1_3, t109, m1_2, m1_4, m5_5
+    real(rk) :: fu4_x, fu3_x, t110, t111, m1_5, neg_nu5_y, fu4_y, nu5_x, t112, t113, m1_6, m3_3
+    real(rk) :: t114, m2_3, m2_2, m2_4, fu3_y, m3_5, m2_5, m3_6, m2_6, y1, ipivot1, l2_1, l3_1
+    real(rk) :: l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2
+    real(rk) :: l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4
+    real(rk) :: ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2, y3, y4
+    real(rk) :: y5, t115, y6, qdd6, qdd5, qdd4, qdd3, qdd2, qdd1
 
     ! link 1: products of the angular velocity [1/s^2]
     ww1_zz = qd(1)*qd(1)
@@ -864,51 +836,52 @@ contains
     ! sines and cosines of the joint angles
     angle23 = q(2) + q(3)
     s23 = sin(angle23)
+    t1 = -qd(1)
     ! link 3: angular velocity [rad/s]
-    neg_w3_x = qd(1)*s23
+    w3_x = t1*s23
     ! sines and cosines of the joint angles
     c23 = cos(angle23)
     ! link 3: angular velocity [rad/s]
-    neg_w3_y = qd(1)*c23
+    w3_y = t1*c23
     ! link 3: products of the angular velocity [1/s^2]
-    neg_ww3_yz = w3_z*neg_w3_y
-    neg_ww3_zx = w3_z*neg_w3_x
-    ww3_yy = neg_w3_y*neg_w3_y
+    ww3_yz = w3_z*w3_y
+    ww3_zx = w3_z*w3_x
+    ww3_yy = w3_y*w3_y
     ww3_zz = w3_z*w3_z
-    ww3_xy = neg_w3_x*neg_w3_y
+    ww3_xy = w3_x*w3_y
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam3_11 = ww3_yy + ww3_zz
-    lam3_32 = -2.0_rk*neg_ww3_yz
+    lam3_32 = 2.0_rk*ww3_yz
     ! sines and cosines of the joint angles
     c4 = cos(q(4))
     s4 = sin(q(4))
     ! link 4: angular velocity [rad/s]
-    neg_w4_x = neg_w3_x*c4 - w3_z*s4
-    w4_z = neg_w3_y + qd(4)
-    w4_y = neg_w3_x*s4 + w3_z*c4
+    w4_x = w3_x*c4 + w3_z*s4
+    w4_z = qd(4) - w3_y
+    w4_y = w3_z*c4 - w3_x*s4
     ! link 4: products of the angular velocity [1/s^2]
-    neg_ww4_xy = neg_w4_x*w4_y
+    ww4_xy = w4_x*w4_y
     ww4_zz = w4_z*w4_z
     ww4_yy = w4_y*w4_y
     ww4_yz = w4_z*w4_y
-    neg_ww4_zx = neg_w4_x*w4_z
+    ww4_zx = w4_x*w4_z
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_21 = neg_ww3_zx + neg_ww4_xy
+    lam4_21 = ww3_zx + ww4_xy
     neg_lam4_11 = ww4_zz + ww4_yy
-    lam4_12 = neg_ww3_zx - neg_ww4_xy
+    lam4_12 = ww4_xy - ww3_zx
     ! sines and cosines of the joint angles
     c5 = cos(q(5))
     s5 = sin(q(5))
     ! link 5: angular velocity [rad/s]
-    neg_w5_x = neg_w4_x*c5 + w4_z*s5
+    w5_x = w4_x*c5 - w4_z*s5
     w5_z = w4_y + qd(5)
-    w5_y = neg_w4_x*s5 - w4_z*c5
+    w5_y = -w4_z*c5 - w4_x*s5
     ! link 5: products of the angular velocity [1/s^2]
-    neg_ww5_zx = neg_w5_x*w5_z
-    ww5_xx = neg_w5_x*neg_w5_x
+    ww5_zx = w5_x*w5_z
+    ww5_xx = w5_x*w5_x
     ww5_zz = w5_z*w5_z
     ww5_yz = w5_z*w5_y
-    neg_ww5_xy = neg_w5_x*w5_y
+    ww5_xy = w5_x*w5_y
     ! link 6: angular velocity [rad/s]
     w6_z = qd(6) - w5_y
     ! sines and cosines of the joint angles
@@ -917,291 +890,269 @@ contains
     c2 = cos(q(2))
     s2 = sin(q(2))
     ! link 4: angular acceleration [rad/s^2]
-    neg_alpha4_x = neg_ww3_yz*c4 - qd(4)*w4_y
+    alpha4_x = ww3_yz*c4 + qd(4)*w4_y
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_23 = ww4_yz + neg_alpha4_x
+    lam4_23 = ww4_yz - alpha4_x
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_13 = w4_y*neg_w5_x - (neg_ww3_zx*c5 + s5*neg_alpha4_x)
+    lam5_13 = w4_y*w5_x + (-s5*alpha4_x - ww3_zx*c5)
     ! link 4: angular acceleration [rad/s^2]
-    alpha4_y = neg_ww3_yz*s4 + neg_w4_x*qd(4)
+    alpha4_y = -w4_x*qd(4) - ww3_yz*s4
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_12 = neg_ww5_xy + alpha4_y
+    lam5_12 = ww5_xy - alpha4_y
     ! link 5: angular acceleration [rad/s^2]
-    alpha5_x = neg_ww3_zx*s5 + (qd(5)*w5_y - c5*neg_alpha4_x)
+    alpha5_x = qd(5)*w5_y + c5*alpha4_x - ww3_zx*s5
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_32 = ww5_yz + alpha5_x
     ! link 6: products of the angular velocity [1/s^2]
     ww6_zz = w6_z*w6_z
     ! link 2: products of the angular velocity [1/s^2]
     ww2_zz = qd(2)*qd(2)
-    t1 = ww3_yy - ww3_zz
-    t2 = ww1_zz - neg_lam3_11
-    t3 = t1 - t2
+    t2 = ww3_yy - ww3_zz
+    t3 = ww1_zz - neg_lam3_11
+    t4 = t2 - t3
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam3_22 = neg_lam3_11 - t3
+    lam3_22 = t4 - neg_lam3_11
     ! link 6: angular acceleration [rad/s^2]
-    alpha6_z = neg_lam5_13 - neg_ww5_zx
+    alpha6_z = ww5_zx - lam5_13
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_31 = neg_ww5_zx - alpha6_z
-    ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_yz = 0.2519035474197792_rk*c6 - 0.1902613160848803_rk*s6
-    k6_xz = 0.1902613160848803_rk*c6 + 0.2519035474197792_rk*s6
-    t4 = 0.561954526137403_rk*c6
-    t5 = 0.062417998297925076_rk*c6
-    t6 = t4*t5 + 0.43637196239865417_rk
-    t7 = 0.561954526137403_rk*s6
-    t8 = t5*t7
-    t9 = t6 + 22.918482381900507_rk*t8
-    t10 = t9 - 0.907820001453264_rk
-    t11 = 0.9969983837450935_rk*s2
-    t12 = ww2_zz*t11 + 22.627568690833527_rk
-    t13 = 0.9969983837450935_rk*c2
-    t14 = t13*(ww1_zz + ww2_zz)
-    t15 = s23*t12 + c23*t14
-    t16 = 0.04687139228815516_rk*neg_lam3_11 - (ww3_xy + t15)
-    t17 = qd(1)*qd(2)
-    t18 = 0.07491193080123078_rk*s2
-    t19 = 0.3465712306626645_rk*ww1_zz + 26.617879771127544_rk*(t17*t18)
-    t20 = 0.09374278457631031_rk*neg_ww3_zx - t19 - lam3_32
-    t21 = s4*t16 - c4*t20
-    t22 = t7 + 0.4844385865269322_rk*c6
-    t23 = 0.04687139228815516_rk*ww3_xy - s23*t14 - (neg_lam3_22 - c23*t12)
-    t24 = c4*t16 + s4*t20
-    t25 = s5*t23 - c5*t24
-    t26 = t4 - 0.4844385865269322_rk*s6
-    t27 = ww5_xx + ww6_zz
-    t28 = ww5_zz + ww6_zz
-    t29 = t27 - t28
-    t30 = t8 - (22.918482381900507_rk*t6 - 10.402928354621762_rk)
+    lam5_31 = ww5_zx + alpha6_z
+    t5 = 0.1902613160848803_rk*c6 + 0.2519035474197792_rk*s6
+    t6 = 0.2519035474197792_rk*c6 - 0.1902613160848803_rk*s6
+    t7 = 0.561954526137403_rk*c6
+    t8 = 0.062417998297925076_rk*c6
+    t9 = t7*t8 + 0.43637196239865417_rk
+    t10 = 0.561954526137403_rk*s6
+    t11 = t8*t10
+    t12 = t9 + 22.918482381900507_rk*t11
+    t13 = t12 - 0.907820001453264_rk
+    t14 = 0.9969983837450935_rk*s2
+    t15 = ww2_zz*t14 + 22.627568690833527_rk
+    t16 = 0.9969983837450935_rk*c2
+    t17 = t16*(ww1_zz + ww2_zz)
+    t18 = s23*t15 + c23*t17
+    t19 = 0.04687139228815516_rk*neg_lam3_11 - (ww3_xy + t18)
+    t20 = qd(1)*qd(2)
+    t21 = 0.07491193080123078_rk*s2
+    t22 = 0.3465712306626645_rk*ww1_zz + 26.617879771127544_rk*(t20*t21)
+    t23 = -0.09374278457631031_rk*ww3_zx - t22 - lam3_32
+    t24 = s4*t19 - c4*t23
+    t25 = t10 + 0.4844385865269322_rk*c6
+    t26 = -lam5_32*t5 - lam5_12*t6 - (-lam5_31*t12 - lam5_13*t13 - t24*t25)
+    t27 = 0.04687139228815516_rk*ww3_xy - s23*t17 + (lam3_22 + c23*t15)
+    t28 = c4*t19 + s4*t23
+    t29 = s5*t27 - c5*t28
+    t30 = t7 - 0.4844385865269322_rk*s6
+    t31 = ww5_xx + ww6_zz
+    t32 = ww5_zz + ww6_zz
+    t33 = t31 - t32
+    t34 = t11 - (22.918482381900507_rk*t9 - 10.402928354621762_rk)
     ! link 6: moment that turns the link [N m]
-    nc6_z = neg_lam5_12*neg_k6_yz - lam5_32*k6_xz - (neg_lam5_13*t10 + neg_lam5_31*t9 - t21*t22) + &
-        (t25*t26 - t29*t30)
+    nc6_z = t26 + (t29*t30 - t33*t34)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_13 = alpha4_y - neg_ww4_zx
+    lam4_13 = ww4_zx + alpha4_y
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam5_21 = neg_ww5_xy - alpha4_y
+    lam5_21 = ww5_xy + alpha4_y
     neg_lam5_22 = ww5_xx + ww5_zz
-    t31 = ww4_zz - ww4_yy
+    t35 = ww4_zz - ww4_yy
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_22 = neg_lam3_22 + t31
+    lam4_22 = lam3_22 - t35
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
     lam5_23 = ww5_yz - alpha5_x
-    t32 = 0.08058935149735619_rk*lam5_32
-    t33 = 0.37765802516131436_rk*t25
-    t34 = 0.18116108322165295_rk*neg_lam5_12 - t32 - (nc6_z + (0.1558184212675505_rk*t29 + t33 - &
-        0.1513642331069161_rk*neg_lam5_31 + 0.2064157143738513_rk*t21))
-    t35 = 0.2788425785236688_rk*neg_lam5_13 - t34
-    t36 = neg_lam4_11 - neg_lam3_22
-    t37 = qd(6) + w6_z
-    t38 = alpha5_x + w5_z*t37
-    t39 = neg_lam5_22 - neg_lam4_22
-    t40 = t26 + 0.37765802516131436_rk
-    t41 = s5*t24 + c5*t23
-    t42 = alpha4_y + neg_w5_x*t37
-    t43 = neg_k6_yz*(t27 - neg_lam5_22) + (0.18116108322165295_rk*t39 - (t40*t41 - (t30*t42 + &
-        (0.1558184212675505_rk*neg_lam5_21 - 0.06568070130666698_rk*t21))))
-    t44 = k6_xz - 0.08058935149735619_rk
-    t45 = 0.2788425785236688_rk*lam5_23 - (0.3901127773977262_rk*lam5_32 - (t10*t38 + t43)) - &
-        neg_lam5_31*t44
-    t46 = 0.3473260245772809_rk*neg_lam4_21 - (c5*t35 - 0.10734691974802549_rk*lam4_13 - &
-        0.05337162017689789_rk*(t31 - t36)) - s5*t45
+    t36 = 0.08058935149735619_rk*lam5_32
+    t37 = 0.37765802516131436_rk*t29
+    t38 = -0.18116108322165295_rk*lam5_12 - t36 - (nc6_z + (0.1558184212675505_rk*t33 + t37 + &
+        0.1513642331069161_rk*lam5_31 + 0.2064157143738513_rk*t24))
+    t39 = -0.2788425785236688_rk*lam5_13 - t38
+    t40 = neg_lam4_11 + lam3_22
+    t41 = qd(6) + w6_z
+    t42 = alpha5_x + w5_z*t41
+    t43 = neg_lam5_22 + lam4_22
+    t44 = t30 + 0.37765802516131436_rk
+    t45 = s5*t28 + c5*t27
+    t46 = alpha4_y - w5_x*t41
+    t47 = t6*(t31 - neg_lam5_22) + (0.18116108322165295_rk*t43 - (t44*t45 - (t34*t46 + &
+        (-0.1558184212675505_rk*lam5_21 - 0.06568070130666698_rk*t24))))
+    t48 = 0.2788425785236688_rk*lam5_23 - (0.3901127773977262_rk*lam5_32 - (t13*t42 + t47)) + &
+        lam5_31*(t5 - 0.08058935149735619_rk)
+    t49 = -0.3473260245772809_rk*lam4_21 - (c5*t39 - 0.10734691974802549_rk*lam4_13 - &
+        0.05337162017689789_rk*(t35 - t40)) - s5*t48
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = 0.2837491060266096_rk*lam4_23 - (t46 + 0.33686216557830156_rk*t21)
-    t47 = t29 + t39
+    n4_z = 0.2837491060266096_rk*lam4_23 - (t49 + 0.33686216557830156_rk*t24)
+    t50 = t33 + t43
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_11 = t47 - neg_lam5_22
-    t48 = t22*t42 - (0.06568070130666698_rk*neg_lam5_22 + (0.37765802516131436_rk*lam5_23 + &
-        0.2064157143738513_rk*neg_lam5_21)) + t26*t38
-    t49 = 0.06568070130666698_rk*neg_lam5_12 + (t22*t28 - 0.2064157143738513_rk*lam5_11) - &
-        neg_lam5_13*t40
-    t50 = 0.33686216557830156_rk*neg_lam4_11 + (9.668724351427649_rk*t24 - s5*t48 - c5*t49)
-    t51 = t26*t27 - (9.668724351427649_rk*t21 + neg_lam5_31*t22 - 0.8150047132321409_rk*(t32 - &
-        0.2532693504989058_rk*neg_lam5_31)) + 0.37765802516131436_rk*neg_lam4_22
-    t52 = 0.33686216557830156_rk*neg_lam4_21 + t51
-    t53 = s4*t50 + c4*t52
+    lam5_11 = t50 - neg_lam5_22
+    t51 = t25*t46 - (0.06568070130666698_rk*neg_lam5_22 + (0.37765802516131436_rk*lam5_23 - &
+        0.2064157143738513_rk*lam5_21)) + t30*t42
+    t52 = t25*t32 - 0.2064157143738513_rk*lam5_11 - 0.06568070130666698_rk*lam5_12 + lam5_13*t44
+    t53 = 0.33686216557830156_rk*neg_lam4_11 + (9.668724351427649_rk*t28 - s5*t51 - c5*t52)
+    t54 = t30*t31 - (9.668724351427649_rk*t24 - lam5_31*t25 - 0.8150047132321409_rk*(t36 + &
+        0.2532693504989058_rk*lam5_31)) - 0.37765802516131436_rk*lam4_22
+    t55 = t54 - 0.33686216557830156_rk*lam4_21
+    t56 = s4*t53 + c4*t55
     ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_y = n4_z - 0.060845712710754084_rk*ww3_xy - (0.9860113289194135_rk*neg_ww3_zx + &
-        (1.4786909445136986_rk*neg_ww3_yz - (0.04687139228815516_rk*t53 - &
-        0.01894848286257894_rk*t2)))
+    n3_y = -1.4786909445136986_rk*ww3_yz - (0.04687139228815516_rk*t56 - &
+        0.01894848286257894_rk*t3) - 0.9860113289194135_rk*ww3_zx - (n4_z - &
+        0.060845712710754084_rk*ww3_xy)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    neg_lam4_31 = neg_ww4_zx + alpha4_y
+    lam4_31 = ww4_zx - alpha4_y
     ! link 4: moment through the joint, about the frame's origin [N m]
-    neg_n4_x = c5*t45 - (s5*t35 - 0.05337162017689789_rk*neg_lam4_31 + &
-        (0.2837491060266096_rk*neg_lam4_21 + 0.10734691974802549_rk*t31))
-    t54 = neg_k6_yz - 0.18116108322165295_rk
-    t55 = 0.17391580988809086_rk*(t33 + 0.8959416706728075_rk*lam5_23) - (t9*t42 + (k6_xz*(ww5_xx &
-        - ww6_zz) - 0.1513642331069161_rk*neg_lam5_21))
+    n4_x = s5*t39 + 0.05337162017689789_rk*lam4_31 + (0.10734691974802549_rk*t35 - &
+        0.2837491060266096_rk*lam4_21) - c5*t48
+    t57 = 0.17391580988809086_rk*(t37 + 0.8959416706728075_rk*lam5_23) - (t12*t46 + (t5*(ww5_xx - &
+        ww6_zz) + 0.1513642331069161_rk*lam5_21))
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = neg_lam5_13*t54 - (0.08058935149735619_rk*t47 - (0.3901127773977262_rk*neg_lam5_12 - &
-        (t30*t38 - (t41*(t22 + 0.2064157143738513_rk) - t55))))
+    n5_z = -0.3901127773977262_rk*lam5_12 - (t34*t42 - (t45*(t25 + 0.2064157143738513_rk) - t57)) &
+        - 0.08058935149735619_rk*t50 - lam5_13*(t6 - 0.18116108322165295_rk)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_32 = ww4_yz - neg_alpha4_x
+    lam4_32 = ww4_yz + alpha4_x
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_y = n5_z + 0.10734691974802549_rk*lam4_12 - 0.2837491060266096_rk*t36 + &
-        0.3473260245772809_rk*neg_lam4_31 - (0.05337162017689789_rk*lam4_32 + &
-        0.33686216557830156_rk*t23)
-    t56 = t53 - s4*n4_y - (1.4786909445136986_rk*neg_ww3_zx + 0.060845712710754084_rk*(t1 + &
-        432.2163900256032_rk*neg_ww3_yz) - 12.150081500837414_rk*t19)
+    n4_y = n5_z + 0.10734691974802549_rk*lam4_12 - 0.2837491060266096_rk*t40 - &
+        0.3473260245772809_rk*lam4_31 - (0.05337162017689789_rk*lam4_32 + &
+        0.33686216557830156_rk*t27)
+    t58 = t56 - s4*n4_y - (0.060845712710754084_rk*(t2 - 432.2163900256032_rk*ww3_yz) - &
+        1.4786909445136986_rk*ww3_zx - 12.150081500837414_rk*t22)
     ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_x = 0.01894848286257894_rk*ww3_xy + c4*neg_n4_x - t56
-    t57 = 0.2348119600832282_rk*c2
-    t58 = 55.04847880816545_rk*(s2*t57) + (c2*t57 - 0.1174059800416141_rk)
-    t59 = t17*t58
-    t60 = t13*(t53 - 24.30016300167483_rk*neg_ww3_yz) + (ww2_zz*(t18 - 4.508184091221399_rk*c2) + &
-        (t59 - s23*neg_n3_x))
-    t61 = c4*t50 - s4*t52
-    t62 = 12.150081500837414_rk*ww3_xy + t61
-    t63 = 0.33686216557830156_rk*neg_lam4_31 + (s5*t49 - c5*t48 + 9.668724351427649_rk*t23)
-    t64 = t63 + 12.150081500837414_rk*neg_lam3_22
-    t65 = c23*t62 + s23*t64
+    n3_x = t58 - (0.01894848286257894_rk*ww3_xy - c4*n4_x)
+    t59 = 0.2348119600832282_rk*c2
+    t60 = 55.04847880816545_rk*(s2*t59) + (c2*t59 - 0.1174059800416141_rk)
+    t61 = t20*t60
+    t62 = t16*(t56 + 24.30016300167483_rk*ww3_yz) + (ww2_zz*(t21 - 4.508184091221399_rk*c2) + (t61 &
+        + s23*n3_x))
+    t63 = c4*t53 - s4*t55
+    t64 = 12.150081500837414_rk*ww3_xy + t63
+    t65 = s5*t52 - c5*t51 + 9.668724351427649_rk*t27 - 0.33686216557830156_rk*lam4_31
+    t66 = t65 - 12.150081500837414_rk*lam3_22
+    t67 = c23*t64 + s23*t66
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = c23*neg_n3_y - (t60 + (t59 - 0.3465712306626645_rk*t65))
-    t66 = 0.04687139228815516_rk*t63 - (0.7393454722568493_rk*t3 - (12.150081500837414_rk*t15 - &
-        (c4*n4_y - (t61 + s4*neg_n4_x))))
+    neg_n1_z = t62 + (t61 - 0.3465712306626645_rk*t67) + c23*n3_y
+    t68 = 0.04687139228815516_rk*t65 - (0.7393454722568493_rk*t4 - (12.150081500837414_rk*t18 - &
+        (c4*n4_y - (t63 - s4*n4_x))))
     ! link 3: moment through the joint, about the frame's origin [N m]
-    neg_n3_z = 12.656251483728838_rk*ww3_xy + t66
-    t67 = neg_n3_z + t13*(s23*t62 - c23*t64) + (293.22217760906653_rk*(c2 - &
-        0.005370026967362786_rk*s2) - t11*t65)
+    neg_n3_z = 12.656251483728838_rk*ww3_xy + t68
+    t69 = neg_n3_z + t16*(s23*t64 - c23*t66) + (293.22217760906653_rk*(c2 - &
+        0.005370026967362786_rk*s2) - t14*t67)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = ww1_zz*t58 - t67
+    n02_z = ww1_zz*t60 - t69
+    t70 = 1.1185374890947408_rk*s6
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    neg_h6_x = 1.2975168001325401_rk*s6 + 1.1185374890947408_rk*c6
-    neg_h6_y = 1.1185374890947408_rk*s6 - 1.2975168001325401_rk*c6
-    t68 = c6*s6
-    t69 = c6*c6
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_xy = 0.03507607665595572_rk*t68 - 0.4019452224328564_rk*(2.0_rk*t69 - 1.0_rk)
+    neg_h6_y = t70 - 1.2975168001325401_rk*c6
     ! link 5: force for a unit acceleration of a joint further out
     fu5_x = c5*neg_h6_y
     fu5_y = s5*neg_h6_y
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.907820001453264_rk*s5 - c5*k6_xz
-    neg_nu5_y = s5*k6_xz + 0.907820001453264_rk*c5
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*fu5_x + s4*neg_h6_x
-    fu4_y = s4*fu5_x - c4*neg_h6_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x - s4*neg_k6_yz
-    nu4_y = s4*nu5_x + c4*neg_k6_yz
-    ! link 3: mass matrix, its row of this joint
-    m3_6 = nu4_y - (0.0203_rk*fu5_y - 0.4331_rk*fu4_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*fu5_y
-    fu3_y = s23*fu4_x + c23*fu5_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = s23*(nu4_x - 0.4331_rk*fu4_y) - c23*(neg_nu5_y - 0.0203_rk*fu4_y)
-    t70 = 0.4318_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = fu4_y*t70 - nu3_y
-    t71 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_6 = m3_6 + (fu3_y*t70 - fu3_x*t71)
-    ! link 1: mass matrix, its row of this joint
-    m1_6 = neg_nu2_y - 0.1501_rk*fu3_x
-    t72 = 0.03507607665595572_rk*t69 + 0.8038904448657128_rk*t68
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t72 + 0.9778489729032964_rk
-    t73 = neg_h6_x + 0.47660058733283606_rk
+    t71 = t70 - 8.074308788029867_rk*neg_h6_y
+    t72 = t71 - 17.297929233919618_rk*c6
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_x = 0.1639752994550661_rk*t72
+    t73 = h6_x - 0.47660058733283606_rk
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = 0.15165250821211493_rk*s5 - c5*t73
-    neg_h5_y = s5*t73 + 0.15165250821211493_rk*c5
-    t74 = c5*c5
-    t75 = t72 + 0.1976234181078441_rk
-    t76 = c5*s5
-    t77 = t74*t75 + t44*(2.0_rk*t76)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t72 + 0.5877361955055702_rk - t77
-    k5_xy = t75*t76 + t44*(1.0_rk - 2.0_rk*t74)
-    t78 = k6_xy - 0.1558184212675505_rk
-    k5_xz = c5*t78 - s5*t54
-    k5_yz = s5*t78 + c5*t54
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = c4*neg_h5_y
-    fu4_y_2 = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = c4*k5_xz + s4*m5_5
-    nu4_y_2 = c4*m5_5 - s4*k5_xz
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 + (0.4331_rk*fu4_x_2 - 0.0203_rk*h5_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c23*fu4_x_2 - s23*h5_x
-    fu3_y_2 = s23*fu4_x_2 + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = c23*(k5_yz - 0.0203_rk*fu4_y_2) + s23*(neg_nu4_x + 0.4331_rk*fu4_y_2)
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = neg_nu3_y + t70*fu4_y_2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (t70*fu3_y_2 - t71*fu3_x_2)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = neg_nu2_y_2 - 0.1501_rk*fu3_x_2
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 1.4877294195532857_rk - (t72 - t77)
-    t79 = h5_x + 0.7777930398944852_rk
-    t80 = neg_h6_y - 0.8719880516308344_rk
+    h5_x = 0.15165250821211493_rk*s5 + c5*t73
+    t74 = neg_h6_y - 0.8719880516308344_rk
+    t75 = h5_x + 0.7777930398944852_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t79 + s4*t80
-    h4_y = s4*t79 - c4*t80
-    t81 = c4*c4
-    t82 = t72 + t77 - 0.012851815603271595_rk
-    t83 = k5_xz + 0.05337162017689789_rk
-    t84 = c4*s4
-    t85 = t81*t82 - t83*(2.0_rk*t84)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t85 - (t72 - 0.7502906175782786_rk)
-    neg_k4_yy = t85 - (t77 + 0.7374388019750071_rk)
-    k4_xy = t82*t84 - t83*(1.0_rk - 2.0_rk*t81)
-    t86 = k5_yz - 0.10734691974802549_rk
-    t87 = k5_xy - 0.2837491060266096_rk
-    k4_xz = s4*t86 - c4*t87
-    neg_k4_yz = s4*t87 + c4*t86
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = neg_k4_yz - 0.4331_rk*h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c23*h4_y
-    neg_fu3_y = s23*h4_y
-    t88 = 0.4331_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = c23*(0.0203_rk*h4_x - m4_4) - s23*(k4_xz + t88)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y_2 - t70*h4_x
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 - (t70*neg_fu3_y - t71*neg_fu3_x)
+    h4_x = s4*t74 + c4*t75
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_yz = -0.02404451046533376_rk*t71
+    t76 = 0.8038904448657128_rk*c6
+    t77 = s6*t76 - 0.7502906175782786_rk
+    t78 = c6*t76
+    t79 = 0.04363290654837309_rk*t77 + 0.27886416156622007_rk - t78
+    t80 = 0.18116108322165295_rk + k6_yz
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xz = c5*t79 + s5*t80
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xz = 0.02789191831646398_rk*(t70 - t72)
+    t81 = c5*(0.08058935149735619_rk - k6_xz)
+    t82 = t77 + 0.04363290654837309_rk*t78
+    t83 = t82 + 0.9479140356861228_rk
+    t84 = t81 + (t81 + s5*t83)
+    t85 = s5*t84
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 1.6853528376611298_rk - t85
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_y = 0.15165250821211493_rk*c5 - s5*t73
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yz = s5*t79 - c5*t80
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_y = s4*t75 - c4*t74
+    t86 = 0.0203_rk*h4_x
+    t87 = c4*s4
+    t88 = k5_xz + 0.10674324035379577_rk
+    t89 = k5_xz + t88
+    t90 = c4*c4
+    t91 = t82 + (t82 + m4_4)
+    t92 = t86 + (t83 + t87*t89) - (t90*t91 - (t86 - 1.4196782145498086_rk))
+    t93 = t85 + 3.8706455741586216_rk + 0.8662_rk*neg_h5_y
+    t94 = h4_x + 1.046378600789203_rk
+    t95 = 0.4318_rk*c2
+    t96 = c23*t95
+    t97 = s23*t95
+    t98 = neg_h5_y + 5.729293810689829_rk
+    t99 = t94*t96 + t97*t98
+    t100 = 0.0203_rk*neg_h5_y
+    t101 = k5_yz - 0.10734691974802549_rk
+    t102 = k6_xz - 0.36433845752396576_rk + c5*t84
+    t103 = s4*t101 - (c4*t102 - 0.4331_rk*h4_x)
+    t104 = t99 - c23*(s23*(t100 + 0.28615890025504537_rk - t103))
+    t105 = 0.4318_rk*s2
+    t106 = t86 - 0.1501_rk*h4_y
+    t107 = 0.07491193080123078_rk*c2
+    t108 = t106 - m4_4
     ! link 1: mass matrix, its row of this joint
-    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y
-    t89 = k4_xx - 0.0406_rk*h4_x
-    t90 = k5_yy + 0.8662_rk*neg_h5_y
+    m1_1 = (t92 + t93)*(s23*s23) + (t104 - 0.5437979622122006_rk*(c2*t105)) + (t104 - t106 + &
+        (102.49099587639564_rk*(t95*t107) - (t108 - 3.3083718390798666_rk)))
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t89 + t90 + 3.9522969756245816_rk
-    t91 = neg_h5_y + 5.729293810689829_rk
-    t92 = h4_x + 1.046378600789203_rk
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = s23*t91 + c23*t92
-    h3_y = s23*t92 - c23*t91
-    t93 = c23*c23*(t89 - t90 - 3.0087686178972097_rk) + (t88 + (k4_xz - 0.0203_rk*neg_h5_y) - &
-        0.28615890025504537_rk)*(2.0_rk*(s23*c23))
+    m3_4 = s4*t102 - (0.4331_rk*h4_y - c4*t101)
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t90 + 3.4805327967608957_rk + t93
-    neg_k3_yy = t93 - (t89 + 0.47176417886368593_rk)
-    k3_yz = s23*(k4_xy - 0.0203_rk*h4_y + 0.01894848286257894_rk) + c23*(m3_4 + &
-        0.060845712710754084_rk)
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t71*h3_y + t70*h3_x)
+    k3_yz = c23*(m3_4 + 0.060845712710754084_rk) - s23*(t88 - (t87*t91 + (t89*t90 - &
+        (0.0203_rk*h4_y - 0.07232010303947682_rk))))
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s23*t94 - c23*t98
     ! link 1: mass matrix, its row of this joint
     m1_3 = k3_yz + 0.1501_rk*h3_y
-    t94 = k3_xx + t70*(2.0_rk*h3_x)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = t94 - (neg_k3_yy - t71*(2.0_rk*h3_y)) + 3.7298822532370677_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + (7.6631781603519995_rk*s2 + 0.1606745919581151_rk*c2)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t94 + (3.31527334516548_rk*(c2*c2) - 0.2348119600832282_rk*(c2*s2) + &
-        0.20730445403579364_rk)
-    k2_yz = k3_yz + t71*h4_y + (0.017097472943757824_rk*s2 + 0.0507946745483177_rk*c2)
+    t109 = h4_y*t105
+    m1_2 = m1_3 + (t107 + 1.1673405148125928_rk*s2) + t109
+    m1_4 = s23*t103 - (c23*t108 - h4_x*t95)
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t82 + 1.728139590481575_rk
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_x = c4*neg_h5_y
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c23*fu4_x - s23*h5_x
+    t110 = m5_5 + 0.4331_rk*neg_h5_y
+    t111 = s4*t100
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx - (neg_k4_yy - 0.3002_rk*h4_y) + 2.629303206180387_rk
+    m1_5 = s23*(s4*t110 + c4*k5_xz) - (21.27093596059113_rk*(0.007056577119036591_rk*fu3_x - &
+        c2*t111) + c23*(t111 - k5_yz))
+    ! link 5: moment for a unit acceleration of a joint further out
+    neg_nu5_y = 0.907820001453264_rk*c5 + s5*k6_xz
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_y = s4*fu5_x + c4*h6_x
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_x = 0.907820001453264_rk*s5 - c5*k6_xz
+    t112 = c4*fu5_x - s4*h6_x
+    t113 = s23*fu5_y - c23*t112
+    ! link 1: mass matrix, its row of this joint
+    m1_6 = 0.1501_rk*t113 - c23*(0.0203_rk*fu4_y - neg_nu5_y) - (s23*(c4*nu5_x - 0.4331_rk*fu4_y + &
+        s4*k6_yz) - t95*fu4_y)
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t93 - t92
+    t114 = t99 + t105*h3_y
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = m3_3 + t114
+    m2_2 = m2_3 + (t114 + 3.7298822532370677_rk)
+    m2_4 = m3_4 - h4_y*t97 + c23*t109
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_y = s23*fu4_x + c23*h5_x
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = c4*t110 - 0.0203_rk*h5_x - s4*k5_xz
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = m3_5 + t95*fu3_y - t105*fu3_x
+    ! link 3: mass matrix, its row of this joint
+    m3_6 = s4*nu5_x + (0.4331_rk*t112 - (0.0203_rk*fu5_y + c4*k6_yz))
+    ! link 2: mass matrix, its row of this joint
+    m2_6 = t97*t112 + (m3_6 + (t105*t113 + fu5_y*t96))
     ! link 1: forward substitution
-    y1 = tau(1) - n1_z
+    y1 = neg_n1_z + tau(1)
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
     l2_1 = m1_2*ipivot1
@@ -1227,48 +1178,46 @@ contains
     l5_3 = ipivot3*ld5_3
     ld6_3 = m3_6 - m1_3*l6_1 - ld3_2*l6_2
     l6_3 = ipivot3*ld6_3
-    neg_pivot4 = m1_4*l4_1 - m4_4 + ld4_2*l4_2 + ld4_3*l4_3
-    neg_ipivot4 = 1.0_rk / neg_pivot4
+    pivot4 = -(m1_4*l4_1 - m4_4 + ld4_2*l4_2) - ld4_3*l4_3
+    ipivot4 = 1.0_rk / pivot4
     ld5_4 = k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
-    neg_l5_4 = neg_ipivot4*ld5_4
-    ld6_4 = neg_nu5_y - m1_4*l6_1 - ld4_2*l6_2 - ld4_3*l6_3
-    neg_l6_4 = neg_ipivot4*ld6_4
-    pivot5 = m5_5 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 + ld5_4*neg_l5_4
+    l5_4 = ipivot4*ld5_4
+    ld6_4 = -ld4_2*l6_2 - (m1_4*l6_1 - neg_nu5_y) - ld4_3*l6_3
+    l6_4 = ipivot4*ld6_4
+    pivot5 = m5_5 - m1_5*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = neg_k6_yz - m1_5*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 + ld5_4*neg_l6_4
+    ld6_5 = -ld5_2*l6_2 - (k6_yz + m1_5*l6_1) - ld5_3*l6_3 - ld5_4*l6_4
     l6_5 = ipivot5*ld6_5
-    pivot6 = 0.907820001453264_rk - m1_6*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 + ld6_4*neg_l6_4 - &
-        ld6_5*l6_5
+    pivot6 = 0.907820001453264_rk - m1_6*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - ld6_5*l6_5
     ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) + y1*l2_1
+    y2 = -y1*l2_1 - (n02_z - tau(2))
     ! link 3: forward substitution
-    y3 = neg_n3_z + tau(3) - y1*l3_1 + l3_2*neg_y2
+    y3 = neg_n3_z + tau(3) - y1*l3_1 - l3_2*y2
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) + y1*l4_1 - l4_2*neg_y2 + l4_3*y3
+    y4 = -l4_2*y2 - (n4_z - tau(4) + y1*l4_1) - l4_3*y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) + y1*l5_1 - l5_2*neg_y2 + l5_3*y3 + neg_l5_4*neg_y4
+    y5 = -(n5_z - tau(5) + y1*l5_1 + l5_2*y2 + l5_3*y3) - l5_4*y4
+    t115 = -l6_4*y4 - (nc6_z - tau(6) + y1*l6_1 + l6_2*y2 + l6_3*y3)
     ! link 6: forward substitution
-    neg_y6 = nc6_z - tau(6) + y1*l6_1 - l6_2*neg_y2 + l6_3*y3 + neg_l6_4*neg_y4 - l6_5*neg_y5
+    y6 = t115 - l6_5*y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd6 = ipivot6*neg_y6
+    qdd6 = ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6
+    qdd5 = ipivot5*y5 - l6_5*qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = neg_ipivot4*neg_y4 - neg_l5_4*neg_qdd5 - neg_l6_4*neg_qdd6
+    qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = ipivot3*y3 - l4_3*qdd4 + l5_3*neg_qdd5 + l6_3*neg_qdd6
+    qdd3 = -l6_3*qdd6 - (l4_3*qdd4 - ipivot3*y3 + l5_3*qdd5)
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 + l3_2*qdd3 + l4_2*qdd4 - l5_2*neg_qdd5)
+    qdd2 = ipivot2*y2 - l3_2*qdd3 - l4_2*qdd4 - l5_2*qdd5 - l6_2*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 + l5_1*neg_qdd5 + l6_1*neg_qdd6
-    t95 = -neg_qdd5
-    t96 = -neg_qdd6
+    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 - l6_1*qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3
     qdd(4) = qdd4
-    qdd(5) = t95
-    qdd(6) = t96
+    qdd(5) = qdd5
+    qdd(6) = qdd6
   end subroutine
 end module

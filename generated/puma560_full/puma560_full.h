@@ -15,15 +15,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 218 multiplications, 209 additions = 427; 0 unary minus; 10 sine/cosine
  *   gravity: 38 multiplications, 23 additions = 61; 2 unary minus; 10 sine/cosine
  *   bias: 198 multiplications, 181 additions = 379; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 141 multiplications, 122 additions = 263; 3 unary minus; 10 sine/cosine
- *   forward_dynamics: 421 multiplications, 369 additions, 6 divisions = 796; 2 unary minus; 10
+ *   mass_matrix: 120 multiplications, 109 additions = 229; 1 unary minus; 10 sine/cosine
+ *   forward_dynamics: 403 multiplications, 359 additions, 6 divisions = 768; 14 unary minus; 10
  *       sine/cosine
  */
 #ifndef PUMA560_FULL_H

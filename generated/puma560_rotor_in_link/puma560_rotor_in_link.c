@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 139 multiplications, 115 additions = 254; 0 unary minus; 8 sine/cosine
  *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
  *   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
- *   mass_matrix: 84 multiplications, 66 additions = 150; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 293 multiplications, 224 additions, 6 divisions = 523; 2 unary minus; 8
+ *   mass_matrix: 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8
  *       sine/cosine
  */
 #include "puma560_rotor_in_link.h"
@@ -398,7 +400,7 @@ void puma560_rotor_in_link_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 84 multiplications, 66 additions = 150; 0 unary minus; 8 sine/cosine */
+ * 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine */
 void puma560_rotor_in_link_mass_matrix(
     const puma560_rotor_in_link_real q[6],
     puma560_rotor_in_link_real M[36])
@@ -417,105 +419,86 @@ void puma560_rotor_in_link_mass_matrix(
     const puma560_rotor_in_link_real c23 = cos(angle23);
     const puma560_rotor_in_link_real s23 = sin(angle23);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu5_x = 0.19304*s5;
     const puma560_rotor_in_link_real neg_nu5_y = 0.19304*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu4_x = c4*nu5_x;
-    const puma560_rotor_in_link_real nu4_y = s4*nu5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real neg_nu3_y = c23*neg_nu5_y - s23*nu4_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_rotor_in_link_real h5_x = 0.00288*s5;
     const puma560_rotor_in_link_real neg_h5_y = 0.00288*c5;
-    const puma560_rotor_in_link_real t1 = 0.19279784*(c5*c5);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_rotor_in_link_real k5_yy = 0.18622 - t1;
-    const puma560_rotor_in_link_real k5_xy = 0.19279784*(c5*s5);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real fu4_x = c4*neg_h5_y;
-    const puma560_rotor_in_link_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real neg_nu4_x = 0.17964216*s4;
-    const puma560_rotor_in_link_real nu4_y_2 = 0.17964216*c4;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m3_5 = nu4_y_2 - (5.8464e-05*s5 - 0.4331*fu4_x);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real fu3_x = c23*fu4_x - s23*h5_x;
-    const puma560_rotor_in_link_real fu3_y = s23*fu4_x + c23*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu3_y = c23*(0.0203*fu4_y) - s23*(neg_nu4_x + 0.4331*fu4_y);
-    const puma560_rotor_in_link_real t2 = 0.4318*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu2_y = nu3_y - t2*fu4_y;
-    const puma560_rotor_in_link_real t3 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m1_5 = -0.1501*fu3_x - nu2_y;
-    /* link 4: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m4_4 = t1 + 0.20184216;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_rotor_in_link_real h4_x = c4*h5_x;
     const puma560_rotor_in_link_real h4_y = s4*h5_x;
-    const puma560_rotor_in_link_real t4 = t1 - 0.01369784;
-    const puma560_rotor_in_link_real t5 = c4*c4*t4;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_rotor_in_link_real k4_xx = t5 + 0.10777;
-    const puma560_rotor_in_link_real k4_yy = t1 + 0.09407216 - t5;
-    const puma560_rotor_in_link_real k4_xy = t4*(c4*s4);
-    const puma560_rotor_in_link_real neg_k4_xz = c4*k5_xy;
-    const puma560_rotor_in_link_real neg_k4_yz = s4*k5_xy;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m3_4 = neg_k4_yz - 0.4331*h4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real neg_fu3_x = c23*h4_y;
-    const puma560_rotor_in_link_real neg_fu3_y = s23*h4_y;
-    const puma560_rotor_in_link_real t6 = 0.4331*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu3_y_2 = c23*(0.0203*h4_x - m4_4) - s23*(t6 - neg_k4_xz);
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu2_y_2 = nu3_y_2 - t2*h4_x;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m1_4 = 0.1501*neg_fu3_x - nu2_y_2;
-    const puma560_rotor_in_link_real t7 = k4_xx - 0.0406*h4_x;
-    const puma560_rotor_in_link_real t8 = k5_yy + 0.002494656*c5;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m3_3 = t7 + t8 + 1.062455249;
-    const puma560_rotor_in_link_real t9 = h4_x - 0.025375;
-    const puma560_rotor_in_link_real t10 = neg_h5_y + 0.861795;
+    const puma560_rotor_in_link_real t1 = h4_x - 0.025375;
+    const puma560_rotor_in_link_real t2 = neg_h5_y + 0.861795;
+    const puma560_rotor_in_link_real t3 = s23*t2;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_rotor_in_link_real h3_x = c23*t9 + s23*t10;
-    const puma560_rotor_in_link_real h3_y = s23*t9 - c23*t10;
-    const puma560_rotor_in_link_real t11 = c23*c23*(t7 - t8 - 0.198925024) + (t6 - (neg_k4_xz +
-        5.8464e-05*c5) - 0.0106736385)*(2.0*(c23*s23));
+    const puma560_rotor_in_link_real h3_x = c23*t1 + t3;
+    const puma560_rotor_in_link_real h3_y = s23*t1 - c23*t2;
+    const puma560_rotor_in_link_real t4 = 66.94369444444445*c5;
+    const puma560_rotor_in_link_real t5 = neg_h5_y*t4;
+    /* link 4: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m4_4 = t5 + 0.20184216;
+    const puma560_rotor_in_link_real t6 = 0.4318*c2;
+    const puma560_rotor_in_link_real t7 = 5.8464e-05*s5;
+    const puma560_rotor_in_link_real t8 = t7 - c4*(t5 - 0.01369784);
+    const puma560_rotor_in_link_real t9 = c4*t7;
+    const puma560_rotor_in_link_real t10 = c4*t8 + (t9 - 0.5395351125);
+    const puma560_rotor_in_link_real t11 = 0.001247328*c5;
+    const puma560_rotor_in_link_real t12 = t5 - t11;
+    const puma560_rotor_in_link_real t13 = t11 - (t12 - 0.8169101365);
+    const puma560_rotor_in_link_real t14 = t4 - 0.4331;
+    const puma560_rotor_in_link_real t15 = s23*h5_x;
+    const puma560_rotor_in_link_real t16 = c4*t15;
+    const puma560_rotor_in_link_real t17 = t14*t16;
+    const puma560_rotor_in_link_real t18 = h3_x*t6;
+    const puma560_rotor_in_link_real t19 = t9 - (0.1501*h4_y + m4_4);
+    const puma560_rotor_in_link_real t20 = c23*(t17 - 0.0068208*(s23 - 2.9761904761904763*t3)) -
+        (t18 - (t12 - 0.540869687) - t19);
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m1_1 = t6*(3.709729509031959*c2 - 0.03288188976377953*s2) -
+        (c23*(c23*(t10 + t13)) - (t10 - (t20 + (t20 - 2.2249496655))));
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m3_4 = h4_y*t14;
+    const puma560_rotor_in_link_real t21 = s4*s23;
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_rotor_in_link_real k3_xx = t8 + 0.6306901365 + t11;
-    const puma560_rotor_in_link_real k3_yy = t7 + 0.4317651125 - t11;
-    const puma560_rotor_in_link_real k3_yz = s23*(k4_xy - 0.0203*h4_y) + c23*(m3_4 - 0.004704);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m2_3 = m3_3 + (t2*h3_x + t3*h3_y);
+    const puma560_rotor_in_link_real k3_yz = c23*(m3_4 - 0.004704) - t8*t21;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m1_3 = k3_yz + 0.1501*h3_y;
-    const puma560_rotor_in_link_real t12 = k3_xx + t2*(2.0*h3_x);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m2_2 = 6.458114002 - (t3*(-2.0*h3_y) - k3_yy - t12);
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_rotor_in_link_real h2_y = h3_y + (3.79559*s2 + 0.1044*c2);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_rotor_in_link_real k2_xx = t12 + (1.601861202*(c2*c2) - 0.0141984*(c2*s2) +
-        2.4281264);
-    const puma560_rotor_in_link_real k2_yz = k3_yz + t3*h4_y + (0.12059664*s2 + 0.00808056*c2);
+    const puma560_rotor_in_link_real m1_3 = 0.1501*h3_y + k3_yz;
+    const puma560_rotor_in_link_real t22 = 0.4318*s2;
+    const puma560_rotor_in_link_real t23 = h4_y*t22;
+    const puma560_rotor_in_link_real m1_2 = 0.690314699*s2 + (t23 + 0.023751*c2 + m1_3);
+    const puma560_rotor_in_link_real m1_4 = h4_x*t6 - c23*t19 - t17;
+    const puma560_rotor_in_link_real t24 = c23*neg_h5_y;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real neg_fu3_x = t15 - c4*t24;
+    const puma560_rotor_in_link_real t25 = t11 + 0.17964216;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real nu3_y = 0.0203*(s4*t24) - t21*t25;
+    const puma560_rotor_in_link_real t26 = s4*t6;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real nu2_y = nu3_y - neg_h5_y*t26;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_rotor_in_link_real m1_1 = k2_xx + (k4_yy + 0.3002*h4_y) - 0.1682704495;
+    const puma560_rotor_in_link_real m1_5 = 0.1501*neg_fu3_x - nu2_y;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m3_3 = t13 - t10;
+    const puma560_rotor_in_link_real t27 = t18 + h3_y*t22;
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m2_3 = t27 + m3_3;
+    const puma560_rotor_in_link_real m2_2 = t27 + (m2_3 + 6.458114002);
+    const puma560_rotor_in_link_real m2_4 = m3_4 + c23*t23 - t15*t26;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m3_5 = c4*t25 - t7;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real fu3_y = c23*h5_x + neg_h5_y*(c4*s23);
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m2_5 = m3_5 + (t22*neg_fu3_x + t6*fu3_y);
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real nu4_y = 67.02777777777777*h4_y;
+    const puma560_rotor_in_link_real t28 = 67.02777777777777*(t24 - t16);
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
     M[3] = m1_4;
     M[4] = m1_5;
-    M[5] = neg_nu3_y;
+    M[5] = t28;
     M[6] = m1_2;
     M[7] = m2_2;
     M[8] = m2_3;
@@ -540,7 +523,7 @@ void puma560_rotor_in_link_mass_matrix(
     M[27] = 0.0;
     M[28] = 0.17964216;
     M[29] = 0.0;
-    M[30] = neg_nu3_y;
+    M[30] = t28;
     M[31] = nu4_y;
     M[32] = nu4_y;
     M[33] = neg_nu5_y;
@@ -549,7 +532,7 @@ void puma560_rotor_in_link_mass_matrix(
 }
 
 /* accelerations that the torques tau give
- * 293 multiplications, 224 additions, 6 divisions = 523; 2 unary minus; 8 sine/cosine */
+ * 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8 sine/cosine */
 void puma560_rotor_in_link_forward_dynamics(
     const puma560_rotor_in_link_real q[6],
     const puma560_rotor_in_link_real qd[6],
@@ -684,176 +667,158 @@ void puma560_rotor_in_link_forward_dynamics(
     const puma560_rotor_in_link_real n02_z = n3_z + (neg_lam2_33*t29 + t3*(s23*t31 + (c23*t33 -
         1.5019138889382213))) + (0.0018749598043631376*(t3 + 545.6756980171745*s2) - t5*t34);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu5_x = 0.19304*s5;
     const puma560_rotor_in_link_real neg_nu5_y = 0.19304*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu4_x = c4*nu5_x;
-    const puma560_rotor_in_link_real nu4_y = s4*nu5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real neg_nu3_y = c23*neg_nu5_y - s23*nu4_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_rotor_in_link_real h5_x = 0.00288*s5;
     const puma560_rotor_in_link_real neg_h5_y = 0.00288*c5;
-    const puma560_rotor_in_link_real t37 = 0.19279784*(c5*c5);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const puma560_rotor_in_link_real neg_k5_yy = t37 - 0.18622;
-    const puma560_rotor_in_link_real k5_xy = 0.19279784*(c5*s5);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real fu4_x = c4*neg_h5_y;
-    const puma560_rotor_in_link_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu4_x_2 = -0.17964216*s4;
-    const puma560_rotor_in_link_real nu4_y_2 = 0.17964216*c4;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m3_5 = nu4_y_2 - (t16 - 0.4331*fu4_x);
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real fu3_x = c23*fu4_x - s23*h5_x;
-    const puma560_rotor_in_link_real fu3_y = s23*fu4_x + c23*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu3_y = c23*(0.0203*fu4_y) - s23*(0.4331*fu4_y - nu4_x_2);
-    const puma560_rotor_in_link_real t38 = 0.4318*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu2_y = nu3_y - fu4_y*t38;
-    const puma560_rotor_in_link_real t39 = 0.4318*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m2_5 = m3_5 + (fu3_y*t38 - fu3_x*t39);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real neg_m1_5 = nu2_y + 0.1501*fu3_x;
-    /* link 4: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m4_4 = t37 + 0.20184216;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_rotor_in_link_real h4_x = c4*h5_x;
     const puma560_rotor_in_link_real h4_y = s4*h5_x;
-    const puma560_rotor_in_link_real t40 = t37 - 0.01369784;
-    const puma560_rotor_in_link_real t41 = c4*c4*t40;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const puma560_rotor_in_link_real k4_xx = t41 + 0.10777;
-    const puma560_rotor_in_link_real neg_k4_yy = t41 - (t37 + 0.09407216);
-    const puma560_rotor_in_link_real k4_xy = t40*(s4*c4);
-    const puma560_rotor_in_link_real neg_k4_xz = c4*k5_xy;
-    const puma560_rotor_in_link_real neg_k4_yz = s4*k5_xy;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m3_4 = neg_k4_yz - 0.4331*h4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real neg_fu3_x = c23*h4_y;
-    const puma560_rotor_in_link_real neg_fu3_y = s23*h4_y;
-    const puma560_rotor_in_link_real t42 = 0.4331*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu3_y_2 = s23*(neg_k4_xz - t42) - c23*(m4_4 - 0.0203*h4_x);
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_rotor_in_link_real nu2_y_2 = nu3_y_2 - t38*h4_x;
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m2_4 = m3_4 - (t38*neg_fu3_y - t39*neg_fu3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m1_4 = 0.1501*neg_fu3_x - nu2_y_2;
-    const puma560_rotor_in_link_real t43 = k4_xx - 0.0406*h4_x;
-    const puma560_rotor_in_link_real t44 = neg_k5_yy - 0.002494656*c5;
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m3_3 = t43 - t44 + 1.062455249;
-    const puma560_rotor_in_link_real t45 = h4_x - 0.025375;
-    const puma560_rotor_in_link_real t46 = neg_h5_y + 0.861795;
+    const puma560_rotor_in_link_real t37 = h4_x - 0.025375;
+    const puma560_rotor_in_link_real t38 = neg_h5_y + 0.861795;
+    const puma560_rotor_in_link_real t39 = s23*t38;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_rotor_in_link_real h3_x = c23*t45 + s23*t46;
-    const puma560_rotor_in_link_real h3_y = s23*t45 - c23*t46;
-    const puma560_rotor_in_link_real t47 = c23*c23*(t43 + t44 - 0.198925024) + (t42 - (t15 +
-        neg_k4_xz) - 0.0106736385)*(2.0*(c23*s23));
+    const puma560_rotor_in_link_real h3_x = c23*t37 + t39;
+    const puma560_rotor_in_link_real h3_y = s23*t37 - c23*t38;
+    const puma560_rotor_in_link_real t40 = 66.94369444444445*c5;
+    const puma560_rotor_in_link_real t41 = neg_h5_y*t40;
+    /* link 4: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m4_4 = t41 + 0.20184216;
+    const puma560_rotor_in_link_real t42 = 0.4318*c2;
+    const puma560_rotor_in_link_real t43 = t16 - c4*(t41 - 0.01369784);
+    const puma560_rotor_in_link_real t44 = c4*t16;
+    const puma560_rotor_in_link_real t45 = c4*t43 + (t44 - 0.5395351125);
+    const puma560_rotor_in_link_real t46 = 0.001247328*c5;
+    const puma560_rotor_in_link_real t47 = t41 - t46;
+    const puma560_rotor_in_link_real t48 = t46 - (t47 - 0.8169101365);
+    const puma560_rotor_in_link_real t49 = t40 - 0.4331;
+    const puma560_rotor_in_link_real t50 = s23*h5_x;
+    const puma560_rotor_in_link_real t51 = c4*t50;
+    const puma560_rotor_in_link_real t52 = t49*t51;
+    const puma560_rotor_in_link_real t53 = h3_x*t42;
+    const puma560_rotor_in_link_real t54 = t44 - (m4_4 + 0.1501*h4_y);
+    const puma560_rotor_in_link_real t55 = c23*(t52 - 0.0068208*(s23 - 2.9761904761904763*t39)) -
+        (t53 - (t47 - 0.540869687) - t54);
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m1_1 = t42*(3.709729509031959*c2 - 0.03288188976377953*s2) -
+        (c23*(c23*(t45 + t48)) - (t45 - (t55 + (t55 - 2.2249496655))));
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real m3_4 = h4_y*t49;
+    const puma560_rotor_in_link_real t56 = s23*s4;
     /* link 3: second moment of the composite body [kg m^2] */
-    const puma560_rotor_in_link_real neg_k3_xx = t44 - 0.6306901365 - t47;
-    const puma560_rotor_in_link_real neg_k3_yy = t47 - (t43 + 0.4317651125);
-    const puma560_rotor_in_link_real k3_yz = s23*(k4_xy - 0.0203*h4_y) + c23*(m3_4 - 0.004704);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m2_3 = m3_3 + (t38*h3_x + t39*h3_y);
+    const puma560_rotor_in_link_real k3_yz = c23*(m3_4 - 0.004704) - t43*t56;
     /* link 1: mass matrix, its row of this joint */
     const puma560_rotor_in_link_real m1_3 = k3_yz + 0.1501*h3_y;
-    const puma560_rotor_in_link_real t48 = neg_k3_xx - t38*(2.0*h3_x);
-    /* link 2: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real neg_m2_2 = neg_k3_yy - t39*(2.0*h3_y) + t48 - 6.458114002;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_rotor_in_link_real h2_y = h3_y + (3.79559*s2 + 0.1044*c2);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const puma560_rotor_in_link_real k2_xx = 1.601861202*(c2*c2) - 0.0141984*(c2*s2) + 2.4281264 -
-        t48;
-    const puma560_rotor_in_link_real k2_yz = k3_yz + t39*h4_y + (0.12059664*s2 + 0.00808056*c2);
+    const puma560_rotor_in_link_real t57 = 0.4318*s2;
+    const puma560_rotor_in_link_real t58 = h4_y*t57;
+    const puma560_rotor_in_link_real m1_2 = 0.690314699*s2 + (m1_3 + (t58 + 0.023751*c2));
+    const puma560_rotor_in_link_real neg_m1_4 = t52 - (h4_x*t42 - c23*t54);
+    const puma560_rotor_in_link_real t59 = c23*neg_h5_y;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real neg_fu3_x = t50 - c4*t59;
+    const puma560_rotor_in_link_real t60 = t46 + 0.17964216;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real nu3_y = 0.0203*(s4*t59) - t56*t60;
+    const puma560_rotor_in_link_real t61 = s4*t42;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real nu2_y = nu3_y - neg_h5_y*t61;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_rotor_in_link_real m1_2 = k2_yz + 0.1501*h2_y;
-    const puma560_rotor_in_link_real neg_m1_1 = neg_k4_yy - 0.3002*h4_y - k2_xx + 0.1682704495;
+    const puma560_rotor_in_link_real neg_m1_5 = nu2_y - 0.1501*neg_fu3_x;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real neg_m3_3 = t45 - t48;
+    const puma560_rotor_in_link_real t62 = t53 + h3_y*t57;
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real neg_m2_3 = neg_m3_3 - t62;
+    const puma560_rotor_in_link_real m2_2 = t62 - (neg_m2_3 - 6.458114002);
+    const puma560_rotor_in_link_real m2_4 = m3_4 + c23*t58 - t50*t61;
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real neg_m3_5 = t16 - c4*t60;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real fu3_y = c23*h5_x + neg_h5_y*(s23*c4);
+    /* link 2: mass matrix, its row of this joint */
+    const puma560_rotor_in_link_real neg_m2_5 = neg_m3_5 - (t57*neg_fu3_x + t42*fu3_y);
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const puma560_rotor_in_link_real nu4_y = 67.02777777777777*h4_y;
+    /* factorisation M = L D L^T */
+    const puma560_rotor_in_link_real neg_ld6_1 = 67.02777777777777*(t51 - t59);
     /* link 1: forward substitution */
     const puma560_rotor_in_link_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
-    const puma560_rotor_in_link_real neg_ipivot1 = 1.0 / neg_m1_1;
-    const puma560_rotor_in_link_real neg_l2_1 = m1_2*neg_ipivot1;
-    const puma560_rotor_in_link_real neg_l3_1 = m1_3*neg_ipivot1;
-    const puma560_rotor_in_link_real neg_l4_1 = m1_4*neg_ipivot1;
-    const puma560_rotor_in_link_real l5_1 = neg_m1_5*neg_ipivot1;
-    const puma560_rotor_in_link_real neg_l6_1 = neg_nu3_y*neg_ipivot1;
-    const puma560_rotor_in_link_real neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1;
-    const puma560_rotor_in_link_real neg_ipivot2 = 1.0 / neg_pivot2;
-    const puma560_rotor_in_link_real ld3_2 = m2_3 + m1_2*neg_l3_1;
-    const puma560_rotor_in_link_real neg_l3_2 = neg_ipivot2*ld3_2;
+    const puma560_rotor_in_link_real ipivot1 = 1.0 / m1_1;
+    const puma560_rotor_in_link_real l2_1 = m1_2*ipivot1;
+    const puma560_rotor_in_link_real l3_1 = m1_3*ipivot1;
+    const puma560_rotor_in_link_real neg_l4_1 = neg_m1_4*ipivot1;
+    const puma560_rotor_in_link_real neg_l5_1 = neg_m1_5*ipivot1;
+    const puma560_rotor_in_link_real neg_l6_1 = neg_ld6_1*ipivot1;
+    const puma560_rotor_in_link_real pivot2 = m2_2 - m1_2*l2_1;
+    const puma560_rotor_in_link_real ipivot2 = 1.0 / pivot2;
+    const puma560_rotor_in_link_real neg_ld3_2 = neg_m2_3 + m1_2*l3_1;
+    const puma560_rotor_in_link_real neg_l3_2 = ipivot2*neg_ld3_2;
     const puma560_rotor_in_link_real ld4_2 = m2_4 + m1_2*neg_l4_1;
-    const puma560_rotor_in_link_real neg_l4_2 = neg_ipivot2*ld4_2;
-    const puma560_rotor_in_link_real ld5_2 = m2_5 - m1_2*l5_1;
-    const puma560_rotor_in_link_real neg_l5_2 = neg_ipivot2*ld5_2;
+    const puma560_rotor_in_link_real l4_2 = ipivot2*ld4_2;
+    const puma560_rotor_in_link_real neg_ld5_2 = neg_m2_5 - m1_2*neg_l5_1;
+    const puma560_rotor_in_link_real neg_l5_2 = ipivot2*neg_ld5_2;
     const puma560_rotor_in_link_real ld6_2 = nu4_y + m1_2*neg_l6_1;
-    const puma560_rotor_in_link_real neg_l6_2 = neg_ipivot2*ld6_2;
-    const puma560_rotor_in_link_real pivot3 = m3_3 + m1_3*neg_l3_1 + ld3_2*neg_l3_2;
-    const puma560_rotor_in_link_real ipivot3 = 1.0 / pivot3;
-    const puma560_rotor_in_link_real ld4_3 = m3_4 + m1_3*neg_l4_1 + ld3_2*neg_l4_2;
-    const puma560_rotor_in_link_real l4_3 = ipivot3*ld4_3;
-    const puma560_rotor_in_link_real ld5_3 = m3_5 - m1_3*l5_1 + ld3_2*neg_l5_2;
-    const puma560_rotor_in_link_real l5_3 = ipivot3*ld5_3;
-    const puma560_rotor_in_link_real ld6_3 = nu4_y + m1_3*neg_l6_1 + ld3_2*neg_l6_2;
-    const puma560_rotor_in_link_real l6_3 = ipivot3*ld6_3;
-    const puma560_rotor_in_link_real pivot4 = m4_4 + m1_4*neg_l4_1 + ld4_2*neg_l4_2 - ld4_3*l4_3;
+    const puma560_rotor_in_link_real l6_2 = ipivot2*ld6_2;
+    const puma560_rotor_in_link_real neg_pivot3 = neg_m3_3 + m1_3*l3_1 + neg_ld3_2*neg_l3_2;
+    const puma560_rotor_in_link_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const puma560_rotor_in_link_real ld4_3 = m3_4 + m1_3*neg_l4_1 + neg_ld3_2*l4_2;
+    const puma560_rotor_in_link_real neg_l4_3 = neg_ipivot3*ld4_3;
+    const puma560_rotor_in_link_real neg_ld5_3 = neg_m3_5 - m1_3*neg_l5_1 + neg_ld3_2*neg_l5_2;
+    const puma560_rotor_in_link_real l5_3 = neg_ipivot3*neg_ld5_3;
+    const puma560_rotor_in_link_real ld6_3 = nu4_y + m1_3*neg_l6_1 + neg_ld3_2*l6_2;
+    const puma560_rotor_in_link_real neg_l6_3 = neg_ipivot3*ld6_3;
+    const puma560_rotor_in_link_real pivot4 = m4_4 - neg_m1_4*neg_l4_1 - ld4_2*l4_2 +
+        ld4_3*neg_l4_3;
     const puma560_rotor_in_link_real ipivot4 = 1.0 / pivot4;
-    const puma560_rotor_in_link_real neg_ld5_4 = m1_4*l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3;
+    const puma560_rotor_in_link_real neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3;
     const puma560_rotor_in_link_real neg_l5_4 = ipivot4*neg_ld5_4;
-    const puma560_rotor_in_link_real ld6_4 = neg_nu5_y + m1_4*neg_l6_1 + ld4_2*neg_l6_2 -
-        ld4_3*l6_3;
+    const puma560_rotor_in_link_real ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 - ld4_2*l6_2 +
+        ld4_3*neg_l6_3;
     const puma560_rotor_in_link_real l6_4 = ipivot4*ld6_4;
-    const puma560_rotor_in_link_real pivot5 = neg_m1_5*l5_1 + 0.17964216 + ld5_2*neg_l5_2 -
-        ld5_3*l5_3 - neg_ld5_4*neg_l5_4;
+    const puma560_rotor_in_link_real pivot5 = 0.17964216 - neg_m1_5*neg_l5_1 - neg_ld5_2*neg_l5_2 +
+        neg_ld5_3*l5_3 - neg_ld5_4*neg_l5_4;
     const puma560_rotor_in_link_real ipivot5 = 1.0 / pivot5;
-    const puma560_rotor_in_link_real neg_ld6_5 = neg_m1_5*neg_l6_1 - ld5_2*neg_l6_2 + ld5_3*l6_3 -
-        neg_ld5_4*l6_4;
+    const puma560_rotor_in_link_real neg_ld6_5 = neg_m1_5*neg_l6_1 - neg_ld5_2*l6_2 +
+        neg_ld5_3*neg_l6_3 - neg_ld5_4*l6_4;
     const puma560_rotor_in_link_real neg_l6_5 = ipivot5*neg_ld6_5;
-    const puma560_rotor_in_link_real pivot6 = neg_nu3_y*neg_l6_1 + 0.19304 + ld6_2*neg_l6_2 -
-        ld6_3*l6_3 - ld6_4*l6_4 - neg_ld6_5*neg_l6_5;
-    const puma560_rotor_in_link_real ipivot6 = 1.0 / pivot6;
+    const puma560_rotor_in_link_real neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.19304 + ld6_2*l6_2 -
+        ld6_3*neg_l6_3 + ld6_4*l6_4 + neg_ld6_5*neg_l6_5;
+    const puma560_rotor_in_link_real neg_ipivot6 = 1.0 / neg_pivot6;
     /* link 2: forward substitution */
-    const puma560_rotor_in_link_real neg_y2 = n02_z - tau[1] + neg_y1*neg_l2_1;
+    const puma560_rotor_in_link_real neg_y2 = n02_z - tau[1] - neg_y1*l2_1;
     /* link 3: forward substitution */
-    const puma560_rotor_in_link_real neg_y3 = n3_z - tau[2] + neg_y1*neg_l3_1 + neg_l3_2*neg_y2;
+    const puma560_rotor_in_link_real neg_y3 = n3_z - tau[2] - neg_y1*l3_1 + neg_l3_2*neg_y2;
     /* link 4: forward substitution */
-    const puma560_rotor_in_link_real y4 = neg_n4_z + tau[3] - neg_y1*neg_l4_1 - neg_l4_2*neg_y2 +
-        l4_3*neg_y3;
+    const puma560_rotor_in_link_real y4 = neg_n4_z + tau[3] - neg_y1*neg_l4_1 + l4_2*neg_y2 -
+        neg_l4_3*neg_y3;
     /* link 5: forward substitution */
-    const puma560_rotor_in_link_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 -
+    const puma560_rotor_in_link_real neg_y5 = n5_z - tau[4] + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 -
         l5_3*neg_y3 - neg_l5_4*y4;
     /* link 6: forward substitution */
-    const puma560_rotor_in_link_real y6 = tau[5] - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 +
-        l6_3*neg_y3 - l6_4*y4 - neg_l6_5*neg_y5;
+    const puma560_rotor_in_link_real y6 = tau[5] - n06_z - neg_y1*neg_l6_1 + l6_2*neg_y2 -
+        neg_l6_3*neg_y3 - l6_4*y4 - neg_l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real qdd6 = ipivot6*y6;
+    const puma560_rotor_in_link_real neg_qdd6 = neg_ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6;
+    const puma560_rotor_in_link_real neg_qdd5 = ipivot5*neg_y5 + neg_l6_5*neg_qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 - l6_4*qdd6;
+    const puma560_rotor_in_link_real qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 + l6_4*neg_qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real neg_qdd3 = ipivot3*neg_y3 + l4_3*qdd4 - l5_3*neg_qdd5 +
-        l6_3*qdd6;
+    const puma560_rotor_in_link_real qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 + l5_3*neg_qdd5 -
+        neg_l6_3*neg_qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 + neg_l4_2*qdd4 -
-        neg_l5_2*neg_qdd5 + neg_l6_2*qdd6;
+    const puma560_rotor_in_link_real qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - neg_l3_2*qdd3 +
+        l4_2*qdd4 + neg_l5_2*neg_qdd5);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_rotor_in_link_real qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 +
-        neg_l4_1*qdd4 + l5_1*neg_qdd5 + neg_l6_1*qdd6;
-    const puma560_rotor_in_link_real t49 = -neg_qdd3;
-    const puma560_rotor_in_link_real t50 = -neg_qdd5;
+    const puma560_rotor_in_link_real qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 +
+        l3_1*qdd3 - neg_l4_1*qdd4 + neg_l5_1*neg_qdd5);
+    const puma560_rotor_in_link_real t63 = -neg_qdd5;
+    const puma560_rotor_in_link_real t64 = -neg_qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
-    qdd[2] = t49;
+    qdd[2] = qdd3;
     qdd[3] = qdd4;
-    qdd[4] = t50;
-    qdd[5] = qdd6;
+    qdd[4] = t63;
+    qdd[5] = t64;
 }

@@ -15,13 +15,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 3.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 139 multiplications, 115 additions = 254; 0 unary minus; 8 sine/cosine
 !   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
 !   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
-!   mass_matrix: 84 multiplications, 66 additions = 150; 0 unary minus; 8 sine/cosine
-!   forward_dynamics: 293 multiplications, 224 additions, 6 divisions = 523; 2 unary minus; 8
+!   mass_matrix: 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
+!   forward_dynamics: 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8
 !       sine/cosine
 module puma560_rotor_in_link_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -411,17 +413,16 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 84 multiplications, 66 additions = 150; 0 unary minus; 8 sine/cosine
+  ! 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_mass_matrix(q, M) &
       bind(c, name="puma560_rotor_in_link_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, nu5_x, neg_nu5_y, nu4_x, nu4_y
-    real(rk) :: neg_nu3_y, h5_x, neg_h5_y, t1, k5_yy, k5_xy, fu4_x, fu4_y, neg_nu4_x, nu4_y_2, m3_5
-    real(rk) :: fu3_x, fu3_y, nu3_y, t2, nu2_y, t3, m2_5, m1_5, m4_4, h4_x, h4_y, t4, t5, k4_xx
-    real(rk) :: k4_yy, k4_xy, neg_k4_xz, neg_k4_yz, m3_4, neg_fu3_x, neg_fu3_y, t6, nu3_y_2
-    real(rk) :: nu2_y_2, m2_4, m1_4, t7, t8, m3_3, t9, t10, h3_x, h3_y, t11, k3_xx, k3_yy, k3_yz
-    real(rk) :: m2_3, m1_3, t12, m2_2, h2_y, k2_xx, k2_yz, m1_2, m1_1
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, neg_nu5_y, h5_x, neg_h5_y, h4_x, h4_y
+    real(rk) :: t1, t2, t3, h3_x, h3_y, t4, t5, m4_4, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15
+    real(rk) :: t16, t17, t18, t19, t20, m1_1, m3_4, t21, k3_yz, m1_3, t22, t23, m1_2, m1_4, t24
+    real(rk) :: neg_fu3_x, t25, nu3_y, t26, nu2_y, m1_5, m3_3, t27, m2_3, m2_2, m2_4, m3_5, fu3_y
+    real(rk) :: m2_5, nu4_y, t28
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -434,104 +435,86 @@ contains
     c23 = cos(angle23)
     s23 = sin(angle23)
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.19304_rk*s5
     neg_nu5_y = 0.19304_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
-    nu4_y = s4*nu5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = c23*neg_nu5_y - s23*nu4_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.00288_rk*s5
     neg_h5_y = 0.00288_rk*c5
-    t1 = 0.19279784_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = 0.18622_rk - t1
-    k5_xy = 0.19279784_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = 0.17964216_rk*s4
-    nu4_y_2 = 0.17964216_rk*c4
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 - (5.8464e-05_rk*s5 - 0.4331_rk*fu4_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*h5_x
-    fu3_y = s23*fu4_x + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = c23*(0.0203_rk*fu4_y) - s23*(neg_nu4_x + 0.4331_rk*fu4_y)
-    t2 = 0.4318_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y - t2*fu4_y
-    t3 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (t2*fu3_y - t3*fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = -0.1501_rk*fu3_x - nu2_y
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = t1 + 0.20184216_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = c4*h5_x
     h4_y = s4*h5_x
-    t4 = t1 - 0.01369784_rk
-    t5 = c4*c4*t4
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t5 + 0.10777_rk
-    k4_yy = t1 + 0.09407216_rk - t5
-    k4_xy = t4*(c4*s4)
-    neg_k4_xz = c4*k5_xy
-    neg_k4_yz = s4*k5_xy
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = neg_k4_yz - 0.4331_rk*h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c23*h4_y
-    neg_fu3_y = s23*h4_y
-    t6 = 0.4331_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = c23*(0.0203_rk*h4_x - m4_4) - s23*(t6 - neg_k4_xz)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 - t2*h4_x
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 - (t2*neg_fu3_y - t3*neg_fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_2
-    t7 = k4_xx - 0.0406_rk*h4_x
-    t8 = k5_yy + 0.002494656_rk*c5
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = t7 + t8 + 1.062455249_rk
-    t9 = h4_x - 0.025375_rk
-    t10 = neg_h5_y + 0.861795_rk
+    t1 = h4_x - 0.025375_rk
+    t2 = neg_h5_y + 0.861795_rk
+    t3 = s23*t2
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c23*t9 + s23*t10
-    h3_y = s23*t9 - c23*t10
-    t11 = c23*c23*(t7 - t8 - 0.198925024_rk) + (t6 - (neg_k4_xz + 5.8464e-05_rk*c5) - &
-        0.0106736385_rk)*(2.0_rk*(c23*s23))
+    h3_x = c23*t1 + t3
+    h3_y = s23*t1 - c23*t2
+    t4 = 66.94369444444445_rk*c5
+    t5 = neg_h5_y*t4
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t5 + 0.20184216_rk
+    t6 = 0.4318_rk*c2
+    t7 = 5.8464e-05_rk*s5
+    t8 = t7 - c4*(t5 - 0.01369784_rk)
+    t9 = c4*t7
+    t10 = c4*t8 + (t9 - 0.5395351125_rk)
+    t11 = 0.001247328_rk*c5
+    t12 = t5 - t11
+    t13 = t11 - (t12 - 0.8169101365_rk)
+    t14 = t4 - 0.4331_rk
+    t15 = s23*h5_x
+    t16 = c4*t15
+    t17 = t14*t16
+    t18 = h3_x*t6
+    t19 = t9 - (0.1501_rk*h4_y + m4_4)
+    t20 = c23*(t17 - 0.0068208_rk*(s23 - 2.9761904761904763_rk*t3)) - (t18 - (t12 - &
+        0.540869687_rk) - t19)
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t6*(3.709729509031959_rk*c2 - 0.03288188976377953_rk*s2) - (c23*(c23*(t10 + t13)) - &
+        (t10 - (t20 + (t20 - 2.2249496655_rk))))
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = h4_y*t14
+    t21 = s4*s23
     ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t8 + 0.6306901365_rk + t11
-    k3_yy = t7 + 0.4317651125_rk - t11
-    k3_yz = s23*(k4_xy - 0.0203_rk*h4_y) + c23*(m3_4 - 0.004704_rk)
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t2*h3_x + t3*h3_y)
+    k3_yz = c23*(m3_4 - 0.004704_rk) - t8*t21
     ! link 1: mass matrix, its row of this joint
-    m1_3 = k3_yz + 0.1501_rk*h3_y
-    t12 = k3_xx + t2*(2.0_rk*h3_x)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.458114002_rk - (t3*(-2.0_rk*h3_y) - k3_yy - t12)
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + (3.79559_rk*s2 + 0.1044_rk*c2)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t12 + (1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 2.4281264_rk)
-    k2_yz = k3_yz + t3*h4_y + (0.12059664_rk*s2 + 0.00808056_rk*c2)
+    m1_3 = 0.1501_rk*h3_y + k3_yz
+    t22 = 0.4318_rk*s2
+    t23 = h4_y*t22
+    m1_2 = 0.690314699_rk*s2 + (t23 + 0.023751_rk*c2 + m1_3)
+    m1_4 = h4_x*t6 - c23*t19 - t17
+    t24 = c23*neg_h5_y
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = t15 - c4*t24
+    t25 = t11 + 0.17964216_rk
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = 0.0203_rk*(s4*t24) - t21*t25
+    t26 = s4*t6
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = nu3_y - neg_h5_y*t26
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.3002_rk*h4_y) - 0.1682704495_rk
+    m1_5 = 0.1501_rk*neg_fu3_x - nu2_y
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t13 - t10
+    t27 = t18 + h3_y*t22
+    ! link 2: mass matrix, its row of this joint
+    m2_3 = t27 + m3_3
+    m2_2 = t27 + (m2_3 + 6.458114002_rk)
+    m2_4 = m3_4 + c23*t23 - t15*t26
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = c4*t25 - t7
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_y = c23*h5_x + neg_h5_y*(c4*s23)
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = m3_5 + (t22*neg_fu3_x + t6*fu3_y)
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = 67.02777777777777_rk*h4_y
+    t28 = 67.02777777777777_rk*(t24 - t16)
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
     M(4) = m1_4
     M(5) = m1_5
-    M(6) = neg_nu3_y
+    M(6) = t28
     M(7) = m1_2
     M(8) = m2_2
     M(9) = m2_3
@@ -556,7 +539,7 @@ contains
     M(28) = 0.0_rk
     M(29) = 0.17964216_rk
     M(30) = 0.0_rk
-    M(31) = neg_nu3_y
+    M(31) = t28
     M(32) = nu4_y
     M(33) = nu4_y
     M(34) = neg_nu5_y
@@ -565,7 +548,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 293 multiplications, 224 additions, 6 divisions = 523; 2 unary minus; 8 sine/cosine
+  ! 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8 sine/cosine
   pure subroutine puma560_rotor_in_link_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_rotor_in_link_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -578,18 +561,17 @@ contains
     real(rk) :: n06_y, c2, s2, ww2_zz, alpha4_y, lam5_12, alpha4_x, lam5_32, t2, neg_lam3_22, t3
     real(rk) :: t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, n5_z, alpha5_y
     real(rk) :: n06_z, t18, t19, t20, t21, t22, t23, t24, t25, t26, t27, n3_x, neg_n4_z, n3_y, t28
-    real(rk) :: t29, t30, t31, t32, t33, t34, t35, n1_z, t36, n3_z, n02_z, nu5_x, neg_nu5_y, nu4_x
-    real(rk) :: nu4_y, neg_nu3_y, h5_x, neg_h5_y, t37, neg_k5_yy, k5_xy, fu4_x, fu4_y, nu4_x_2
-    real(rk) :: nu4_y_2, m3_5, fu3_x, fu3_y, nu3_y, t38, nu2_y, t39, m2_5, neg_m1_5, m4_4, h4_x
-    real(rk) :: h4_y, t40, t41, k4_xx, neg_k4_yy, k4_xy, neg_k4_xz, neg_k4_yz, m3_4, neg_fu3_x
-    real(rk) :: neg_fu3_y, t42, nu3_y_2, nu2_y_2, m2_4, m1_4, t43, t44, m3_3, t45, t46, h3_x, h3_y
-    real(rk) :: t47, neg_k3_xx, neg_k3_yy, k3_yz, m2_3, m1_3, t48, neg_m2_2, h2_y, k2_xx, k2_yz
-    real(rk) :: m1_2, neg_m1_1, neg_y1, neg_ipivot1, neg_l2_1, neg_l3_1, neg_l4_1, l5_1, neg_l6_1
-    real(rk) :: neg_pivot2, neg_ipivot2, ld3_2, neg_l3_2, ld4_2, neg_l4_2, ld5_2, neg_l5_2, ld6_2
-    real(rk) :: neg_l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4
-    real(rk) :: neg_ld5_4, neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, neg_ld6_5, neg_l6_5, pivot6
-    real(rk) :: ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, qdd6, neg_qdd5, qdd4, neg_qdd3, qdd2, qdd1
-    real(rk) :: t49, t50
+    real(rk) :: t29, t30, t31, t32, t33, t34, t35, n1_z, t36, n3_z, n02_z, neg_nu5_y, h5_x
+    real(rk) :: neg_h5_y, h4_x, h4_y, t37, t38, t39, h3_x, h3_y, t40, t41, m4_4, t42, t43, t44, t45
+    real(rk) :: t46, t47, t48, t49, t50, t51, t52, t53, t54, t55, m1_1, m3_4, t56, k3_yz, m1_3, t57
+    real(rk) :: t58, m1_2, neg_m1_4, t59, neg_fu3_x, t60, nu3_y, t61, nu2_y, neg_m1_5, neg_m3_3
+    real(rk) :: t62, neg_m2_3, m2_2, m2_4, neg_m3_5, fu3_y, neg_m2_5, nu4_y, neg_ld6_1, neg_y1
+    real(rk) :: ipivot1, l2_1, l3_1, neg_l4_1, neg_l5_1, neg_l6_1, pivot2, ipivot2, neg_ld3_2
+    real(rk) :: neg_l3_2, ld4_2, l4_2, neg_ld5_2, neg_l5_2, ld6_2, l6_2, neg_pivot3, neg_ipivot3
+    real(rk) :: ld4_3, neg_l4_3, neg_ld5_3, l5_3, ld6_3, neg_l6_3, pivot4, ipivot4, neg_ld5_4
+    real(rk) :: neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, neg_ld6_5, neg_l6_5, neg_pivot6
+    real(rk) :: neg_ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, neg_qdd6, neg_qdd5, qdd4, qdd3, qdd2
+    real(rk) :: qdd1, t63, t64
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -714,170 +696,152 @@ contains
     n02_z = n3_z + (neg_lam2_33*t29 + t3*(s23*t31 + (c23*t33 - 1.5019138889382213_rk))) + &
         (0.0018749598043631376_rk*(t3 + 545.6756980171745_rk*s2) - t5*t34)
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.19304_rk*s5
     neg_nu5_y = 0.19304_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
-    nu4_y = s4*nu5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = c23*neg_nu5_y - s23*nu4_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.00288_rk*s5
     neg_h5_y = 0.00288_rk*c5
-    t37 = 0.19279784_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_yy = t37 - 0.18622_rk
-    k5_xy = 0.19279784_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = -0.17964216_rk*s4
-    nu4_y_2 = 0.17964216_rk*c4
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y_2 - (t16 - 0.4331_rk*fu4_x)
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*h5_x
-    fu3_y = s23*fu4_x + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = c23*(0.0203_rk*fu4_y) - s23*(0.4331_rk*fu4_y - nu4_x_2)
-    t38 = 0.4318_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y - fu4_y*t38
-    t39 = 0.4318_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (fu3_y*t38 - fu3_x*t39)
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_5 = nu2_y + 0.1501_rk*fu3_x
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = t37 + 0.20184216_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = c4*h5_x
     h4_y = s4*h5_x
-    t40 = t37 - 0.01369784_rk
-    t41 = c4*c4*t40
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t41 + 0.10777_rk
-    neg_k4_yy = t41 - (t37 + 0.09407216_rk)
-    k4_xy = t40*(s4*c4)
-    neg_k4_xz = c4*k5_xy
-    neg_k4_yz = s4*k5_xy
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = neg_k4_yz - 0.4331_rk*h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    neg_fu3_x = c23*h4_y
-    neg_fu3_y = s23*h4_y
-    t42 = 0.4331_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = s23*(neg_k4_xz - t42) - c23*(m4_4 - 0.0203_rk*h4_x)
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 - t38*h4_x
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 - (t38*neg_fu3_y - t39*neg_fu3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = 0.1501_rk*neg_fu3_x - nu2_y_2
-    t43 = k4_xx - 0.0406_rk*h4_x
-    t44 = neg_k5_yy - 0.002494656_rk*c5
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = t43 - t44 + 1.062455249_rk
-    t45 = h4_x - 0.025375_rk
-    t46 = neg_h5_y + 0.861795_rk
+    t37 = h4_x - 0.025375_rk
+    t38 = neg_h5_y + 0.861795_rk
+    t39 = s23*t38
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c23*t45 + s23*t46
-    h3_y = s23*t45 - c23*t46
-    t47 = c23*c23*(t43 + t44 - 0.198925024_rk) + (t42 - (t15 + neg_k4_xz) - &
-        0.0106736385_rk)*(2.0_rk*(c23*s23))
+    h3_x = c23*t37 + t39
+    h3_y = s23*t37 - c23*t38
+    t40 = 66.94369444444445_rk*c5
+    t41 = neg_h5_y*t40
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t41 + 0.20184216_rk
+    t42 = 0.4318_rk*c2
+    t43 = t16 - c4*(t41 - 0.01369784_rk)
+    t44 = c4*t16
+    t45 = c4*t43 + (t44 - 0.5395351125_rk)
+    t46 = 0.001247328_rk*c5
+    t47 = t41 - t46
+    t48 = t46 - (t47 - 0.8169101365_rk)
+    t49 = t40 - 0.4331_rk
+    t50 = s23*h5_x
+    t51 = c4*t50
+    t52 = t49*t51
+    t53 = h3_x*t42
+    t54 = t44 - (m4_4 + 0.1501_rk*h4_y)
+    t55 = c23*(t52 - 0.0068208_rk*(s23 - 2.9761904761904763_rk*t39)) - (t53 - (t47 - &
+        0.540869687_rk) - t54)
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t42*(3.709729509031959_rk*c2 - 0.03288188976377953_rk*s2) - (c23*(c23*(t45 + t48)) - &
+        (t45 - (t55 + (t55 - 2.2249496655_rk))))
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = h4_y*t49
+    t56 = s23*s4
     ! link 3: second moment of the composite body [kg m^2]
-    neg_k3_xx = t44 - 0.6306901365_rk - t47
-    neg_k3_yy = t47 - (t43 + 0.4317651125_rk)
-    k3_yz = s23*(k4_xy - 0.0203_rk*h4_y) + c23*(m3_4 - 0.004704_rk)
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t38*h3_x + t39*h3_y)
+    k3_yz = c23*(m3_4 - 0.004704_rk) - t43*t56
     ! link 1: mass matrix, its row of this joint
     m1_3 = k3_yz + 0.1501_rk*h3_y
-    t48 = neg_k3_xx - t38*(2.0_rk*h3_x)
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_2 = neg_k3_yy - t39*(2.0_rk*h3_y) + t48 - 6.458114002_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = h3_y + (3.79559_rk*s2 + 0.1044_rk*c2)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = 1.601861202_rk*(c2*c2) - 0.0141984_rk*(c2*s2) + 2.4281264_rk - t48
-    k2_yz = k3_yz + t39*h4_y + (0.12059664_rk*s2 + 0.00808056_rk*c2)
+    t57 = 0.4318_rk*s2
+    t58 = h4_y*t57
+    m1_2 = 0.690314699_rk*s2 + (m1_3 + (t58 + 0.023751_rk*c2))
+    neg_m1_4 = t52 - (h4_x*t42 - c23*t54)
+    t59 = c23*neg_h5_y
+    ! link 3: force for a unit acceleration of a joint further out
+    neg_fu3_x = t50 - c4*t59
+    t60 = t46 + 0.17964216_rk
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = 0.0203_rk*(s4*t59) - t56*t60
+    t61 = s4*t42
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = nu3_y - neg_h5_y*t61
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1501_rk*h2_y
-    neg_m1_1 = neg_k4_yy - 0.3002_rk*h4_y - k2_xx + 0.1682704495_rk
+    neg_m1_5 = nu2_y - 0.1501_rk*neg_fu3_x
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_3 = t45 - t48
+    t62 = t53 + h3_y*t57
+    ! link 2: mass matrix, its row of this joint
+    neg_m2_3 = neg_m3_3 - t62
+    m2_2 = t62 - (neg_m2_3 - 6.458114002_rk)
+    m2_4 = m3_4 + c23*t58 - t50*t61
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_5 = t16 - c4*t60
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_y = c23*h5_x + neg_h5_y*(s23*c4)
+    ! link 2: mass matrix, its row of this joint
+    neg_m2_5 = neg_m3_5 - (t57*neg_fu3_x + t42*fu3_y)
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = 67.02777777777777_rk*h4_y
+    ! factorisation M = L D L^T
+    neg_ld6_1 = 67.02777777777777_rk*(t51 - t59)
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
-    neg_ipivot1 = 1.0_rk / neg_m1_1
-    neg_l2_1 = m1_2*neg_ipivot1
-    neg_l3_1 = m1_3*neg_ipivot1
-    neg_l4_1 = m1_4*neg_ipivot1
-    l5_1 = neg_m1_5*neg_ipivot1
-    neg_l6_1 = neg_nu3_y*neg_ipivot1
-    neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1
-    neg_ipivot2 = 1.0_rk / neg_pivot2
-    ld3_2 = m2_3 + m1_2*neg_l3_1
-    neg_l3_2 = neg_ipivot2*ld3_2
+    ipivot1 = 1.0_rk / m1_1
+    l2_1 = m1_2*ipivot1
+    l3_1 = m1_3*ipivot1
+    neg_l4_1 = neg_m1_4*ipivot1
+    neg_l5_1 = neg_m1_5*ipivot1
+    neg_l6_1 = neg_ld6_1*ipivot1
+    pivot2 = m2_2 - m1_2*l2_1
+    ipivot2 = 1.0_rk / pivot2
+    neg_ld3_2 = neg_m2_3 + m1_2*l3_1
+    neg_l3_2 = ipivot2*neg_ld3_2
     ld4_2 = m2_4 + m1_2*neg_l4_1
-    neg_l4_2 = neg_ipivot2*ld4_2
-    ld5_2 = m2_5 - m1_2*l5_1
-    neg_l5_2 = neg_ipivot2*ld5_2
+    l4_2 = ipivot2*ld4_2
+    neg_ld5_2 = neg_m2_5 - m1_2*neg_l5_1
+    neg_l5_2 = ipivot2*neg_ld5_2
     ld6_2 = nu4_y + m1_2*neg_l6_1
-    neg_l6_2 = neg_ipivot2*ld6_2
-    pivot3 = m3_3 + m1_3*neg_l3_1 + ld3_2*neg_l3_2
-    ipivot3 = 1.0_rk / pivot3
-    ld4_3 = m3_4 + m1_3*neg_l4_1 + ld3_2*neg_l4_2
-    l4_3 = ipivot3*ld4_3
-    ld5_3 = m3_5 - m1_3*l5_1 + ld3_2*neg_l5_2
-    l5_3 = ipivot3*ld5_3
-    ld6_3 = nu4_y + m1_3*neg_l6_1 + ld3_2*neg_l6_2
-    l6_3 = ipivot3*ld6_3
-    pivot4 = m4_4 + m1_4*neg_l4_1 + ld4_2*neg_l4_2 - ld4_3*l4_3
+    l6_2 = ipivot2*ld6_2
+    neg_pivot3 = neg_m3_3 + m1_3*l3_1 + neg_ld3_2*neg_l3_2
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    ld4_3 = m3_4 + m1_3*neg_l4_1 + neg_ld3_2*l4_2
+    neg_l4_3 = neg_ipivot3*ld4_3
+    neg_ld5_3 = neg_m3_5 - m1_3*neg_l5_1 + neg_ld3_2*neg_l5_2
+    l5_3 = neg_ipivot3*neg_ld5_3
+    ld6_3 = nu4_y + m1_3*neg_l6_1 + neg_ld3_2*l6_2
+    neg_l6_3 = neg_ipivot3*ld6_3
+    pivot4 = m4_4 - neg_m1_4*neg_l4_1 - ld4_2*l4_2 + ld4_3*neg_l4_3
     ipivot4 = 1.0_rk / pivot4
-    neg_ld5_4 = m1_4*l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3
+    neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + ld4_3*l5_3
     neg_l5_4 = ipivot4*neg_ld5_4
-    ld6_4 = neg_nu5_y + m1_4*neg_l6_1 + ld4_2*neg_l6_2 - ld4_3*l6_3
+    ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 - ld4_2*l6_2 + ld4_3*neg_l6_3
     l6_4 = ipivot4*ld6_4
-    pivot5 = neg_m1_5*l5_1 + 0.17964216_rk + ld5_2*neg_l5_2 - ld5_3*l5_3 - neg_ld5_4*neg_l5_4
+    pivot5 = 0.17964216_rk - neg_m1_5*neg_l5_1 - neg_ld5_2*neg_l5_2 + neg_ld5_3*l5_3 - &
+        neg_ld5_4*neg_l5_4
     ipivot5 = 1.0_rk / pivot5
-    neg_ld6_5 = neg_m1_5*neg_l6_1 - ld5_2*neg_l6_2 + ld5_3*l6_3 - neg_ld5_4*l6_4
+    neg_ld6_5 = neg_m1_5*neg_l6_1 - neg_ld5_2*l6_2 + neg_ld5_3*neg_l6_3 - neg_ld5_4*l6_4
     neg_l6_5 = ipivot5*neg_ld6_5
-    pivot6 = neg_nu3_y*neg_l6_1 + 0.19304_rk + ld6_2*neg_l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - &
+    neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.19304_rk + ld6_2*l6_2 - ld6_3*neg_l6_3 + ld6_4*l6_4 + &
         neg_ld6_5*neg_l6_5
-    ipivot6 = 1.0_rk / pivot6
+    neg_ipivot6 = 1.0_rk / neg_pivot6
     ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) + neg_y1*neg_l2_1
+    neg_y2 = n02_z - tau(2) - neg_y1*l2_1
     ! link 3: forward substitution
-    neg_y3 = n3_z - tau(3) + neg_y1*neg_l3_1 + neg_l3_2*neg_y2
+    neg_y3 = n3_z - tau(3) - neg_y1*l3_1 + neg_l3_2*neg_y2
     ! link 4: forward substitution
-    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 - neg_l4_2*neg_y2 + l4_3*neg_y3
+    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 + l4_2*neg_y2 - neg_l4_3*neg_y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 - neg_l5_4*y4
+    neg_y5 = n5_z - tau(5) + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 - neg_l5_4*y4
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 - l6_4*y4 - &
+    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 + l6_2*neg_y2 - neg_l6_3*neg_y3 - l6_4*y4 - &
         neg_l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd6 = ipivot6*y6
+    neg_qdd6 = neg_ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6
+    neg_qdd5 = ipivot5*neg_y5 + neg_l6_5*neg_qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 - l6_4*qdd6
+    qdd4 = ipivot4*y4 - neg_l5_4*neg_qdd5 + l6_4*neg_qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 + l4_3*qdd4 - l5_3*neg_qdd5 + l6_3*qdd6
+    qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 + l5_3*neg_qdd5 - neg_l6_3*neg_qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 + neg_l4_2*qdd4 - neg_l5_2*neg_qdd5 + &
-        neg_l6_2*qdd6
+    qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - neg_l3_2*qdd3 + l4_2*qdd4 + neg_l5_2*neg_qdd5)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 + neg_l4_1*qdd4 + l5_1*neg_qdd5 &
-        + neg_l6_1*qdd6
-    t49 = -neg_qdd3
-    t50 = -neg_qdd5
+    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 + l3_1*qdd3 - neg_l4_1*qdd4 + &
+        neg_l5_1*neg_qdd5)
+    t63 = -neg_qdd5
+    t64 = -neg_qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = t49
+    qdd(3) = qdd3
     qdd(4) = qdd4
-    qdd(5) = t50
-    qdd(6) = qdd6
+    qdd(5) = t63
+    qdd(6) = t64
   end subroutine
 end module

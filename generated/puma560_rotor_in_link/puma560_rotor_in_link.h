@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 139 multiplications, 115 additions = 254; 0 unary minus; 8 sine/cosine
  *   gravity: 16 multiplications, 7 additions = 23; 1 unary minus; 8 sine/cosine
  *   bias: 125 multiplications, 90 additions = 215; 1 unary minus; 8 sine/cosine
- *   mass_matrix: 84 multiplications, 66 additions = 150; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 293 multiplications, 224 additions, 6 divisions = 523; 2 unary minus; 8
+ *   mass_matrix: 60 multiplications, 54 additions = 114; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 270 multiplications, 212 additions, 6 divisions = 488; 3 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_ROTOR_IN_LINK_H

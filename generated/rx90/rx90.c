@@ -14,15 +14,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 212 multiplications, 201 additions = 413; 3 unary minus; 10 sine/cosine
  *   gravity: 38 multiplications, 23 additions = 61; 1 unary minus; 10 sine/cosine
  *   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 125 multiplications, 105 additions = 230; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 401 multiplications, 346 additions, 6 divisions = 753; 13 unary minus; 10
+ *   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
+ *   forward_dynamics: 378 multiplications, 336 additions, 6 divisions = 720; 14 unary minus; 10
  *       sine/cosine
  */
 #include "rx90.h"
@@ -562,7 +563,7 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 125 multiplications, 105 additions = 230; 0 unary minus; 10 sine/cosine */
+ * 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine */
 void rx90_mass_matrix(const rx90_real q[6], rx90_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -580,139 +581,127 @@ void rx90_mass_matrix(const rx90_real q[6], rx90_real M[36])
     const volatile rx90_real angle23 = q[1] + q[2];
     const rx90_real c23 = cos(angle23);
     const rx90_real s23 = sin(angle23);
-    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real neg_h6_x = 1.5707678306756712*c6 + 0.6271000643521031*s6;
-    const rx90_real neg_h6_y = 1.5707678306756712*s6 - 0.6271000643521031*c6;
-    const rx90_real t1 = c6*s6;
-    const rx90_real t2 = c6*c6;
     /* link 6: second moment of the composite body [kg m^2] */
-    const rx90_real k6_xy = 0.31005692653217237*t1 - 0.13821978029399798*(2.0*t2 - 1.0);
-    const rx90_real neg_k6_xz = 0.1601275610650136*c6 + 0.07096581179296485*s6;
-    const rx90_real k6_yz = 0.07096581179296485*c6 - 0.1601275610650136*s6;
+    const rx90_real k6_xz = -0.07096581179296485*s6 - 0.1601275610650136*c6;
+    const rx90_real t1 = 0.3992315427559742*k6_xz;
+    const rx90_real t2 = 0.1884593515900491*s6 + t1;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real neg_h6_y = 9.809478269877111*t2;
+    const rx90_real t3 = 0.007037838551227997*c6;
+    const rx90_real h6_x = 22.13414869766047*(t1 - t3);
+    const rx90_real t4 = 0.8974188745594792 - h6_x;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real neg_h5_x = 0.8067444135457743*s5 + c5*t4;
+    const rx90_real t5 = neg_h6_y - 1.0765039731522932;
+    const rx90_real t6 = neg_h5_x - 0.21759393385311085;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real h4_x = s4*t5 - c4*t6;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real h5_y = 0.8067444135457743*c5 - s5*t4;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const rx90_real k6_yz = t3 - t2;
+    const rx90_real t7 = 0.31005692653217237*c6;
+    const rx90_real t8 = s6*t7 + 0.1157967907323673;
+    const rx90_real t9 = c6*t7;
+    const rx90_real t10 = t8 - 0.8915767942352734*t9;
+    const rx90_real t11 = k6_yz - 0.06545842652927093;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const rx90_real neg_k5_yz = s5*t10 + c5*t11;
+    const rx90_real t12 = neg_k5_yz + 0.02981305527252843;
+    const rx90_real t13 = c5*s5;
+    const rx90_real t14 = t9 + (0.8915767942352734*t8 - 1.303850935413074);
+    const rx90_real t15 = t14 + 1.7318439408653845;
+    const rx90_real t16 = c5*c5;
+    const rx90_real t17 = 0.09989498009338187 - k6_xz - k6_xz;
+    const rx90_real t18 = t13*t15 - ((t16 - 0.5)*t17 - 0.1094831940191231);
+    /* link 4: second moment of the composite body [kg m^2] */
+    const rx90_real neg_k4_xz = s4*t12 - c4*t18;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const rx90_real k5_xz = s5*t11 - c5*t10;
+    /* link 5: mass matrix, its row of this joint */
+    const rx90_real m5_5 = t14 + 1.9312386359330127;
+    const rx90_real t19 = t13*t17 + (t15*t16 + 0.2883784012434809);
+    /* link 4: mass matrix, its row of this joint */
+    const rx90_real m4_4 = t19 - t14;
+    const rx90_real t20 = 0.45*c2;
+    const rx90_real t21 = c23*t20;
+    const rx90_real t22 = h4_x - 0.4001573159217507;
+    const rx90_real t23 = s23*t20;
+    const rx90_real t24 = h5_y + 9.392800548482231;
+    const rx90_real t25 = t21*t22 - t23*t24;
+    const rx90_real t26 = 0.45*h4_x;
+    const rx90_real t27 = neg_k4_xz - t26;
+    const rx90_real t28 = t25 + (t27 - 0.06558551272001446)*(c23*s23);
+    const rx90_real t29 = 0.09496171507178643*c2;
+    const rx90_real t30 = c4*s4;
+    const rx90_real t31 = 0.1836339186501415 - 2.0*k5_xz;
+    const rx90_real t32 = c4*c4;
+    const rx90_real t33 = t14 + t19;
+    const rx90_real t34 = t14 - 0.19252101484679798 + t30*t31 - t32*t33;
+    const rx90_real t35 = 0.45*h5_y;
+    const rx90_real t36 = t35 + m5_5;
+    const rx90_real t37 = t35 + 5.584769408295079 + t36 - t19;
+    /* link 1: mass matrix, its row of this joint */
+    const rx90_real m1_1 = t28 + (t29*(43.140918321110114*c2 - 7.0674063888484*s2) + (t28 +
+        1.3797143428523535)) + ((t34 + t37)*(s23*s23) + m4_4);
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real neg_h4_y = c4*t5 + s4*t6;
+    const rx90_real t38 = 0.45*neg_h4_y;
+    /* link 3: mass matrix, its row of this joint */
+    const rx90_real m3_4 = c4*t12 - (t38 - s4*t18);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const rx90_real neg_k3_yz = s23*(t30*t33 + (k5_xz + (t31*t32 - 0.20111998817219134))) +
+        c23*(m3_4 - 0.0672049454639226);
+    /* link 2: second moment of the composite body [kg m^2] */
+    const rx90_real neg_k2_yz = neg_k3_yz - t29 - s2*(t38 + 0.017315109477737248);
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const rx90_real nu2_y = s23*t27 + c2*t26 + c23*m4_4;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const rx90_real nu3_y = c23*neg_k5_yz + s23*(s4*t36 - c4*k5_xz);
     /* link 5: force for a unit acceleration of a joint further out */
     const rx90_real fu5_x = c5*neg_h6_y;
-    const rx90_real fu5_y = s5*neg_h6_y;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const rx90_real fu4_y = s4*fu5_x + c4*h6_x;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const rx90_real nu5_x = c5*neg_k6_xz - 0.5771491392208791*s5;
-    const rx90_real nu5_y = s5*neg_k6_xz + 0.5771491392208791*c5;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const rx90_real fu4_x = c4*fu5_x + s4*neg_h6_x;
-    const rx90_real fu4_y = s4*fu5_x - c4*neg_h6_x;
+    const rx90_real nu5_y = 0.5771491392208791*c5 - s5*k6_xz;
+    const rx90_real nu5_x = -0.5771491392208791*s5 - c5*k6_xz;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const rx90_real nu4_x = c4*nu5_x + s4*k6_yz;
-    const rx90_real nu4_y = s4*nu5_x - c4*k6_yz;
-    /* link 3: mass matrix, its row of this joint */
-    const rx90_real m3_6 = -0.45*fu4_x - nu4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const rx90_real fu3_x = c23*fu4_x - s23*fu5_y;
-    const rx90_real fu3_y = s23*fu4_x + c23*fu5_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const rx90_real nu3_y = s23*(nu4_x - 0.45*fu4_y) + c23*nu5_y;
-    const rx90_real t3 = 0.45*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const rx90_real nu2_y = nu3_y + t3*fu4_y;
-    const rx90_real t4 = 0.45*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_6 = m3_6 + (t3*fu3_y - t4*fu3_x);
-    const rx90_real t5 = 0.31005692653217237*t2 + 0.27643956058799596*t1;
-    /* link 5: mass matrix, its row of this joint */
-    const rx90_real m5_5 = t5 + 0.7306294319838356;
-    const rx90_real t6 = neg_h6_x + 0.8974188745594792;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real neg_h5_x = c5*t6 + 0.8067444135457743*s5;
-    const rx90_real neg_h5_y = s5*t6 - 0.8067444135457743*c5;
-    const rx90_real t7 = c5*c5;
-    const rx90_real t8 = t5 + 0.5312347369162073;
-    const rx90_real t9 = neg_k6_xz + 0.04994749004669093;
-    const rx90_real t10 = c5*s5;
-    const rx90_real t11 = t7*t8 + t9*(2.0*t10);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const rx90_real k5_yy = t5 + 0.6309320844500215 - t11;
-    const rx90_real k5_xy = t8*t10 + t9*(1.0 - 2.0*t7);
-    const rx90_real t12 = k6_xy - 0.022422989561630666;
-    const rx90_real t13 = 0.06545842652927093 - k6_yz;
-    const rx90_real neg_k5_xz = c5*t12 + s5*t13;
-    const rx90_real neg_k5_yz = s5*t12 - c5*t13;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const rx90_real fu4_x_2 = c4*neg_h5_y;
-    const rx90_real fu4_y_2 = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const rx90_real nu4_x_2 = c4*neg_k5_xz + s4*m5_5;
-    const rx90_real nu4_y_2 = s4*neg_k5_xz - c4*m5_5;
-    /* link 3: mass matrix, its row of this joint */
-    const rx90_real m3_5 = -0.45*fu4_x_2 - nu4_y_2;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const rx90_real fu3_x_2 = c23*fu4_x_2 + s23*neg_h5_x;
-    const rx90_real fu3_y_2 = s23*fu4_x_2 - c23*neg_h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const rx90_real nu3_y_2 = s23*(nu4_x_2 - 0.45*fu4_y_2) + c23*neg_k5_yz;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const rx90_real nu2_y_2 = nu3_y_2 + t3*fu4_y_2;
-    /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_5 = m3_5 + (t3*fu3_y_2 - t4*fu3_x_2);
-    /* link 4: mass matrix, its row of this joint */
-    const rx90_real m4_4 = 1.488987605192658 - (t5 - t11);
-    const rx90_real t14 = neg_h6_y - 1.0765039731522932;
-    const rx90_real t15 = neg_h5_x - 0.21759393385311085;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real h4_x = s4*t14 - c4*t15;
-    const rx90_real neg_h4_y = s4*t15 + c4*t14;
-    const rx90_real t16 = c4*c4;
-    const rx90_real t17 = t5 + t11 - 0.9122308027056962;
-    const rx90_real t18 = neg_k5_xz + 0.09181695932507075;
-    const rx90_real t19 = c4*s4;
-    const rx90_real t20 = t16*t17 - t18*(2.0*t19);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const rx90_real neg_k4_xx = t5 - 1.2006092039491771 - t20;
-    const rx90_real k4_yy = t11 + 0.2883784012434809 - t20;
-    const rx90_real k4_xy = t17*t19 - t18*(1.0 - 2.0*t16);
-    const rx90_real t21 = k5_xy + 0.1094831940191231;
-    const rx90_real t22 = neg_k5_yz + 0.02981305527252843;
-    const rx90_real k4_xz = c4*t21 - s4*t22;
-    const rx90_real k4_yz = s4*t21 + c4*t22;
-    /* link 3: mass matrix, its row of this joint */
-    const rx90_real m3_4 = k4_yz - 0.45*neg_h4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const rx90_real fu3_x_3 = c23*neg_h4_y;
-    const rx90_real fu3_y_3 = s23*neg_h4_y;
-    const rx90_real t23 = k4_xz + 0.45*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const rx90_real nu3_y_3 = c23*m4_4 - s23*t23;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const rx90_real nu2_y_3 = nu3_y_3 + t3*h4_x;
-    /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_4 = m3_4 + (t3*fu3_y_3 - t4*fu3_x_3);
-    const rx90_real t24 = k5_yy - 0.9*neg_h5_y;
-    /* link 3: mass matrix, its row of this joint */
-    const rx90_real m3_3 = 5.588609369432211 - (neg_k4_xx - t24);
-    const rx90_real t25 = 0.4001573159217507 - h4_x;
-    const rx90_real t26 = 9.392800548482231 - neg_h5_y;
+    const rx90_real nu4_x = s4*k6_yz + c4*nu5_x;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real neg_h3_x = c23*t25 + s23*t26;
-    const rx90_real h3_y = c23*t26 - s23*t25;
-    const rx90_real t27 = c23*c23*(neg_k4_xx + t24 + 5.203567339738615) + (t23 +
-        0.06558551272001446)*(2.0*(c23*s23));
-    /* link 3: second moment of the composite body [kg m^2] */
-    const rx90_real k3_xx = t24 + 5.396088354585412 - t27;
-    const rx90_real k3_yy = t27 - (neg_k4_xx - 0.19252101484679798);
-    const rx90_real neg_k3_yz = s23*(k4_xy - 0.1093030288471206) + c23*(m3_4 - 0.0672049454639226);
+    const rx90_real h3_y = c23*t24 + s23*t22;
+    /* link 3: mass matrix, its row of this joint */
+    const rx90_real m3_3 = t37 - t34;
+    const rx90_real t39 = 0.45*s2;
+    const rx90_real t40 = t25 + t39*h3_y;
     /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_3 = m3_3 + (t4*h3_y - t3*neg_h3_x);
-    const rx90_real t28 = k3_xx - t3*(2.0*neg_h3_x);
-    const rx90_real m2_2 = t28 - (t4*(-2.0*h3_y) - k3_yy) + 5.195184633739834;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const rx90_real k2_xx = t28 + (4.09673559354447*(c2*c2) - 0.6711330317943448*(c2*s2) +
-        0.5492245200976821);
-    const rx90_real neg_k2_yz = neg_k3_yz - t4*neg_h4_y - (0.017315109477737248*s2 +
-        0.09496171507178643*c2);
-    /* link 1: mass matrix, its row of this joint */
-    const rx90_real m1_1 = k4_yy + k2_xx + 0.6379688079078735;
+    const rx90_real m2_3 = t40 + m3_3;
+    const rx90_real m2_2 = t40 + (m2_3 + 5.195184633739834);
+    const rx90_real t41 = c23*t39 - t23;
+    const rx90_real m2_4 = m3_4 - neg_h4_y*t41;
+    /* link 3: mass matrix, its row of this joint */
+    const rx90_real m3_5 = c4*t36 + s4*k5_xz;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const rx90_real neg_fu4_x = c4*h5_y;
+    /* link 2: mass matrix, its row of this joint */
+    const rx90_real m2_5 = m3_5 + neg_h5_x*(-s23*t39 - t21) + t41*neg_fu4_x;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const rx90_real fu5_y = s5*neg_h6_y;
+    const rx90_real t42 = c4*fu5_x - s4*h6_x;
+    /* link 3: mass matrix, its row of this joint */
+    const rx90_real m3_6 = c4*k6_yz - 0.45*t42 - s4*nu5_x;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const rx90_real fu3_x = c23*t42 - s23*fu5_y;
+    /* link 2: mass matrix, its row of this joint */
+    const rx90_real m2_6 = t21*fu5_y + m3_6 + (t23*t42 - t39*fu3_x);
+    const rx90_real t43 = nu3_y - s4*(c2*t35);
+    const rx90_real t44 = 0.45*fu4_y;
+    const rx90_real t45 = c2*t44 + (c23*nu5_y - s23*(t44 - nu4_x));
     M[0] = m1_1;
     M[1] = neg_k2_yz;
     M[2] = neg_k3_yz;
-    M[3] = nu2_y_3;
-    M[4] = nu2_y_2;
-    M[5] = nu2_y;
+    M[3] = nu2_y;
+    M[4] = t43;
+    M[5] = t45;
     M[6] = neg_k2_yz;
     M[7] = m2_2;
     M[8] = m2_3;
@@ -725,19 +714,19 @@ void rx90_mass_matrix(const rx90_real q[6], rx90_real M[36])
     M[15] = m3_4;
     M[16] = m3_5;
     M[17] = m3_6;
-    M[18] = nu2_y_3;
+    M[18] = nu2_y;
     M[19] = m2_4;
     M[20] = m3_4;
     M[21] = m4_4;
     M[22] = neg_k5_yz;
     M[23] = nu5_y;
-    M[24] = nu2_y_2;
+    M[24] = t43;
     M[25] = m2_5;
     M[26] = m3_5;
     M[27] = neg_k5_yz;
     M[28] = m5_5;
     M[29] = k6_yz;
-    M[30] = nu2_y;
+    M[30] = t45;
     M[31] = m2_6;
     M[32] = m3_6;
     M[33] = nu5_y;
@@ -746,7 +735,7 @@ void rx90_mass_matrix(const rx90_real q[6], rx90_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 401 multiplications, 346 additions, 6 divisions = 753; 13 unary minus; 10 sine/cosine */
+ * 378 multiplications, 336 additions, 6 divisions = 720; 14 unary minus; 10 sine/cosine */
 void rx90_forward_dynamics(
     const rx90_real q[6],
     const rx90_real qd[6],
@@ -893,196 +882,182 @@ void rx90_forward_dynamics(
     const rx90_real t31 = t9 - 0.48442678791853194;
     const rx90_real t32 = t25*t31 + (0.022422989561630666*lam5_21 - (0.3630349860955984*t7 -
         (t18*t24 - (0.09969734753381411*lam5_32 - t8*t29))));
-    const rx90_real t33 = 0.04994749004669093 - k6_xz;
-    const rx90_real t34 = 0.06545842652927093*(neg_lam4_22 - neg_lam5_22) + (t20*t28 + t32) +
-        lam5_31*t33;
-    const rx90_real t35 = neg_lam4_22 + lam3_22;
-    const rx90_real t36 = 0.40383849355176565*t7 + 0.06545842652927093*lam5_12 +
+    const rx90_real t33 = 0.06545842652927093*(neg_lam4_22 - neg_lam5_22) + (t20*t28 + t32) +
+        lam5_31*(0.04994749004669093 - k6_xz);
+    const rx90_real t34 = neg_lam4_22 + lam3_22;
+    const rx90_real t35 = 0.40383849355176565*t7 + 0.06545842652927093*lam5_12 +
         (0.04994749004669093*lam5_32 + 0.48442678791853194*t13) + (nc6_z + (0.022422989561630666*t21
         - 0.4973859781056681*lam5_31));
-    const rx90_real t37 = c5*t34 - (4.226760246817004*t7 + 0.09181695932507075*lam4_31) +
-        (-0.7570061710726514*lam4_32 - (0.02981305527252843*t35 - s5*t36));
-    const rx90_real t38 = -0.1094831940191231*lam4_21 - t37;
-    const rx90_real t39 = 0.3630349860955984*lam5_12 + (0.40383849355176565*neg_lam5_11 - t2*(t30 -
+    const rx90_real t36 = c5*t33 - (4.226760246817004*t7 + 0.09181695932507075*lam4_31) +
+        (-0.7570061710726514*lam4_32 - (0.02981305527252843*t34 - s5*t35));
+    const rx90_real t37 = -0.1094831940191231*lam4_21 - t36;
+    const rx90_real t38 = 0.3630349860955984*lam5_12 + (0.40383849355176565*neg_lam5_11 - t2*(t30 -
         neg_lam5_22)) + lam5_13*t31;
-    const rx90_real t40 = 0.48442678791853194*lam5_23 - (t2*t28 - (0.3630349860955984*neg_lam5_22 +
+    const rx90_real t39 = 0.48442678791853194*lam5_23 - (t2*t28 - (0.3630349860955984*neg_lam5_22 +
         0.40383849355176565*lam5_21) - t9*t24);
-    const rx90_real t41 = c5*t39 + (s5*t40 + 0.09791727023389989*lam4_11 +
+    const rx90_real t40 = c5*t38 + (s5*t39 + 0.09791727023389989*lam4_11 +
         4.226760246817004*lam4_13);
-    const rx90_real t42 = 0.48442678791853194*neg_lam4_22 + (-4.226760246817004*lam4_23 -
+    const rx90_real t41 = 0.48442678791853194*neg_lam4_22 + (-4.226760246817004*lam4_23 -
         (-0.3630349860955984*lam5_32 - t9*(t29 - neg_lam5_22)) - 0.09791727023389989*lam4_21);
-    const rx90_real t43 = t42 - lam5_31*t26;
-    const rx90_real t44 = s4*t41 - (0.13117102544002893*ww3_zx + c4*t43);
-    const rx90_real t45 = 4.226760246817004*t10 - 0.02981305527252843*lam4_12 + (n5_z -
+    const rx90_real t42 = t41 - lam5_31*t26;
+    const rx90_real t43 = s4*t40 - (0.13117102544002893*ww3_zx + c4*t42);
+    const rx90_real t44 = 4.226760246817004*t10 - 0.02981305527252843*lam4_12 + (n5_z -
         0.09791727023389989*t12) - (0.1094831940191231*t22 - 0.09181695932507075*lam4_32 -
         0.1886810537096668*lam4_31);
-    const rx90_real t46 = lam3_22 - lam2_33;
+    const rx90_real t45 = lam3_22 - lam2_33;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_x = c4*t38 - 6.114864278097191*ww3_yz - (t44 - s4*t45 +
-        0.0672049454639226*t46) - 0.1093030288471206*ww3_xy;
-    const rx90_real t47 = s5*t34 - 0.1094831940191231*lam4_23 + 0.09181695932507075*(t22 + t35) -
+    const rx90_real n3_x = c4*t37 - 6.114864278097191*ww3_yz - (t43 - s4*t44 +
+        0.0672049454639226*t45) - 0.1093030288471206*ww3_xy;
+    const rx90_real t46 = s5*t33 - 0.1094831940191231*lam4_23 + 0.09181695932507075*(t22 + t34) -
         0.1886810537096668*lam4_21 + 0.02981305527252843*lam4_13;
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n4_z = c5*t36 - 0.09791727023389989*t7 - 0.7570061710726514*lam4_12 - t47;
-    const rx90_real t48 = ww3_zz - ww3_xx;
+    const rx90_real n4_z = c5*t35 - 0.09791727023389989*t7 - 0.7570061710726514*lam4_12 - t46;
+    const rx90_real t47 = ww3_zz - ww3_xx;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_y = n4_z - (0.1093030288471206*t48 - 0.0672049454639226*ww3_xy) -
+    const rx90_real n3_y = n4_z - (0.1093030288471206*t47 - 0.0672049454639226*ww3_xy) -
         (0.38504202969359597*ww3_zx + (0.13117102544002893*ww3_yz - 0.1800707921647878*lam2_31));
     /* link 3: moment through the joint, along the axes that its turn starts from [N m] */
     const rx90_real n03_y = s23*n3_x + c23*n3_y;
-    const rx90_real t49 = 0.09496171507178643*s2;
-    const rx90_real t50 = 0.017315109477737248*c2 - t49;
-    const rx90_real t51 = 7.0674063888484*c2;
-    const rx90_real t52 = 0.09496171507178643*c2;
-    const rx90_real t53 = 6.104207957983257*(t49*t51) + (t51*t52 - 0.3355665158971724);
+    const rx90_real t48 = 0.09496171507178643*s2;
+    const rx90_real t49 = 0.017315109477737248*c2 - t48;
+    const rx90_real t50 = 7.0674063888484*c2;
+    const rx90_real t51 = 0.09496171507178643*c2;
+    const rx90_real t52 = 6.104207957983257*(t48*t50) + (t50*t51 - 0.3355665158971724);
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n1_z = n03_y - (ww2_zz*t50 + t1*t53 - c2*(t44 + 0.49131260976960456*ww3_zx));
-    const rx90_real t54 = c4*t41 + s4*t43;
-    const rx90_real t55 = t46 + t48;
+    const rx90_real n1_z = n03_y - (ww2_zz*t49 + t1*t52 - c2*(t43 + 0.49131260976960456*ww3_zx));
+    const rx90_real t53 = c4*t40 + s4*t42;
+    const rx90_real t54 = t45 + t47;
     /* link 3: moment through the joint, about the frame's origin [N m] */
-    const rx90_real n3_z = 3.249953153895394*ww3_xy - (s4*t38 + (t54 - (0.06558551272001446*t55 +
-        (c4*t45 + 0.1800707921647878*t11))));
+    const rx90_real n3_z = 3.249953153895394*ww3_xy - (s4*t37 + (t53 - (0.06558551272001446*t54 +
+        (c4*t44 + 0.1800707921647878*t11))));
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const rx90_real lam3_11 = lam3_22 - t55;
-    const rx90_real t56 = c5*t40 - s5*t39 - 0.09791727023389989*lam4_31 + (0.1800707921647878*ww3_xy
+    const rx90_real lam3_11 = lam3_22 - t54;
+    const rx90_real t55 = c5*t39 - s5*t38 - 0.09791727023389989*lam4_31 + (0.1800707921647878*ww3_xy
         - 4.226760246817004*lam3_22);
-    const rx90_real t57 = t54 - 0.1800707921647878*lam3_11;
-    const rx90_real t58 = n3_z - c2*(c23*t56 - s23*t57) - lam2_33*t53 - s2*(c23*t57 + s23*t56);
+    const rx90_real t56 = t53 - 0.1800707921647878*lam3_11;
+    const rx90_real t57 = n3_z - c2*(c23*t55 - s23*t56) - lam2_33*t52 - s2*(c23*t56 + s23*t55);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
-    const rx90_real n02_z = 4681.18660659102*(t50 + 0.09865834996998242*s2) + t58;
+    const rx90_real n02_z = 4681.18660659102*(t49 + 0.09865834996998242*s2) + t57;
+    const rx90_real t58 = 0.3992315427559742*k6_xz;
+    const rx90_real t59 = 0.1884593515900491*s6 + t58;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real h6_x = -0.6271000643521031*s6 - 1.5707678306756712*c6;
-    const rx90_real neg_h6_y = 1.5707678306756712*s6 - 0.6271000643521031*c6;
-    const rx90_real t59 = c6*s6;
-    const rx90_real t60 = c6*c6;
+    const rx90_real neg_h6_y = 9.809478269877111*t59;
+    const rx90_real t60 = 0.007037838551227997*c6;
+    const rx90_real h6_x = 22.13414869766047*(t58 - t60);
+    const rx90_real t61 = 0.8974188745594792 - h6_x;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real neg_h5_x = 0.8067444135457743*s5 + c5*t61;
+    const rx90_real t62 = neg_h6_y - 1.0765039731522932;
+    const rx90_real t63 = neg_h5_x - 0.21759393385311085;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real h4_x = s4*t62 - c4*t63;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real h5_y = 0.8067444135457743*c5 - s5*t61;
     /* link 6: second moment of the composite body [kg m^2] */
-    const rx90_real k6_xy = 0.31005692653217237*t59 + 0.13821978029399798*(1.0 - 2.0*t60);
-    const rx90_real k6_yz = 0.07096581179296485*c6 - 0.1601275610650136*s6;
+    const rx90_real k6_yz = t60 - t59;
+    const rx90_real t64 = t16 + 0.1157967907323673;
+    const rx90_real t65 = 0.8915767942352734*t15 - t64;
+    const rx90_real t66 = 0.06545842652927093 - k6_yz;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const rx90_real k5_yz = s5*t65 + c5*t66;
+    const rx90_real t67 = 0.02981305527252843 - k5_yz;
+    const rx90_real t68 = c5*s5;
+    const rx90_real t69 = t15 + (0.8915767942352734*t64 - 1.303850935413074);
+    const rx90_real t70 = t69 + 1.7318439408653845;
+    const rx90_real t71 = c5*c5;
+    const rx90_real t72 = 0.09989498009338187 - k6_xz - k6_xz;
+    const rx90_real t73 = t68*t70 - ((t71 - 0.5)*t72 - 0.1094831940191231);
+    /* link 4: second moment of the composite body [kg m^2] */
+    const rx90_real neg_k4_xz = s4*t67 - c4*t73;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const rx90_real k5_xz = c5*t65 - s5*t66;
+    /* link 5: mass matrix, its row of this joint */
+    const rx90_real m5_5 = t69 + 1.9312386359330127;
+    const rx90_real t74 = t68*t72 + (t70*t71 + 0.2883784012434809);
+    /* link 4: mass matrix, its row of this joint */
+    const rx90_real m4_4 = t74 - t69;
+    const rx90_real t75 = 0.45*c2;
+    const rx90_real t76 = c23*t75;
+    const rx90_real t77 = h4_x - 0.4001573159217507;
+    const rx90_real t78 = s23*t75;
+    const rx90_real t79 = h5_y + 9.392800548482231;
+    const rx90_real t80 = t76*t77 - t78*t79;
+    const rx90_real t81 = 0.45*h4_x;
+    const rx90_real t82 = neg_k4_xz - t81;
+    const rx90_real t83 = t80 + (t82 - 0.06558551272001446)*(s23*c23);
+    const rx90_real t84 = c4*s4;
+    const rx90_real t85 = 0.1836339186501415 - 2.0*k5_xz;
+    const rx90_real t86 = c4*c4;
+    const rx90_real t87 = t69 + t74;
+    const rx90_real t88 = t69 - 0.19252101484679798 + t84*t85 - t86*t87;
+    const rx90_real t89 = 0.45*h5_y;
+    const rx90_real t90 = m5_5 + t89;
+    const rx90_real t91 = t74 - (t89 + 5.584769408295079 + t90);
+    /* link 1: mass matrix, its row of this joint */
+    const rx90_real m1_1 = t83 + (t51*(43.140918321110114*c2 - 7.0674063888484*s2) + (t83 +
+        1.3797143428523535)) + (m4_4 + (t88 - t91)*(s23*s23));
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const rx90_real neg_h4_y = c4*t62 + s4*t63;
+    const rx90_real t92 = 0.45*neg_h4_y;
+    /* link 3: mass matrix, its row of this joint */
+    const rx90_real m3_4 = c4*t67 - (t92 - s4*t73);
+    /* link 3: second moment of the composite body [kg m^2] */
+    const rx90_real k3_yz = c23*(0.0672049454639226 - m3_4) - s23*(t84*t87 + (k5_xz + (t85*t86 -
+        0.20111998817219134)));
+    /* link 2: second moment of the composite body [kg m^2] */
+    const rx90_real k2_yz = t51 + k3_yz + s2*(t92 + 0.017315109477737248);
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const rx90_real nu2_y = s23*t82 + c2*t81 + c23*m4_4;
+    /* link 3: moment for a unit acceleration of a joint further out */
+    const rx90_real nu3_y = s23*(s4*t90 - c4*k5_xz) - c23*k5_yz;
     /* link 5: force for a unit acceleration of a joint further out */
     const rx90_real fu5_x = c5*neg_h6_y;
-    const rx90_real fu5_y = s5*neg_h6_y;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const rx90_real nu5_x = -0.5771491392208791*s5 - c5*k6_xz;
-    const rx90_real nu5_y = 0.5771491392208791*c5 - s5*k6_xz;
     /* link 4: force for a unit acceleration of a joint further out */
-    const rx90_real fu4_x = c4*fu5_x - s4*h6_x;
     const rx90_real fu4_y = s4*fu5_x + c4*h6_x;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const rx90_real nu5_y = 0.5771491392208791*c5 - s5*k6_xz;
+    const rx90_real nu5_x = -0.5771491392208791*s5 - c5*k6_xz;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const rx90_real nu4_x = c4*nu5_x + s4*k6_yz;
-    const rx90_real nu4_y = s4*nu5_x - c4*k6_yz;
-    /* link 3: mass matrix, its row of this joint */
-    const rx90_real neg_m3_6 = nu4_y + 0.45*fu4_x;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const rx90_real fu3_x = c23*fu4_x - s23*fu5_y;
-    const rx90_real fu3_y = s23*fu4_x + c23*fu5_y;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const rx90_real nu3_y = s23*(nu4_x - 0.45*fu4_y) + c23*nu5_y;
-    const rx90_real t61 = 0.45*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const rx90_real nu2_y = nu3_y + fu4_y*t61;
-    const rx90_real t62 = 0.45*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_6 = fu3_y*t61 - fu3_x*t62 - neg_m3_6;
-    const rx90_real t63 = 0.31005692653217237*t60 + 0.27643956058799596*t59;
-    /* link 5: mass matrix, its row of this joint */
-    const rx90_real m5_5 = t63 + 0.7306294319838356;
-    const rx90_real t64 = 0.8974188745594792 - h6_x;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real h5_x = -0.8067444135457743*s5 - c5*t64;
-    const rx90_real neg_h5_y = s5*t64 - 0.8067444135457743*c5;
-    const rx90_real t65 = c5*c5;
-    const rx90_real t66 = t63 + 0.5312347369162073;
-    const rx90_real t67 = c5*s5;
-    const rx90_real t68 = t65*t66 + t33*(2.0*t67);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const rx90_real k5_yy = t63 + 0.6309320844500215 - t68;
-    const rx90_real k5_xy = t66*t67 + t33*(1.0 - 2.0*t65);
-    const rx90_real t69 = 0.022422989561630666 - k6_xy;
-    const rx90_real t70 = k6_yz - 0.06545842652927093;
-    const rx90_real k5_xz = c5*t69 + s5*t70;
-    const rx90_real k5_yz = s5*t69 - c5*t70;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const rx90_real fu4_x_2 = c4*neg_h5_y;
-    const rx90_real fu4_y_2 = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const rx90_real nu4_x_2 = s4*m5_5 - c4*k5_xz;
-    const rx90_real nu4_y_2 = -c4*m5_5 - s4*k5_xz;
-    /* link 3: mass matrix, its row of this joint */
-    const rx90_real neg_m3_5 = nu4_y_2 + 0.45*fu4_x_2;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const rx90_real fu3_x_2 = c23*fu4_x_2 - s23*h5_x;
-    const rx90_real fu3_y_2 = s23*fu4_x_2 + c23*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const rx90_real nu3_y_2 = s23*(nu4_x_2 - 0.45*fu4_y_2) - c23*k5_yz;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const rx90_real nu2_y_2 = nu3_y_2 + t61*fu4_y_2;
-    /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_5 = t61*fu3_y_2 - t62*fu3_x_2 - neg_m3_5;
-    /* link 4: mass matrix, its row of this joint */
-    const rx90_real m4_4 = 1.488987605192658 - (t63 - t68);
-    const rx90_real t71 = neg_h6_y - 1.0765039731522932;
-    const rx90_real t72 = -h5_x - 0.21759393385311085;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real h4_x = s4*t71 - c4*t72;
-    const rx90_real neg_h4_y = s4*t72 + c4*t71;
-    const rx90_real t73 = c4*c4;
-    const rx90_real t74 = t63 + t68 - 0.9122308027056962;
-    const rx90_real t75 = 0.09181695932507075 - k5_xz;
-    const rx90_real t76 = c4*s4;
-    const rx90_real t77 = t73*t74 - t75*(2.0*t76);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const rx90_real k4_xx = t77 - (t63 - 1.2006092039491771);
-    const rx90_real k4_yy = t68 + 0.2883784012434809 - t77;
-    const rx90_real k4_xy = t74*t76 - t75*(1.0 - 2.0*t73);
-    const rx90_real t78 = k5_xy + 0.1094831940191231;
-    const rx90_real t79 = 0.02981305527252843 - k5_yz;
-    const rx90_real k4_xz = c4*t78 - s4*t79;
-    const rx90_real k4_yz = s4*t78 + c4*t79;
-    /* link 3: mass matrix, its row of this joint */
-    const rx90_real m3_4 = k4_yz - 0.45*neg_h4_y;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const rx90_real fu3_x_3 = c23*neg_h4_y;
-    const rx90_real fu3_y_3 = s23*neg_h4_y;
-    const rx90_real t80 = k4_xz + 0.45*h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const rx90_real nu3_y_3 = c23*m4_4 - s23*t80;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const rx90_real nu2_y_3 = nu3_y_3 + t61*h4_x;
-    /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_4 = m3_4 + (t61*fu3_y_3 - t62*fu3_x_3);
-    const rx90_real t81 = k5_yy - 0.9*neg_h5_y;
-    /* link 3: mass matrix, its row of this joint */
-    const rx90_real m3_3 = k4_xx + t81 + 5.588609369432211;
-    const rx90_real t82 = h4_x - 0.4001573159217507;
-    const rx90_real t83 = neg_h5_y - 9.392800548482231;
+    const rx90_real nu4_x = s4*k6_yz + c4*nu5_x;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const rx90_real h3_x = c23*t82 + s23*t83;
-    const rx90_real h3_y = s23*t82 - c23*t83;
-    const rx90_real t84 = c23*c23*(t81 - k4_xx + 5.203567339738615) + (t80 +
-        0.06558551272001446)*(2.0*(s23*c23));
-    /* link 3: second moment of the composite body [kg m^2] */
-    const rx90_real k3_xx = t81 + 5.396088354585412 - t84;
-    const rx90_real k3_yy = t84 + (k4_xx + 0.19252101484679798);
-    const rx90_real k3_yz = c23*(0.0672049454639226 - m3_4) - s23*(k4_xy - 0.1093030288471206);
+    const rx90_real h3_y = c23*t79 + s23*t77;
+    /* link 3: mass matrix, its row of this joint */
+    const rx90_real neg_m3_3 = t88 + t91;
+    const rx90_real t93 = 0.45*s2;
+    const rx90_real t94 = t80 + h3_y*t93;
     /* link 2: mass matrix, its row of this joint */
-    const rx90_real m2_3 = m3_3 - (-t61*h3_x - t62*h3_y);
-    const rx90_real t85 = k3_xx + t61*(2.0*h3_x);
-    const rx90_real m2_2 = t85 + (k3_yy - t62*(-2.0*h3_y)) + 5.195184633739834;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const rx90_real k2_xx = t85 + (4.09673559354447*(c2*c2) - 0.6711330317943448*(c2*s2) +
-        0.5492245200976821);
-    const rx90_real k2_yz = k3_yz + t62*neg_h4_y + (t52 + 0.017315109477737248*s2);
-    /* link 1: mass matrix, its row of this joint */
-    const rx90_real m1_1 = k4_yy + k2_xx + 0.6379688079078735;
+    const rx90_real m2_3 = t94 - neg_m3_3;
+    const rx90_real m2_2 = t94 + (m2_3 + 5.195184633739834);
+    const rx90_real t95 = c23*t93 - t78;
+    const rx90_real m2_4 = m3_4 - neg_h4_y*t95;
+    /* link 3: mass matrix, its row of this joint */
+    const rx90_real m3_5 = c4*t90 + s4*k5_xz;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const rx90_real neg_fu4_x = c4*h5_y;
+    /* link 2: mass matrix, its row of this joint */
+    const rx90_real m2_5 = m3_5 + neg_h5_x*(-s23*t93 - t76) + t95*neg_fu4_x;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const rx90_real fu5_y = s5*neg_h6_y;
+    const rx90_real t96 = c4*fu5_x - s4*h6_x;
+    /* link 3: mass matrix, its row of this joint */
+    const rx90_real neg_m3_6 = 0.45*t96 - c4*k6_yz + s4*nu5_x;
+    /* link 3: force for a unit acceleration of a joint further out */
+    const rx90_real fu3_x = c23*t96 - s23*fu5_y;
+    /* link 2: mass matrix, its row of this joint */
+    const rx90_real m2_6 = t76*fu5_y - neg_m3_6 + (t78*t96 - t93*fu3_x);
+    /* factorisation M = L D L^T */
+    const rx90_real ld5_1 = nu3_y - s4*(c2*t89);
+    const rx90_real t97 = 0.45*fu4_y;
+    const rx90_real ld6_1 = c2*t97 + (c23*nu5_y - s23*(t97 - nu4_x));
     /* link 1: forward substitution */
     const rx90_real y1 = tau[0] - n1_z;
     /* factorisation M = L D L^T */
     const rx90_real ipivot1 = 1.0 / m1_1;
     const rx90_real l2_1 = -k2_yz*ipivot1;
     const rx90_real l3_1 = -k3_yz*ipivot1;
-    const rx90_real l4_1 = nu2_y_3*ipivot1;
-    const rx90_real l5_1 = nu2_y_2*ipivot1;
-    const rx90_real l6_1 = nu2_y*ipivot1;
+    const rx90_real l4_1 = nu2_y*ipivot1;
+    const rx90_real l5_1 = ld5_1*ipivot1;
+    const rx90_real l6_1 = ld6_1*ipivot1;
     const rx90_real pivot2 = m2_2 + k2_yz*l2_1;
     const rx90_real ipivot2 = 1.0 / pivot2;
     const rx90_real ld3_2 = m2_3 + k2_yz*l3_1;
@@ -1093,25 +1068,26 @@ void rx90_forward_dynamics(
     const rx90_real l5_2 = ipivot2*ld5_2;
     const rx90_real ld6_2 = m2_6 + k2_yz*l6_1;
     const rx90_real l6_2 = ipivot2*ld6_2;
-    const rx90_real pivot3 = m3_3 + k3_yz*l3_1 - ld3_2*l3_2;
+    const rx90_real pivot3 = k3_yz*l3_1 - neg_m3_3 - ld3_2*l3_2;
     const rx90_real ipivot3 = 1.0 / pivot3;
     const rx90_real ld4_3 = m3_4 + k3_yz*l4_1 - ld3_2*l4_2;
     const rx90_real l4_3 = ipivot3*ld4_3;
-    const rx90_real ld5_3 = k3_yz*l5_1 - neg_m3_5 - ld3_2*l5_2;
+    const rx90_real ld5_3 = m3_5 + k3_yz*l5_1 - ld3_2*l5_2;
     const rx90_real l5_3 = ipivot3*ld5_3;
     const rx90_real ld6_3 = k3_yz*l6_1 - neg_m3_6 - ld3_2*l6_2;
     const rx90_real l6_3 = ipivot3*ld6_3;
-    const rx90_real pivot4 = m4_4 - nu2_y_3*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
+    const rx90_real t98 = -ld4_2;
+    const rx90_real pivot4 = t98*l4_2 - (nu2_y*l4_1 - m4_4) - ld4_3*l4_3;
     const rx90_real ipivot4 = 1.0 / pivot4;
-    const rx90_real ld5_4 = -ld4_2*l5_2 - (k5_yz + nu2_y_3*l5_1) - ld4_3*l5_3;
+    const rx90_real ld5_4 = t98*l5_2 - (k5_yz + nu2_y*l5_1) - ld4_3*l5_3;
     const rx90_real l5_4 = ipivot4*ld5_4;
-    const rx90_real ld6_4 = nu5_y - nu2_y_3*l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
+    const rx90_real ld6_4 = nu5_y - nu2_y*l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
     const rx90_real l6_4 = ipivot4*ld6_4;
-    const rx90_real pivot5 = m5_5 - nu2_y_2*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
+    const rx90_real pivot5 = m5_5 - ld5_1*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4;
     const rx90_real ipivot5 = 1.0 / pivot5;
-    const rx90_real ld6_5 = k6_yz - nu2_y_2*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4;
+    const rx90_real ld6_5 = -ld5_3*l6_3 - (ld5_1*l6_1 - k6_yz + ld5_2*l6_2) - ld5_4*l6_4;
     const rx90_real l6_5 = ipivot5*ld6_5;
-    const rx90_real pivot6 = 0.5771491392208791 - nu2_y*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4
+    const rx90_real pivot6 = 0.5771491392208791 - ld6_1*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4
         - ld6_5*l6_5;
     const rx90_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
@@ -1119,23 +1095,24 @@ void rx90_forward_dynamics(
     /* link 3: forward substitution */
     const rx90_real y3 = -l3_2*y2 - (n3_z - tau[2] + y1*l3_1);
     /* link 4: forward substitution */
-    const rx90_real neg_y4 = n4_z - tau[3] + y1*l4_1 + l4_2*y2 + l4_3*y3;
+    const rx90_real y4 = -l4_3*y3 - (n4_z - tau[3] + y1*l4_1 + l4_2*y2);
     /* link 5: forward substitution */
-    const rx90_real y5 = l5_4*neg_y4 - (n5_z - tau[4] + y1*l5_1 + l5_2*y2 + l5_3*y3);
+    const rx90_real neg_y5 = n5_z - tau[4] + y1*l5_1 + l5_2*y2 + l5_3*y3 + l5_4*y4;
     /* link 6: forward substitution */
-    const rx90_real y6 = l6_4*neg_y4 - (nc6_z - tau[5] + y1*l6_1 + l6_2*y2 + l6_3*y3) - l6_5*y5;
+    const rx90_real y6 = l6_5*neg_y5 - (nc6_z - tau[5] + y1*l6_1 + l6_2*y2 + l6_3*y3 + l6_4*y4);
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const rx90_real qdd6 = ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real qdd5 = ipivot5*y5 - l6_5*qdd6;
+    const rx90_real qdd5 = -(ipivot5*neg_y5) - l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real qdd4 = -l5_4*qdd5 - ipivot4*neg_y4 - l6_4*qdd6;
+    const rx90_real qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const rx90_real qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const rx90_real qdd2 = -l6_2*qdd6 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5);
+    const rx90_real t99 = -(l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5);
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const rx90_real qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 - l6_1*qdd6;
+    const rx90_real qdd1 = t99 - l6_1*qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;

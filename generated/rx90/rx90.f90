@@ -13,15 +13,16 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
-! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
-!   to the recursion without being written like it: robodyn --optimize full, seed 1.
+! Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+!   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+!   seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 212 multiplications, 201 additions = 413; 3 unary minus; 10 sine/cosine
 !   gravity: 38 multiplications, 23 additions = 61; 1 unary minus; 10 sine/cosine
 !   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
-!   mass_matrix: 125 multiplications, 105 additions = 230; 0 unary minus; 10 sine/cosine
-!   forward_dynamics: 401 multiplications, 346 additions, 6 divisions = 753; 13 unary minus; 10
+!   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
+!   forward_dynamics: 378 multiplications, 336 additions, 6 divisions = 720; 14 unary minus; 10
 !       sine/cosine
 module rx90_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -591,20 +592,18 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 125 multiplications, 105 additions = 230; 0 unary minus; 10 sine/cosine
+  ! 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
   pure subroutine rx90_mass_matrix(q, M) &
       bind(c, name="rx90_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, neg_h6_x, neg_h6_y, t1, t2
-    real(rk) :: k6_xy, neg_k6_xz, k6_yz, fu5_x, fu5_y, nu5_x, nu5_y, fu4_x, fu4_y, nu4_x, nu4_y
-    real(rk) :: m3_6, fu3_x, fu3_y, nu3_y, t3, nu2_y, t4, m2_6, t5, m5_5, t6, neg_h5_x, neg_h5_y
-    real(rk) :: t7, t8, t9, t10, t11, k5_yy, k5_xy, t12, t13, neg_k5_xz, neg_k5_yz, fu4_x_2
-    real(rk) :: fu4_y_2, nu4_x_2, nu4_y_2, m3_5, fu3_x_2, fu3_y_2, nu3_y_2, nu2_y_2, m2_5, m4_4
-    real(rk) :: t14, t15, h4_x, neg_h4_y, t16, t17, t18, t19, t20, neg_k4_xx, k4_yy, k4_xy, t21
-    real(rk) :: t22, k4_xz, k4_yz, m3_4, fu3_x_3, fu3_y_3, t23, nu3_y_3, nu2_y_3, m2_4, t24, m3_3
-    real(rk) :: t25, t26, neg_h3_x, h3_y, t27, k3_xx, k3_yy, neg_k3_yz, m2_3, t28, m2_2, k2_xx
-    real(rk) :: neg_k2_yz, m1_1
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, angle23, c23, s23, k6_xz, t1, t2, neg_h6_y, t3
+    real(rk) :: h6_x, t4, neg_h5_x, t5, t6, h4_x, h5_y, k6_yz, t7, t8, t9, t10, t11, neg_k5_yz, t12
+    real(rk) :: t13, t14, t15, t16, t17, t18, neg_k4_xz, k5_xz, m5_5, t19, m4_4, t20, t21, t22, t23
+    real(rk) :: t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34, t35, t36, t37, m1_1
+    real(rk) :: neg_h4_y, t38, m3_4, neg_k3_yz, neg_k2_yz, nu2_y, nu3_y, fu5_x, fu4_y, nu5_y, nu5_x
+    real(rk) :: nu4_x, h3_y, m3_3, t39, t40, m2_3, m2_2, t41, m2_4, m3_5, neg_fu4_x, m2_5, fu5_y
+    real(rk) :: t42, m3_6, fu3_x, m2_6, t43, t44, t45
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -618,138 +617,127 @@ contains
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
-    ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    neg_h6_x = 1.5707678306756712_rk*c6 + 0.6271000643521031_rk*s6
-    neg_h6_y = 1.5707678306756712_rk*s6 - 0.6271000643521031_rk*c6
-    t1 = c6*s6
-    t2 = c6*c6
     ! link 6: second moment of the composite body [kg m^2]
-    k6_xy = 0.31005692653217237_rk*t1 - 0.13821978029399798_rk*(2.0_rk*t2 - 1.0_rk)
-    neg_k6_xz = 0.1601275610650136_rk*c6 + 0.07096581179296485_rk*s6
-    k6_yz = 0.07096581179296485_rk*c6 - 0.1601275610650136_rk*s6
+    k6_xz = -0.07096581179296485_rk*s6 - 0.1601275610650136_rk*c6
+    t1 = 0.3992315427559742_rk*k6_xz
+    t2 = 0.1884593515900491_rk*s6 + t1
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    neg_h6_y = 9.809478269877111_rk*t2
+    t3 = 0.007037838551227997_rk*c6
+    h6_x = 22.13414869766047_rk*(t1 - t3)
+    t4 = 0.8974188745594792_rk - h6_x
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_x = 0.8067444135457743_rk*s5 + c5*t4
+    t5 = neg_h6_y - 1.0765039731522932_rk
+    t6 = neg_h5_x - 0.21759393385311085_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = s4*t5 - c4*t6
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_y = 0.8067444135457743_rk*c5 - s5*t4
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_yz = t3 - t2
+    t7 = 0.31005692653217237_rk*c6
+    t8 = s6*t7 + 0.1157967907323673_rk
+    t9 = c6*t7
+    t10 = t8 - 0.8915767942352734_rk*t9
+    t11 = k6_yz - 0.06545842652927093_rk
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_yz = s5*t10 + c5*t11
+    t12 = neg_k5_yz + 0.02981305527252843_rk
+    t13 = c5*s5
+    t14 = t9 + (0.8915767942352734_rk*t8 - 1.303850935413074_rk)
+    t15 = t14 + 1.7318439408653845_rk
+    t16 = c5*c5
+    t17 = 0.09989498009338187_rk - k6_xz - k6_xz
+    t18 = t13*t15 - ((t16 - 0.5_rk)*t17 - 0.1094831940191231_rk)
+    ! link 4: second moment of the composite body [kg m^2]
+    neg_k4_xz = s4*t12 - c4*t18
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xz = s5*t11 - c5*t10
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t14 + 1.9312386359330127_rk
+    t19 = t13*t17 + (t15*t16 + 0.2883784012434809_rk)
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t19 - t14
+    t20 = 0.45_rk*c2
+    t21 = c23*t20
+    t22 = h4_x - 0.4001573159217507_rk
+    t23 = s23*t20
+    t24 = h5_y + 9.392800548482231_rk
+    t25 = t21*t22 - t23*t24
+    t26 = 0.45_rk*h4_x
+    t27 = neg_k4_xz - t26
+    t28 = t25 + (t27 - 0.06558551272001446_rk)*(c23*s23)
+    t29 = 0.09496171507178643_rk*c2
+    t30 = c4*s4
+    t31 = 0.1836339186501415_rk - 2.0_rk*k5_xz
+    t32 = c4*c4
+    t33 = t14 + t19
+    t34 = t14 - 0.19252101484679798_rk + t30*t31 - t32*t33
+    t35 = 0.45_rk*h5_y
+    t36 = t35 + m5_5
+    t37 = t35 + 5.584769408295079_rk + t36 - t19
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t28 + (t29*(43.140918321110114_rk*c2 - 7.0674063888484_rk*s2) + (t28 + &
+        1.3797143428523535_rk)) + ((t34 + t37)*(s23*s23) + m4_4)
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    neg_h4_y = c4*t5 + s4*t6
+    t38 = 0.45_rk*neg_h4_y
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = c4*t12 - (t38 - s4*t18)
+    ! link 3: second moment of the composite body [kg m^2]
+    neg_k3_yz = s23*(t30*t33 + (k5_xz + (t31*t32 - 0.20111998817219134_rk))) + c23*(m3_4 - &
+        0.0672049454639226_rk)
+    ! link 2: second moment of the composite body [kg m^2]
+    neg_k2_yz = neg_k3_yz - t29 - s2*(t38 + 0.017315109477737248_rk)
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = s23*t27 + c2*t26 + c23*m4_4
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = c23*neg_k5_yz + s23*(s4*t36 - c4*k5_xz)
     ! link 5: force for a unit acceleration of a joint further out
     fu5_x = c5*neg_h6_y
-    fu5_y = s5*neg_h6_y
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_y = s4*fu5_x + c4*h6_x
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = c5*neg_k6_xz - 0.5771491392208791_rk*s5
-    nu5_y = s5*neg_k6_xz + 0.5771491392208791_rk*c5
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*fu5_x + s4*neg_h6_x
-    fu4_y = s4*fu5_x - c4*neg_h6_x
+    nu5_y = 0.5771491392208791_rk*c5 - s5*k6_xz
+    nu5_x = -0.5771491392208791_rk*s5 - c5*k6_xz
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x + s4*k6_yz
-    nu4_y = s4*nu5_x - c4*k6_yz
-    ! link 3: mass matrix, its row of this joint
-    m3_6 = -0.45_rk*fu4_x - nu4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*fu5_y
-    fu3_y = s23*fu4_x + c23*fu5_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = s23*(nu4_x - 0.45_rk*fu4_y) + c23*nu5_y
-    t3 = 0.45_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y + t3*fu4_y
-    t4 = 0.45_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_6 = m3_6 + (t3*fu3_y - t4*fu3_x)
-    t5 = 0.31005692653217237_rk*t2 + 0.27643956058799596_rk*t1
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t5 + 0.7306294319838356_rk
-    t6 = neg_h6_x + 0.8974188745594792_rk
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_x = c5*t6 + 0.8067444135457743_rk*s5
-    neg_h5_y = s5*t6 - 0.8067444135457743_rk*c5
-    t7 = c5*c5
-    t8 = t5 + 0.5312347369162073_rk
-    t9 = neg_k6_xz + 0.04994749004669093_rk
-    t10 = c5*s5
-    t11 = t7*t8 + t9*(2.0_rk*t10)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t5 + 0.6309320844500215_rk - t11
-    k5_xy = t8*t10 + t9*(1.0_rk - 2.0_rk*t7)
-    t12 = k6_xy - 0.022422989561630666_rk
-    t13 = 0.06545842652927093_rk - k6_yz
-    neg_k5_xz = c5*t12 + s5*t13
-    neg_k5_yz = s5*t12 - c5*t13
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = c4*neg_h5_y
-    fu4_y_2 = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = c4*neg_k5_xz + s4*m5_5
-    nu4_y_2 = s4*neg_k5_xz - c4*m5_5
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = -0.45_rk*fu4_x_2 - nu4_y_2
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c23*fu4_x_2 + s23*neg_h5_x
-    fu3_y_2 = s23*fu4_x_2 - c23*neg_h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = s23*(nu4_x_2 - 0.45_rk*fu4_y_2) + c23*neg_k5_yz
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 + t3*fu4_y_2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (t3*fu3_y_2 - t4*fu3_x_2)
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 1.488987605192658_rk - (t5 - t11)
-    t14 = neg_h6_y - 1.0765039731522932_rk
-    t15 = neg_h5_x - 0.21759393385311085_rk
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = s4*t14 - c4*t15
-    neg_h4_y = s4*t15 + c4*t14
-    t16 = c4*c4
-    t17 = t5 + t11 - 0.9122308027056962_rk
-    t18 = neg_k5_xz + 0.09181695932507075_rk
-    t19 = c4*s4
-    t20 = t16*t17 - t18*(2.0_rk*t19)
-    ! link 4: second moment of the composite body [kg m^2]
-    neg_k4_xx = t5 - 1.2006092039491771_rk - t20
-    k4_yy = t11 + 0.2883784012434809_rk - t20
-    k4_xy = t17*t19 - t18*(1.0_rk - 2.0_rk*t16)
-    t21 = k5_xy + 0.1094831940191231_rk
-    t22 = neg_k5_yz + 0.02981305527252843_rk
-    k4_xz = c4*t21 - s4*t22
-    k4_yz = s4*t21 + c4*t22
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = k4_yz - 0.45_rk*neg_h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_3 = c23*neg_h4_y
-    fu3_y_3 = s23*neg_h4_y
-    t23 = k4_xz + 0.45_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_3 = c23*m4_4 - s23*t23
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_3 = nu3_y_3 + t3*h4_x
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 + (t3*fu3_y_3 - t4*fu3_x_3)
-    t24 = k5_yy - 0.9_rk*neg_h5_y
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = 5.588609369432211_rk - (neg_k4_xx - t24)
-    t25 = 0.4001573159217507_rk - h4_x
-    t26 = 9.392800548482231_rk - neg_h5_y
+    nu4_x = s4*k6_yz + c4*nu5_x
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    neg_h3_x = c23*t25 + s23*t26
-    h3_y = c23*t26 - s23*t25
-    t27 = c23*c23*(neg_k4_xx + t24 + 5.203567339738615_rk) + (t23 + &
-        0.06558551272001446_rk)*(2.0_rk*(c23*s23))
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t24 + 5.396088354585412_rk - t27
-    k3_yy = t27 - (neg_k4_xx - 0.19252101484679798_rk)
-    neg_k3_yz = s23*(k4_xy - 0.1093030288471206_rk) + c23*(m3_4 - 0.0672049454639226_rk)
+    h3_y = c23*t24 + s23*t22
+    ! link 3: mass matrix, its row of this joint
+    m3_3 = t37 - t34
+    t39 = 0.45_rk*s2
+    t40 = t25 + t39*h3_y
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t4*h3_y - t3*neg_h3_x)
-    t28 = k3_xx - t3*(2.0_rk*neg_h3_x)
-    m2_2 = t28 - (t4*(-2.0_rk*h3_y) - k3_yy) + 5.195184633739834_rk
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t28 + (4.09673559354447_rk*(c2*c2) - 0.6711330317943448_rk*(c2*s2) + &
-        0.5492245200976821_rk)
-    neg_k2_yz = neg_k3_yz - t4*neg_h4_y - (0.017315109477737248_rk*s2 + 0.09496171507178643_rk*c2)
-    ! link 1: mass matrix, its row of this joint
-    m1_1 = k4_yy + k2_xx + 0.6379688079078735_rk
+    m2_3 = t40 + m3_3
+    m2_2 = t40 + (m2_3 + 5.195184633739834_rk)
+    t41 = c23*t39 - t23
+    m2_4 = m3_4 - neg_h4_y*t41
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = c4*t36 + s4*k5_xz
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = c4*h5_y
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = m3_5 + neg_h5_x*(-s23*t39 - t21) + t41*neg_fu4_x
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_y = s5*neg_h6_y
+    t42 = c4*fu5_x - s4*h6_x
+    ! link 3: mass matrix, its row of this joint
+    m3_6 = c4*k6_yz - 0.45_rk*t42 - s4*nu5_x
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c23*t42 - s23*fu5_y
+    ! link 2: mass matrix, its row of this joint
+    m2_6 = t21*fu5_y + m3_6 + (t23*t42 - t39*fu3_x)
+    t43 = nu3_y - s4*(c2*t35)
+    t44 = 0.45_rk*fu4_y
+    t45 = c2*t44 + (c23*nu5_y - s23*(t44 - nu4_x))
     M(1) = m1_1
     M(2) = neg_k2_yz
     M(3) = neg_k3_yz
-    M(4) = nu2_y_3
-    M(5) = nu2_y_2
-    M(6) = nu2_y
+    M(4) = nu2_y
+    M(5) = t43
+    M(6) = t45
     M(7) = neg_k2_yz
     M(8) = m2_2
     M(9) = m2_3
@@ -762,19 +750,19 @@ contains
     M(16) = m3_4
     M(17) = m3_5
     M(18) = m3_6
-    M(19) = nu2_y_3
+    M(19) = nu2_y
     M(20) = m2_4
     M(21) = m3_4
     M(22) = m4_4
     M(23) = neg_k5_yz
     M(24) = nu5_y
-    M(25) = nu2_y_2
+    M(25) = t43
     M(26) = m2_5
     M(27) = m3_5
     M(28) = neg_k5_yz
     M(29) = m5_5
     M(30) = k6_yz
-    M(31) = nu2_y
+    M(31) = t45
     M(32) = m2_6
     M(33) = m3_6
     M(34) = nu5_y
@@ -783,7 +771,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 401 multiplications, 346 additions, 6 divisions = 753; 13 unary minus; 10 sine/cosine
+  ! 378 multiplications, 336 additions, 6 divisions = 720; 14 unary minus; 10 sine/cosine
   pure subroutine rx90_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="rx90_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -798,20 +786,18 @@ contains
     real(rk) :: neg_lam5_22, lam4_31, lam4_32, lam5_13, k6_xz, t2, t3, t4, t5, t6, t7, t8, t9, t10
     real(rk) :: t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, nc6_z, neg_lam5_11, lam5_23
     real(rk) :: t22, lam4_11, lam4_13, lam4_23, t23, t24, t25, t26, t27, t28, t29, t30, n5_z, t31
-    real(rk) :: t32, t33, t34, t35, t36, t37, t38, t39, t40, t41, t42, t43, t44, t45, t46, n3_x
-    real(rk) :: t47, n4_z, t48, n3_y, n03_y, t49, t50, t51, t52, t53, n1_z, t54, t55, n3_z, lam3_11
-    real(rk) :: t56, t57, t58, n02_z, h6_x, neg_h6_y, t59, t60, k6_xy, k6_yz, fu5_x, fu5_y, nu5_x
-    real(rk) :: nu5_y, fu4_x, fu4_y, nu4_x, nu4_y, neg_m3_6, fu3_x, fu3_y, nu3_y, t61, nu2_y, t62
-    real(rk) :: m2_6, t63, m5_5, t64, h5_x, neg_h5_y, t65, t66, t67, t68, k5_yy, k5_xy, t69, t70
-    real(rk) :: k5_xz, k5_yz, fu4_x_2, fu4_y_2, nu4_x_2, nu4_y_2, neg_m3_5, fu3_x_2, fu3_y_2
-    real(rk) :: nu3_y_2, nu2_y_2, m2_5, m4_4, t71, t72, h4_x, neg_h4_y, t73, t74, t75, t76, t77
-    real(rk) :: k4_xx, k4_yy, k4_xy, t78, t79, k4_xz, k4_yz, m3_4, fu3_x_3, fu3_y_3, t80, nu3_y_3
-    real(rk) :: nu2_y_3, m2_4, t81, m3_3, t82, t83, h3_x, h3_y, t84, k3_xx, k3_yy, k3_yz, m2_3, t85
-    real(rk) :: m2_2, k2_xx, k2_yz, m1_1, y1, ipivot1, l2_1, l3_1, l4_1, l5_1, l6_1, pivot2
-    real(rk) :: ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3
-    real(rk) :: l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5
-    real(rk) :: ipivot5, ld6_5, l6_5, pivot6, ipivot6, y2, y3, neg_y4, y5, y6, qdd6, qdd5, qdd4
-    real(rk) :: qdd3, qdd2, qdd1
+    real(rk) :: t32, t33, t34, t35, t36, t37, t38, t39, t40, t41, t42, t43, t44, t45, n3_x, t46
+    real(rk) :: n4_z, t47, n3_y, n03_y, t48, t49, t50, t51, t52, n1_z, t53, t54, n3_z, lam3_11, t55
+    real(rk) :: t56, t57, n02_z, t58, t59, neg_h6_y, t60, h6_x, t61, neg_h5_x, t62, t63, h4_x, h5_y
+    real(rk) :: k6_yz, t64, t65, t66, k5_yz, t67, t68, t69, t70, t71, t72, t73, neg_k4_xz, k5_xz
+    real(rk) :: m5_5, t74, m4_4, t75, t76, t77, t78, t79, t80, t81, t82, t83, t84, t85, t86, t87
+    real(rk) :: t88, t89, t90, t91, m1_1, neg_h4_y, t92, m3_4, k3_yz, k2_yz, nu2_y, nu3_y, fu5_x
+    real(rk) :: fu4_y, nu5_y, nu5_x, nu4_x, h3_y, neg_m3_3, t93, t94, m2_3, m2_2, t95, m2_4, m3_5
+    real(rk) :: neg_fu4_x, m2_5, fu5_y, t96, neg_m3_6, fu3_x, m2_6, ld5_1, t97, ld6_1, y1, ipivot1
+    real(rk) :: l2_1, l3_1, l4_1, l5_1, l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2
+    real(rk) :: l5_2, ld6_2, l6_2, pivot3, ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, t98
+    real(rk) :: pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, pivot6
+    real(rk) :: ipivot6, y2, y3, y4, neg_y5, y6, qdd6, qdd5, qdd4, qdd3, qdd2, t99, qdd1
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -950,196 +936,183 @@ contains
     t31 = t9 - 0.48442678791853194_rk
     t32 = t25*t31 + (0.022422989561630666_rk*lam5_21 - (0.3630349860955984_rk*t7 - (t18*t24 - &
         (0.09969734753381411_rk*lam5_32 - t8*t29))))
-    t33 = 0.04994749004669093_rk - k6_xz
-    t34 = 0.06545842652927093_rk*(neg_lam4_22 - neg_lam5_22) + (t20*t28 + t32) + lam5_31*t33
-    t35 = neg_lam4_22 + lam3_22
-    t36 = 0.40383849355176565_rk*t7 + 0.06545842652927093_rk*lam5_12 + &
+    t33 = 0.06545842652927093_rk*(neg_lam4_22 - neg_lam5_22) + (t20*t28 + t32) + &
+        lam5_31*(0.04994749004669093_rk - k6_xz)
+    t34 = neg_lam4_22 + lam3_22
+    t35 = 0.40383849355176565_rk*t7 + 0.06545842652927093_rk*lam5_12 + &
         (0.04994749004669093_rk*lam5_32 + 0.48442678791853194_rk*t13) + (nc6_z + &
         (0.022422989561630666_rk*t21 - 0.4973859781056681_rk*lam5_31))
-    t37 = c5*t34 - (4.226760246817004_rk*t7 + 0.09181695932507075_rk*lam4_31) + &
-        (-0.7570061710726514_rk*lam4_32 - (0.02981305527252843_rk*t35 - s5*t36))
-    t38 = -0.1094831940191231_rk*lam4_21 - t37
-    t39 = 0.3630349860955984_rk*lam5_12 + (0.40383849355176565_rk*neg_lam5_11 - t2*(t30 - &
+    t36 = c5*t33 - (4.226760246817004_rk*t7 + 0.09181695932507075_rk*lam4_31) + &
+        (-0.7570061710726514_rk*lam4_32 - (0.02981305527252843_rk*t34 - s5*t35))
+    t37 = -0.1094831940191231_rk*lam4_21 - t36
+    t38 = 0.3630349860955984_rk*lam5_12 + (0.40383849355176565_rk*neg_lam5_11 - t2*(t30 - &
         neg_lam5_22)) + lam5_13*t31
-    t40 = 0.48442678791853194_rk*lam5_23 - (t2*t28 - (0.3630349860955984_rk*neg_lam5_22 + &
+    t39 = 0.48442678791853194_rk*lam5_23 - (t2*t28 - (0.3630349860955984_rk*neg_lam5_22 + &
         0.40383849355176565_rk*lam5_21) - t9*t24)
-    t41 = c5*t39 + (s5*t40 + 0.09791727023389989_rk*lam4_11 + 4.226760246817004_rk*lam4_13)
-    t42 = 0.48442678791853194_rk*neg_lam4_22 + (-4.226760246817004_rk*lam4_23 - &
+    t40 = c5*t38 + (s5*t39 + 0.09791727023389989_rk*lam4_11 + 4.226760246817004_rk*lam4_13)
+    t41 = 0.48442678791853194_rk*neg_lam4_22 + (-4.226760246817004_rk*lam4_23 - &
         (-0.3630349860955984_rk*lam5_32 - t9*(t29 - neg_lam5_22)) - &
         0.09791727023389989_rk*lam4_21)
-    t43 = t42 - lam5_31*t26
-    t44 = s4*t41 - (0.13117102544002893_rk*ww3_zx + c4*t43)
-    t45 = 4.226760246817004_rk*t10 - 0.02981305527252843_rk*lam4_12 + (n5_z - &
+    t42 = t41 - lam5_31*t26
+    t43 = s4*t40 - (0.13117102544002893_rk*ww3_zx + c4*t42)
+    t44 = 4.226760246817004_rk*t10 - 0.02981305527252843_rk*lam4_12 + (n5_z - &
         0.09791727023389989_rk*t12) - (0.1094831940191231_rk*t22 - 0.09181695932507075_rk*lam4_32 &
         - 0.1886810537096668_rk*lam4_31)
-    t46 = lam3_22 - lam2_33
+    t45 = lam3_22 - lam2_33
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_x = c4*t38 - 6.114864278097191_rk*ww3_yz - (t44 - s4*t45 + 0.0672049454639226_rk*t46) - &
+    n3_x = c4*t37 - 6.114864278097191_rk*ww3_yz - (t43 - s4*t44 + 0.0672049454639226_rk*t45) - &
         0.1093030288471206_rk*ww3_xy
-    t47 = s5*t34 - 0.1094831940191231_rk*lam4_23 + 0.09181695932507075_rk*(t22 + t35) - &
+    t46 = s5*t33 - 0.1094831940191231_rk*lam4_23 + 0.09181695932507075_rk*(t22 + t34) - &
         0.1886810537096668_rk*lam4_21 + 0.02981305527252843_rk*lam4_13
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = c5*t36 - 0.09791727023389989_rk*t7 - 0.7570061710726514_rk*lam4_12 - t47
-    t48 = ww3_zz - ww3_xx
+    n4_z = c5*t35 - 0.09791727023389989_rk*t7 - 0.7570061710726514_rk*lam4_12 - t46
+    t47 = ww3_zz - ww3_xx
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_y = n4_z - (0.1093030288471206_rk*t48 - 0.0672049454639226_rk*ww3_xy) - &
+    n3_y = n4_z - (0.1093030288471206_rk*t47 - 0.0672049454639226_rk*ww3_xy) - &
         (0.38504202969359597_rk*ww3_zx + (0.13117102544002893_rk*ww3_yz - &
         0.1800707921647878_rk*lam2_31))
     ! link 3: moment through the joint, along the axes that its turn starts from [N m]
     n03_y = s23*n3_x + c23*n3_y
-    t49 = 0.09496171507178643_rk*s2
-    t50 = 0.017315109477737248_rk*c2 - t49
-    t51 = 7.0674063888484_rk*c2
-    t52 = 0.09496171507178643_rk*c2
-    t53 = 6.104207957983257_rk*(t49*t51) + (t51*t52 - 0.3355665158971724_rk)
+    t48 = 0.09496171507178643_rk*s2
+    t49 = 0.017315109477737248_rk*c2 - t48
+    t50 = 7.0674063888484_rk*c2
+    t51 = 0.09496171507178643_rk*c2
+    t52 = 6.104207957983257_rk*(t48*t50) + (t50*t51 - 0.3355665158971724_rk)
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = n03_y - (ww2_zz*t50 + t1*t53 - c2*(t44 + 0.49131260976960456_rk*ww3_zx))
-    t54 = c4*t41 + s4*t43
-    t55 = t46 + t48
+    n1_z = n03_y - (ww2_zz*t49 + t1*t52 - c2*(t43 + 0.49131260976960456_rk*ww3_zx))
+    t53 = c4*t40 + s4*t42
+    t54 = t45 + t47
     ! link 3: moment through the joint, about the frame's origin [N m]
-    n3_z = 3.249953153895394_rk*ww3_xy - (s4*t38 + (t54 - (0.06558551272001446_rk*t55 + (c4*t45 + &
+    n3_z = 3.249953153895394_rk*ww3_xy - (s4*t37 + (t53 - (0.06558551272001446_rk*t54 + (c4*t44 + &
         0.1800707921647878_rk*t11))))
     ! link 3: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam3_11 = lam3_22 - t55
-    t56 = c5*t40 - s5*t39 - 0.09791727023389989_rk*lam4_31 + (0.1800707921647878_rk*ww3_xy - &
+    lam3_11 = lam3_22 - t54
+    t55 = c5*t39 - s5*t38 - 0.09791727023389989_rk*lam4_31 + (0.1800707921647878_rk*ww3_xy - &
         4.226760246817004_rk*lam3_22)
-    t57 = t54 - 0.1800707921647878_rk*lam3_11
-    t58 = n3_z - c2*(c23*t56 - s23*t57) - lam2_33*t53 - s2*(c23*t57 + s23*t56)
+    t56 = t53 - 0.1800707921647878_rk*lam3_11
+    t57 = n3_z - c2*(c23*t55 - s23*t56) - lam2_33*t52 - s2*(c23*t56 + s23*t55)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
-    n02_z = 4681.18660659102_rk*(t50 + 0.09865834996998242_rk*s2) + t58
+    n02_z = 4681.18660659102_rk*(t49 + 0.09865834996998242_rk*s2) + t57
+    t58 = 0.3992315427559742_rk*k6_xz
+    t59 = 0.1884593515900491_rk*s6 + t58
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_x = -0.6271000643521031_rk*s6 - 1.5707678306756712_rk*c6
-    neg_h6_y = 1.5707678306756712_rk*s6 - 0.6271000643521031_rk*c6
-    t59 = c6*s6
-    t60 = c6*c6
+    neg_h6_y = 9.809478269877111_rk*t59
+    t60 = 0.007037838551227997_rk*c6
+    h6_x = 22.13414869766047_rk*(t58 - t60)
+    t61 = 0.8974188745594792_rk - h6_x
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_x = 0.8067444135457743_rk*s5 + c5*t61
+    t62 = neg_h6_y - 1.0765039731522932_rk
+    t63 = neg_h5_x - 0.21759393385311085_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = s4*t62 - c4*t63
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_y = 0.8067444135457743_rk*c5 - s5*t61
     ! link 6: second moment of the composite body [kg m^2]
-    k6_xy = 0.31005692653217237_rk*t59 + 0.13821978029399798_rk*(1.0_rk - 2.0_rk*t60)
-    k6_yz = 0.07096581179296485_rk*c6 - 0.1601275610650136_rk*s6
+    k6_yz = t60 - t59
+    t64 = t16 + 0.1157967907323673_rk
+    t65 = 0.8915767942352734_rk*t15 - t64
+    t66 = 0.06545842652927093_rk - k6_yz
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yz = s5*t65 + c5*t66
+    t67 = 0.02981305527252843_rk - k5_yz
+    t68 = c5*s5
+    t69 = t15 + (0.8915767942352734_rk*t64 - 1.303850935413074_rk)
+    t70 = t69 + 1.7318439408653845_rk
+    t71 = c5*c5
+    t72 = 0.09989498009338187_rk - k6_xz - k6_xz
+    t73 = t68*t70 - ((t71 - 0.5_rk)*t72 - 0.1094831940191231_rk)
+    ! link 4: second moment of the composite body [kg m^2]
+    neg_k4_xz = s4*t67 - c4*t73
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xz = c5*t65 - s5*t66
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t69 + 1.9312386359330127_rk
+    t74 = t68*t72 + (t70*t71 + 0.2883784012434809_rk)
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t74 - t69
+    t75 = 0.45_rk*c2
+    t76 = c23*t75
+    t77 = h4_x - 0.4001573159217507_rk
+    t78 = s23*t75
+    t79 = h5_y + 9.392800548482231_rk
+    t80 = t76*t77 - t78*t79
+    t81 = 0.45_rk*h4_x
+    t82 = neg_k4_xz - t81
+    t83 = t80 + (t82 - 0.06558551272001446_rk)*(s23*c23)
+    t84 = c4*s4
+    t85 = 0.1836339186501415_rk - 2.0_rk*k5_xz
+    t86 = c4*c4
+    t87 = t69 + t74
+    t88 = t69 - 0.19252101484679798_rk + t84*t85 - t86*t87
+    t89 = 0.45_rk*h5_y
+    t90 = m5_5 + t89
+    t91 = t74 - (t89 + 5.584769408295079_rk + t90)
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t83 + (t51*(43.140918321110114_rk*c2 - 7.0674063888484_rk*s2) + (t83 + &
+        1.3797143428523535_rk)) + (m4_4 + (t88 - t91)*(s23*s23))
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    neg_h4_y = c4*t62 + s4*t63
+    t92 = 0.45_rk*neg_h4_y
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = c4*t67 - (t92 - s4*t73)
+    ! link 3: second moment of the composite body [kg m^2]
+    k3_yz = c23*(0.0672049454639226_rk - m3_4) - s23*(t84*t87 + (k5_xz + (t85*t86 - &
+        0.20111998817219134_rk)))
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_yz = t51 + k3_yz + s2*(t92 + 0.017315109477737248_rk)
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = s23*t82 + c2*t81 + c23*m4_4
+    ! link 3: moment for a unit acceleration of a joint further out
+    nu3_y = s23*(s4*t90 - c4*k5_xz) - c23*k5_yz
     ! link 5: force for a unit acceleration of a joint further out
     fu5_x = c5*neg_h6_y
-    fu5_y = s5*neg_h6_y
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = -0.5771491392208791_rk*s5 - c5*k6_xz
-    nu5_y = 0.5771491392208791_rk*c5 - s5*k6_xz
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*fu5_x - s4*h6_x
     fu4_y = s4*fu5_x + c4*h6_x
+    ! link 5: moment for a unit acceleration of a joint further out
+    nu5_y = 0.5771491392208791_rk*c5 - s5*k6_xz
+    nu5_x = -0.5771491392208791_rk*s5 - c5*k6_xz
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x + s4*k6_yz
-    nu4_y = s4*nu5_x - c4*k6_yz
-    ! link 3: mass matrix, its row of this joint
-    neg_m3_6 = nu4_y + 0.45_rk*fu4_x
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x = c23*fu4_x - s23*fu5_y
-    fu3_y = s23*fu4_x + c23*fu5_y
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = s23*(nu4_x - 0.45_rk*fu4_y) + c23*nu5_y
-    t61 = 0.45_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = nu3_y + fu4_y*t61
-    t62 = 0.45_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_6 = fu3_y*t61 - fu3_x*t62 - neg_m3_6
-    t63 = 0.31005692653217237_rk*t60 + 0.27643956058799596_rk*t59
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t63 + 0.7306294319838356_rk
-    t64 = 0.8974188745594792_rk - h6_x
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = -0.8067444135457743_rk*s5 - c5*t64
-    neg_h5_y = s5*t64 - 0.8067444135457743_rk*c5
-    t65 = c5*c5
-    t66 = t63 + 0.5312347369162073_rk
-    t67 = c5*s5
-    t68 = t65*t66 + t33*(2.0_rk*t67)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t63 + 0.6309320844500215_rk - t68
-    k5_xy = t66*t67 + t33*(1.0_rk - 2.0_rk*t65)
-    t69 = 0.022422989561630666_rk - k6_xy
-    t70 = k6_yz - 0.06545842652927093_rk
-    k5_xz = c5*t69 + s5*t70
-    k5_yz = s5*t69 - c5*t70
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = c4*neg_h5_y
-    fu4_y_2 = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = s4*m5_5 - c4*k5_xz
-    nu4_y_2 = -c4*m5_5 - s4*k5_xz
-    ! link 3: mass matrix, its row of this joint
-    neg_m3_5 = nu4_y_2 + 0.45_rk*fu4_x_2
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c23*fu4_x_2 - s23*h5_x
-    fu3_y_2 = s23*fu4_x_2 + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_2 = s23*(nu4_x_2 - 0.45_rk*fu4_y_2) - c23*k5_yz
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = nu3_y_2 + t61*fu4_y_2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = t61*fu3_y_2 - t62*fu3_x_2 - neg_m3_5
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 1.488987605192658_rk - (t63 - t68)
-    t71 = neg_h6_y - 1.0765039731522932_rk
-    t72 = -h5_x - 0.21759393385311085_rk
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = s4*t71 - c4*t72
-    neg_h4_y = s4*t72 + c4*t71
-    t73 = c4*c4
-    t74 = t63 + t68 - 0.9122308027056962_rk
-    t75 = 0.09181695932507075_rk - k5_xz
-    t76 = c4*s4
-    t77 = t73*t74 - t75*(2.0_rk*t76)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t77 - (t63 - 1.2006092039491771_rk)
-    k4_yy = t68 + 0.2883784012434809_rk - t77
-    k4_xy = t74*t76 - t75*(1.0_rk - 2.0_rk*t73)
-    t78 = k5_xy + 0.1094831940191231_rk
-    t79 = 0.02981305527252843_rk - k5_yz
-    k4_xz = c4*t78 - s4*t79
-    k4_yz = s4*t78 + c4*t79
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = k4_yz - 0.45_rk*neg_h4_y
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_3 = c23*neg_h4_y
-    fu3_y_3 = s23*neg_h4_y
-    t80 = k4_xz + 0.45_rk*h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y_3 = c23*m4_4 - s23*t80
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_3 = nu3_y_3 + t61*h4_x
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 + (t61*fu3_y_3 - t62*fu3_x_3)
-    t81 = k5_yy - 0.9_rk*neg_h5_y
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = k4_xx + t81 + 5.588609369432211_rk
-    t82 = h4_x - 0.4001573159217507_rk
-    t83 = neg_h5_y - 9.392800548482231_rk
+    nu4_x = s4*k6_yz + c4*nu5_x
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = c23*t82 + s23*t83
-    h3_y = s23*t82 - c23*t83
-    t84 = c23*c23*(t81 - k4_xx + 5.203567339738615_rk) + (t80 + &
-        0.06558551272001446_rk)*(2.0_rk*(s23*c23))
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t81 + 5.396088354585412_rk - t84
-    k3_yy = t84 + (k4_xx + 0.19252101484679798_rk)
-    k3_yz = c23*(0.0672049454639226_rk - m3_4) - s23*(k4_xy - 0.1093030288471206_rk)
+    h3_y = c23*t79 + s23*t77
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_3 = t88 + t91
+    t93 = 0.45_rk*s2
+    t94 = t80 + h3_y*t93
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 - (-t61*h3_x - t62*h3_y)
-    t85 = k3_xx + t61*(2.0_rk*h3_x)
-    m2_2 = t85 + (k3_yy - t62*(-2.0_rk*h3_y)) + 5.195184633739834_rk
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t85 + (4.09673559354447_rk*(c2*c2) - 0.6711330317943448_rk*(c2*s2) + &
-        0.5492245200976821_rk)
-    k2_yz = k3_yz + t62*neg_h4_y + (t52 + 0.017315109477737248_rk*s2)
-    ! link 1: mass matrix, its row of this joint
-    m1_1 = k4_yy + k2_xx + 0.6379688079078735_rk
+    m2_3 = t94 - neg_m3_3
+    m2_2 = t94 + (m2_3 + 5.195184633739834_rk)
+    t95 = c23*t93 - t78
+    m2_4 = m3_4 - neg_h4_y*t95
+    ! link 3: mass matrix, its row of this joint
+    m3_5 = c4*t90 + s4*k5_xz
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = c4*h5_y
+    ! link 2: mass matrix, its row of this joint
+    m2_5 = m3_5 + neg_h5_x*(-s23*t93 - t76) + t95*neg_fu4_x
+    ! link 5: force for a unit acceleration of a joint further out
+    fu5_y = s5*neg_h6_y
+    t96 = c4*fu5_x - s4*h6_x
+    ! link 3: mass matrix, its row of this joint
+    neg_m3_6 = 0.45_rk*t96 - c4*k6_yz + s4*nu5_x
+    ! link 3: force for a unit acceleration of a joint further out
+    fu3_x = c23*t96 - s23*fu5_y
+    ! link 2: mass matrix, its row of this joint
+    m2_6 = t76*fu5_y - neg_m3_6 + (t78*t96 - t93*fu3_x)
+    ! factorisation M = L D L^T
+    ld5_1 = nu3_y - s4*(c2*t89)
+    t97 = 0.45_rk*fu4_y
+    ld6_1 = c2*t97 + (c23*nu5_y - s23*(t97 - nu4_x))
     ! link 1: forward substitution
     y1 = tau(1) - n1_z
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
     l2_1 = -k2_yz*ipivot1
     l3_1 = -k3_yz*ipivot1
-    l4_1 = nu2_y_3*ipivot1
-    l5_1 = nu2_y_2*ipivot1
-    l6_1 = nu2_y*ipivot1
+    l4_1 = nu2_y*ipivot1
+    l5_1 = ld5_1*ipivot1
+    l6_1 = ld6_1*ipivot1
     pivot2 = m2_2 + k2_yz*l2_1
     ipivot2 = 1.0_rk / pivot2
     ld3_2 = m2_3 + k2_yz*l3_1
@@ -1150,25 +1123,26 @@ contains
     l5_2 = ipivot2*ld5_2
     ld6_2 = m2_6 + k2_yz*l6_1
     l6_2 = ipivot2*ld6_2
-    pivot3 = m3_3 + k3_yz*l3_1 - ld3_2*l3_2
+    pivot3 = k3_yz*l3_1 - neg_m3_3 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
     ld4_3 = m3_4 + k3_yz*l4_1 - ld3_2*l4_2
     l4_3 = ipivot3*ld4_3
-    ld5_3 = k3_yz*l5_1 - neg_m3_5 - ld3_2*l5_2
+    ld5_3 = m3_5 + k3_yz*l5_1 - ld3_2*l5_2
     l5_3 = ipivot3*ld5_3
     ld6_3 = k3_yz*l6_1 - neg_m3_6 - ld3_2*l6_2
     l6_3 = ipivot3*ld6_3
-    pivot4 = m4_4 - nu2_y_3*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    t98 = -ld4_2
+    pivot4 = t98*l4_2 - (nu2_y*l4_1 - m4_4) - ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    ld5_4 = -ld4_2*l5_2 - (k5_yz + nu2_y_3*l5_1) - ld4_3*l5_3
+    ld5_4 = t98*l5_2 - (k5_yz + nu2_y*l5_1) - ld4_3*l5_3
     l5_4 = ipivot4*ld5_4
-    ld6_4 = nu5_y - nu2_y_3*l6_1 - ld4_2*l6_2 - ld4_3*l6_3
+    ld6_4 = nu5_y - nu2_y*l6_1 - ld4_2*l6_2 - ld4_3*l6_3
     l6_4 = ipivot4*ld6_4
-    pivot5 = m5_5 - nu2_y_2*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
+    pivot5 = m5_5 - ld5_1*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 - ld5_4*l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = k6_yz - nu2_y_2*l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4
+    ld6_5 = -ld5_3*l6_3 - (ld5_1*l6_1 - k6_yz + ld5_2*l6_2) - ld5_4*l6_4
     l6_5 = ipivot5*ld6_5
-    pivot6 = 0.5771491392208791_rk - nu2_y*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - &
+    pivot6 = 0.5771491392208791_rk - ld6_1*l6_1 - ld6_2*l6_2 - ld6_3*l6_3 - ld6_4*l6_4 - &
         ld6_5*l6_5
     ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
@@ -1176,23 +1150,24 @@ contains
     ! link 3: forward substitution
     y3 = -l3_2*y2 - (n3_z - tau(3) + y1*l3_1)
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) + y1*l4_1 + l4_2*y2 + l4_3*y3
+    y4 = -l4_3*y3 - (n4_z - tau(4) + y1*l4_1 + l4_2*y2)
     ! link 5: forward substitution
-    y5 = l5_4*neg_y4 - (n5_z - tau(5) + y1*l5_1 + l5_2*y2 + l5_3*y3)
+    neg_y5 = n5_z - tau(5) + y1*l5_1 + l5_2*y2 + l5_3*y3 + l5_4*y4
     ! link 6: forward substitution
-    y6 = l6_4*neg_y4 - (nc6_z - tau(6) + y1*l6_1 + l6_2*y2 + l6_3*y3) - l6_5*y5
+    y6 = l6_5*neg_y5 - (nc6_z - tau(6) + y1*l6_1 + l6_2*y2 + l6_3*y3 + l6_4*y4)
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd6 = ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = ipivot5*y5 - l6_5*qdd6
+    qdd5 = -(ipivot5*neg_y5) - l6_5*qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = -l5_4*qdd5 - ipivot4*neg_y4 - l6_4*qdd6
+    qdd4 = ipivot4*y4 - l5_4*qdd5 - l6_4*qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd3 = ipivot3*y3 - l4_3*qdd4 - l5_3*qdd5 - l6_3*qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = -l6_2*qdd6 - (l3_2*qdd3 - ipivot2*y2 + l4_2*qdd4 + l5_2*qdd5)
+    t99 = -(l2_1*qdd2 - y1*ipivot1 + l3_1*qdd3 + l4_1*qdd4 + l5_1*qdd5)
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = y1*ipivot1 - l2_1*qdd2 - l3_1*qdd3 - l4_1*qdd4 - l5_1*qdd5 - l6_1*qdd6
+    qdd1 = t99 - l6_1*qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3

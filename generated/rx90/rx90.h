@@ -14,15 +14,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 212 multiplications, 201 additions = 413; 3 unary minus; 10 sine/cosine
  *   gravity: 38 multiplications, 23 additions = 61; 1 unary minus; 10 sine/cosine
  *   bias: 193 multiplications, 173 additions = 366; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 125 multiplications, 105 additions = 230; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 401 multiplications, 346 additions, 6 divisions = 753; 13 unary minus; 10
+ *   mass_matrix: 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine
+ *   forward_dynamics: 378 multiplications, 336 additions, 6 divisions = 720; 14 unary minus; 10
  *       sine/cosine
  */
 #ifndef RX90_H

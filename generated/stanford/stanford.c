@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine
  *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
  *   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
- *   mass_matrix: 56 multiplications, 38 additions = 94; 3 unary minus; 6 sine/cosine
- *   forward_dynamics: 244 multiplications, 175 additions, 6 divisions = 425; 2 unary minus; 6
+ *   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
+ *   forward_dynamics: 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6
  *       sine/cosine
  */
 #include "stanford.h"
@@ -404,7 +406,7 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 56 multiplications, 38 additions = 94; 3 unary minus; 6 sine/cosine */
+ * 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine */
 void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -418,94 +420,79 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
     const stanford_real c5 = cos(q[4]);
     const stanford_real s5 = sin(again[4]);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const stanford_real nu5_x = 0.0003*s5;
     const stanford_real neg_nu5_y = 0.0003*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_real nu4_x = c4*nu5_x;
-    const stanford_real nu4_y = s4*nu5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_y = c2*neg_nu5_y - s2*nu4_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_real h5_x = 0.114912*s5;
     const stanford_real neg_h5_y = 0.114912*c5;
-    const stanford_real t1 = 0.0296343144*(c5*c5);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_real k5_xx = 0.0299843144 - t1;
-    const stanford_real k5_yy = t1 + 0.00035;
-    const stanford_real k5_xy = -0.0296343144*(c5*s5);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_real fu4_x = c4*neg_h5_y;
-    const stanford_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu4_x = 0.0303343144*s4;
-    const stanford_real nu4_y_2 = 0.0303343144*c4;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_5 = nu4_y_2 + q[2]*fu4_x;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_real fu2_x = c2*fu4_x - s2*h5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_y_2 = s2*(neg_nu4_x + q[2]*fu4_y);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_5 = neg_nu2_y_2 - 0.1524*fu2_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real nu3_z = 0.0313658072 - t1;
+    const stanford_real t1 = c4*h5_x;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h4_x = c4*h5_x + 0.005832*s4;
-    const stanford_real neg_h4_y = 0.005832*c4 - s4*h5_x;
-    const stanford_real t2 = t1 - 0.0286028216;
-    const stanford_real t3 = c4*c4*t2;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_real k4_yy = k5_xx + t3;
-    const stanford_real k4_xy = t2*(-c4*s4);
-    const stanford_real k4_xz = -5.36544e-05*s4 - c4*k5_xy;
-    const stanford_real k4_yz = 5.36544e-05*c4 - s4*k5_xy;
-    /* link 4: mass matrix, its row of this joint */
-    const stanford_real m4_4 = 0.1373658072 - t1;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_4 = q[2]*neg_h4_y - k4_yz;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_real fu2_x_2 = c2*neg_h4_y;
-    const stanford_real t4 = k4_xz + q[2]*h4_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_y_3 = s2*t4 + c2*nu3_z;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_4 = neg_nu2_y_3 - 0.1524*fu2_x_2;
+    const stanford_real h4_x = t1 + 0.005832*s4;
+    const stanford_real t2 = s4*h5_x;
+    const stanford_real neg_h4_y = 0.005832*c4 - t2;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_real h3_z = neg_h5_y + 2.730039;
+    const stanford_real t3 = neg_h4_y - 0.986028;
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_3 = s2*(neg_h4_y - 0.986028);
-    const stanford_real t5 = 6.47*q[2];
+    const stanford_real m1_3 = s2*t3;
+    const stanford_real t4 = s2*h4_x;
+    const stanford_real t5 = h3_z + 6.47*q[2];
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h2_y = s2*h4_x - c2*(h3_z + t5);
-    const stanford_real t6 = k5_yy + q[2]*(t5 + 2.0*h3_z);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_real k2_xx = t6 + 4.2875532937 - (c2*c2*(t3 + t6 + 4.2781718009) -
-        t4*(2.0*(c2*s2)));
-    const stanford_real k2_yz = s2*k4_xy + c2*m2_4;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_2 = 6.4899347865 - (t3 - t6);
+    const stanford_real h2_y = t4 - c2*t5;
+    const stanford_real t6 = 0.257887030075188*c5;
+    const stanford_real t7 = neg_h5_y*t6;
+    const stanford_real t8 = t7 + 4.2785218009 + q[2]*(h3_z + t5);
+    const stanford_real t9 = c4*(t7 - 0.0286028216);
+    const stanford_real t10 = c4*t9;
+    const stanford_real t11 = 0.1524*t3;
+    const stanford_real t12 = s2*s4;
+    const stanford_real t13 = s2*t1;
+    const stanford_real t14 = t4*q[2] - (5.36544e-05*t12 - t6*t13);
+    const stanford_real t15 = c2*t14;
+    const stanford_real t16 = t11 + (t7 + 0.11890486);
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_2 = k2_yz + 0.1524*h2_y;
-    const stanford_real m1_1 = k2_xx + (k4_yy + 0.1524*(0.986028 - 2.0*neg_h4_y)) + 1.4431532925;
-    const stanford_real t7 = -h4_x;
-    const stanford_real t8 = -h5_x;
+    const stanford_real m1_1 = (t8 + t10)*(s2*s2) - (t11 - (t15 + (t15 + 1.4511532925))) - t16;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const stanford_real k4_yz = 5.36544e-05*c4 + t2*t6;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_real m2_4 = neg_h4_y*q[2] - k4_yz;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_2 = c2*m2_4 + (0.1524*h2_y - t9*t12);
+    const stanford_real m1_4 = t14 - c2*t16;
+    const stanford_real t17 = neg_h5_y*q[2] + 0.0303343144;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_real neg_nu2_y = t12*t17;
+    const stanford_real t18 = t13 - c2*neg_h5_y;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_real neg_fu2_x = c4*t18 + t2*t12;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_5 = neg_nu2_y + 0.1524*neg_fu2_x;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_real m2_2 = t8 + 2.2117629856 - t10;
+    const stanford_real m2_5 = c4*t17;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const stanford_real nu4_y = 0.0026106934001670842*t2;
+    /* link 4: mass matrix, its row of this joint */
+    const stanford_real m4_4 = 0.1373658072 - t7;
+    const stanford_real t19 = -0.0026106934001670842*t18;
+    const stanford_real t20 = -h4_x;
+    const stanford_real t21 = -h5_x;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
     M[3] = m1_4;
     M[4] = m1_5;
-    M[5] = neg_nu2_y;
+    M[5] = t19;
     M[6] = m1_2;
     M[7] = m2_2;
-    M[8] = t7;
+    M[8] = t20;
     M[9] = m2_4;
     M[10] = m2_5;
     M[11] = nu4_y;
     M[12] = m1_3;
-    M[13] = t7;
+    M[13] = t20;
     M[14] = 7.252;
     M[15] = 0.0;
-    M[16] = t8;
+    M[16] = t21;
     M[17] = 0.0;
     M[18] = m1_4;
     M[19] = m2_4;
@@ -515,11 +502,11 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
     M[23] = neg_nu5_y;
     M[24] = m1_5;
     M[25] = m2_5;
-    M[26] = t8;
+    M[26] = t21;
     M[27] = 0.0;
     M[28] = 0.1273343144;
     M[29] = 0.0;
-    M[30] = neg_nu2_y;
+    M[30] = t19;
     M[31] = nu4_y;
     M[32] = 0.0;
     M[33] = neg_nu5_y;
@@ -528,7 +515,7 @@ void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 244 multiplications, 175 additions, 6 divisions = 425; 2 unary minus; 6 sine/cosine */
+ * 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6 sine/cosine */
 void stanford_forward_dynamics(
     const stanford_real q[6],
     const stanford_real qd[6],
@@ -670,146 +657,132 @@ void stanford_forward_dynamics(
     /* link 2: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau2 = s4*n4_x + c4*n4_y - (4.2795532937*ww2_xy + q[2]*neg_f3_x - nc3_y);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const stanford_real nu5_x = 0.0003*s5;
-    const stanford_real neg_nu5_y = 0.0003*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_real nu4_x = c4*nu5_x;
-    const stanford_real nu4_y = s4*nu5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_y = c2*neg_nu5_y - s2*nu4_x;
-    const stanford_real t8 = 0.0296343144*(c5*c5);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_real neg_k5_xx = t8 - 0.0299843144;
-    const stanford_real k5_yy = t8 + 0.00035;
-    const stanford_real neg_k5_xy = 0.0296343144*(c5*s5);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_real fu4_x = c4*neg_h5_y;
-    const stanford_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_real nu4_x_2 = -0.0303343144*s4;
-    const stanford_real nu4_y_2 = 0.0303343144*c4;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_5 = nu4_y_2 + q[2]*fu4_x;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_real fu2_x = c2*fu4_x - s2*h5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu2_y_2 = s2*(q[2]*fu4_y - nu4_x_2);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_5 = neg_nu2_y_2 - 0.1524*fu2_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const stanford_real neg_nu3_z = t8 - 0.0313658072;
+    const stanford_real nu5_y = -0.0003*c5;
+    const stanford_real t8 = c4*h5_x;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h4_x = c4*h5_x + 0.005832*s4;
-    const stanford_real neg_h4_y = 0.005832*c4 - s4*h5_x;
-    const stanford_real t9 = t8 - 0.0286028216;
-    const stanford_real t10 = c4*c4*t9;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_real neg_k4_yy = neg_k5_xx - t10;
-    const stanford_real neg_k4_xy = t9*(c4*s4);
-    const stanford_real neg_k4_xz = 5.36544e-05*s4 - c4*neg_k5_xy;
-    const stanford_real k4_yz = 5.36544e-05*c4 + s4*neg_k5_xy;
-    /* link 4: mass matrix, its row of this joint */
-    const stanford_real m4_4 = 0.1373658072 - t8;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_real neg_m2_4 = k4_yz - q[2]*neg_h4_y;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_real fu2_x_2 = c2*neg_h4_y;
-    const stanford_real t11 = neg_k4_xz - q[2]*h4_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_real nu2_y = s2*t11 + c2*neg_nu3_z;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_real neg_m1_4 = nu2_y + 0.1524*fu2_x_2;
+    const stanford_real h4_x = t8 + 0.005832*s4;
+    const stanford_real t9 = s4*h5_x;
+    const stanford_real neg_h4_y = 0.005832*c4 - t9;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_real h3_z = neg_h5_y + 2.730039;
+    const stanford_real t10 = neg_h4_y - 0.986028;
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real m1_3 = s2*(neg_h4_y - 0.986028);
-    const stanford_real t12 = 6.47*q[2];
+    const stanford_real m1_3 = s2*t10;
+    const stanford_real t11 = s2*h4_x;
+    const stanford_real t12 = h3_z + 6.47*q[2];
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_real h2_y = s2*h4_x - c2*(h3_z + t12);
-    const stanford_real t13 = k5_yy + q[2]*(t12 + 2.0*h3_z);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_real k2_xx = t13 + 4.2875532937 - (c2*c2*(t10 + t13 + 4.2781718009) +
-        t11*(2.0*(s2*c2)));
-    const stanford_real neg_k2_yz = s2*neg_k4_xy + c2*neg_m2_4;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_real m2_2 = 6.4899347865 - (t10 - t13);
+    const stanford_real h2_y = t11 - c2*t12;
+    const stanford_real t13 = 0.257887030075188*c5;
+    const stanford_real t14 = neg_h5_y*t13;
+    const stanford_real t15 = t14 + 4.2785218009 + q[2]*(h3_z + t12);
+    const stanford_real t16 = c4*(t14 - 0.0286028216);
+    const stanford_real t17 = c4*t16;
+    const stanford_real t18 = 0.1524*t10;
+    const stanford_real t19 = s2*s4;
+    const stanford_real t20 = s2*t8;
+    const stanford_real t21 = q[2]*t11 - (5.36544e-05*t19 - t13*t20);
+    const stanford_real t22 = c2*t21;
+    const stanford_real t23 = t18 + (t14 + 0.11890486);
     /* link 1: mass matrix, its row of this joint */
-    const stanford_real neg_m1_2 = neg_k2_yz - 0.1524*h2_y;
-    const stanford_real m1_1 = k2_xx - (neg_k4_yy - 0.1524*(0.986028 - 2.0*neg_h4_y)) +
-        1.4431532925;
+    const stanford_real m1_1 = (t15 + t17)*(s2*s2) - (t18 - (t22 + (t22 + 1.4511532925))) - t23;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const stanford_real k4_yz = 5.36544e-05*c4 + t9*t13;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_real neg_m2_4 = k4_yz - q[2]*neg_h4_y;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real neg_m1_2 = c2*neg_m2_4 - (0.1524*h2_y - t16*t19);
+    const stanford_real m1_4 = t21 - c2*t23;
+    const stanford_real t24 = neg_h5_y*q[2] + 0.0303343144;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_real neg_nu2_y = t19*t24;
+    const stanford_real t25 = t20 - c2*neg_h5_y;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_real neg_fu2_x = c4*t25 + t9*t19;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_real m1_5 = neg_nu2_y + 0.1524*neg_fu2_x;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_real m2_2 = t15 + 2.2117629856 - t17;
+    const stanford_real m2_5 = c4*t24;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const stanford_real nu4_y = 0.0026106934001670842*t9;
+    /* link 4: mass matrix, its row of this joint */
+    const stanford_real m4_4 = 0.1373658072 - t14;
+    /* factorisation M = L D L^T */
+    const stanford_real neg_ld6_1 = 0.0026106934001670842*t25;
     /* link 1: forward substitution */
     const stanford_real neg_y1 = tau1 - tau[0];
     /* factorisation M = L D L^T */
     const stanford_real ipivot1 = 1.0 / m1_1;
     const stanford_real neg_l2_1 = neg_m1_2*ipivot1;
     const stanford_real l3_1 = m1_3*ipivot1;
-    const stanford_real neg_l4_1 = neg_m1_4*ipivot1;
+    const stanford_real l4_1 = m1_4*ipivot1;
     const stanford_real l5_1 = m1_5*ipivot1;
-    const stanford_real l6_1 = neg_nu2_y*ipivot1;
+    const stanford_real neg_l6_1 = neg_ld6_1*ipivot1;
     const stanford_real neg_pivot2 = neg_m1_2*neg_l2_1 - m2_2;
     const stanford_real neg_ipivot2 = 1.0 / neg_pivot2;
     const stanford_real neg_ld3_2 = h4_x - neg_m1_2*l3_1;
     const stanford_real l3_2 = neg_ipivot2*neg_ld3_2;
-    const stanford_real neg_ld4_2 = neg_m2_4 + neg_m1_2*neg_l4_1;
+    const stanford_real neg_ld4_2 = neg_m2_4 - neg_m1_2*l4_1;
     const stanford_real l4_2 = neg_ipivot2*neg_ld4_2;
     const stanford_real ld5_2 = m2_5 + neg_m1_2*l5_1;
     const stanford_real neg_l5_2 = neg_ipivot2*ld5_2;
-    const stanford_real ld6_2 = nu4_y + neg_m1_2*l6_1;
+    const stanford_real ld6_2 = nu4_y - neg_m1_2*neg_l6_1;
     const stanford_real neg_l6_2 = neg_ipivot2*ld6_2;
     const stanford_real neg_pivot3 = m1_3*l3_1 - 7.252 - neg_ld3_2*l3_2;
     const stanford_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const stanford_real ld4_3 = m1_3*neg_l4_1 + neg_ld3_2*l4_2;
-    const stanford_real neg_l4_3 = neg_ipivot3*ld4_3;
+    const stanford_real neg_ld4_3 = m1_3*l4_1 - neg_ld3_2*l4_2;
+    const stanford_real l4_3 = neg_ipivot3*neg_ld4_3;
     const stanford_real neg_ld5_3 = h5_x + m1_3*l5_1 + neg_ld3_2*neg_l5_2;
     const stanford_real l5_3 = neg_ipivot3*neg_ld5_3;
-    const stanford_real neg_ld6_3 = m1_3*l6_1 + neg_ld3_2*neg_l6_2;
-    const stanford_real l6_3 = neg_ipivot3*neg_ld6_3;
-    const stanford_real neg_pivot4 = neg_m1_4*neg_l4_1 - m4_4 - neg_ld4_2*l4_2 - ld4_3*neg_l4_3;
+    const stanford_real ld6_3 = m1_3*neg_l6_1 - neg_ld3_2*neg_l6_2;
+    const stanford_real neg_l6_3 = neg_ipivot3*ld6_3;
+    const stanford_real neg_pivot4 = m1_4*l4_1 - m4_4 - neg_ld4_2*l4_2 - neg_ld4_3*l4_3;
     const stanford_real neg_ipivot4 = 1.0 / neg_pivot4;
-    const stanford_real ld5_4 = neg_m1_4*l5_1 - neg_ld4_2*neg_l5_2 - ld4_3*l5_3;
-    const stanford_real neg_l5_4 = neg_ipivot4*ld5_4;
-    const stanford_real ld6_4 = neg_nu5_y + neg_m1_4*l6_1 - neg_ld4_2*neg_l6_2 - ld4_3*l6_3;
+    const stanford_real neg_ld5_4 = m1_4*l5_1 + neg_ld4_2*neg_l5_2 - neg_ld4_3*l5_3;
+    const stanford_real l5_4 = neg_ipivot4*neg_ld5_4;
+    const stanford_real ld6_4 = m1_4*neg_l6_1 - nu5_y - neg_ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3;
     const stanford_real neg_l6_4 = neg_ipivot4*ld6_4;
     const stanford_real neg_pivot5 = m1_5*l5_1 - 0.1273343144 - ld5_2*neg_l5_2 - neg_ld5_3*l5_3 -
-        ld5_4*neg_l5_4;
+        neg_ld5_4*l5_4;
     const stanford_real neg_ipivot5 = 1.0 / neg_pivot5;
-    const stanford_real neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 - neg_ld5_3*l6_3 - ld5_4*neg_l6_4;
-    const stanford_real l6_5 = neg_ipivot5*neg_ld6_5;
-    const stanford_real neg_pivot6 = neg_nu2_y*l6_1 - 0.0203 - ld6_2*neg_l6_2 - neg_ld6_3*l6_3 -
-        ld6_4*neg_l6_4 - neg_ld6_5*l6_5;
+    const stanford_real ld6_5 = m1_5*neg_l6_1 + ld5_2*neg_l6_2 - neg_ld5_3*neg_l6_3 -
+        neg_ld5_4*neg_l6_4;
+    const stanford_real neg_l6_5 = neg_ipivot5*ld6_5;
+    const stanford_real neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.0203 - ld6_2*neg_l6_2 - ld6_3*neg_l6_3 -
+        ld6_4*neg_l6_4 - ld6_5*neg_l6_5;
     const stanford_real neg_ipivot6 = 1.0 / neg_pivot6;
     /* link 2: forward substitution */
     const stanford_real neg_y2 = tau2 - tau[1] + neg_y1*neg_l2_1;
     /* link 3: forward substitution */
     const stanford_real neg_y3 = f3_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
-    const stanford_real y4 = neg_n4_z + tau[3] - neg_y1*neg_l4_1 + l4_2*neg_y2 - neg_l4_3*neg_y3;
+    const stanford_real y4 = neg_n4_z + tau[3] + neg_y1*l4_1 + l4_2*neg_y2 + l4_3*neg_y3;
     /* link 5: forward substitution */
-    const stanford_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 -
-        neg_l5_4*y4;
+    const stanford_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 +
+        l5_4*y4;
     /* link 6: forward substitution */
-    const stanford_real y6 = tau[5] - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 +
-        neg_l6_4*y4 + l6_5*neg_y5;
+    const stanford_real y6 = tau[5] - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 +
+        neg_l6_4*y4 - neg_l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_real neg_qdd6 = neg_ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd5 = neg_ipivot5*neg_y5 + l6_5*neg_qdd6;
+    const stanford_real qdd5 = neg_ipivot5*neg_y5 - neg_l6_5*neg_qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real neg_qdd4 = neg_ipivot4*y4 - neg_l5_4*qdd5 + neg_l6_4*neg_qdd6;
+    const stanford_real neg_qdd4 = neg_ipivot4*y4 + l5_4*qdd5 + neg_l6_4*neg_qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd3 = neg_ipivot3*neg_y3 - neg_l4_3*neg_qdd4 - l5_3*qdd5 + l6_3*neg_qdd6;
+    const stanford_real qdd3 = neg_ipivot3*neg_y3 + l4_3*neg_qdd4 - l5_3*qdd5 - neg_l6_3*neg_qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_real qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 + l4_2*neg_qdd4 + neg_l5_2*qdd5 -
         neg_l6_2*neg_qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_real qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 +
-        neg_l4_1*neg_qdd4 + l5_1*qdd5);
-    const stanford_real t14 = -neg_qdd4;
-    const stanford_real t15 = -neg_qdd6;
+    const stanford_real qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 -
+        l4_1*neg_qdd4 + l5_1*qdd5);
+    const stanford_real t26 = -neg_qdd4;
+    const stanford_real t27 = -neg_qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
     qdd[2] = qdd3;
-    qdd[3] = t14;
+    qdd[3] = t26;
     qdd[4] = qdd5;
-    qdd[5] = t15;
+    qdd[5] = t27;
 }

@@ -15,13 +15,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 6.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine
 !   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
 !   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
-!   mass_matrix: 56 multiplications, 38 additions = 94; 3 unary minus; 6 sine/cosine
-!   forward_dynamics: 244 multiplications, 175 additions, 6 divisions = 425; 2 unary minus; 6
+!   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
+!   forward_dynamics: 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6
 !       sine/cosine
 module stanford_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -426,16 +428,15 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 56 multiplications, 38 additions = 94; 3 unary minus; 6 sine/cosine
+  ! 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
   pure subroutine stanford_mass_matrix(q, M) &
       bind(c, name="stanford_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, nu5_x, neg_nu5_y, nu4_x, nu4_y, neg_nu2_y, h5_x, neg_h5_y
-    real(rk) :: t1, k5_xx, k5_yy, k5_xy, fu4_x, fu4_y, neg_nu4_x, nu4_y_2, m2_5, fu2_x, neg_nu2_y_2
-    real(rk) :: m1_5, nu3_z, h4_x, neg_h4_y, t2, t3, k4_yy, k4_xy, k4_xz, k4_yz, m4_4, m2_4
-    real(rk) :: fu2_x_2, t4, neg_nu2_y_3, m1_4, h3_z, m1_3, t5, h2_y, t6, k2_xx, k2_yz, m2_2, m1_2
-    real(rk) :: m1_1, t7, t8
+    real(rk) :: c2, s2, c4, s4, c5, s5, neg_nu5_y, h5_x, neg_h5_y, t1, h4_x, t2, neg_h4_y, h3_z, t3
+    real(rk) :: m1_3, t4, t5, h2_y, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, m1_1, k4_yz
+    real(rk) :: m2_4, m1_2, m1_4, t17, neg_nu2_y, t18, neg_fu2_x, m1_5, m2_2, m2_5, nu4_y, m4_4
+    real(rk) :: t19, t20, t21
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -445,93 +446,79 @@ contains
     c5 = cos(q(5))
     s5 = sin(q(5))
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.0003_rk*s5
     neg_nu5_y = 0.0003_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
-    nu4_y = s4*nu5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = c2*neg_nu5_y - s2*nu4_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.114912_rk*s5
     neg_h5_y = 0.114912_rk*c5
-    t1 = 0.0296343144_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_xx = 0.0299843144_rk - t1
-    k5_yy = t1 + 0.00035_rk
-    k5_xy = -0.0296343144_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = 0.0303343144_rk*s4
-    nu4_y_2 = 0.0303343144_rk*c4
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = nu4_y_2 + q(3)*fu4_x
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c2*fu4_x - s2*h5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = s2*(neg_nu4_x + q(3)*fu4_y)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = neg_nu2_y_2 - 0.1524_rk*fu2_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    nu3_z = 0.0313658072_rk - t1
+    t1 = c4*h5_x
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*h5_x + 0.005832_rk*s4
-    neg_h4_y = 0.005832_rk*c4 - s4*h5_x
-    t2 = t1 - 0.0286028216_rk
-    t3 = c4*c4*t2
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_yy = k5_xx + t3
-    k4_xy = t2*(-c4*s4)
-    k4_xz = -5.36544e-05_rk*s4 - c4*k5_xy
-    k4_yz = 5.36544e-05_rk*c4 - s4*k5_xy
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.1373658072_rk - t1
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = q(3)*neg_h4_y - k4_yz
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c2*neg_h4_y
-    t4 = k4_xz + q(3)*h4_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_3 = s2*t4 + c2*nu3_z
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = neg_nu2_y_3 - 0.1524_rk*fu2_x_2
+    h4_x = t1 + 0.005832_rk*s4
+    t2 = s4*h5_x
+    neg_h4_y = 0.005832_rk*c4 - t2
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_z = neg_h5_y + 2.730039_rk
+    t3 = neg_h4_y - 0.986028_rk
     ! link 1: mass matrix, its row of this joint
-    m1_3 = s2*(neg_h4_y - 0.986028_rk)
-    t5 = 6.47_rk*q(3)
+    m1_3 = s2*t3
+    t4 = s2*h4_x
+    t5 = h3_z + 6.47_rk*q(3)
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = s2*h4_x - c2*(h3_z + t5)
-    t6 = k5_yy + q(3)*(t5 + 2.0_rk*h3_z)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t6 + 4.2875532937_rk - (c2*c2*(t3 + t6 + 4.2781718009_rk) - t4*(2.0_rk*(c2*s2)))
-    k2_yz = s2*k4_xy + c2*m2_4
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.4899347865_rk - (t3 - t6)
+    h2_y = t4 - c2*t5
+    t6 = 0.257887030075188_rk*c5
+    t7 = neg_h5_y*t6
+    t8 = t7 + 4.2785218009_rk + q(3)*(h3_z + t5)
+    t9 = c4*(t7 - 0.0286028216_rk)
+    t10 = c4*t9
+    t11 = 0.1524_rk*t3
+    t12 = s2*s4
+    t13 = s2*t1
+    t14 = t4*q(3) - (5.36544e-05_rk*t12 - t6*t13)
+    t15 = c2*t14
+    t16 = t11 + (t7 + 0.11890486_rk)
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1524_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.1524_rk*(0.986028_rk - 2.0_rk*neg_h4_y)) + 1.4431532925_rk
-    t7 = -h4_x
-    t8 = -h5_x
+    m1_1 = (t8 + t10)*(s2*s2) - (t11 - (t15 + (t15 + 1.4511532925_rk))) - t16
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_yz = 5.36544e-05_rk*c4 + t2*t6
+    ! link 2: mass matrix, its row of this joint
+    m2_4 = neg_h4_y*q(3) - k4_yz
+    ! link 1: mass matrix, its row of this joint
+    m1_2 = c2*m2_4 + (0.1524_rk*h2_y - t9*t12)
+    m1_4 = t14 - c2*t16
+    t17 = neg_h5_y*q(3) + 0.0303343144_rk
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = t12*t17
+    t18 = t13 - c2*neg_h5_y
+    ! link 2: force for a unit acceleration of a joint further out
+    neg_fu2_x = c4*t18 + t2*t12
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = neg_nu2_y + 0.1524_rk*neg_fu2_x
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t8 + 2.2117629856_rk - t10
+    m2_5 = c4*t17
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = 0.0026106934001670842_rk*t2
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 0.1373658072_rk - t7
+    t19 = -0.0026106934001670842_rk*t18
+    t20 = -h4_x
+    t21 = -h5_x
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
     M(4) = m1_4
     M(5) = m1_5
-    M(6) = neg_nu2_y
+    M(6) = t19
     M(7) = m1_2
     M(8) = m2_2
-    M(9) = t7
+    M(9) = t20
     M(10) = m2_4
     M(11) = m2_5
     M(12) = nu4_y
     M(13) = m1_3
-    M(14) = t7
+    M(14) = t20
     M(15) = 7.252_rk
     M(16) = 0.0_rk
-    M(17) = t8
+    M(17) = t21
     M(18) = 0.0_rk
     M(19) = m1_4
     M(20) = m2_4
@@ -541,11 +528,11 @@ contains
     M(24) = neg_nu5_y
     M(25) = m1_5
     M(26) = m2_5
-    M(27) = t8
+    M(27) = t21
     M(28) = 0.0_rk
     M(29) = 0.1273343144_rk
     M(30) = 0.0_rk
-    M(31) = neg_nu2_y
+    M(31) = t19
     M(32) = nu4_y
     M(33) = 0.0_rk
     M(34) = neg_nu5_y
@@ -554,7 +541,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 244 multiplications, 175 additions, 6 divisions = 425; 2 unary minus; 6 sine/cosine
+  ! 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6 sine/cosine
   pure subroutine stanford_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -568,16 +555,15 @@ contains
     real(rk) :: lam4_13, alpha5_z, lam5_12, fc4_x, neg_h5_y, h5_x, neg_f4_x, neg_lam2_33, t4, a3_y
     real(rk) :: fc3_y, f3_y, t5, neg_lam2_22, a3_z, fc4_z, f3_z, neg_a3_x, a4_y, alpha5_y, n06_z
     real(rk) :: t6, t7, n4_x, nc4_y, neg_a4_x, n5_z, n4_y, neg_n2_x, neg_n4_z, nc2_y, neg_f3_x
-    real(rk) :: n2_y, tau1, nc3_y, tau2, nu5_x, neg_nu5_y, nu4_x, nu4_y, neg_nu2_y, t8, neg_k5_xx
-    real(rk) :: k5_yy, neg_k5_xy, fu4_x, fu4_y, nu4_x_2, nu4_y_2, m2_5, fu2_x, neg_nu2_y_2, m1_5
-    real(rk) :: neg_nu3_z, h4_x, neg_h4_y, t9, t10, neg_k4_yy, neg_k4_xy, neg_k4_xz, k4_yz, m4_4
-    real(rk) :: neg_m2_4, fu2_x_2, t11, nu2_y, neg_m1_4, h3_z, m1_3, t12, h2_y, t13, k2_xx
-    real(rk) :: neg_k2_yz, m2_2, neg_m1_2, m1_1, neg_y1, ipivot1, neg_l2_1, l3_1, neg_l4_1, l5_1
-    real(rk) :: l6_1, neg_pivot2, neg_ipivot2, neg_ld3_2, l3_2, neg_ld4_2, l4_2, ld5_2, neg_l5_2
-    real(rk) :: ld6_2, neg_l6_2, neg_pivot3, neg_ipivot3, ld4_3, neg_l4_3, neg_ld5_3, l5_3
-    real(rk) :: neg_ld6_3, l6_3, neg_pivot4, neg_ipivot4, ld5_4, neg_l5_4, ld6_4, neg_l6_4
-    real(rk) :: neg_pivot5, neg_ipivot5, neg_ld6_5, l6_5, neg_pivot6, neg_ipivot6, neg_y2, neg_y3
-    real(rk) :: y4, neg_y5, y6, neg_qdd6, qdd5, neg_qdd4, qdd3, qdd2, qdd1, t14, t15
+    real(rk) :: n2_y, tau1, nc3_y, tau2, nu5_y, t8, h4_x, t9, neg_h4_y, h3_z, t10, m1_3, t11, t12
+    real(rk) :: h2_y, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22, t23, m1_1, k4_yz, neg_m2_4
+    real(rk) :: neg_m1_2, m1_4, t24, neg_nu2_y, t25, neg_fu2_x, m1_5, m2_2, m2_5, nu4_y, m4_4
+    real(rk) :: neg_ld6_1, neg_y1, ipivot1, neg_l2_1, l3_1, l4_1, l5_1, neg_l6_1, neg_pivot2
+    real(rk) :: neg_ipivot2, neg_ld3_2, l3_2, neg_ld4_2, l4_2, ld5_2, neg_l5_2, ld6_2, neg_l6_2
+    real(rk) :: neg_pivot3, neg_ipivot3, neg_ld4_3, l4_3, neg_ld5_3, l5_3, ld6_3, neg_l6_3
+    real(rk) :: neg_pivot4, neg_ipivot4, neg_ld5_4, l5_4, ld6_4, neg_l6_4, neg_pivot5, neg_ipivot5
+    real(rk) :: ld6_5, neg_l6_5, neg_pivot6, neg_ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, neg_qdd6
+    real(rk) :: qdd5, neg_qdd4, qdd3, qdd2, qdd1, t26, t27
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
@@ -710,141 +696,129 @@ contains
     ! link 2: joint torque [N m], at a prismatic joint force [N]
     tau2 = s4*n4_x + c4*n4_y - (4.2795532937_rk*ww2_xy + q(3)*neg_f3_x - nc3_y)
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.0003_rk*s5
-    neg_nu5_y = 0.0003_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
-    nu4_y = s4*nu5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = c2*neg_nu5_y - s2*nu4_x
-    t8 = 0.0296343144_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    neg_k5_xx = t8 - 0.0299843144_rk
-    k5_yy = t8 + 0.00035_rk
-    neg_k5_xy = 0.0296343144_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = -0.0303343144_rk*s4
-    nu4_y_2 = 0.0303343144_rk*c4
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = nu4_y_2 + q(3)*fu4_x
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c2*fu4_x - s2*h5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = s2*(q(3)*fu4_y - nu4_x_2)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = neg_nu2_y_2 - 0.1524_rk*fu2_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_z = t8 - 0.0313658072_rk
+    nu5_y = -0.0003_rk*c5
+    t8 = c4*h5_x
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*h5_x + 0.005832_rk*s4
-    neg_h4_y = 0.005832_rk*c4 - s4*h5_x
-    t9 = t8 - 0.0286028216_rk
-    t10 = c4*c4*t9
-    ! link 4: second moment of the composite body [kg m^2]
-    neg_k4_yy = neg_k5_xx - t10
-    neg_k4_xy = t9*(c4*s4)
-    neg_k4_xz = 5.36544e-05_rk*s4 - c4*neg_k5_xy
-    k4_yz = 5.36544e-05_rk*c4 + s4*neg_k5_xy
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.1373658072_rk - t8
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_4 = k4_yz - q(3)*neg_h4_y
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c2*neg_h4_y
-    t11 = neg_k4_xz - q(3)*h4_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = s2*t11 + c2*neg_nu3_z
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_4 = nu2_y + 0.1524_rk*fu2_x_2
+    h4_x = t8 + 0.005832_rk*s4
+    t9 = s4*h5_x
+    neg_h4_y = 0.005832_rk*c4 - t9
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_z = neg_h5_y + 2.730039_rk
+    t10 = neg_h4_y - 0.986028_rk
     ! link 1: mass matrix, its row of this joint
-    m1_3 = s2*(neg_h4_y - 0.986028_rk)
-    t12 = 6.47_rk*q(3)
+    m1_3 = s2*t10
+    t11 = s2*h4_x
+    t12 = h3_z + 6.47_rk*q(3)
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = s2*h4_x - c2*(h3_z + t12)
-    t13 = k5_yy + q(3)*(t12 + 2.0_rk*h3_z)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t13 + 4.2875532937_rk - (c2*c2*(t10 + t13 + 4.2781718009_rk) + t11*(2.0_rk*(s2*c2)))
-    neg_k2_yz = s2*neg_k4_xy + c2*neg_m2_4
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.4899347865_rk - (t10 - t13)
+    h2_y = t11 - c2*t12
+    t13 = 0.257887030075188_rk*c5
+    t14 = neg_h5_y*t13
+    t15 = t14 + 4.2785218009_rk + q(3)*(h3_z + t12)
+    t16 = c4*(t14 - 0.0286028216_rk)
+    t17 = c4*t16
+    t18 = 0.1524_rk*t10
+    t19 = s2*s4
+    t20 = s2*t8
+    t21 = q(3)*t11 - (5.36544e-05_rk*t19 - t13*t20)
+    t22 = c2*t21
+    t23 = t18 + (t14 + 0.11890486_rk)
     ! link 1: mass matrix, its row of this joint
-    neg_m1_2 = neg_k2_yz - 0.1524_rk*h2_y
-    m1_1 = k2_xx - (neg_k4_yy - 0.1524_rk*(0.986028_rk - 2.0_rk*neg_h4_y)) + 1.4431532925_rk
+    m1_1 = (t15 + t17)*(s2*s2) - (t18 - (t22 + (t22 + 1.4511532925_rk))) - t23
+    ! link 4: second moment of the composite body [kg m^2]
+    k4_yz = 5.36544e-05_rk*c4 + t9*t13
+    ! link 2: mass matrix, its row of this joint
+    neg_m2_4 = k4_yz - q(3)*neg_h4_y
+    ! link 1: mass matrix, its row of this joint
+    neg_m1_2 = c2*neg_m2_4 - (0.1524_rk*h2_y - t16*t19)
+    m1_4 = t21 - c2*t23
+    t24 = neg_h5_y*q(3) + 0.0303343144_rk
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = t19*t24
+    t25 = t20 - c2*neg_h5_y
+    ! link 2: force for a unit acceleration of a joint further out
+    neg_fu2_x = c4*t25 + t9*t19
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = neg_nu2_y + 0.1524_rk*neg_fu2_x
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t15 + 2.2117629856_rk - t17
+    m2_5 = c4*t24
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = 0.0026106934001670842_rk*t9
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 0.1373658072_rk - t14
+    ! factorisation M = L D L^T
+    neg_ld6_1 = 0.0026106934001670842_rk*t25
     ! link 1: forward substitution
     neg_y1 = tau1 - tau(1)
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
     neg_l2_1 = neg_m1_2*ipivot1
     l3_1 = m1_3*ipivot1
-    neg_l4_1 = neg_m1_4*ipivot1
+    l4_1 = m1_4*ipivot1
     l5_1 = m1_5*ipivot1
-    l6_1 = neg_nu2_y*ipivot1
+    neg_l6_1 = neg_ld6_1*ipivot1
     neg_pivot2 = neg_m1_2*neg_l2_1 - m2_2
     neg_ipivot2 = 1.0_rk / neg_pivot2
     neg_ld3_2 = h4_x - neg_m1_2*l3_1
     l3_2 = neg_ipivot2*neg_ld3_2
-    neg_ld4_2 = neg_m2_4 + neg_m1_2*neg_l4_1
+    neg_ld4_2 = neg_m2_4 - neg_m1_2*l4_1
     l4_2 = neg_ipivot2*neg_ld4_2
     ld5_2 = m2_5 + neg_m1_2*l5_1
     neg_l5_2 = neg_ipivot2*ld5_2
-    ld6_2 = nu4_y + neg_m1_2*l6_1
+    ld6_2 = nu4_y - neg_m1_2*neg_l6_1
     neg_l6_2 = neg_ipivot2*ld6_2
     neg_pivot3 = m1_3*l3_1 - 7.252_rk - neg_ld3_2*l3_2
     neg_ipivot3 = 1.0_rk / neg_pivot3
-    ld4_3 = m1_3*neg_l4_1 + neg_ld3_2*l4_2
-    neg_l4_3 = neg_ipivot3*ld4_3
+    neg_ld4_3 = m1_3*l4_1 - neg_ld3_2*l4_2
+    l4_3 = neg_ipivot3*neg_ld4_3
     neg_ld5_3 = h5_x + m1_3*l5_1 + neg_ld3_2*neg_l5_2
     l5_3 = neg_ipivot3*neg_ld5_3
-    neg_ld6_3 = m1_3*l6_1 + neg_ld3_2*neg_l6_2
-    l6_3 = neg_ipivot3*neg_ld6_3
-    neg_pivot4 = neg_m1_4*neg_l4_1 - m4_4 - neg_ld4_2*l4_2 - ld4_3*neg_l4_3
+    ld6_3 = m1_3*neg_l6_1 - neg_ld3_2*neg_l6_2
+    neg_l6_3 = neg_ipivot3*ld6_3
+    neg_pivot4 = m1_4*l4_1 - m4_4 - neg_ld4_2*l4_2 - neg_ld4_3*l4_3
     neg_ipivot4 = 1.0_rk / neg_pivot4
-    ld5_4 = neg_m1_4*l5_1 - neg_ld4_2*neg_l5_2 - ld4_3*l5_3
-    neg_l5_4 = neg_ipivot4*ld5_4
-    ld6_4 = neg_nu5_y + neg_m1_4*l6_1 - neg_ld4_2*neg_l6_2 - ld4_3*l6_3
+    neg_ld5_4 = m1_4*l5_1 + neg_ld4_2*neg_l5_2 - neg_ld4_3*l5_3
+    l5_4 = neg_ipivot4*neg_ld5_4
+    ld6_4 = m1_4*neg_l6_1 - nu5_y - neg_ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3
     neg_l6_4 = neg_ipivot4*ld6_4
-    neg_pivot5 = m1_5*l5_1 - 0.1273343144_rk - ld5_2*neg_l5_2 - neg_ld5_3*l5_3 - ld5_4*neg_l5_4
+    neg_pivot5 = m1_5*l5_1 - 0.1273343144_rk - ld5_2*neg_l5_2 - neg_ld5_3*l5_3 - neg_ld5_4*l5_4
     neg_ipivot5 = 1.0_rk / neg_pivot5
-    neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 - neg_ld5_3*l6_3 - ld5_4*neg_l6_4
-    l6_5 = neg_ipivot5*neg_ld6_5
-    neg_pivot6 = neg_nu2_y*l6_1 - 0.0203_rk - ld6_2*neg_l6_2 - neg_ld6_3*l6_3 - ld6_4*neg_l6_4 - &
-        neg_ld6_5*l6_5
+    ld6_5 = m1_5*neg_l6_1 + ld5_2*neg_l6_2 - neg_ld5_3*neg_l6_3 - neg_ld5_4*neg_l6_4
+    neg_l6_5 = neg_ipivot5*ld6_5
+    neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.0203_rk - ld6_2*neg_l6_2 - ld6_3*neg_l6_3 - ld6_4*neg_l6_4 &
+        - ld6_5*neg_l6_5
     neg_ipivot6 = 1.0_rk / neg_pivot6
     ! link 2: forward substitution
     neg_y2 = tau2 - tau(2) + neg_y1*neg_l2_1
     ! link 3: forward substitution
     neg_y3 = f3_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
     ! link 4: forward substitution
-    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 + l4_2*neg_y2 - neg_l4_3*neg_y3
+    y4 = neg_n4_z + tau(4) + neg_y1*l4_1 + l4_2*neg_y2 + l4_3*neg_y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 - neg_l5_4*y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 + l5_4*y4
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 + neg_l6_4*y4 + l6_5*neg_y5
+    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 + neg_l6_4*y4 - &
+        neg_l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     neg_qdd6 = neg_ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = neg_ipivot5*neg_y5 + l6_5*neg_qdd6
+    qdd5 = neg_ipivot5*neg_y5 - neg_l6_5*neg_qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = neg_ipivot4*y4 - neg_l5_4*qdd5 + neg_l6_4*neg_qdd6
+    neg_qdd4 = neg_ipivot4*y4 + l5_4*qdd5 + neg_l6_4*neg_qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3 - neg_l4_3*neg_qdd4 - l5_3*qdd5 + l6_3*neg_qdd6
+    qdd3 = neg_ipivot3*neg_y3 + l4_3*neg_qdd4 - l5_3*qdd5 - neg_l6_3*neg_qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 + l4_2*neg_qdd4 + neg_l5_2*qdd5 - neg_l6_2*neg_qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 + neg_l4_1*neg_qdd4 + &
+    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 - l4_1*neg_qdd4 + &
         l5_1*qdd5)
-    t14 = -neg_qdd4
-    t15 = -neg_qdd6
+    t26 = -neg_qdd4
+    t27 = -neg_qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
     qdd(3) = qdd3
-    qdd(4) = t14
+    qdd(4) = t26
     qdd(5) = qdd5
-    qdd(6) = t15
+    qdd(6) = t27
   end subroutine
 end module

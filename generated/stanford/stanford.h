@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine
  *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
  *   bias: 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine
- *   mass_matrix: 56 multiplications, 38 additions = 94; 3 unary minus; 6 sine/cosine
- *   forward_dynamics: 244 multiplications, 175 additions, 6 divisions = 425; 2 unary minus; 6
+ *   mass_matrix: 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine
+ *   forward_dynamics: 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6
  *       sine/cosine
  */
 #ifndef STANFORD_H

@@ -17,13 +17,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 5.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 30 multiplications, 17 additions = 47; 0 unary minus; 2 sine/cosine
  *   gravity: 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine
  *   bias: 21 multiplications, 9 additions = 30; 0 unary minus; 2 sine/cosine
- *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 44 multiplications, 28 additions, 3 divisions = 75; 0 unary minus; 2
+ *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
+ *   forward_dynamics: 44 multiplications, 26 additions, 3 divisions = 73; 0 unary minus; 2
  *       sine/cosine
  */
 #include "stanford_3dof.h"
@@ -140,7 +142,7 @@ void stanford_3dof_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine */
+ * 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_mass_matrix(const stanford_3dof_real q[3], stanford_3dof_real M[9])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -151,17 +153,12 @@ void stanford_3dof_mass_matrix(const stanford_3dof_real q[3], stanford_3dof_real
     const stanford_3dof_real s2 = sin(again[1]);
     /* link 1: mass matrix, its row of this joint */
     const stanford_3dof_real m1_3 = -0.6477*s2;
-    const stanford_3dof_real t1 = 4.25*q[2];
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_3dof_real neg_h2_y = c2*(t1 + 2.739975);
-    const stanford_3dof_real t2 = q[2]*(t1 + 5.47995);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_3dof_real k2_xx = t2 + 4.2864618825 - c2*c2*(t2 + 4.2784618825);
+    const stanford_3dof_real t1 = q[2] + 1.2894;
+    const stanford_3dof_real t2 = 4.25*(q[2]*t1);
+    const stanford_3dof_real m1_1 = (t2 + 4.2784618825)*(s2*s2) + 1.5498627725;
+    const stanford_3dof_real m1_2 = -0.32385*(c2*(q[2] + t1));
     /* link 2: mass matrix, its row of this joint */
     const stanford_3dof_real m2_2 = t2 + 6.4874618825;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_3dof_real m1_2 = -0.1524*neg_h2_y;
-    const stanford_3dof_real m1_1 = k2_xx + 1.5418627725;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -174,7 +171,7 @@ void stanford_3dof_mass_matrix(const stanford_3dof_real q[3], stanford_3dof_real
 }
 
 /* accelerations that the torques tau give
- * 44 multiplications, 28 additions, 3 divisions = 75; 0 unary minus; 2 sine/cosine */
+ * 44 multiplications, 26 additions, 3 divisions = 73; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_forward_dynamics(
     const stanford_3dof_real q[3],
     const stanford_3dof_real qd[3],
@@ -211,17 +208,12 @@ void stanford_3dof_forward_dynamics(
     const stanford_3dof_real tau3 = 41.65*c2 - t3*neg_lam2_22;
     /* link 1: mass matrix, its row of this joint */
     const stanford_3dof_real neg_m1_3 = 0.6477*s2;
-    const stanford_3dof_real t6 = 4.25*q[2];
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_3dof_real neg_h2_y = c2*(t6 + 2.739975);
-    const stanford_3dof_real t7 = q[2]*(t6 + 5.47995);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_3dof_real k2_xx = t7 + 4.2864618825 - c2*c2*(t7 + 4.2784618825);
+    const stanford_3dof_real t6 = q[2] + 1.2894;
+    const stanford_3dof_real t7 = 4.25*(q[2]*t6);
+    const stanford_3dof_real m1_1 = (t7 + 4.2784618825)*(s2*s2) + 1.5498627725;
+    const stanford_3dof_real neg_m1_2 = 0.32385*(c2*(q[2] + t6));
     /* link 2: mass matrix, its row of this joint */
     const stanford_3dof_real m2_2 = t7 + 6.4874618825;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_3dof_real neg_m1_2 = 0.1524*neg_h2_y;
-    const stanford_3dof_real m1_1 = k2_xx + 1.5418627725;
     /* link 1: forward substitution */
     const stanford_3dof_real neg_y1 = tau1 - tau[0];
     /* factorisation M = L D L^T */

@@ -16,13 +16,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 5.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 30 multiplications, 17 additions = 47; 0 unary minus; 2 sine/cosine
 !   gravity: 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine
 !   bias: 21 multiplications, 9 additions = 30; 0 unary minus; 2 sine/cosine
-!   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
-!   forward_dynamics: 44 multiplications, 28 additions, 3 divisions = 75; 0 unary minus; 2
+!   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
+!   forward_dynamics: 44 multiplications, 26 additions, 3 divisions = 73; 0 unary minus; 2
 !       sine/cosine
 module stanford_3dof_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -147,29 +149,24 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
+  ! 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
   pure subroutine stanford_3dof_mass_matrix(q, M) &
       bind(c, name="stanford_3dof_mass_matrix_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: M(9)
-    real(rk) :: c2, s2, m1_3, t1, neg_h2_y, t2, k2_xx, m2_2, m1_2, m1_1
+    real(rk) :: c2, s2, m1_3, t1, t2, m1_1, m1_2, m2_2
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
     ! link 1: mass matrix, its row of this joint
     m1_3 = -0.6477_rk*s2
-    t1 = 4.25_rk*q(3)
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = c2*(t1 + 2.739975_rk)
-    t2 = q(3)*(t1 + 5.47995_rk)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t2 + 4.2864618825_rk - c2*c2*(t2 + 4.2784618825_rk)
+    t1 = q(3) + 1.2894_rk
+    t2 = 4.25_rk*(q(3)*t1)
+    m1_1 = (t2 + 4.2784618825_rk)*(s2*s2) + 1.5498627725_rk
+    m1_2 = -0.32385_rk*(c2*(q(3) + t1))
     ! link 2: mass matrix, its row of this joint
     m2_2 = t2 + 6.4874618825_rk
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = -0.1524_rk*neg_h2_y
-    m1_1 = k2_xx + 1.5418627725_rk
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -182,7 +179,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 44 multiplications, 28 additions, 3 divisions = 75; 0 unary minus; 2 sine/cosine
+  ! 44 multiplications, 26 additions, 3 divisions = 73; 0 unary minus; 2 sine/cosine
   pure subroutine stanford_3dof_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_3dof_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
@@ -190,9 +187,9 @@ contains
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
     real(rk) :: c2, s2, neg_w2_x, ww2_zz, t1, t2, t3, t4, t5, tau1, a2_x, tau2, ww2_xx, neg_lam2_22
-    real(rk) :: tau3, neg_m1_3, t6, neg_h2_y, t7, k2_xx, m2_2, neg_m1_2, m1_1, neg_y1, ipivot1
-    real(rk) :: neg_l2_1, neg_l3_1, pivot2, ipivot2, neg_ld3_2, neg_l3_2, neg_pivot3, neg_ipivot3
-    real(rk) :: neg_y2, neg_y3, qdd3, qdd2, qdd1
+    real(rk) :: tau3, neg_m1_3, t6, t7, m1_1, neg_m1_2, m2_2, neg_y1, ipivot1, neg_l2_1, neg_l3_1
+    real(rk) :: pivot2, ipivot2, neg_ld3_2, neg_l3_2, neg_pivot3, neg_ipivot3, neg_y2, neg_y3, qdd3
+    real(rk) :: qdd2, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -220,17 +217,12 @@ contains
     tau3 = 41.65_rk*c2 - t3*neg_lam2_22
     ! link 1: mass matrix, its row of this joint
     neg_m1_3 = 0.6477_rk*s2
-    t6 = 4.25_rk*q(3)
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = c2*(t6 + 2.739975_rk)
-    t7 = q(3)*(t6 + 5.47995_rk)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t7 + 4.2864618825_rk - c2*c2*(t7 + 4.2784618825_rk)
+    t6 = q(3) + 1.2894_rk
+    t7 = 4.25_rk*(q(3)*t6)
+    m1_1 = (t7 + 4.2784618825_rk)*(s2*s2) + 1.5498627725_rk
+    neg_m1_2 = 0.32385_rk*(c2*(q(3) + t6))
     ! link 2: mass matrix, its row of this joint
     m2_2 = t7 + 6.4874618825_rk
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_2 = 0.1524_rk*neg_h2_y
-    m1_1 = k2_xx + 1.5418627725_rk
     ! link 1: forward substitution
     neg_y1 = tau1 - tau(1)
     ! factorisation M = L D L^T

@@ -17,13 +17,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 5.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 30 multiplications, 16 additions = 46; 0 unary minus; 2 sine/cosine
  *   gravity: 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine
  *   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
- *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 46 multiplications, 28 additions, 3 divisions = 77; 0 unary minus; 2
+ *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
+ *   forward_dynamics: 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2
  *       sine/cosine
  */
 #include "stanford_3dof_d3.h"
@@ -129,7 +131,7 @@ void stanford_3dof_d3_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine */
+ * 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_mass_matrix(const stanford_3dof_d3_real q[3], stanford_3dof_d3_real M[9])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -140,17 +142,12 @@ void stanford_3dof_d3_mass_matrix(const stanford_3dof_d3_real q[3], stanford_3do
     const stanford_3dof_d3_real s2 = sin(again[1]);
     /* link 1: mass matrix, its row of this joint */
     const stanford_3dof_d3_real m1_3 = -0.986028*s2;
-    const stanford_3dof_d3_real t1 = 6.47*q[2];
-    const stanford_3dof_d3_real t2 = q[2]*(t1 - 8.342418);
+    const stanford_3dof_d3_real t1 = q[2] - 1.2894;
+    const stanford_3dof_d3_real t2 = 6.47*(q[2]*t1);
+    const stanford_3dof_d3_real m1_1 = (t2 + 5.2071784423)*(s2*s2) + 1.5954239597;
+    const stanford_3dof_d3_real m1_2 = -0.493014*(c2*(q[2] + t1));
     /* link 2: mass matrix, its row of this joint */
     const stanford_3dof_d3_real m2_2 = t2 + 7.4101784423;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_3dof_d3_real neg_h2_y = c2*(t1 - 4.171209);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_3dof_d3_real k2_xx = t2 + 6.3086784423 - c2*c2*(t2 + 5.2071784423);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_3dof_d3_real m1_2 = -0.1524*neg_h2_y;
-    const stanford_3dof_d3_real m1_1 = k2_xx + 0.4939239597;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -163,7 +160,7 @@ void stanford_3dof_d3_mass_matrix(const stanford_3dof_d3_real q[3], stanford_3do
 }
 
 /* accelerations that the torques tau give
- * 46 multiplications, 28 additions, 3 divisions = 77; 0 unary minus; 2 sine/cosine */
+ * 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real q[3],
     const stanford_3dof_d3_real qd[3],
@@ -192,17 +189,12 @@ void stanford_3dof_d3_forward_dynamics(
     const stanford_3dof_d3_real fc3_z = 0.986028*(64.30446194225722*c2 - (t5 + neg_w2_x*t6));
     /* link 1: mass matrix, its row of this joint */
     const stanford_3dof_d3_real neg_m1_3 = 0.986028*s2;
-    const stanford_3dof_d3_real t7 = 6.47*q[2];
-    const stanford_3dof_d3_real t8 = q[2]*(t7 - 8.342418);
+    const stanford_3dof_d3_real t7 = q[2] - 1.2894;
+    const stanford_3dof_d3_real t8 = 6.47*(q[2]*t7);
+    const stanford_3dof_d3_real m1_1 = (t8 + 5.2071784423)*(s2*s2) + 1.5954239597;
+    const stanford_3dof_d3_real neg_m1_2 = 0.493014*(c2*(q[2] + t7));
     /* link 2: mass matrix, its row of this joint */
     const stanford_3dof_d3_real m2_2 = t8 + 7.4101784423;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_3dof_d3_real neg_h2_y = c2*(t7 - 4.171209);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_3dof_d3_real k2_xx = t8 + 6.3086784423 - c2*c2*(t8 + 5.2071784423);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_3dof_d3_real neg_m1_2 = 0.1524*neg_h2_y;
-    const stanford_3dof_d3_real m1_1 = k2_xx + 0.4939239597;
     /* link 1: forward substitution */
     const stanford_3dof_d3_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */

@@ -16,13 +16,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 5.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 30 multiplications, 16 additions = 46; 0 unary minus; 2 sine/cosine
 !   gravity: 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine
 !   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
-!   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
-!   forward_dynamics: 46 multiplications, 28 additions, 3 divisions = 77; 0 unary minus; 2
+!   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
+!   forward_dynamics: 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2
 !       sine/cosine
 module stanford_3dof_d3_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -134,29 +136,24 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
+  ! 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
   pure subroutine stanford_3dof_d3_mass_matrix(q, M) &
       bind(c, name="stanford_3dof_d3_mass_matrix_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(out) :: M(9)
-    real(rk) :: c2, s2, m1_3, t1, t2, m2_2, neg_h2_y, k2_xx, m1_2, m1_1
+    real(rk) :: c2, s2, m1_3, t1, t2, m1_1, m1_2, m2_2
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
     s2 = sin(q(2))
     ! link 1: mass matrix, its row of this joint
     m1_3 = -0.986028_rk*s2
-    t1 = 6.47_rk*q(3)
-    t2 = q(3)*(t1 - 8.342418_rk)
+    t1 = q(3) - 1.2894_rk
+    t2 = 6.47_rk*(q(3)*t1)
+    m1_1 = (t2 + 5.2071784423_rk)*(s2*s2) + 1.5954239597_rk
+    m1_2 = -0.493014_rk*(c2*(q(3) + t1))
     ! link 2: mass matrix, its row of this joint
     m2_2 = t2 + 7.4101784423_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = c2*(t1 - 4.171209_rk)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t2 + 6.3086784423_rk - c2*c2*(t2 + 5.2071784423_rk)
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = -0.1524_rk*neg_h2_y
-    m1_1 = k2_xx + 0.4939239597_rk
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -169,17 +166,16 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 46 multiplications, 28 additions, 3 divisions = 77; 0 unary minus; 2 sine/cosine
+  ! 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2 sine/cosine
   pure subroutine stanford_3dof_d3_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_3dof_d3_forward_dynamics_f")
     real(rk), intent(in) :: q(3)
     real(rk), intent(in) :: qd(3)
     real(rk), intent(in) :: tau(3)
     real(rk), intent(out) :: qdd(3)
-    real(rk) :: c2, s2, neg_w2_x, t1, t2, t3, t4, t5, t6, n1_z, n2_z, fc3_z, neg_m1_3, t7, t8, m2_2
-    real(rk) :: neg_h2_y, k2_xx, neg_m1_2, m1_1, neg_y1, ipivot1, neg_l2_1, neg_l3_1, pivot2
-    real(rk) :: ipivot2, neg_ld3_2, neg_l3_2, neg_pivot3, neg_ipivot3, neg_y2, neg_y3, qdd3, qdd2
-    real(rk) :: qdd1
+    real(rk) :: c2, s2, neg_w2_x, t1, t2, t3, t4, t5, t6, n1_z, n2_z, fc3_z, neg_m1_3, t7, t8, m1_1
+    real(rk) :: neg_m1_2, m2_2, neg_y1, ipivot1, neg_l2_1, neg_l3_1, pivot2, ipivot2, neg_ld3_2
+    real(rk) :: neg_l3_2, neg_pivot3, neg_ipivot3, neg_y2, neg_y3, qdd3, qdd2, qdd1
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -200,17 +196,12 @@ contains
     fc3_z = 0.986028_rk*(64.30446194225722_rk*c2 - (t5 + neg_w2_x*t6))
     ! link 1: mass matrix, its row of this joint
     neg_m1_3 = 0.986028_rk*s2
-    t7 = 6.47_rk*q(3)
-    t8 = q(3)*(t7 - 8.342418_rk)
+    t7 = q(3) - 1.2894_rk
+    t8 = 6.47_rk*(q(3)*t7)
+    m1_1 = (t8 + 5.2071784423_rk)*(s2*s2) + 1.5954239597_rk
+    neg_m1_2 = 0.493014_rk*(c2*(q(3) + t7))
     ! link 2: mass matrix, its row of this joint
     m2_2 = t8 + 7.4101784423_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = c2*(t7 - 4.171209_rk)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t8 + 6.3086784423_rk - c2*c2*(t8 + 5.2071784423_rk)
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_2 = 0.1524_rk*neg_h2_y
-    m1_1 = k2_xx + 0.4939239597_rk
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T

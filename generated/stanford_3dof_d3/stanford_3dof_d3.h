@@ -17,13 +17,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 5.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 30 multiplications, 16 additions = 46; 0 unary minus; 2 sine/cosine
  *   gravity: 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine
  *   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
- *   mass_matrix: 7 multiplications, 7 additions = 14; 0 unary minus; 2 sine/cosine
- *   forward_dynamics: 46 multiplications, 28 additions, 3 divisions = 77; 0 unary minus; 2
+ *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
+ *   forward_dynamics: 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2
  *       sine/cosine
  */
 #ifndef STANFORD_3DOF_D3_H

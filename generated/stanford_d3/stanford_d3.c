@@ -17,13 +17,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 117 multiplications, 84 additions = 201; 0 unary minus; 6 sine/cosine
  *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
  *   bias: 110 multiplications, 71 additions = 181; 0 unary minus; 6 sine/cosine
- *   mass_matrix: 56 multiplications, 37 additions = 93; 3 unary minus; 6 sine/cosine
- *   forward_dynamics: 252 multiplications, 175 additions, 6 divisions = 433; 1 unary minus; 6
+ *   mass_matrix: 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine
+ *   forward_dynamics: 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6
  *       sine/cosine
  */
 #include "stanford_d3.h"
@@ -413,7 +415,7 @@ void stanford_d3_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 56 multiplications, 37 additions = 93; 3 unary minus; 6 sine/cosine */
+ * 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine */
 void stanford_d3_mass_matrix(const stanford_d3_real q[6], stanford_d3_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -427,91 +429,76 @@ void stanford_d3_mass_matrix(const stanford_d3_real q[6], stanford_d3_real M[36]
     const stanford_d3_real c5 = cos(q[4]);
     const stanford_d3_real s5 = sin(again[4]);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real nu5_x = 0.0203*s5;
     const stanford_d3_real neg_nu5_y = 0.0203*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real nu4_x = c4*nu5_x;
-    const stanford_d3_real nu4_y = s4*nu5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real neg_nu2_y = c2*neg_nu5_y - s2*nu4_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_d3_real h5_x = 0.114912*s5;
     const stanford_d3_real neg_h5_y = 0.114912*c5;
-    const stanford_d3_real t1 = 0.0096343144*(c5*c5);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_d3_real k5_yy = t1 + 0.05885;
-    const stanford_d3_real k5_xy = -0.0096343144*(c5*s5);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_d3_real fu4_x = c4*neg_h5_y;
-    const stanford_d3_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real neg_nu4_x = 0.1273343144*s4;
-    const stanford_d3_real nu4_y_2 = 0.1273343144*c4;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_d3_real m2_5 = nu4_y_2 + q[2]*fu4_x;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_d3_real fu2_x = c2*fu4_x - s2*h5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real neg_nu2_y_2 = s2*(neg_nu4_x + q[2]*fu4_y);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_d3_real m1_5 = neg_nu2_y_2 - 0.1524*fu2_x;
-    /* link 4: mass matrix, its row of this joint */
-    const stanford_d3_real m4_4 = 0.1373658072 - t1;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_d3_real h4_x = c4*h5_x + 0.005832*s4;
-    const stanford_d3_real neg_h4_y = 0.005832*c4 - s4*h5_x;
-    const stanford_d3_real t2 = t1 - 0.1056028216;
-    const stanford_d3_real t3 = c4*c4*t2;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_d3_real k4_yy = t3 - (t1 - 0.1214843144);
-    const stanford_d3_real k4_xy = t2*(-c4*s4);
-    const stanford_d3_real k4_xz = -5.36544e-05*s4 - c4*k5_xy;
-    const stanford_d3_real k4_yz = 5.36544e-05*c4 - s4*k5_xy;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_d3_real m2_4 = q[2]*neg_h4_y - k4_yz;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_d3_real fu2_x_2 = c2*neg_h4_y;
-    const stanford_d3_real t4 = k4_xz + q[2]*h4_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real neg_nu2_y_3 = s2*t4 + c2*m4_4;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_d3_real m1_4 = neg_nu2_y_3 - 0.1524*fu2_x_2;
+    const stanford_d3_real t1 = s4*h5_x;
+    const stanford_d3_real neg_h4_y = 0.005832*c4 - t1;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_d3_real h3_z = neg_h5_y - 2.749911;
     /* link 1: mass matrix, its row of this joint */
     const stanford_d3_real m1_3 = s2*(neg_h4_y - 0.986028);
-    const stanford_d3_real t5 = 6.47*q[2];
-    const stanford_d3_real t6 = k5_yy + q[2]*(t5 + 2.0*h3_z);
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_d3_real m2_2 = 6.4514347865 - (t3 - t6);
+    const stanford_d3_real t2 = s2*h4_x;
+    const stanford_d3_real t3 = h3_z + 6.47*q[2];
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_d3_real h2_y = s2*h4_x - c2*(h3_z + t5);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_d3_real k2_xx = t6 + 5.3340532937 - (c2*c2*(t3 + t6 + 4.2166718009) -
-        t4*(2.0*(c2*s2)));
-    const stanford_d3_real k2_yz = s2*k4_xy + c2*m2_4;
+    const stanford_d3_real h2_y = t2 - c2*t3;
+    const stanford_d3_real t4 = 0.08384080339738234*c5;
+    const stanford_d3_real t5 = neg_h5_y*t4;
+    /* link 4: mass matrix, its row of this joint */
+    const stanford_d3_real m4_4 = 0.1373658072 - t5;
+    const stanford_d3_real t6 = 0.1524*neg_h4_y;
+    const stanford_d3_real t7 = m4_4 - t6;
+    const stanford_d3_real t8 = s2*s4;
+    const stanford_d3_real t9 = s2*h5_x;
+    const stanford_d3_real t10 = c4*t9;
+    const stanford_d3_real t11 = 5.36544e-05*t8 - (t4*t10 + t2*q[2]);
     /* link 1: mass matrix, its row of this joint */
-    const stanford_d3_real m1_2 = k2_yz + 0.1524*h2_y;
-    const stanford_d3_real m1_1 = k2_xx + (k4_yy + 0.1524*(0.986028 - 2.0*neg_h4_y)) + 0.3436532925;
-    const stanford_d3_real t7 = -h4_x;
-    const stanford_d3_real t8 = -h5_x;
+    const stanford_d3_real m1_4 = c2*t7 - t11;
+    const stanford_d3_real t12 = c4*(t5 - 0.1056028216);
+    const stanford_d3_real t13 = 1.1173814928 - c4*t12;
+    const stanford_d3_real t14 = q[2]*(h3_z + t3) + (t5 + 5.3929032937);
+    const stanford_d3_real t15 = t13 - t14 - t7;
+    const stanford_d3_real m1_1 = 1.5954239597 - c2*(t11 - (c2*t15 + m1_4)) - (t6 + t15);
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_d3_real m2_4 = neg_h4_y*q[2] - 5.36544e-05*c4 - t1*t4;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_d3_real m1_2 = 0.1524*h2_y + c2*m2_4 - t12*t8;
+    const stanford_d3_real t16 = neg_h5_y*q[2] + 0.1273343144;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_d3_real neg_nu2_y = t8*t16;
+    const stanford_d3_real t17 = c2*neg_h5_y;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_d3_real fu2_x = c4*t17 - t9;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_d3_real m1_5 = neg_nu2_y - 0.1524*fu2_x;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_d3_real m2_2 = t13 + t14;
+    const stanford_d3_real m2_5 = c4*t16;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const stanford_d3_real nu4_y = 0.1766569200779727*t1;
+    const stanford_d3_real t18 = 0.1766569200779727*(t17 - t10);
+    const stanford_d3_real t19 = -h4_x;
+    const stanford_d3_real t20 = -h5_x;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
     M[3] = m1_4;
     M[4] = m1_5;
-    M[5] = neg_nu2_y;
+    M[5] = t18;
     M[6] = m1_2;
     M[7] = m2_2;
-    M[8] = t7;
+    M[8] = t19;
     M[9] = m2_4;
     M[10] = m2_5;
     M[11] = nu4_y;
     M[12] = m1_3;
-    M[13] = t7;
+    M[13] = t19;
     M[14] = 6.47;
     M[15] = 0.0;
-    M[16] = t8;
+    M[16] = t20;
     M[17] = 0.0;
     M[18] = m1_4;
     M[19] = m2_4;
@@ -521,11 +508,11 @@ void stanford_d3_mass_matrix(const stanford_d3_real q[6], stanford_d3_real M[36]
     M[23] = neg_nu5_y;
     M[24] = m1_5;
     M[25] = m2_5;
-    M[26] = t8;
+    M[26] = t20;
     M[27] = 0.0;
     M[28] = 0.1273343144;
     M[29] = 0.0;
-    M[30] = neg_nu2_y;
+    M[30] = t18;
     M[31] = nu4_y;
     M[32] = 0.0;
     M[33] = neg_nu5_y;
@@ -534,7 +521,7 @@ void stanford_d3_mass_matrix(const stanford_d3_real q[6], stanford_d3_real M[36]
 }
 
 /* accelerations that the torques tau give
- * 252 multiplications, 175 additions, 6 divisions = 433; 1 unary minus; 6 sine/cosine */
+ * 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6 sine/cosine */
 void stanford_d3_forward_dynamics(
     const stanford_d3_real q[6],
     const stanford_d3_real qd[6],
@@ -682,145 +669,134 @@ void stanford_d3_forward_dynamics(
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_d3_real n2_z = q[2]*f3_x + (nc3_y + (c4*t9 - s4*t8)) - 4.1795532937*ww2_xy;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real nu5_x = 0.0203*s5;
-    const stanford_d3_real neg_nu5_y = 0.0203*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real nu4_x = c4*nu5_x;
-    const stanford_d3_real nu4_y = s4*nu5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real neg_nu2_y = c2*neg_nu5_y - s2*nu4_x;
+    const stanford_d3_real nu5_y = -0.0203*c5;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_d3_real h5_x = 0.114912*s5;
     const stanford_d3_real neg_h5_y = 0.114912*c5;
-    const stanford_d3_real t11 = 0.0096343144*(c5*c5);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_d3_real k5_yy = t11 + 0.05885;
-    const stanford_d3_real neg_k5_xy = 0.0096343144*(c5*s5);
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_d3_real fu4_x = c4*neg_h5_y;
-    const stanford_d3_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real nu4_x_2 = -0.1273343144*s4;
-    const stanford_d3_real nu4_y_2 = 0.1273343144*c4;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_d3_real m2_5 = nu4_y_2 + q[2]*fu4_x;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_d3_real fu2_x = c2*fu4_x - s2*h5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real neg_nu2_y_2 = s2*(q[2]*fu4_y - nu4_x_2);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_d3_real m1_5 = neg_nu2_y_2 - 0.1524*fu2_x;
-    /* link 4: mass matrix, its row of this joint */
-    const stanford_d3_real neg_m4_4 = t11 - 0.1373658072;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_d3_real h4_x = c4*h5_x + 0.005832*s4;
-    const stanford_d3_real neg_h4_y = 0.005832*c4 - s4*h5_x;
-    const stanford_d3_real t12 = t11 - 0.1056028216;
-    const stanford_d3_real t13 = c4*c4*t12;
-    /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_d3_real k4_yy = t13 - (t11 - 0.1214843144);
-    const stanford_d3_real neg_k4_xy = t12*(c4*s4);
-    const stanford_d3_real neg_k4_xz = 5.36544e-05*s4 - c4*neg_k5_xy;
-    const stanford_d3_real k4_yz = 5.36544e-05*c4 + s4*neg_k5_xy;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_d3_real neg_m2_4 = k4_yz - q[2]*neg_h4_y;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_d3_real fu2_x_2 = c2*neg_h4_y;
-    const stanford_d3_real t14 = neg_k4_xz - q[2]*h4_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_d3_real nu2_y = s2*t14 + c2*neg_m4_4;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_d3_real neg_m1_4 = nu2_y + 0.1524*fu2_x_2;
+    const stanford_d3_real t11 = s4*h5_x;
+    const stanford_d3_real neg_h4_y = 0.005832*c4 - t11;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_d3_real h3_z = neg_h5_y - 2.749911;
     /* link 1: mass matrix, its row of this joint */
     const stanford_d3_real m1_3 = s2*(neg_h4_y - 0.986028);
-    const stanford_d3_real t15 = 6.47*q[2];
-    const stanford_d3_real t16 = k5_yy + q[2]*(t15 + 2.0*h3_z);
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_d3_real m2_2 = 6.4514347865 - (t13 - t16);
+    const stanford_d3_real t12 = s2*h4_x;
+    const stanford_d3_real t13 = h3_z + 6.47*q[2];
     /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_d3_real h2_y = s2*h4_x - c2*(h3_z + t15);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_d3_real k2_xx = t16 + 5.3340532937 - (c2*c2*(t13 + t16 + 4.2166718009) +
-        t14*(2.0*(s2*c2)));
-    const stanford_d3_real neg_k2_yz = s2*neg_k4_xy + c2*neg_m2_4;
+    const stanford_d3_real h2_y = t12 - c2*t13;
+    const stanford_d3_real t14 = 0.08384080339738234*c5;
+    const stanford_d3_real t15 = neg_h5_y*t14;
+    /* link 4: mass matrix, its row of this joint */
+    const stanford_d3_real neg_m4_4 = t15 - 0.1373658072;
+    const stanford_d3_real t16 = 0.1524*neg_h4_y;
+    const stanford_d3_real t17 = neg_m4_4 + t16;
+    const stanford_d3_real t18 = s2*s4;
+    const stanford_d3_real t19 = s2*h5_x;
+    const stanford_d3_real t20 = c4*t19;
+    const stanford_d3_real t21 = 5.36544e-05*t18 - (t14*t20 + q[2]*t12);
     /* link 1: mass matrix, its row of this joint */
-    const stanford_d3_real neg_m1_2 = neg_k2_yz - 0.1524*h2_y;
-    const stanford_d3_real m1_1 = k2_xx + (k4_yy + 0.1524*(0.986028 - 2.0*neg_h4_y)) + 0.3436532925;
+    const stanford_d3_real neg_m1_4 = c2*t17 + t21;
+    const stanford_d3_real t22 = c4*(t15 - 0.1056028216);
+    const stanford_d3_real t23 = c4*t22 - 1.1173814928;
+    const stanford_d3_real t24 = q[2]*(h3_z + t13) + (t15 + 5.3929032937);
+    const stanford_d3_real t25 = t17 - (t23 + t24);
+    const stanford_d3_real neg_m1_1 = c2*(t21 + (neg_m1_4 - c2*t25)) - 1.5954239597 + (t16 + t25);
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_d3_real m2_4 = q[2]*neg_h4_y - 5.36544e-05*c4 - t11*t14;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_d3_real m1_2 = 0.1524*h2_y + c2*m2_4 - t18*t22;
+    const stanford_d3_real t26 = q[2]*neg_h5_y + 0.1273343144;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_d3_real neg_nu2_y = t18*t26;
+    const stanford_d3_real t27 = c2*neg_h5_y;
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_d3_real fu2_x = c4*t27 - t19;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_d3_real m1_5 = neg_nu2_y - 0.1524*fu2_x;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_d3_real neg_m2_2 = t23 - t24;
+    const stanford_d3_real m2_5 = c4*t26;
+    /* link 4: moment for a unit acceleration of a joint further out */
+    const stanford_d3_real nu4_y = 0.1766569200779727*t11;
+    /* factorisation M = L D L^T */
+    const stanford_d3_real neg_ld6_1 = 0.1766569200779727*(t20 - t27);
     /* link 1: forward substitution */
     const stanford_d3_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
-    const stanford_d3_real ipivot1 = 1.0 / m1_1;
-    const stanford_d3_real neg_l2_1 = neg_m1_2*ipivot1;
-    const stanford_d3_real l3_1 = m1_3*ipivot1;
-    const stanford_d3_real neg_l4_1 = neg_m1_4*ipivot1;
-    const stanford_d3_real l5_1 = m1_5*ipivot1;
-    const stanford_d3_real l6_1 = neg_nu2_y*ipivot1;
-    const stanford_d3_real neg_pivot2 = neg_m1_2*neg_l2_1 - m2_2;
+    const stanford_d3_real neg_ipivot1 = 1.0 / neg_m1_1;
+    const stanford_d3_real neg_l2_1 = m1_2*neg_ipivot1;
+    const stanford_d3_real neg_l3_1 = m1_3*neg_ipivot1;
+    const stanford_d3_real l4_1 = neg_m1_4*neg_ipivot1;
+    const stanford_d3_real neg_l5_1 = m1_5*neg_ipivot1;
+    const stanford_d3_real l6_1 = neg_ld6_1*neg_ipivot1;
+    const stanford_d3_real neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1;
     const stanford_d3_real neg_ipivot2 = 1.0 / neg_pivot2;
-    const stanford_d3_real neg_ld3_2 = h4_x - neg_m1_2*l3_1;
+    const stanford_d3_real neg_ld3_2 = h4_x - m1_2*neg_l3_1;
     const stanford_d3_real l3_2 = neg_ipivot2*neg_ld3_2;
-    const stanford_d3_real neg_ld4_2 = neg_m2_4 + neg_m1_2*neg_l4_1;
-    const stanford_d3_real l4_2 = neg_ipivot2*neg_ld4_2;
-    const stanford_d3_real ld5_2 = m2_5 + neg_m1_2*l5_1;
+    const stanford_d3_real ld4_2 = m2_4 - m1_2*l4_1;
+    const stanford_d3_real neg_l4_2 = neg_ipivot2*ld4_2;
+    const stanford_d3_real ld5_2 = m2_5 + m1_2*neg_l5_1;
     const stanford_d3_real neg_l5_2 = neg_ipivot2*ld5_2;
-    const stanford_d3_real ld6_2 = nu4_y + neg_m1_2*l6_1;
+    const stanford_d3_real ld6_2 = nu4_y - m1_2*l6_1;
     const stanford_d3_real neg_l6_2 = neg_ipivot2*ld6_2;
-    const stanford_d3_real neg_pivot3 = m1_3*l3_1 - 6.47 - neg_ld3_2*l3_2;
-    const stanford_d3_real neg_ipivot3 = 1.0 / neg_pivot3;
-    const stanford_d3_real ld4_3 = m1_3*neg_l4_1 + neg_ld3_2*l4_2;
-    const stanford_d3_real neg_l4_3 = neg_ipivot3*ld4_3;
-    const stanford_d3_real neg_ld5_3 = h5_x + m1_3*l5_1 + neg_ld3_2*neg_l5_2;
-    const stanford_d3_real l5_3 = neg_ipivot3*neg_ld5_3;
+    const stanford_d3_real pivot3 = m1_3*neg_l3_1 + 6.47 + neg_ld3_2*l3_2;
+    const stanford_d3_real ipivot3 = 1.0 / pivot3;
+    const stanford_d3_real neg_ld4_3 = m1_3*l4_1 + neg_ld3_2*neg_l4_2;
+    const stanford_d3_real neg_l4_3 = ipivot3*neg_ld4_3;
+    const stanford_d3_real neg_ld5_3 = h5_x - m1_3*neg_l5_1 + neg_ld3_2*neg_l5_2;
+    const stanford_d3_real neg_l5_3 = ipivot3*neg_ld5_3;
     const stanford_d3_real neg_ld6_3 = m1_3*l6_1 + neg_ld3_2*neg_l6_2;
-    const stanford_d3_real l6_3 = neg_ipivot3*neg_ld6_3;
-    const stanford_d3_real neg_pivot4 = neg_m4_4 + neg_m1_4*neg_l4_1 - neg_ld4_2*l4_2 -
-        ld4_3*neg_l4_3;
+    const stanford_d3_real neg_l6_3 = ipivot3*neg_ld6_3;
+    const stanford_d3_real neg_pivot4 = neg_m4_4 - neg_m1_4*l4_1 - ld4_2*neg_l4_2 +
+        neg_ld4_3*neg_l4_3;
     const stanford_d3_real neg_ipivot4 = 1.0 / neg_pivot4;
-    const stanford_d3_real ld5_4 = neg_m1_4*l5_1 - neg_ld4_2*neg_l5_2 - ld4_3*l5_3;
-    const stanford_d3_real neg_l5_4 = neg_ipivot4*ld5_4;
-    const stanford_d3_real ld6_4 = neg_nu5_y + neg_m1_4*l6_1 - neg_ld4_2*neg_l6_2 - ld4_3*l6_3;
+    const stanford_d3_real neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + neg_ld4_3*neg_l5_3;
+    const stanford_d3_real l5_4 = neg_ipivot4*neg_ld5_4;
+    const stanford_d3_real ld6_4 = neg_m1_4*l6_1 - nu5_y + ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3;
     const stanford_d3_real neg_l6_4 = neg_ipivot4*ld6_4;
-    const stanford_d3_real neg_pivot5 = m1_5*l5_1 - 0.1273343144 - ld5_2*neg_l5_2 - neg_ld5_3*l5_3 -
-        ld5_4*neg_l5_4;
-    const stanford_d3_real neg_ipivot5 = 1.0 / neg_pivot5;
-    const stanford_d3_real neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 - neg_ld5_3*l6_3 - ld5_4*neg_l6_4;
-    const stanford_d3_real l6_5 = neg_ipivot5*neg_ld6_5;
-    const stanford_d3_real neg_pivot6 = neg_nu2_y*l6_1 - 0.0203 - ld6_2*neg_l6_2 - neg_ld6_3*l6_3 -
-        ld6_4*neg_l6_4 - neg_ld6_5*l6_5;
-    const stanford_d3_real neg_ipivot6 = 1.0 / neg_pivot6;
+    const stanford_d3_real pivot5 = 0.1273343144 + m1_5*neg_l5_1 + ld5_2*neg_l5_2 -
+        neg_ld5_3*neg_l5_3 + neg_ld5_4*l5_4;
+    const stanford_d3_real ipivot5 = 1.0 / pivot5;
+    const stanford_d3_real neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 + neg_ld5_3*neg_l6_3 +
+        neg_ld5_4*neg_l6_4;
+    const stanford_d3_real neg_l6_5 = ipivot5*neg_ld6_5;
+    const stanford_d3_real pivot6 = neg_ld6_1*l6_1 + 0.0203 + ld6_2*neg_l6_2 - neg_ld6_3*neg_l6_3 +
+        ld6_4*neg_l6_4 - neg_ld6_5*neg_l6_5;
+    const stanford_d3_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
     const stanford_d3_real neg_y2 = n2_z - tau[1] + neg_y1*neg_l2_1;
     /* link 3: forward substitution */
-    const stanford_d3_real neg_y3 = f3_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
+    const stanford_d3_real neg_y3 = f3_z - tau[2] + neg_y1*neg_l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
-    const stanford_d3_real neg_y4 = n4_z - tau[3] + neg_y1*neg_l4_1 - l4_2*neg_y2 + neg_l4_3*neg_y3;
+    const stanford_d3_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3;
     /* link 5: forward substitution */
-    const stanford_d3_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 +
-        neg_l5_4*neg_y4;
+    const stanford_d3_real neg_y5 = n5_z - tau[4] + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 +
+        neg_l5_3*neg_y3 - l5_4*neg_y4;
     /* link 6: forward substitution */
-    const stanford_d3_real y6 = tau[5] - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 -
-        neg_l6_4*neg_y4 + l6_5*neg_y5;
+    const stanford_d3_real y6 = tau[5] - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 -
+        neg_l6_4*neg_y4 - neg_l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real neg_qdd6 = neg_ipivot6*y6;
+    const stanford_d3_real qdd6 = ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd5 = neg_ipivot5*neg_y5 + l6_5*neg_qdd6;
+    const stanford_d3_real neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd4 = neg_ipivot4*neg_y4 + neg_l5_4*qdd5 - neg_l6_4*neg_qdd6;
+    const stanford_d3_real qdd4 = neg_ipivot4*neg_y4 + l5_4*neg_qdd5 + neg_l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 - l5_3*qdd5 + l6_3*neg_qdd6;
+    const stanford_d3_real neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 + neg_l5_3*neg_qdd5 -
+        neg_l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 - l4_2*qdd4 + neg_l5_2*qdd5 -
-        neg_l6_2*neg_qdd6;
+    const stanford_d3_real qdd2 = neg_ipivot2*neg_y2 + l3_2*neg_qdd3 + neg_l4_2*qdd4 -
+        neg_l5_2*neg_qdd5 + neg_l6_2*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_d3_real qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 -
-        neg_l4_1*qdd4 + l5_1*qdd5);
-    const stanford_d3_real t17 = -neg_qdd6;
+    const stanford_d3_real qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 - l4_1*qdd4
+        - neg_l5_1*neg_qdd5 - l6_1*qdd6;
+    const stanford_d3_real t28 = -neg_qdd3;
+    const stanford_d3_real t29 = -neg_qdd5;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
-    qdd[2] = qdd3;
+    qdd[2] = t28;
     qdd[3] = qdd4;
-    qdd[4] = qdd5;
-    qdd[5] = t17;
+    qdd[4] = t29;
+    qdd[5] = qdd6;
 }

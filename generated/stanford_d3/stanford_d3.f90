@@ -16,13 +16,15 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 6.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 117 multiplications, 84 additions = 201; 0 unary minus; 6 sine/cosine
 !   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
 !   bias: 110 multiplications, 71 additions = 181; 0 unary minus; 6 sine/cosine
-!   mass_matrix: 56 multiplications, 37 additions = 93; 3 unary minus; 6 sine/cosine
-!   forward_dynamics: 252 multiplications, 175 additions, 6 divisions = 433; 1 unary minus; 6
+!   mass_matrix: 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine
+!   forward_dynamics: 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6
 !       sine/cosine
 module stanford_d3_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -428,15 +430,14 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 56 multiplications, 37 additions = 93; 3 unary minus; 6 sine/cosine
+  ! 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine
   pure subroutine stanford_d3_mass_matrix(q, M) &
       bind(c, name="stanford_d3_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, nu5_x, neg_nu5_y, nu4_x, nu4_y, neg_nu2_y, h5_x, neg_h5_y
-    real(rk) :: t1, k5_yy, k5_xy, fu4_x, fu4_y, neg_nu4_x, nu4_y_2, m2_5, fu2_x, neg_nu2_y_2, m1_5
-    real(rk) :: m4_4, h4_x, neg_h4_y, t2, t3, k4_yy, k4_xy, k4_xz, k4_yz, m2_4, fu2_x_2, t4
-    real(rk) :: neg_nu2_y_3, m1_4, h3_z, m1_3, t5, t6, m2_2, h2_y, k2_xx, k2_yz, m1_2, m1_1, t7, t8
+    real(rk) :: c2, s2, c4, s4, c5, s5, neg_nu5_y, h5_x, neg_h5_y, h4_x, t1, neg_h4_y, h3_z, m1_3
+    real(rk) :: t2, t3, h2_y, t4, t5, m4_4, t6, t7, t8, t9, t10, t11, m1_4, t12, t13, t14, t15
+    real(rk) :: m1_1, m2_4, m1_2, t16, neg_nu2_y, t17, fu2_x, m1_5, m2_2, m2_5, nu4_y, t18, t19, t20
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -446,90 +447,76 @@ contains
     c5 = cos(q(5))
     s5 = sin(q(5))
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.0203_rk*s5
     neg_nu5_y = 0.0203_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
-    nu4_y = s4*nu5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = c2*neg_nu5_y - s2*nu4_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.114912_rk*s5
     neg_h5_y = 0.114912_rk*c5
-    t1 = 0.0096343144_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t1 + 0.05885_rk
-    k5_xy = -0.0096343144_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = 0.1273343144_rk*s4
-    nu4_y_2 = 0.1273343144_rk*c4
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = nu4_y_2 + q(3)*fu4_x
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c2*fu4_x - s2*h5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = s2*(neg_nu4_x + q(3)*fu4_y)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = neg_nu2_y_2 - 0.1524_rk*fu2_x
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.1373658072_rk - t1
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = c4*h5_x + 0.005832_rk*s4
-    neg_h4_y = 0.005832_rk*c4 - s4*h5_x
-    t2 = t1 - 0.1056028216_rk
-    t3 = c4*c4*t2
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_yy = t3 - (t1 - 0.1214843144_rk)
-    k4_xy = t2*(-c4*s4)
-    k4_xz = -5.36544e-05_rk*s4 - c4*k5_xy
-    k4_yz = 5.36544e-05_rk*c4 - s4*k5_xy
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = q(3)*neg_h4_y - k4_yz
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c2*neg_h4_y
-    t4 = k4_xz + q(3)*h4_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_3 = s2*t4 + c2*m4_4
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = neg_nu2_y_3 - 0.1524_rk*fu2_x_2
+    t1 = s4*h5_x
+    neg_h4_y = 0.005832_rk*c4 - t1
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_z = neg_h5_y - 2.749911_rk
     ! link 1: mass matrix, its row of this joint
     m1_3 = s2*(neg_h4_y - 0.986028_rk)
-    t5 = 6.47_rk*q(3)
-    t6 = k5_yy + q(3)*(t5 + 2.0_rk*h3_z)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.4514347865_rk - (t3 - t6)
+    t2 = s2*h4_x
+    t3 = h3_z + 6.47_rk*q(3)
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = s2*h4_x - c2*(h3_z + t5)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t6 + 5.3340532937_rk - (c2*c2*(t3 + t6 + 4.2166718009_rk) - t4*(2.0_rk*(c2*s2)))
-    k2_yz = s2*k4_xy + c2*m2_4
+    h2_y = t2 - c2*t3
+    t4 = 0.08384080339738234_rk*c5
+    t5 = neg_h5_y*t4
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 0.1373658072_rk - t5
+    t6 = 0.1524_rk*neg_h4_y
+    t7 = m4_4 - t6
+    t8 = s2*s4
+    t9 = s2*h5_x
+    t10 = c4*t9
+    t11 = 5.36544e-05_rk*t8 - (t4*t10 + t2*q(3))
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1524_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.1524_rk*(0.986028_rk - 2.0_rk*neg_h4_y)) + 0.3436532925_rk
-    t7 = -h4_x
-    t8 = -h5_x
+    m1_4 = c2*t7 - t11
+    t12 = c4*(t5 - 0.1056028216_rk)
+    t13 = 1.1173814928_rk - c4*t12
+    t14 = q(3)*(h3_z + t3) + (t5 + 5.3929032937_rk)
+    t15 = t13 - t14 - t7
+    m1_1 = 1.5954239597_rk - c2*(t11 - (c2*t15 + m1_4)) - (t6 + t15)
+    ! link 2: mass matrix, its row of this joint
+    m2_4 = neg_h4_y*q(3) - 5.36544e-05_rk*c4 - t1*t4
+    ! link 1: mass matrix, its row of this joint
+    m1_2 = 0.1524_rk*h2_y + c2*m2_4 - t12*t8
+    t16 = neg_h5_y*q(3) + 0.1273343144_rk
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = t8*t16
+    t17 = c2*neg_h5_y
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = c4*t17 - t9
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = neg_nu2_y - 0.1524_rk*fu2_x
+    ! link 2: mass matrix, its row of this joint
+    m2_2 = t13 + t14
+    m2_5 = c4*t16
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = 0.1766569200779727_rk*t1
+    t18 = 0.1766569200779727_rk*(t17 - t10)
+    t19 = -h4_x
+    t20 = -h5_x
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
     M(4) = m1_4
     M(5) = m1_5
-    M(6) = neg_nu2_y
+    M(6) = t18
     M(7) = m1_2
     M(8) = m2_2
-    M(9) = t7
+    M(9) = t19
     M(10) = m2_4
     M(11) = m2_5
     M(12) = nu4_y
     M(13) = m1_3
-    M(14) = t7
+    M(14) = t19
     M(15) = 6.47_rk
     M(16) = 0.0_rk
-    M(17) = t8
+    M(17) = t20
     M(18) = 0.0_rk
     M(19) = m1_4
     M(20) = m2_4
@@ -539,11 +526,11 @@ contains
     M(24) = neg_nu5_y
     M(25) = m1_5
     M(26) = m2_5
-    M(27) = t8
+    M(27) = t20
     M(28) = 0.0_rk
     M(29) = 0.1273343144_rk
     M(30) = 0.0_rk
-    M(31) = neg_nu2_y
+    M(31) = t18
     M(32) = nu4_y
     M(33) = 0.0_rk
     M(34) = neg_nu5_y
@@ -552,7 +539,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 252 multiplications, 175 additions, 6 divisions = 433; 1 unary minus; 6 sine/cosine
+  ! 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6 sine/cosine
   pure subroutine stanford_d3_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_d3_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -566,16 +553,15 @@ contains
     real(rk) :: neg_lam4_32, t3, alpha5_y, n06_z, neg_a3_z, a2_x, neg_a3_x, a4_y, lam4_13, alpha4_y
     real(rk) :: lam5_12, neg_a4_x, a5_x, n5_z, neg_fc5_x, fc3_z, fc4_z, f3_z, neg_fc3_y, fc4_x
     real(rk) :: neg_f05_x, neg_f4_x, fc4_y, t4, t5, fc5_z, f4_y, f04_y, neg_f3_y, fc3_x, f3_x, t6
-    real(rk) :: t7, n4_z, t8, t9, t10, n1_z, nc3_y, n2_z, nu5_x, neg_nu5_y, nu4_x, nu4_y, neg_nu2_y
-    real(rk) :: h5_x, neg_h5_y, t11, k5_yy, neg_k5_xy, fu4_x, fu4_y, nu4_x_2, nu4_y_2, m2_5, fu2_x
-    real(rk) :: neg_nu2_y_2, m1_5, neg_m4_4, h4_x, neg_h4_y, t12, t13, k4_yy, neg_k4_xy, neg_k4_xz
-    real(rk) :: k4_yz, neg_m2_4, fu2_x_2, t14, nu2_y, neg_m1_4, h3_z, m1_3, t15, t16, m2_2, h2_y
-    real(rk) :: k2_xx, neg_k2_yz, neg_m1_2, m1_1, neg_y1, ipivot1, neg_l2_1, l3_1, neg_l4_1, l5_1
-    real(rk) :: l6_1, neg_pivot2, neg_ipivot2, neg_ld3_2, l3_2, neg_ld4_2, l4_2, ld5_2, neg_l5_2
-    real(rk) :: ld6_2, neg_l6_2, neg_pivot3, neg_ipivot3, ld4_3, neg_l4_3, neg_ld5_3, l5_3
-    real(rk) :: neg_ld6_3, l6_3, neg_pivot4, neg_ipivot4, ld5_4, neg_l5_4, ld6_4, neg_l6_4
-    real(rk) :: neg_pivot5, neg_ipivot5, neg_ld6_5, l6_5, neg_pivot6, neg_ipivot6, neg_y2, neg_y3
-    real(rk) :: neg_y4, neg_y5, y6, neg_qdd6, qdd5, qdd4, qdd3, qdd2, qdd1, t17
+    real(rk) :: t7, n4_z, t8, t9, t10, n1_z, nc3_y, n2_z, nu5_y, h5_x, neg_h5_y, h4_x, t11
+    real(rk) :: neg_h4_y, h3_z, m1_3, t12, t13, h2_y, t14, t15, neg_m4_4, t16, t17, t18, t19, t20
+    real(rk) :: t21, neg_m1_4, t22, t23, t24, t25, neg_m1_1, m2_4, m1_2, t26, neg_nu2_y, t27, fu2_x
+    real(rk) :: m1_5, neg_m2_2, m2_5, nu4_y, neg_ld6_1, neg_y1, neg_ipivot1, neg_l2_1, neg_l3_1
+    real(rk) :: l4_1, neg_l5_1, l6_1, neg_pivot2, neg_ipivot2, neg_ld3_2, l3_2, ld4_2, neg_l4_2
+    real(rk) :: ld5_2, neg_l5_2, ld6_2, neg_l6_2, pivot3, ipivot3, neg_ld4_3, neg_l4_3, neg_ld5_3
+    real(rk) :: neg_l5_3, neg_ld6_3, neg_l6_3, neg_pivot4, neg_ipivot4, neg_ld5_4, l5_4, ld6_4
+    real(rk) :: neg_l6_4, pivot5, ipivot5, neg_ld6_5, neg_l6_5, pivot6, ipivot6, neg_y2, neg_y3
+    real(rk) :: neg_y4, neg_y5, y6, qdd6, neg_qdd5, qdd4, neg_qdd3, qdd2, qdd1, t28, t29
 
     ! link 2: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam2_33 = qd(1)*qd(1)
@@ -712,141 +698,130 @@ contains
     ! link 2: moment through the joint, about the frame's origin [N m]
     n2_z = q(3)*f3_x + (nc3_y + (c4*t9 - s4*t8)) - 4.1795532937_rk*ww2_xy
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.0203_rk*s5
-    neg_nu5_y = 0.0203_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x
-    nu4_y = s4*nu5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = c2*neg_nu5_y - s2*nu4_x
+    nu5_y = -0.0203_rk*c5
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.114912_rk*s5
     neg_h5_y = 0.114912_rk*c5
-    t11 = 0.0096343144_rk*(c5*c5)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t11 + 0.05885_rk
-    neg_k5_xy = 0.0096343144_rk*(c5*s5)
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = -0.1273343144_rk*s4
-    nu4_y_2 = 0.1273343144_rk*c4
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = nu4_y_2 + q(3)*fu4_x
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c2*fu4_x - s2*h5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = s2*(q(3)*fu4_y - nu4_x_2)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = neg_nu2_y_2 - 0.1524_rk*fu2_x
-    ! link 4: mass matrix, its row of this joint
-    neg_m4_4 = t11 - 0.1373658072_rk
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = c4*h5_x + 0.005832_rk*s4
-    neg_h4_y = 0.005832_rk*c4 - s4*h5_x
-    t12 = t11 - 0.1056028216_rk
-    t13 = c4*c4*t12
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_yy = t13 - (t11 - 0.1214843144_rk)
-    neg_k4_xy = t12*(c4*s4)
-    neg_k4_xz = 5.36544e-05_rk*s4 - c4*neg_k5_xy
-    k4_yz = 5.36544e-05_rk*c4 + s4*neg_k5_xy
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_4 = k4_yz - q(3)*neg_h4_y
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c2*neg_h4_y
-    t14 = neg_k4_xz - q(3)*h4_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = s2*t14 + c2*neg_m4_4
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_4 = nu2_y + 0.1524_rk*fu2_x_2
+    t11 = s4*h5_x
+    neg_h4_y = 0.005832_rk*c4 - t11
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
     h3_z = neg_h5_y - 2.749911_rk
     ! link 1: mass matrix, its row of this joint
     m1_3 = s2*(neg_h4_y - 0.986028_rk)
-    t15 = 6.47_rk*q(3)
-    t16 = k5_yy + q(3)*(t15 + 2.0_rk*h3_z)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = 6.4514347865_rk - (t13 - t16)
+    t12 = s2*h4_x
+    t13 = h3_z + 6.47_rk*q(3)
     ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = s2*h4_x - c2*(h3_z + t15)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t16 + 5.3340532937_rk - (c2*c2*(t13 + t16 + 4.2166718009_rk) + t14*(2.0_rk*(s2*c2)))
-    neg_k2_yz = s2*neg_k4_xy + c2*neg_m2_4
+    h2_y = t12 - c2*t13
+    t14 = 0.08384080339738234_rk*c5
+    t15 = neg_h5_y*t14
+    ! link 4: mass matrix, its row of this joint
+    neg_m4_4 = t15 - 0.1373658072_rk
+    t16 = 0.1524_rk*neg_h4_y
+    t17 = neg_m4_4 + t16
+    t18 = s2*s4
+    t19 = s2*h5_x
+    t20 = c4*t19
+    t21 = 5.36544e-05_rk*t18 - (t14*t20 + q(3)*t12)
     ! link 1: mass matrix, its row of this joint
-    neg_m1_2 = neg_k2_yz - 0.1524_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.1524_rk*(0.986028_rk - 2.0_rk*neg_h4_y)) + 0.3436532925_rk
+    neg_m1_4 = c2*t17 + t21
+    t22 = c4*(t15 - 0.1056028216_rk)
+    t23 = c4*t22 - 1.1173814928_rk
+    t24 = q(3)*(h3_z + t13) + (t15 + 5.3929032937_rk)
+    t25 = t17 - (t23 + t24)
+    neg_m1_1 = c2*(t21 + (neg_m1_4 - c2*t25)) - 1.5954239597_rk + (t16 + t25)
+    ! link 2: mass matrix, its row of this joint
+    m2_4 = q(3)*neg_h4_y - 5.36544e-05_rk*c4 - t11*t14
+    ! link 1: mass matrix, its row of this joint
+    m1_2 = 0.1524_rk*h2_y + c2*m2_4 - t18*t22
+    t26 = q(3)*neg_h5_y + 0.1273343144_rk
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = t18*t26
+    t27 = c2*neg_h5_y
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = c4*t27 - t19
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = neg_nu2_y - 0.1524_rk*fu2_x
+    ! link 2: mass matrix, its row of this joint
+    neg_m2_2 = t23 - t24
+    m2_5 = c4*t26
+    ! link 4: moment for a unit acceleration of a joint further out
+    nu4_y = 0.1766569200779727_rk*t11
+    ! factorisation M = L D L^T
+    neg_ld6_1 = 0.1766569200779727_rk*(t20 - t27)
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
-    ipivot1 = 1.0_rk / m1_1
-    neg_l2_1 = neg_m1_2*ipivot1
-    l3_1 = m1_3*ipivot1
-    neg_l4_1 = neg_m1_4*ipivot1
-    l5_1 = m1_5*ipivot1
-    l6_1 = neg_nu2_y*ipivot1
-    neg_pivot2 = neg_m1_2*neg_l2_1 - m2_2
+    neg_ipivot1 = 1.0_rk / neg_m1_1
+    neg_l2_1 = m1_2*neg_ipivot1
+    neg_l3_1 = m1_3*neg_ipivot1
+    l4_1 = neg_m1_4*neg_ipivot1
+    neg_l5_1 = m1_5*neg_ipivot1
+    l6_1 = neg_ld6_1*neg_ipivot1
+    neg_pivot2 = neg_m2_2 - m1_2*neg_l2_1
     neg_ipivot2 = 1.0_rk / neg_pivot2
-    neg_ld3_2 = h4_x - neg_m1_2*l3_1
+    neg_ld3_2 = h4_x - m1_2*neg_l3_1
     l3_2 = neg_ipivot2*neg_ld3_2
-    neg_ld4_2 = neg_m2_4 + neg_m1_2*neg_l4_1
-    l4_2 = neg_ipivot2*neg_ld4_2
-    ld5_2 = m2_5 + neg_m1_2*l5_1
+    ld4_2 = m2_4 - m1_2*l4_1
+    neg_l4_2 = neg_ipivot2*ld4_2
+    ld5_2 = m2_5 + m1_2*neg_l5_1
     neg_l5_2 = neg_ipivot2*ld5_2
-    ld6_2 = nu4_y + neg_m1_2*l6_1
+    ld6_2 = nu4_y - m1_2*l6_1
     neg_l6_2 = neg_ipivot2*ld6_2
-    neg_pivot3 = m1_3*l3_1 - 6.47_rk - neg_ld3_2*l3_2
-    neg_ipivot3 = 1.0_rk / neg_pivot3
-    ld4_3 = m1_3*neg_l4_1 + neg_ld3_2*l4_2
-    neg_l4_3 = neg_ipivot3*ld4_3
-    neg_ld5_3 = h5_x + m1_3*l5_1 + neg_ld3_2*neg_l5_2
-    l5_3 = neg_ipivot3*neg_ld5_3
+    pivot3 = m1_3*neg_l3_1 + 6.47_rk + neg_ld3_2*l3_2
+    ipivot3 = 1.0_rk / pivot3
+    neg_ld4_3 = m1_3*l4_1 + neg_ld3_2*neg_l4_2
+    neg_l4_3 = ipivot3*neg_ld4_3
+    neg_ld5_3 = h5_x - m1_3*neg_l5_1 + neg_ld3_2*neg_l5_2
+    neg_l5_3 = ipivot3*neg_ld5_3
     neg_ld6_3 = m1_3*l6_1 + neg_ld3_2*neg_l6_2
-    l6_3 = neg_ipivot3*neg_ld6_3
-    neg_pivot4 = neg_m4_4 + neg_m1_4*neg_l4_1 - neg_ld4_2*l4_2 - ld4_3*neg_l4_3
+    neg_l6_3 = ipivot3*neg_ld6_3
+    neg_pivot4 = neg_m4_4 - neg_m1_4*l4_1 - ld4_2*neg_l4_2 + neg_ld4_3*neg_l4_3
     neg_ipivot4 = 1.0_rk / neg_pivot4
-    ld5_4 = neg_m1_4*l5_1 - neg_ld4_2*neg_l5_2 - ld4_3*l5_3
-    neg_l5_4 = neg_ipivot4*ld5_4
-    ld6_4 = neg_nu5_y + neg_m1_4*l6_1 - neg_ld4_2*neg_l6_2 - ld4_3*l6_3
+    neg_ld5_4 = neg_m1_4*neg_l5_1 - ld4_2*neg_l5_2 + neg_ld4_3*neg_l5_3
+    l5_4 = neg_ipivot4*neg_ld5_4
+    ld6_4 = neg_m1_4*l6_1 - nu5_y + ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3
     neg_l6_4 = neg_ipivot4*ld6_4
-    neg_pivot5 = m1_5*l5_1 - 0.1273343144_rk - ld5_2*neg_l5_2 - neg_ld5_3*l5_3 - ld5_4*neg_l5_4
-    neg_ipivot5 = 1.0_rk / neg_pivot5
-    neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 - neg_ld5_3*l6_3 - ld5_4*neg_l6_4
-    l6_5 = neg_ipivot5*neg_ld6_5
-    neg_pivot6 = neg_nu2_y*l6_1 - 0.0203_rk - ld6_2*neg_l6_2 - neg_ld6_3*l6_3 - ld6_4*neg_l6_4 - &
-        neg_ld6_5*l6_5
-    neg_ipivot6 = 1.0_rk / neg_pivot6
+    pivot5 = 0.1273343144_rk + m1_5*neg_l5_1 + ld5_2*neg_l5_2 - neg_ld5_3*neg_l5_3 + &
+        neg_ld5_4*l5_4
+    ipivot5 = 1.0_rk / pivot5
+    neg_ld6_5 = m1_5*l6_1 - ld5_2*neg_l6_2 + neg_ld5_3*neg_l6_3 + neg_ld5_4*neg_l6_4
+    neg_l6_5 = ipivot5*neg_ld6_5
+    pivot6 = neg_ld6_1*l6_1 + 0.0203_rk + ld6_2*neg_l6_2 - neg_ld6_3*neg_l6_3 + ld6_4*neg_l6_4 - &
+        neg_ld6_5*neg_l6_5
+    ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
     neg_y2 = n2_z - tau(2) + neg_y1*neg_l2_1
     ! link 3: forward substitution
-    neg_y3 = f3_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
+    neg_y3 = f3_z - tau(3) + neg_y1*neg_l3_1 - l3_2*neg_y2
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) + neg_y1*neg_l4_1 - l4_2*neg_y2 + neg_l4_3*neg_y3
+    neg_y4 = n4_z - tau(4) - neg_y1*l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 + neg_l5_4*neg_y4
+    neg_y5 = n5_z - tau(5) + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 + neg_l5_3*neg_y3 - l5_4*neg_y4
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 + l6_3*neg_y3 - neg_l6_4*neg_y4 + &
-        l6_5*neg_y5
+    y6 = tau(6) - n06_z + neg_y1*l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 - neg_l6_4*neg_y4 - &
+        neg_l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd6 = neg_ipivot6*y6
+    qdd6 = ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = neg_ipivot5*neg_y5 + l6_5*neg_qdd6
+    neg_qdd5 = ipivot5*neg_y5 - neg_l6_5*qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = neg_ipivot4*neg_y4 + neg_l5_4*qdd5 - neg_l6_4*neg_qdd6
+    qdd4 = neg_ipivot4*neg_y4 + l5_4*neg_qdd5 + neg_l6_4*qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 - l5_3*qdd5 + l6_3*neg_qdd6
+    neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 + neg_l5_3*neg_qdd5 - neg_l6_3*qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 - l4_2*qdd4 + neg_l5_2*qdd5 - neg_l6_2*neg_qdd6
+    qdd2 = neg_ipivot2*neg_y2 + l3_2*neg_qdd3 + neg_l4_2*qdd4 - neg_l5_2*neg_qdd5 + neg_l6_2*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 - neg_l2_1*qdd2 + l3_1*qdd3 - neg_l4_1*qdd4 + &
-        l5_1*qdd5)
-    t17 = -neg_qdd6
+    qdd1 = neg_y1*neg_ipivot1 + neg_l2_1*qdd2 - neg_l3_1*neg_qdd3 - l4_1*qdd4 - neg_l5_1*neg_qdd5 &
+        - l6_1*qdd6
+    t28 = -neg_qdd3
+    t29 = -neg_qdd5
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = qdd3
+    qdd(3) = t28
     qdd(4) = qdd4
-    qdd(5) = qdd5
-    qdd(6) = t17
+    qdd(5) = t29
+    qdd(6) = qdd6
   end subroutine
 end module

@@ -17,13 +17,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 117 multiplications, 84 additions = 201; 0 unary minus; 6 sine/cosine
  *   gravity: 18 multiplications, 6 additions = 24; 0 unary minus; 6 sine/cosine
  *   bias: 110 multiplications, 71 additions = 181; 0 unary minus; 6 sine/cosine
- *   mass_matrix: 56 multiplications, 37 additions = 93; 3 unary minus; 6 sine/cosine
- *   forward_dynamics: 252 multiplications, 175 additions, 6 divisions = 433; 1 unary minus; 6
+ *   mass_matrix: 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine
+ *   forward_dynamics: 236 multiplications, 170 additions, 6 divisions = 412; 2 unary minus; 6
  *       sine/cosine
  */
 #ifndef STANFORD_D3_H

@@ -14,15 +14,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 200 multiplications, 188 additions = 388; 1 unary minus; 8 sine/cosine
  *   gravity: 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
  *   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 105 multiplications, 92 additions = 197; 9 unary minus; 8 sine/cosine
- *   forward_dynamics: 369 multiplications, 320 additions, 6 divisions = 695; 4 unary minus; 8
+ *   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
+ *   forward_dynamics: 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8
  *       sine/cosine
  */
 #include "stanford_full.h"
@@ -554,7 +555,7 @@ void stanford_full_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 105 multiplications, 92 additions = 197; 9 unary minus; 8 sine/cosine */
+ * 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine */
 void stanford_full_mass_matrix(const stanford_full_real q[6], stanford_full_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -571,120 +572,97 @@ void stanford_full_mass_matrix(const stanford_full_real q[6], stanford_full_real
     const stanford_full_real s6 = sin(again[5]);
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_full_real h6_x = 1.193403445777575*c6 + 1.2174687787169953*s6;
-    const stanford_full_real h6_y = 1.193403445777575*s6 - 1.2174687787169953*c6;
-    const stanford_full_real t1 = c6*c6;
-    const stanford_full_real t2 = c6*s6;
+    const stanford_full_real t1 = h6_x - 0.5911078910549018;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_full_real h5_x = c5*t1 + 0.6468331423588011*s5;
+    const stanford_full_real h5_y = s5*t1 - 0.6468331423588011*c5;
+    const stanford_full_real t2 = 0.6349173621603285*c6;
+    const stanford_full_real t3 = s6*t2;
+    const stanford_full_real t4 = c6*t2 - 0.1808552420598195;
+    /* link 5: mass matrix, its row of this joint */
+    const stanford_full_real m5_5 = t3 + 0.7260667959919797 - 0.01601128863729661*t4;
+    const stanford_full_real t5 = 0.05432633487209812*h6_x;
     /* link 6: second moment of the composite body [kg m^2] */
-    const stanford_full_real k6_xy = 0.31745868108016423*(1.0 - 2.0*t1) - 0.010165845146380005*t2;
-    const stanford_full_real k6_xz = -0.0625396920897071*s6 - 0.06483323523282834*c6;
-    const stanford_full_real k6_yz = 0.0625396920897071*c6 - 0.06483323523282834*s6;
+    const stanford_full_real neg_k6_xz = t5 - 0.003600924479196722*s6;
+    const stanford_full_real t6 = c5*c5;
+    const stanford_full_real t7 = m5_5 - 0.35070983747148526;
+    const stanford_full_real t8 = c5*s5;
+    const stanford_full_real t9 = neg_k6_xz + (neg_k6_xz + 0.12138642331511619);
+    const stanford_full_real t10 = t6*t7 - (t8*t9 - 3.589792571474863);
+    const stanford_full_real t11 = m5_5 + 0.8434693007188008;
+    /* link 4: mass matrix, its row of this joint */
+    const stanford_full_real m4_4 = t10 - t11;
+    const stanford_full_real t12 = 0.1286340586837634*c6;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_full_real h6_y = 19.08233644747969*(neg_k6_xz - t12);
+    const stanford_full_real t13 = h5_x + 0.9022885982543313;
+    const stanford_full_real t14 = h6_y + 0.28054187970758354;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_full_real h4_y = s4*t13 + c4*t14;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const stanford_full_real neg_k6_yz = 0.9802333058883194*(t5 - t12);
+    const stanford_full_real t15 = neg_k6_yz - 0.23560176217086468;
+    const stanford_full_real t16 = t4 + 0.01601128863729661*t3;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const stanford_full_real neg_k5_xz = s5*t15 + c5*t16;
+    const stanford_full_real t17 = c4*t13 - (s4*t14 - 0.3708972318890874);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_full_real neg_h3_x = 0.14889539863184567 - t17;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const stanford_full_real k5_yz = c5*t15 - s5*t16;
+    const stanford_full_real t18 = 0.1524*h4_y;
+    const stanford_full_real t19 = m4_4 + t18;
+    const stanford_full_real t20 = 19.732838668844984*q[2] - (h5_y - 0.5680405719686789);
+    const stanford_full_real t21 = h5_y*q[2];
+    const stanford_full_real t22 = m4_4 - q[2]*(t20 - 0.5437030679742136) + t21;
+    const stanford_full_real t23 = c4*c4;
+    const stanford_full_real t24 = t10 + (m5_5 - 5.295713586161873);
+    const stanford_full_real t25 = c4*s4;
+    const stanford_full_real t26 = neg_k5_xz + (neg_k5_xz + 0.13568152518631954);
+    const stanford_full_real t27 = t11 - t23*t24 - t25*t26;
+    const stanford_full_real t28 = t9*(t6 - 0.5) + (t7*t8 + 0.002655628796226608);
+    const stanford_full_real t29 = -k5_yz - 0.23523950726161555;
+    const stanford_full_real t30 = c4*t28 + q[2]*neg_h3_x + s4*t29;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_full_real m1_1 = t19 - (s2*(s2*(t22 - t27) + c2*(t30 + (t30 +
+        0.09822440530186452))) - (t18 + 1.8329821847328702));
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_full_real h2_y = s2*t17 - c2*t20;
+    /* link 4: second moment of the composite body [kg m^2] */
+    const stanford_full_real neg_k4_yz = s4*t28 - c4*t29;
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_full_real m2_4 = neg_k4_yz - h4_y*q[2];
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_full_real m1_2 = c2*(m2_4 - 0.06807816021551473 - 0.4516316755890639*q[2]) -
+        (s2*(t26*(t23 - 0.5) - (t24*t25 + 0.0511982033036484)) - 0.1524*h2_y);
+    const stanford_full_real m1_3 = s2*(-h4_y - 3.45891628872104);
+    const stanford_full_real m1_4 = c2*t19 - s2*(t30 + 0.22200183325724177*q[2]);
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_full_real neg_fu2_x = s2*h5_x + h5_y*(c2*c4);
+    const stanford_full_real t31 = m5_5 - t21;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_full_real nu2_y = s2*(c4*neg_k5_xz - s4*t31) - c2*k5_yz;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_full_real m1_5 = 0.1524*neg_fu2_x - nu2_y;
     /* link 5: force for a unit acceleration of a joint further out */
-    const stanford_full_real fu5_x = -c5*h6_y;
+    const stanford_full_real neg_fu5_x = c5*h6_y;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const stanford_full_real neg_fu4_x = s4*h6_x + c4*neg_fu5_x;
+    /* link 5: force for a unit acceleration of a joint further out */
     const stanford_full_real neg_fu5_y = s5*h6_y;
     /* link 5: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu5_x = 0.6921471349584476*s5 - c5*k6_xz;
-    const stanford_full_real neg_nu5_y = s5*k6_xz + 0.6921471349584476*c5;
+    const stanford_full_real neg_nu5_y = 0.6921471349584476*c5 - s5*neg_k6_xz;
+    const stanford_full_real nu5_x = 0.6921471349584476*s5 + c5*neg_k6_xz;
     /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_full_real fu4_x = c4*fu5_x - s4*h6_x;
-    const stanford_full_real fu4_y = s4*fu5_x + c4*h6_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu4_x = c4*nu5_x + s4*k6_yz;
-    const stanford_full_real nu4_y = s4*nu5_x - c4*k6_yz;
+    const stanford_full_real fu4_y = c4*h6_x - s4*neg_fu5_x;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_full_real m1_6 = 0.1524*(c2*neg_fu4_x - s2*neg_fu5_y) + (c2*neg_nu5_y -
+        s2*(c4*nu5_x - (s4*neg_k6_yz + q[2]*fu4_y)));
     /* link 2: mass matrix, its row of this joint */
-    const stanford_full_real m2_6 = nu4_y + q[2]*fu4_x;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_full_real neg_fu2_x = -c2*fu4_x - s2*neg_fu5_y;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu2_y = s2*(nu4_x - q[2]*fu4_y) - c2*neg_nu5_y;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real m1_6 = 0.1524*neg_fu2_x - nu2_y;
-    const stanford_full_real t3 = 0.010165845146380005*t1 - 0.6349173621603285*t2;
-    /* link 5: mass matrix, its row of this joint */
-    const stanford_full_real m5_5 = 0.7289625214741676 - t3;
-    const stanford_full_real t4 = h6_x - 0.5911078910549018;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real h5_x = c5*t4 + 0.6468331423588011*s5;
-    const stanford_full_real neg_h5_y = 0.6468331423588011*c5 - s5*t4;
-    const stanford_full_real t5 = c5*c5;
-    const stanford_full_real t6 = t3 - 0.37825268400268236;
-    const stanford_full_real t7 = 0.060693211657558095 - k6_xz;
-    const stanford_full_real t8 = c5*s5;
-    const stanford_full_real t9 = t5*t6 + t7*(2.0*t8);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_full_real k5_yy = t9 - (t3 - 0.553607602738425);
-    const stanford_full_real neg_k5_xy = t6*t8 + t7*(1.0 - 2.0*t5);
-    const stanford_full_real t10 = k6_xy - 0.13660343902034475;
-    const stanford_full_real t11 = k6_yz + 0.23560176217086468;
-    const stanford_full_real k5_xz = c5*t10 + s5*t11;
-    const stanford_full_real k5_yz = s5*t10 - c5*t11;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_full_real fu4_x_2 = c4*neg_h5_y;
-    const stanford_full_real fu4_y_2 = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu4_x_2 = -s4*m5_5 - c4*k5_xz;
-    const stanford_full_real nu4_y_2 = c4*m5_5 - s4*k5_xz;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_full_real m2_5 = nu4_y_2 + q[2]*fu4_x_2;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_full_real fu2_x = c2*fu4_x_2 - s2*h5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu2_y_2 = s2*(nu4_x_2 - q[2]*fu4_y_2) - c2*k5_yz;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real m1_5 = -0.1524*fu2_x - nu2_y_2;
-    /* link 4: mass matrix, its row of this joint */
-    const stanford_full_real m4_4 = t3 - t9 + 2.017360749281895;
-    const stanford_full_real t12 = h5_x + 0.9022885982543313;
-    const stanford_full_real t13 = h6_y + 0.28054187970758354;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real h4_x = c4*t12 - s4*t13;
-    const stanford_full_real h4_y = s4*t12 + c4*t13;
-    const stanford_full_real t14 = c4*c4;
-    const stanford_full_real t15 = t3 + t9 + 0.976958493212842;
-    const stanford_full_real t16 = 0.06784076259315977 - k5_xz;
-    const stanford_full_real t17 = c4*s4;
-    const stanford_full_real t18 = t14*t15 - t16*(2.0*t17);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_full_real k4_xx = t3 + 1.4971596212473683 - t18;
-    const stanford_full_real k4_yy = t18 - (t9 - 0.5202011280345263);
-    const stanford_full_real k4_xy = t16*(1.0 - 2.0*t14) - t15*t17;
-    const stanford_full_real t19 = neg_k5_xy - 0.002655628796226608;
-    const stanford_full_real t20 = -k5_yz - 0.23523950726161555;
-    const stanford_full_real k4_xz = c4*t19 - s4*t20;
-    const stanford_full_real k4_yz = s4*t19 + c4*t20;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_full_real m2_4 = -q[2]*h4_y - k4_yz;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_full_real neg_fu2_x_2 = c2*h4_y;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_full_real neg_nu2_y = s2*(k4_xz + q[2]*h4_x) + c2*m4_4;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real m1_4 = neg_nu2_y + 0.1524*neg_fu2_x_2;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real h3_x = h4_x + 0.22200183325724177;
-    const stanford_full_real h3_y = h4_y + 0.4516316755890639;
-    const stanford_full_real h3_z = neg_h5_y + 0.012168751997232599;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real m1_3 = s2*(-h4_y - 3.45891628872104);
-    const stanford_full_real t21 = 19.732838668844984*q[2];
-    const stanford_full_real t22 = k5_yy + q[2]*(t21 + 2.0*h3_z);
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_full_real m2_2 = k4_xx + t22 + 0.7467006423132752;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real h2_y = s2*(h4_x + 0.3708972318890874) - c2*(h3_z + t21 +
-        0.5558718199714463);
-    const stanford_full_real t23 = c2*c2*(k4_xx - t22 - 0.49862309142001715) + (k4_xz + q[2]*h3_x -
-        0.04911220265093226)*(2.0*(c2*s2));
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_full_real k2_xx = t22 + 0.6226618668666462 + t23;
-    const stanford_full_real k2_yz = s2*(k4_xy + 0.0511982033036484) - c2*(k4_yz + q[2]*h3_y +
-        0.06807816021551473);
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real m1_2 = k2_yz + 0.1524*h2_y;
-    const stanford_full_real m1_1 = k2_xx + (k4_yy + 0.1524*(3.0072846131319757 + 2.0*h3_y)) +
-        1.1129758995253813;
-    const stanford_full_real t24 = -h3_x;
-    const stanford_full_real t25 = -h5_x;
-    const stanford_full_real t26 = -k6_yz;
+    const stanford_full_real m2_2 = 6.387260437773931 - t27 - t22;
+    const stanford_full_real m2_5 = c4*t31 + s4*neg_k5_xz;
+    const stanford_full_real m2_6 = s4*nu5_x - q[2]*neg_fu4_x + c4*neg_k6_yz;
+    const stanford_full_real t32 = -h5_x;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -693,15 +671,15 @@ void stanford_full_mass_matrix(const stanford_full_real q[6], stanford_full_real
     M[5] = m1_6;
     M[6] = m1_2;
     M[7] = m2_2;
-    M[8] = t24;
+    M[8] = neg_h3_x;
     M[9] = m2_4;
     M[10] = m2_5;
     M[11] = m2_6;
     M[12] = m1_3;
-    M[13] = t24;
+    M[13] = neg_h3_x;
     M[14] = 19.732838668844984;
     M[15] = 0.0;
-    M[16] = t25;
+    M[16] = t32;
     M[17] = neg_fu5_y;
     M[18] = m1_4;
     M[19] = m2_4;
@@ -711,20 +689,20 @@ void stanford_full_mass_matrix(const stanford_full_real q[6], stanford_full_real
     M[23] = neg_nu5_y;
     M[24] = m1_5;
     M[25] = m2_5;
-    M[26] = t25;
+    M[26] = t32;
     M[27] = k5_yz;
     M[28] = m5_5;
-    M[29] = t26;
+    M[29] = neg_k6_yz;
     M[30] = m1_6;
     M[31] = m2_6;
     M[32] = neg_fu5_y;
     M[33] = neg_nu5_y;
-    M[34] = t26;
+    M[34] = neg_k6_yz;
     M[35] = 0.6921471349584476;
 }
 
 /* accelerations that the torques tau give
- * 369 multiplications, 320 additions, 6 divisions = 695; 4 unary minus; 8 sine/cosine */
+ * 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8 sine/cosine */
 void stanford_full_forward_dynamics(
     const stanford_full_real q[6],
     const stanford_full_real qd[6],
@@ -828,26 +806,23 @@ void stanford_full_forward_dynamics(
     const stanford_full_real t3 = 2.0*w5_z;
     const stanford_full_real lam5_32 = neg_lam5_23 - neg_w5_y*t3;
     const stanford_full_real neg_lam5_13 = neg_ww5_zx - alpha5_y;
-    const stanford_full_real t4 = 0.0625396920897071*c6;
-    const stanford_full_real t5 = 0.06483323523282834*s6;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const stanford_full_real k6_yz = t4 - t5;
-    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real h6_y = 1.193403445777575*s6 - 1.2174687787169953*c6;
-    const stanford_full_real t6 = 0.0625396920897071*s6;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const stanford_full_real neg_k6_xz = t6 + 0.06483323523282834*c6;
-    const stanford_full_real t7 = ww5_xx - ww5_zz;
-    const stanford_full_real t8 = 0.16255029097038232*c6;
-    const stanford_full_real t9 = t4*t8 + 0.3409906449060338;
-    const stanford_full_real t10 = t8*t6;
-    const stanford_full_real t11 = 62.4559348502784*t9 + (t10 - 21.61434818388583);
-    const stanford_full_real t12 = 18.778467160320414*(t5 + 0.06355169650371038*c6);
-    const stanford_full_real t13 = t9 - 62.4559348502784*t10;
+    const stanford_full_real t4 = ww5_xx - ww5_zz;
+    const stanford_full_real t5 = 0.0625396920897071*c6;
+    const stanford_full_real t6 = 0.16255029097038232*c6;
+    const stanford_full_real t7 = t5*t6 + 0.3409906449060338;
+    const stanford_full_real t8 = 0.0625396920897071*s6;
+    const stanford_full_real t9 = t6*t8;
+    const stanford_full_real t10 = 62.4559348502784*t7 + (t9 - 21.61434818388583);
+    const stanford_full_real t11 = 0.06483323523282834*s6;
+    const stanford_full_real t12 = 18.778467160320414*(t11 + 0.06355169650371038*c6);
+    const stanford_full_real t13 = t7 - 62.4559348502784*t9;
     const stanford_full_real t14 = t13 - 0.6921471349584476;
+    const stanford_full_real t15 = t5 - t11;
+    const stanford_full_real t16 = 1.193403445777575*s6 - 1.2174687787169953*c6;
+    const stanford_full_real t17 = t8 + 0.06483323523282834*c6;
     /* link 6: moment that turns the link [N m] */
-    const stanford_full_real nc6_z = t7*t11 - (neg_a4_y*t12 - (neg_lam5_31*t14 + lam5_12*k6_yz)) +
-        (neg_a5_x*h6_y + lam5_32*neg_k6_xz + neg_lam5_13*t13);
+    const stanford_full_real nc6_z = t4*t10 - (neg_a4_y*t12 - (neg_lam5_31*t14 + lam5_12*t15)) +
+        (neg_a5_x*t16 + lam5_32*t17 + neg_lam5_13*t13);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_full_real neg_lam4_31 = neg_ww4_zx + alpha4_y;
     /* link 5: acceleration of the frame's origin, gravity taken off [m/s^2] */
@@ -856,193 +831,174 @@ void stanford_full_forward_dynamics(
     const stanford_full_real lam5_21 = ww5_xy + alpha4_y;
     /* link 6: products of the angular velocity [1/s^2] */
     const stanford_full_real ww6_zz = w6_z*w6_z;
-    const stanford_full_real t15 = 0.28054187970758354*neg_a5_x + (1.1561689763413345*neg_lam5_13 -
-        (0.20245111268601115*neg_lam5_31 - (0.13660343902034475*t7 + 0.5911078910549018*neg_a4_y)))
+    const stanford_full_real t18 = 0.28054187970758354*neg_a5_x + (1.1561689763413345*neg_lam5_13 -
+        (0.20245111268601115*neg_lam5_31 - (0.13660343902034475*t4 + 0.5911078910549018*neg_a4_y)))
         + 0.23560176217086468*lam5_12;
-    const stanford_full_real t16 = nc6_z + (0.060693211657558095*lam5_32 + t15);
-    const stanford_full_real t17 = lam5_21 + neg_w5_x*(2.0*qd[5]);
-    const stanford_full_real t18 = ww5_xx - ww6_zz;
-    const stanford_full_real t19 = neg_lam5_23 + qd[5]*t3;
-    const stanford_full_real t20 = h6_y + 0.28054187970758354;
-    const stanford_full_real t21 = 0.13660343902034475*lam5_21 + (neg_a5_y*t20 +
+    const stanford_full_real t19 = nc6_z + (0.060693211657558095*lam5_32 + t18);
+    const stanford_full_real t20 = lam5_21 + neg_w5_x*(2.0*qd[5]);
+    const stanford_full_real t21 = ww5_xx - ww6_zz;
+    const stanford_full_real t22 = neg_lam5_23 + qd[5]*t3;
+    const stanford_full_real t23 = t16 + 0.28054187970758354;
+    const stanford_full_real t24 = 0.13660343902034475*lam5_21 + (neg_a5_y*t23 +
         (0.17535491873574263*lam5_32 + (0.23560176217086468*(neg_lam4_22 - neg_lam5_22) +
         0.6468331423588011*neg_a4_y)));
-    const stanford_full_real t22 = neg_k6_xz + 0.060693211657558095;
-    const stanford_full_real t23 = t11*t17 + (k6_yz*(t7 - t18) + (1.1561689763413345*neg_lam5_23 +
-        (t13*t19 + t21))) - neg_lam5_31*t22;
+    const stanford_full_real t25 = t10*t20 + (t15*(t4 - t21) + (1.1561689763413345*neg_lam5_23 +
+        (t13*t22 + t24))) - neg_lam5_31*(t17 + 0.060693211657558095);
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n4_x = s5*t16 + 0.06784076259315977*neg_lam4_31 + (c5*t23 +
+    const stanford_full_real n4_x = s5*t19 + 0.06784076259315977*neg_lam4_31 + (c5*t25 +
         0.23523950726161555*(neg_lam2_22 - (neg_lam4_22 + 0.011289042504553535*neg_lam4_21)));
     /* link 5: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_full_real lam5_11 = t7 - neg_lam4_22;
-    const stanford_full_real t24 = neg_lam5_22 - t18;
-    const stanford_full_real t25 = -0.5911078910549018*lam5_11 - (0.6468331423588011*lam5_12 +
-        t12*t24) - neg_lam5_13*t20;
-    const stanford_full_real t26 = 0.6468331423588011*neg_lam5_22 - (0.28054187970758354*neg_lam5_23
-        + h6_y*t19 - t12*t17 + 0.5911078910549018*lam5_21);
+    const stanford_full_real lam5_11 = t4 - neg_lam4_22;
+    const stanford_full_real t26 = neg_lam5_22 - t21;
+    const stanford_full_real t27 = -0.5911078910549018*lam5_11 - (0.6468331423588011*lam5_12 +
+        t12*t26) - neg_lam5_13*t23;
+    const stanford_full_real t28 = 0.6468331423588011*neg_lam5_22 - (0.28054187970758354*neg_lam5_23
+        + t16*t22 - t12*t20 + 0.5911078910549018*lam5_21);
     /* link 3: force through the joint [N] */
     const stanford_full_real neg_f3_z = 0.22200183325724177*(ww2_xy +
-        0.05481374553845334*neg_lam2_22) + (s5*t25 + c5*t26 - 19.732838668844984*a3_z +
+        0.05481374553845334*neg_lam2_22) + (s5*t27 + c5*t28 - 19.732838668844984*a3_z +
         0.9022885982543313*neg_lam4_31);
-    const stanford_full_real t27 = t12 - 0.5911078910549018;
+    const stanford_full_real t29 = t12 - 0.5911078910549018;
     /* link 4: force through the joint [N] */
-    const stanford_full_real neg_f4_y = h6_y*(t7 + t24) + (0.6468331423588011*lam5_32 +
-        (0.9022885982543313*neg_lam4_21 + 0.28054187970758354*neg_lam4_22)) + neg_lam5_31*t27;
-    const stanford_full_real t28 = ww4_xx - ww4_zz;
+    const stanford_full_real neg_f4_y = t16*(t4 + t26) + (0.6468331423588011*lam5_32 +
+        (0.9022885982543313*neg_lam4_21 + 0.28054187970758354*neg_lam4_22)) + neg_lam5_31*t29;
+    const stanford_full_real t30 = ww4_xx - ww4_zz;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
-    const stanford_full_real lam4_11 = t28 - neg_lam2_22;
+    const stanford_full_real lam4_11 = t30 - neg_lam2_22;
     /* link 4: force through the joint [N] */
-    const stanford_full_real neg_f4_x = s5*t26 - c5*t25 - 0.9022885982543313*lam4_11;
+    const stanford_full_real neg_f4_x = s5*t28 - c5*t27 - 0.9022885982543313*lam4_11;
     /* link 3: force through the joint [N] */
     const stanford_full_real f3_y = 0.024337503994465198*neg_ww2_yz - (c4*neg_f4_y +
         19.732838668844984*neg_a3_y + (0.44400366651448353*neg_ww3_xy + (0.4516316755890639*ww1_zz +
         s4*neg_f4_x)));
-    const stanford_full_real t29 = 0.17535491873574263*lam5_12 - (0.20245111268601115*lam5_21 -
-        (t14*t17 + (neg_k6_xz*t18 + (0.6468331423588011*neg_a5_x -
-        0.13660343902034475*neg_lam5_23))));
-    const stanford_full_real t30 = k6_yz + 0.23560176217086468;
+    const stanford_full_real t31 = 0.17535491873574263*lam5_12 - (0.20245111268601115*lam5_21 -
+        (t14*t20 + (t17*t21 + (0.6468331423588011*neg_a5_x - 0.13660343902034475*neg_lam5_23))));
     /* link 5: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n5_z = t11*t19 - (neg_a5_y*t27 + (0.060693211657558095*(neg_lam5_22 +
-        lam5_11) + t29)) - neg_lam5_13*t30;
+    const stanford_full_real n5_z = t10*t22 - (neg_a5_y*t29 + (0.060693211657558095*(neg_lam5_22 +
+        lam5_11) + t31)) - neg_lam5_13*(t15 + 0.23560176217086468);
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real neg_n4_y = 0.23523950726161555*lam4_12 + (0.002655628796226608*t28 -
+    const stanford_full_real neg_n4_y = 0.23523950726161555*lam4_12 + (0.002655628796226608*t30 -
         0.3448462092987837*neg_lam4_31 - 0.06784076259315977*lam4_32 - (n5_z -
         0.9022885982543313*a3_z));
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_full_real lam4_13 = alpha4_y - neg_ww4_zx;
     const stanford_full_real lam4_23 = ww4_yz - alpha4_x;
-    const stanford_full_real t31 = 0.06784076259315977*(neg_lam4_22 + lam4_11) - s5*t23 -
+    const stanford_full_real t32 = 0.06784076259315977*(neg_lam4_22 + lam4_11) - s5*t25 -
         (0.3448462092987837*neg_lam4_21 + (0.002655628796226608*lam4_23 +
         0.9022885982543313*neg_a4_y));
     /* link 4: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n4_z = c5*t16 + 0.23523950726161555*lam4_13 + t31;
-    const stanford_full_real t32 = 0.012168751997232599*ww2_xy;
+    const stanford_full_real n4_z = c5*t19 + 0.23523950726161555*lam4_13 + t32;
+    const stanford_full_real t33 = 0.012168751997232599*ww2_xy;
     /* link 3: force through the joint [N] */
-    const stanford_full_real neg_f3_x = 0.22200183325724177*neg_lam2_11 + (t32 + (c4*neg_f4_x +
+    const stanford_full_real neg_f3_x = 0.22200183325724177*neg_lam2_11 + (t33 + (c4*neg_f4_x +
         19.732838668844984*neg_a3_x)) - s4*neg_f4_y;
-    const stanford_full_real t33 = ww1_zz - neg_lam2_11;
-    const stanford_full_real t34 = 0.1524*neg_f3_x + (n4_z - 0.22200183325724177*neg_a3_y +
-        12.556178777734242*(t32 + 0.0359688790342758*neg_a3_x) - 0.07388986205514168*t33);
-    const stanford_full_real t35 = 0.1524*(neg_f3_z + 0.4848416145350504*ww2_xy) - (c4*n4_x +
+    const stanford_full_real t34 = ww1_zz - neg_lam2_11;
+    const stanford_full_real t35 = 0.1524*neg_f3_x + (n4_z - 0.22200183325724177*neg_a3_y +
+        12.556178777734242*(t33 + 0.0359688790342758*neg_a3_x) - 0.07388986205514168*t34);
+    const stanford_full_real t36 = 0.1524*(neg_f3_z + 0.4848416145350504*ww2_xy) - (c4*n4_x +
         (0.4516316755890639*a3_z + (0.012168751997232599*neg_a3_y - (0.15279302557916313*t2 +
         0.09822440530186452*neg_ww3_xy))));
     /* link 1: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n1_z = c2*(t34 - 0.09822440530186452*neg_ww2_yz -
-        0.248077550893258*neg_ww3_xy) - s2*(s4*neg_n4_y - (q[2]*f3_y + t35) -
+    const stanford_full_real n1_z = c2*(t35 - 0.09822440530186452*neg_ww2_yz -
+        0.248077550893258*neg_ww3_xy) - s2*(s4*neg_n4_y - (q[2]*f3_y + t36) -
         1.2453237337332923*neg_ww2_yz);
-    const stanford_full_real t36 = q[2]*neg_f3_x + (5.4475438357201735*s2 +
-        (0.49862309142001715*ww2_xy + (0.04911220265093226*(t2 + t33) + c4*neg_n4_y)));
+    const stanford_full_real t37 = q[2]*neg_f3_x + (5.4475438357201735*s2 +
+        (0.49862309142001715*ww2_xy + (0.04911220265093226*(t2 + t34) + c4*neg_n4_y)));
     /* link 2: moment through the joint, about the frame's origin [N m] */
-    const stanford_full_real n2_z = s4*n4_x - 1.4591749065920876*c2 - (t36 +
+    const stanford_full_real n2_z = s4*n4_x - 1.4591749065920876*c2 - (t37 +
         0.012168751997232599*neg_a3_x) - 0.22200183325724177*a3_z;
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_full_real h6_x = 1.193403445777575*c6 + 1.2174687787169953*s6;
-    const stanford_full_real t37 = c6*c6;
-    const stanford_full_real t38 = c6*s6;
-    /* link 6: second moment of the composite body [kg m^2] */
-    const stanford_full_real neg_k6_xy = 0.31745868108016423*(2.0*t37 - 1.0) +
-        0.010165845146380005*t38;
-    /* link 5: force for a unit acceleration of a joint further out */
-    const stanford_full_real neg_fu5_x = c5*h6_y;
-    const stanford_full_real neg_fu5_y = s5*h6_y;
-    /* link 5: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu5_x = 0.6921471349584476*s5 + c5*neg_k6_xz;
-    const stanford_full_real nu5_y = s5*neg_k6_xz - 0.6921471349584476*c5;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_full_real neg_fu4_x = c4*neg_fu5_x + s4*h6_x;
-    const stanford_full_real neg_fu4_y = s4*neg_fu5_x - c4*h6_x;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu4_x = c4*nu5_x + s4*k6_yz;
-    const stanford_full_real nu4_y = s4*nu5_x - c4*k6_yz;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_full_real m2_6 = nu4_y - q[2]*neg_fu4_x;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_full_real fu2_x = s2*neg_fu5_y - c2*neg_fu4_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu2_y = s2*(nu4_x + q[2]*neg_fu4_y) + c2*nu5_y;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real neg_m1_6 = nu2_y + 0.1524*fu2_x;
-    const stanford_full_real t39 = 0.010165845146380005*t37 - 0.6349173621603285*t38;
-    /* link 5: mass matrix, its row of this joint */
-    const stanford_full_real neg_m5_5 = t39 - 0.7289625214741676;
-    const stanford_full_real t40 = 0.5911078910549018 - h6_x;
+    const stanford_full_real t38 = 0.5911078910549018 - h6_x;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real neg_h5_x = c5*t40 - 0.6468331423588011*s5;
-    const stanford_full_real neg_h5_y = 0.6468331423588011*c5 + s5*t40;
-    const stanford_full_real t41 = c5*c5;
-    const stanford_full_real t42 = t39 - 0.37825268400268236;
-    const stanford_full_real t43 = c5*s5;
-    const stanford_full_real t44 = t41*t42 + t22*(2.0*t43);
-    /* link 5: second moment of the composite body [kg m^2] */
-    const stanford_full_real k5_yy = t44 - (t39 - 0.553607602738425);
-    const stanford_full_real neg_k5_xy = t42*t43 + t22*(1.0 - 2.0*t41);
-    const stanford_full_real t45 = neg_k6_xy + 0.13660343902034475;
-    const stanford_full_real neg_k5_xz = c5*t45 - s5*t30;
-    const stanford_full_real neg_k5_yz = s5*t45 + c5*t30;
-    /* link 4: force for a unit acceleration of a joint further out */
-    const stanford_full_real fu4_x = c4*neg_h5_y;
-    const stanford_full_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu4_x_2 = s4*neg_m5_5 + c4*neg_k5_xz;
-    const stanford_full_real neg_nu4_y = c4*neg_m5_5 - s4*neg_k5_xz;
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_full_real neg_m2_5 = neg_nu4_y - q[2]*fu4_x;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_full_real fu2_x_2 = c2*fu4_x + s2*neg_h5_x;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_full_real nu2_y_2 = s2*(nu4_x_2 - q[2]*fu4_y) + c2*neg_k5_yz;
-    /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real neg_m1_5 = nu2_y_2 + 0.1524*fu2_x_2;
+    const stanford_full_real neg_h5_x = c5*t38 - 0.6468331423588011*s5;
+    const stanford_full_real neg_h5_y = s5*t38 + 0.6468331423588011*c5;
+    const stanford_full_real t39 = 0.6349173621603285*c6;
+    const stanford_full_real t40 = s6*t39;
+    const stanford_full_real t41 = c6*t39 - 0.1808552420598195;
+    /* link 5: mass matrix, its row of this joint */
+    const stanford_full_real m5_5 = t40 + 0.7260667959919797 - 0.01601128863729661*t41;
+    const stanford_full_real t42 = 0.05432633487209812*h6_x;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const stanford_full_real neg_k6_xz = t42 - 0.003600924479196722*s6;
+    const stanford_full_real t43 = c5*c5;
+    const stanford_full_real t44 = m5_5 - 0.35070983747148526;
+    const stanford_full_real t45 = c5*s5;
+    const stanford_full_real t46 = neg_k6_xz + (neg_k6_xz + 0.12138642331511619);
+    const stanford_full_real t47 = t43*t44 - (t45*t46 - 3.589792571474863);
+    const stanford_full_real t48 = m5_5 + 0.8434693007188008;
     /* link 4: mass matrix, its row of this joint */
-    const stanford_full_real m4_4 = t39 - t44 + 2.017360749281895;
-    const stanford_full_real t46 = neg_h5_x - 0.9022885982543313;
+    const stanford_full_real m4_4 = t47 - t48;
+    const stanford_full_real t49 = 0.1286340586837634*c6;
+    /* link 6: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_full_real h6_y = 19.08233644747969*(neg_k6_xz - t49);
+    const stanford_full_real t50 = neg_h5_x - 0.9022885982543313;
+    const stanford_full_real t51 = 0.28054187970758354 + h6_y;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real neg_h4_x = c4*t46 + s4*t20;
-    const stanford_full_real neg_h4_y = s4*t46 - c4*t20;
-    const stanford_full_real t47 = c4*c4;
-    const stanford_full_real t48 = t39 + t44 + 0.976958493212842;
-    const stanford_full_real t49 = neg_k5_xz + 0.06784076259315977;
-    const stanford_full_real t50 = c4*s4;
-    const stanford_full_real t51 = t47*t48 - t49*(2.0*t50);
+    const stanford_full_real neg_h4_y = s4*t50 - c4*t51;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const stanford_full_real neg_k6_yz = 0.9802333058883194*(t42 - t49);
+    const stanford_full_real t52 = 0.23560176217086468 - neg_k6_yz;
+    const stanford_full_real t53 = t41 + 0.01601128863729661*t40;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const stanford_full_real k5_xz = s5*t52 - c5*t53;
+    const stanford_full_real t54 = c4*t50 + (s4*t51 - 0.3708972318890874);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_full_real neg_h3_x = t54 + 0.14889539863184567;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const stanford_full_real neg_k5_yz = c5*t52 + s5*t53;
+    const stanford_full_real t55 = 0.1524*neg_h4_y;
+    const stanford_full_real t56 = m4_4 - t55;
+    const stanford_full_real t57 = 19.732838668844984*q[2] + (neg_h5_y + 0.5680405719686789);
+    const stanford_full_real t58 = q[2]*neg_h5_y;
+    const stanford_full_real t59 = m4_4 - q[2]*(t57 - 0.5437030679742136) - t58;
+    const stanford_full_real t60 = c4*c4;
+    const stanford_full_real t61 = t47 + (m5_5 - 5.295713586161873);
+    const stanford_full_real t62 = c4*s4;
+    const stanford_full_real t63 = k5_xz + (k5_xz - 0.13568152518631954);
+    const stanford_full_real t64 = t48 - t60*t61 + t62*t63;
+    const stanford_full_real t65 = t46*(t43 - 0.5) + (t44*t45 + 0.002655628796226608);
+    const stanford_full_real t66 = neg_k5_yz - 0.23523950726161555;
+    const stanford_full_real t67 = c4*t65 + q[2]*neg_h3_x + s4*t66;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_full_real m1_1 = t56 - (s2*(s2*(t59 - t64) + c2*(t67 + (t67 +
+        0.09822440530186452))) + (t55 - 1.8329821847328702));
+    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
+    const stanford_full_real neg_h2_y = s2*t54 + c2*t57;
     /* link 4: second moment of the composite body [kg m^2] */
-    const stanford_full_real k4_xx = t39 + 1.4971596212473683 - t51;
-    const stanford_full_real k4_yy = t51 - (t44 - 0.5202011280345263);
-    const stanford_full_real k4_xy = t49*(1.0 - 2.0*t47) - t48*t50;
-    const stanford_full_real t52 = neg_k5_xy - 0.002655628796226608;
-    const stanford_full_real t53 = neg_k5_yz - 0.23523950726161555;
-    const stanford_full_real k4_xz = c4*t52 - s4*t53;
-    const stanford_full_real k4_yz = s4*t52 + c4*t53;
+    const stanford_full_real k4_yz = c4*t66 - s4*t65;
     /* link 2: mass matrix, its row of this joint */
     const stanford_full_real m2_4 = q[2]*neg_h4_y - k4_yz;
-    /* link 2: force for a unit acceleration of a joint further out */
-    const stanford_full_real fu2_x_3 = c2*neg_h4_y;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const stanford_full_real neg_nu2_y = s2*(k4_xz - q[2]*neg_h4_x) + c2*m4_4;
     /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real m1_4 = neg_nu2_y - 0.1524*fu2_x_3;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real neg_h3_x = neg_h4_x - 0.22200183325724177;
-    const stanford_full_real neg_h3_y = neg_h4_y - 0.4516316755890639;
-    const stanford_full_real h3_z = neg_h5_y + 0.012168751997232599;
-    /* link 1: mass matrix, its row of this joint */
+    const stanford_full_real m1_2 = c2*(m2_4 - 0.06807816021551473 - 0.4516316755890639*q[2]) +
+        (s2*(t63*(t60 - 0.5) + (t61*t62 + 0.0511982033036484)) - 0.1524*neg_h2_y);
     const stanford_full_real m1_3 = s2*(neg_h4_y - 3.45891628872104);
-    const stanford_full_real t54 = 19.732838668844984*q[2];
-    const stanford_full_real t55 = k5_yy + q[2]*(t54 + 2.0*h3_z);
-    /* link 2: mass matrix, its row of this joint */
-    const stanford_full_real m2_2 = k4_xx + t55 + 0.7467006423132752;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const stanford_full_real neg_h2_y = s2*(neg_h4_x - 0.3708972318890874) + c2*(h3_z + t54 +
-        0.5558718199714463);
-    const stanford_full_real t56 = c2*c2*(k4_xx - t55 - 0.49862309142001715) + (k4_xz -
-        q[2]*neg_h3_x - 0.04911220265093226)*(2.0*(s2*c2));
-    /* link 2: second moment of the composite body [kg m^2] */
-    const stanford_full_real k2_xx = t55 + 0.6226618668666462 + t56;
-    const stanford_full_real k2_yz = s2*(k4_xy + 0.0511982033036484) - c2*(k4_yz - q[2]*neg_h3_y +
-        0.06807816021551473);
+    const stanford_full_real m1_4 = c2*t56 - s2*(t67 + 0.22200183325724177*q[2]);
+    /* link 2: force for a unit acceleration of a joint further out */
+    const stanford_full_real fu2_x = s2*neg_h5_x + neg_h5_y*(c2*c4);
+    const stanford_full_real t68 = m5_5 + t58;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const stanford_full_real neg_nu2_y = s2*(c4*k5_xz + s4*t68) - c2*neg_k5_yz;
     /* link 1: mass matrix, its row of this joint */
-    const stanford_full_real m1_2 = k2_yz - 0.1524*neg_h2_y;
-    const stanford_full_real m1_1 = k2_xx + (k4_yy - 0.1524*(2.0*neg_h3_y - 3.0072846131319757)) +
-        1.1129758995253813;
+    const stanford_full_real m1_5 = neg_nu2_y - 0.1524*fu2_x;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const stanford_full_real neg_fu5_x = c5*h6_y;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const stanford_full_real neg_fu4_x = s4*h6_x + c4*neg_fu5_x;
+    /* link 5: force for a unit acceleration of a joint further out */
+    const stanford_full_real neg_fu5_y = s5*h6_y;
+    /* link 5: moment for a unit acceleration of a joint further out */
+    const stanford_full_real neg_nu5_y = 0.6921471349584476*c5 - s5*neg_k6_xz;
+    const stanford_full_real nu5_x = 0.6921471349584476*s5 + c5*neg_k6_xz;
+    /* link 4: force for a unit acceleration of a joint further out */
+    const stanford_full_real fu4_y = c4*h6_x - s4*neg_fu5_x;
+    /* link 1: mass matrix, its row of this joint */
+    const stanford_full_real m1_6 = 0.1524*(c2*neg_fu4_x - s2*neg_fu5_y) + (c2*neg_nu5_y -
+        s2*(c4*nu5_x - (s4*neg_k6_yz + q[2]*fu4_y)));
+    /* link 2: mass matrix, its row of this joint */
+    const stanford_full_real neg_m2_2 = t59 + (t64 - 6.387260437773931);
+    const stanford_full_real m2_5 = c4*t68 - s4*k5_xz;
+    const stanford_full_real m2_6 = s4*nu5_x - q[2]*neg_fu4_x + c4*neg_k6_yz;
     /* link 1: forward substitution */
     const stanford_full_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
@@ -1050,77 +1006,77 @@ void stanford_full_forward_dynamics(
     const stanford_full_real l2_1 = m1_2*ipivot1;
     const stanford_full_real l3_1 = m1_3*ipivot1;
     const stanford_full_real l4_1 = m1_4*ipivot1;
-    const stanford_full_real neg_l5_1 = neg_m1_5*ipivot1;
-    const stanford_full_real neg_l6_1 = neg_m1_6*ipivot1;
-    const stanford_full_real pivot2 = m2_2 - m1_2*l2_1;
-    const stanford_full_real ipivot2 = 1.0 / pivot2;
+    const stanford_full_real l5_1 = m1_5*ipivot1;
+    const stanford_full_real l6_1 = m1_6*ipivot1;
+    const stanford_full_real neg_pivot2 = neg_m2_2 + m1_2*l2_1;
+    const stanford_full_real neg_ipivot2 = 1.0 / neg_pivot2;
     const stanford_full_real ld3_2 = neg_h3_x - m1_2*l3_1;
-    const stanford_full_real l3_2 = ipivot2*ld3_2;
-    const stanford_full_real neg_ld4_2 = m1_2*l4_1 - m2_4;
-    const stanford_full_real neg_l4_2 = ipivot2*neg_ld4_2;
-    const stanford_full_real neg_ld5_2 = neg_m2_5 - m1_2*neg_l5_1;
-    const stanford_full_real neg_l5_2 = ipivot2*neg_ld5_2;
-    const stanford_full_real ld6_2 = m2_6 + m1_2*neg_l6_1;
-    const stanford_full_real l6_2 = ipivot2*ld6_2;
-    const stanford_full_real neg_pivot3 = m1_3*l3_1 - 19.732838668844984 + ld3_2*l3_2;
+    const stanford_full_real neg_l3_2 = neg_ipivot2*ld3_2;
+    const stanford_full_real ld4_2 = m2_4 - m1_2*l4_1;
+    const stanford_full_real neg_l4_2 = neg_ipivot2*ld4_2;
+    const stanford_full_real ld5_2 = m2_5 - m1_2*l5_1;
+    const stanford_full_real neg_l5_2 = neg_ipivot2*ld5_2;
+    const stanford_full_real ld6_2 = m2_6 - m1_2*l6_1;
+    const stanford_full_real neg_l6_2 = neg_ipivot2*ld6_2;
+    const stanford_full_real neg_pivot3 = m1_3*l3_1 - 19.732838668844984 - ld3_2*neg_l3_2;
     const stanford_full_real neg_ipivot3 = 1.0 / neg_pivot3;
     const stanford_full_real neg_ld4_3 = m1_3*l4_1 - ld3_2*neg_l4_2;
     const stanford_full_real l4_3 = neg_ipivot3*neg_ld4_3;
-    const stanford_full_real ld5_3 = neg_h5_x + m1_3*neg_l5_1 + ld3_2*neg_l5_2;
+    const stanford_full_real ld5_3 = neg_h5_x - m1_3*l5_1 + ld3_2*neg_l5_2;
     const stanford_full_real neg_l5_3 = neg_ipivot3*ld5_3;
-    const stanford_full_real ld6_3 = neg_fu5_y + m1_3*neg_l6_1 - ld3_2*l6_2;
+    const stanford_full_real ld6_3 = neg_fu5_y - m1_3*l6_1 + ld3_2*neg_l6_2;
     const stanford_full_real neg_l6_3 = neg_ipivot3*ld6_3;
-    const stanford_full_real pivot4 = m4_4 - m1_4*l4_1 - neg_ld4_2*neg_l4_2 + neg_ld4_3*l4_3;
+    const stanford_full_real pivot4 = m4_4 - m1_4*l4_1 + ld4_2*neg_l4_2 + neg_ld4_3*l4_3;
     const stanford_full_real ipivot4 = 1.0 / pivot4;
-    const stanford_full_real neg_ld5_4 = neg_k5_yz - m1_4*neg_l5_1 + neg_ld4_2*neg_l5_2 +
+    const stanford_full_real neg_ld5_4 = neg_k5_yz + m1_4*l5_1 - ld4_2*neg_l5_2 +
         neg_ld4_3*neg_l5_3;
     const stanford_full_real neg_l5_4 = ipivot4*neg_ld5_4;
-    const stanford_full_real neg_ld6_4 = nu5_y - m1_4*neg_l6_1 - neg_ld4_2*l6_2 +
-        neg_ld4_3*neg_l6_3;
-    const stanford_full_real neg_l6_4 = ipivot4*neg_ld6_4;
-    const stanford_full_real neg_pivot5 = neg_m5_5 + neg_m1_5*neg_l5_1 + neg_ld5_2*neg_l5_2 -
-        ld5_3*neg_l5_3 + neg_ld5_4*neg_l5_4;
-    const stanford_full_real neg_ipivot5 = 1.0 / neg_pivot5;
-    const stanford_full_real neg_ld6_5 = k6_yz + neg_m1_5*neg_l6_1 - neg_ld5_2*l6_2 - ld5_3*neg_l6_3
-        + neg_ld5_4*neg_l6_4;
-    const stanford_full_real l6_5 = neg_ipivot5*neg_ld6_5;
-    const stanford_full_real pivot6 = 0.6921471349584476 - neg_m1_6*neg_l6_1 - ld6_2*l6_2 +
-        ld6_3*neg_l6_3 - neg_ld6_4*neg_l6_4 + neg_ld6_5*l6_5;
+    const stanford_full_real ld6_4 = neg_nu5_y - m1_4*l6_1 + ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3;
+    const stanford_full_real l6_4 = ipivot4*ld6_4;
+    const stanford_full_real pivot5 = m5_5 - m1_5*l5_1 + ld5_2*neg_l5_2 + ld5_3*neg_l5_3 -
+        neg_ld5_4*neg_l5_4;
+    const stanford_full_real ipivot5 = 1.0 / pivot5;
+    const stanford_full_real ld6_5 = neg_k6_yz - m1_5*l6_1 + ld5_2*neg_l6_2 + ld5_3*neg_l6_3 +
+        neg_ld5_4*l6_4;
+    const stanford_full_real l6_5 = ipivot5*ld6_5;
+    const stanford_full_real pivot6 = 0.6921471349584476 - m1_6*l6_1 + ld6_2*neg_l6_2 +
+        ld6_3*neg_l6_3 - ld6_4*l6_4 - ld6_5*l6_5;
     const stanford_full_real ipivot6 = 1.0 / pivot6;
     /* link 2: forward substitution */
     const stanford_full_real neg_y2 = n2_z - tau[1] - neg_y1*l2_1;
     /* link 3: forward substitution */
-    const stanford_full_real y3 = neg_f3_z + tau[2] + neg_y1*l3_1 + l3_2*neg_y2;
+    const stanford_full_real y3 = neg_f3_z + tau[2] + neg_y1*l3_1 - neg_l3_2*neg_y2;
     /* link 4: forward substitution */
     const stanford_full_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 + neg_l4_2*neg_y2 + l4_3*y3;
     /* link 5: forward substitution */
-    const stanford_full_real neg_y5 = n5_z - tau[4] + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 -
-        neg_l5_3*y3 + neg_l5_4*neg_y4;
+    const stanford_full_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - neg_l5_3*y3 +
+        neg_l5_4*neg_y4;
     /* link 6: forward substitution */
-    const stanford_full_real neg_y6 = nc6_z - tau[5] + neg_y1*neg_l6_1 - l6_2*neg_y2 - neg_l6_3*y3 +
-        neg_l6_4*neg_y4 - l6_5*neg_y5;
+    const stanford_full_real neg_y6 = nc6_z - tau[5] - neg_y1*l6_1 + neg_l6_2*neg_y2 - neg_l6_3*y3 -
+        l6_4*neg_y4 - l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const stanford_full_real neg_qdd6 = ipivot6*neg_y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real qdd5 = neg_ipivot5*neg_y5 + l6_5*neg_qdd6;
+    const stanford_full_real neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real neg_qdd4 = ipivot4*neg_y4 - neg_l5_4*qdd5 + neg_l6_4*neg_qdd6;
+    const stanford_full_real neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real neg_qdd3 = neg_ipivot3*y3 - l4_3*neg_qdd4 - neg_l5_3*qdd5 +
+    const stanford_full_real neg_qdd3 = neg_ipivot3*y3 - l4_3*neg_qdd4 + neg_l5_3*neg_qdd5 +
         neg_l6_3*neg_qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - l3_2*neg_qdd3 +
-        neg_l4_2*neg_qdd4 - neg_l5_2*qdd5);
+    const stanford_full_real qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 - neg_l4_2*neg_qdd4 -
+        neg_l5_2*neg_qdd5 - neg_l6_2*neg_qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const stanford_full_real qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3
-        - l4_1*neg_qdd4 - neg_l5_1*qdd5);
-    const stanford_full_real t57 = -neg_qdd3;
-    const stanford_full_real t58 = -neg_qdd4;
-    const stanford_full_real t59 = -neg_qdd6;
+    const stanford_full_real qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3 -
+        l4_1*neg_qdd4 - l5_1*neg_qdd5);
+    const stanford_full_real t69 = -neg_qdd3;
+    const stanford_full_real t70 = -neg_qdd4;
+    const stanford_full_real t71 = -neg_qdd5;
+    const stanford_full_real t72 = -neg_qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
-    qdd[2] = t57;
-    qdd[3] = t58;
-    qdd[4] = qdd5;
-    qdd[5] = t59;
+    qdd[2] = t69;
+    qdd[3] = t70;
+    qdd[4] = t71;
+    qdd[5] = t72;
 }

@@ -13,15 +13,16 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
-! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
-!   to the recursion without being written like it: robodyn --optimize full, seed 1.
+! Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+!   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+!   seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 200 multiplications, 188 additions = 388; 1 unary minus; 8 sine/cosine
 !   gravity: 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
 !   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
-!   mass_matrix: 105 multiplications, 92 additions = 197; 9 unary minus; 8 sine/cosine
-!   forward_dynamics: 369 multiplications, 320 additions, 6 divisions = 695; 4 unary minus; 8
+!   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
+!   forward_dynamics: 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8
 !       sine/cosine
 module stanford_full_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -580,18 +581,17 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 105 multiplications, 92 additions = 197; 9 unary minus; 8 sine/cosine
+  ! 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
   pure subroutine stanford_full_mass_matrix(q, M) &
       bind(c, name="stanford_full_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, h6_x, h6_y, t1, t2, k6_xy, k6_xz, k6_yz, fu5_x
-    real(rk) :: neg_fu5_y, nu5_x, neg_nu5_y, fu4_x, fu4_y, nu4_x, nu4_y, m2_6, neg_fu2_x, nu2_y
-    real(rk) :: m1_6, t3, m5_5, t4, h5_x, neg_h5_y, t5, t6, t7, t8, t9, k5_yy, neg_k5_xy, t10, t11
-    real(rk) :: k5_xz, k5_yz, fu4_x_2, fu4_y_2, nu4_x_2, nu4_y_2, m2_5, fu2_x, nu2_y_2, m1_5, m4_4
-    real(rk) :: t12, t13, h4_x, h4_y, t14, t15, t16, t17, t18, k4_xx, k4_yy, k4_xy, t19, t20, k4_xz
-    real(rk) :: k4_yz, m2_4, neg_fu2_x_2, neg_nu2_y, m1_4, h3_x, h3_y, h3_z, m1_3, t21, t22, m2_2
-    real(rk) :: h2_y, t23, k2_xx, k2_yz, m1_2, m1_1, t24, t25, t26
+    real(rk) :: c2, s2, c4, s4, c5, s5, c6, s6, h6_x, t1, h5_x, h5_y, t2, t3, t4, m5_5, t5
+    real(rk) :: neg_k6_xz, t6, t7, t8, t9, t10, t11, m4_4, t12, h6_y, t13, t14, h4_y, neg_k6_yz
+    real(rk) :: t15, t16, neg_k5_xz, t17, neg_h3_x, k5_yz, t18, t19, t20, t21, t22, t23, t24, t25
+    real(rk) :: t26, t27, t28, t29, t30, m1_1, h2_y, neg_k4_yz, m2_4, m1_2, m1_3, m1_4, neg_fu2_x
+    real(rk) :: t31, nu2_y, m1_5, neg_fu5_x, neg_fu4_x, neg_fu5_y, neg_nu5_y, nu5_x, fu4_y, m1_6
+    real(rk) :: m2_2, m2_5, m2_6, t32
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -604,118 +604,97 @@ contains
     s6 = sin(q(6))
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
     h6_x = 1.193403445777575_rk*c6 + 1.2174687787169953_rk*s6
-    h6_y = 1.193403445777575_rk*s6 - 1.2174687787169953_rk*c6
-    t1 = c6*c6
-    t2 = c6*s6
+    t1 = h6_x - 0.5911078910549018_rk
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    h5_x = c5*t1 + 0.6468331423588011_rk*s5
+    h5_y = s5*t1 - 0.6468331423588011_rk*c5
+    t2 = 0.6349173621603285_rk*c6
+    t3 = s6*t2
+    t4 = c6*t2 - 0.1808552420598195_rk
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t3 + 0.7260667959919797_rk - 0.01601128863729661_rk*t4
+    t5 = 0.05432633487209812_rk*h6_x
     ! link 6: second moment of the composite body [kg m^2]
-    k6_xy = 0.31745868108016423_rk*(1.0_rk - 2.0_rk*t1) - 0.010165845146380005_rk*t2
-    k6_xz = -0.0625396920897071_rk*s6 - 0.06483323523282834_rk*c6
-    k6_yz = 0.0625396920897071_rk*c6 - 0.06483323523282834_rk*s6
+    neg_k6_xz = t5 - 0.003600924479196722_rk*s6
+    t6 = c5*c5
+    t7 = m5_5 - 0.35070983747148526_rk
+    t8 = c5*s5
+    t9 = neg_k6_xz + (neg_k6_xz + 0.12138642331511619_rk)
+    t10 = t6*t7 - (t8*t9 - 3.589792571474863_rk)
+    t11 = m5_5 + 0.8434693007188008_rk
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = t10 - t11
+    t12 = 0.1286340586837634_rk*c6
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_y = 19.08233644747969_rk*(neg_k6_xz - t12)
+    t13 = h5_x + 0.9022885982543313_rk
+    t14 = h6_y + 0.28054187970758354_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_y = s4*t13 + c4*t14
+    ! link 6: second moment of the composite body [kg m^2]
+    neg_k6_yz = 0.9802333058883194_rk*(t5 - t12)
+    t15 = neg_k6_yz - 0.23560176217086468_rk
+    t16 = t4 + 0.01601128863729661_rk*t3
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_xz = s5*t15 + c5*t16
+    t17 = c4*t13 - (s4*t14 - 0.3708972318890874_rk)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    neg_h3_x = 0.14889539863184567_rk - t17
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yz = c5*t15 - s5*t16
+    t18 = 0.1524_rk*h4_y
+    t19 = m4_4 + t18
+    t20 = 19.732838668844984_rk*q(3) - (h5_y - 0.5680405719686789_rk)
+    t21 = h5_y*q(3)
+    t22 = m4_4 - q(3)*(t20 - 0.5437030679742136_rk) + t21
+    t23 = c4*c4
+    t24 = t10 + (m5_5 - 5.295713586161873_rk)
+    t25 = c4*s4
+    t26 = neg_k5_xz + (neg_k5_xz + 0.13568152518631954_rk)
+    t27 = t11 - t23*t24 - t25*t26
+    t28 = t9*(t6 - 0.5_rk) + (t7*t8 + 0.002655628796226608_rk)
+    t29 = -k5_yz - 0.23523950726161555_rk
+    t30 = c4*t28 + q(3)*neg_h3_x + s4*t29
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t19 - (s2*(s2*(t22 - t27) + c2*(t30 + (t30 + 0.09822440530186452_rk))) - (t18 + &
+        1.8329821847328702_rk))
+    ! link 2: first moment of the composite body, about the frame's origin [kg m]
+    h2_y = s2*t17 - c2*t20
+    ! link 4: second moment of the composite body [kg m^2]
+    neg_k4_yz = s4*t28 - c4*t29
+    ! link 2: mass matrix, its row of this joint
+    m2_4 = neg_k4_yz - h4_y*q(3)
+    ! link 1: mass matrix, its row of this joint
+    m1_2 = c2*(m2_4 - 0.06807816021551473_rk - 0.4516316755890639_rk*q(3)) - (s2*(t26*(t23 - &
+        0.5_rk) - (t24*t25 + 0.0511982033036484_rk)) - 0.1524_rk*h2_y)
+    m1_3 = s2*(-h4_y - 3.45891628872104_rk)
+    m1_4 = c2*t19 - s2*(t30 + 0.22200183325724177_rk*q(3))
+    ! link 2: force for a unit acceleration of a joint further out
+    neg_fu2_x = s2*h5_x + h5_y*(c2*c4)
+    t31 = m5_5 - t21
+    ! link 2: moment for a unit acceleration of a joint further out
+    nu2_y = s2*(c4*neg_k5_xz - s4*t31) - c2*k5_yz
+    ! link 1: mass matrix, its row of this joint
+    m1_5 = 0.1524_rk*neg_fu2_x - nu2_y
     ! link 5: force for a unit acceleration of a joint further out
-    fu5_x = -c5*h6_y
+    neg_fu5_x = c5*h6_y
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = s4*h6_x + c4*neg_fu5_x
+    ! link 5: force for a unit acceleration of a joint further out
     neg_fu5_y = s5*h6_y
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.6921471349584476_rk*s5 - c5*k6_xz
-    neg_nu5_y = s5*k6_xz + 0.6921471349584476_rk*c5
+    neg_nu5_y = 0.6921471349584476_rk*c5 - s5*neg_k6_xz
+    nu5_x = 0.6921471349584476_rk*s5 + c5*neg_k6_xz
     ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*fu5_x - s4*h6_x
-    fu4_y = s4*fu5_x + c4*h6_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x + s4*k6_yz
-    nu4_y = s4*nu5_x - c4*k6_yz
+    fu4_y = c4*h6_x - s4*neg_fu5_x
+    ! link 1: mass matrix, its row of this joint
+    m1_6 = 0.1524_rk*(c2*neg_fu4_x - s2*neg_fu5_y) + (c2*neg_nu5_y - s2*(c4*nu5_x - (s4*neg_k6_yz &
+        + q(3)*fu4_y)))
     ! link 2: mass matrix, its row of this joint
-    m2_6 = nu4_y + q(3)*fu4_x
-    ! link 2: force for a unit acceleration of a joint further out
-    neg_fu2_x = -c2*fu4_x - s2*neg_fu5_y
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = s2*(nu4_x - q(3)*fu4_y) - c2*neg_nu5_y
-    ! link 1: mass matrix, its row of this joint
-    m1_6 = 0.1524_rk*neg_fu2_x - nu2_y
-    t3 = 0.010165845146380005_rk*t1 - 0.6349173621603285_rk*t2
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = 0.7289625214741676_rk - t3
-    t4 = h6_x - 0.5911078910549018_rk
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_x = c5*t4 + 0.6468331423588011_rk*s5
-    neg_h5_y = 0.6468331423588011_rk*c5 - s5*t4
-    t5 = c5*c5
-    t6 = t3 - 0.37825268400268236_rk
-    t7 = 0.060693211657558095_rk - k6_xz
-    t8 = c5*s5
-    t9 = t5*t6 + t7*(2.0_rk*t8)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t9 - (t3 - 0.553607602738425_rk)
-    neg_k5_xy = t6*t8 + t7*(1.0_rk - 2.0_rk*t5)
-    t10 = k6_xy - 0.13660343902034475_rk
-    t11 = k6_yz + 0.23560176217086468_rk
-    k5_xz = c5*t10 + s5*t11
-    k5_yz = s5*t10 - c5*t11
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x_2 = c4*neg_h5_y
-    fu4_y_2 = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = -s4*m5_5 - c4*k5_xz
-    nu4_y_2 = c4*m5_5 - s4*k5_xz
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = nu4_y_2 + q(3)*fu4_x_2
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = c2*fu4_x_2 - s2*h5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = s2*(nu4_x_2 - q(3)*fu4_y_2) - c2*k5_yz
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = -0.1524_rk*fu2_x - nu2_y_2
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = t3 - t9 + 2.017360749281895_rk
-    t12 = h5_x + 0.9022885982543313_rk
-    t13 = h6_y + 0.28054187970758354_rk
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = c4*t12 - s4*t13
-    h4_y = s4*t12 + c4*t13
-    t14 = c4*c4
-    t15 = t3 + t9 + 0.976958493212842_rk
-    t16 = 0.06784076259315977_rk - k5_xz
-    t17 = c4*s4
-    t18 = t14*t15 - t16*(2.0_rk*t17)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t3 + 1.4971596212473683_rk - t18
-    k4_yy = t18 - (t9 - 0.5202011280345263_rk)
-    k4_xy = t16*(1.0_rk - 2.0_rk*t14) - t15*t17
-    t19 = neg_k5_xy - 0.002655628796226608_rk
-    t20 = -k5_yz - 0.23523950726161555_rk
-    k4_xz = c4*t19 - s4*t20
-    k4_yz = s4*t19 + c4*t20
-    ! link 2: mass matrix, its row of this joint
-    m2_4 = -q(3)*h4_y - k4_yz
-    ! link 2: force for a unit acceleration of a joint further out
-    neg_fu2_x_2 = c2*h4_y
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = s2*(k4_xz + q(3)*h4_x) + c2*m4_4
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = neg_nu2_y + 0.1524_rk*neg_fu2_x_2
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = h4_x + 0.22200183325724177_rk
-    h3_y = h4_y + 0.4516316755890639_rk
-    h3_z = neg_h5_y + 0.012168751997232599_rk
-    ! link 1: mass matrix, its row of this joint
-    m1_3 = s2*(-h4_y - 3.45891628872104_rk)
-    t21 = 19.732838668844984_rk*q(3)
-    t22 = k5_yy + q(3)*(t21 + 2.0_rk*h3_z)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = k4_xx + t22 + 0.7467006423132752_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    h2_y = s2*(h4_x + 0.3708972318890874_rk) - c2*(h3_z + t21 + 0.5558718199714463_rk)
-    t23 = c2*c2*(k4_xx - t22 - 0.49862309142001715_rk) + (k4_xz + q(3)*h3_x - &
-        0.04911220265093226_rk)*(2.0_rk*(c2*s2))
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t22 + 0.6226618668666462_rk + t23
-    k2_yz = s2*(k4_xy + 0.0511982033036484_rk) - c2*(k4_yz + q(3)*h3_y + 0.06807816021551473_rk)
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz + 0.1524_rk*h2_y
-    m1_1 = k2_xx + (k4_yy + 0.1524_rk*(3.0072846131319757_rk + 2.0_rk*h3_y)) + &
-        1.1129758995253813_rk
-    t24 = -h3_x
-    t25 = -h5_x
-    t26 = -k6_yz
+    m2_2 = 6.387260437773931_rk - t27 - t22
+    m2_5 = c4*t31 + s4*neg_k5_xz
+    m2_6 = s4*nu5_x - q(3)*neg_fu4_x + c4*neg_k6_yz
+    t32 = -h5_x
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -724,15 +703,15 @@ contains
     M(6) = m1_6
     M(7) = m1_2
     M(8) = m2_2
-    M(9) = t24
+    M(9) = neg_h3_x
     M(10) = m2_4
     M(11) = m2_5
     M(12) = m2_6
     M(13) = m1_3
-    M(14) = t24
+    M(14) = neg_h3_x
     M(15) = 19.732838668844984_rk
     M(16) = 0.0_rk
-    M(17) = t25
+    M(17) = t32
     M(18) = neg_fu5_y
     M(19) = m1_4
     M(20) = m2_4
@@ -742,20 +721,20 @@ contains
     M(24) = neg_nu5_y
     M(25) = m1_5
     M(26) = m2_5
-    M(27) = t25
+    M(27) = t32
     M(28) = k5_yz
     M(29) = m5_5
-    M(30) = t26
+    M(30) = neg_k6_yz
     M(31) = m1_6
     M(32) = m2_6
     M(33) = neg_fu5_y
     M(34) = neg_nu5_y
-    M(35) = t26
+    M(35) = neg_k6_yz
     M(36) = 0.6921471349584476_rk
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 369 multiplications, 320 additions, 6 divisions = 695; 4 unary minus; 8 sine/cosine
+  ! 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8 sine/cosine
   pure subroutine stanford_full_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_full_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -768,23 +747,21 @@ contains
     real(rk) :: c5, s5, neg_w5_x, w5_z, neg_w5_y, neg_ww5_zx, ww5_xx, ww5_zz, ww5_xy, neg_lam5_22
     real(rk) :: w6_z, c6, s6, neg_a2_z, t1, neg_a3_y, t2, neg_lam2_22, a3_z, neg_a3_x, neg_a4_y
     real(rk) :: alpha4_x, alpha5_y, neg_lam5_31, alpha4_y, lam5_12, neg_a4_x, neg_a5_x, lam4_32
-    real(rk) :: neg_lam5_23, t3, lam5_32, neg_lam5_13, t4, t5, k6_yz, h6_y, t6, neg_k6_xz, t7, t8
-    real(rk) :: t9, t10, t11, t12, t13, t14, nc6_z, neg_lam4_31, neg_a5_y, lam5_21, ww6_zz, t15
-    real(rk) :: t16, t17, t18, t19, t20, t21, t22, t23, n4_x, lam5_11, t24, t25, t26, neg_f3_z, t27
-    real(rk) :: neg_f4_y, t28, lam4_11, neg_f4_x, f3_y, t29, t30, n5_z, neg_n4_y, lam4_13, lam4_23
-    real(rk) :: t31, n4_z, t32, neg_f3_x, t33, t34, t35, n1_z, t36, n2_z, h6_x, t37, t38, neg_k6_xy
-    real(rk) :: neg_fu5_x, neg_fu5_y, nu5_x, nu5_y, neg_fu4_x, neg_fu4_y, nu4_x, nu4_y, m2_6, fu2_x
-    real(rk) :: nu2_y, neg_m1_6, t39, neg_m5_5, t40, neg_h5_x, neg_h5_y, t41, t42, t43, t44, k5_yy
-    real(rk) :: neg_k5_xy, t45, neg_k5_xz, neg_k5_yz, fu4_x, fu4_y, nu4_x_2, neg_nu4_y, neg_m2_5
-    real(rk) :: fu2_x_2, nu2_y_2, neg_m1_5, m4_4, t46, neg_h4_x, neg_h4_y, t47, t48, t49, t50, t51
-    real(rk) :: k4_xx, k4_yy, k4_xy, t52, t53, k4_xz, k4_yz, m2_4, fu2_x_3, neg_nu2_y, m1_4
-    real(rk) :: neg_h3_x, neg_h3_y, h3_z, m1_3, t54, t55, m2_2, neg_h2_y, t56, k2_xx, k2_yz, m1_2
-    real(rk) :: m1_1, neg_y1, ipivot1, l2_1, l3_1, l4_1, neg_l5_1, neg_l6_1, pivot2, ipivot2, ld3_2
-    real(rk) :: l3_2, neg_ld4_2, neg_l4_2, neg_ld5_2, neg_l5_2, ld6_2, l6_2, neg_pivot3
-    real(rk) :: neg_ipivot3, neg_ld4_3, l4_3, ld5_3, neg_l5_3, ld6_3, neg_l6_3, pivot4, ipivot4
-    real(rk) :: neg_ld5_4, neg_l5_4, neg_ld6_4, neg_l6_4, neg_pivot5, neg_ipivot5, neg_ld6_5, l6_5
-    real(rk) :: pivot6, ipivot6, neg_y2, y3, neg_y4, neg_y5, neg_y6, neg_qdd6, qdd5, neg_qdd4
-    real(rk) :: neg_qdd3, qdd2, qdd1, t57, t58, t59
+    real(rk) :: neg_lam5_23, t3, lam5_32, neg_lam5_13, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13
+    real(rk) :: t14, t15, t16, t17, nc6_z, neg_lam4_31, neg_a5_y, lam5_21, ww6_zz, t18, t19, t20
+    real(rk) :: t21, t22, t23, t24, t25, n4_x, lam5_11, t26, t27, t28, neg_f3_z, t29, neg_f4_y, t30
+    real(rk) :: lam4_11, neg_f4_x, f3_y, t31, n5_z, neg_n4_y, lam4_13, lam4_23, t32, n4_z, t33
+    real(rk) :: neg_f3_x, t34, t35, t36, n1_z, t37, n2_z, h6_x, t38, neg_h5_x, neg_h5_y, t39, t40
+    real(rk) :: t41, m5_5, t42, neg_k6_xz, t43, t44, t45, t46, t47, t48, m4_4, t49, h6_y, t50, t51
+    real(rk) :: neg_h4_y, neg_k6_yz, t52, t53, k5_xz, t54, neg_h3_x, neg_k5_yz, t55, t56, t57, t58
+    real(rk) :: t59, t60, t61, t62, t63, t64, t65, t66, t67, m1_1, neg_h2_y, k4_yz, m2_4, m1_2
+    real(rk) :: m1_3, m1_4, fu2_x, t68, neg_nu2_y, m1_5, neg_fu5_x, neg_fu4_x, neg_fu5_y, neg_nu5_y
+    real(rk) :: nu5_x, fu4_y, m1_6, neg_m2_2, m2_5, m2_6, neg_y1, ipivot1, l2_1, l3_1, l4_1, l5_1
+    real(rk) :: l6_1, neg_pivot2, neg_ipivot2, ld3_2, neg_l3_2, ld4_2, neg_l4_2, ld5_2, neg_l5_2
+    real(rk) :: ld6_2, neg_l6_2, neg_pivot3, neg_ipivot3, neg_ld4_3, l4_3, ld5_3, neg_l5_3, ld6_3
+    real(rk) :: neg_l6_3, pivot4, ipivot4, neg_ld5_4, neg_l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5
+    real(rk) :: l6_5, pivot6, ipivot6, neg_y2, y3, neg_y4, neg_y5, neg_y6, neg_qdd6, neg_qdd5
+    real(rk) :: neg_qdd4, neg_qdd3, qdd2, qdd1, t69, t70, t71, t72
 
     ! sines and cosines of the joint angles
     s2 = sin(q(2))
@@ -880,26 +857,23 @@ contains
     t3 = 2.0_rk*w5_z
     lam5_32 = neg_lam5_23 - neg_w5_y*t3
     neg_lam5_13 = neg_ww5_zx - alpha5_y
-    t4 = 0.0625396920897071_rk*c6
-    t5 = 0.06483323523282834_rk*s6
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_yz = t4 - t5
-    ! link 6: first moment of the composite body, about the frame's origin [kg m]
-    h6_y = 1.193403445777575_rk*s6 - 1.2174687787169953_rk*c6
-    t6 = 0.0625396920897071_rk*s6
-    ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_xz = t6 + 0.06483323523282834_rk*c6
-    t7 = ww5_xx - ww5_zz
-    t8 = 0.16255029097038232_rk*c6
-    t9 = t4*t8 + 0.3409906449060338_rk
-    t10 = t8*t6
-    t11 = 62.4559348502784_rk*t9 + (t10 - 21.61434818388583_rk)
-    t12 = 18.778467160320414_rk*(t5 + 0.06355169650371038_rk*c6)
-    t13 = t9 - 62.4559348502784_rk*t10
+    t4 = ww5_xx - ww5_zz
+    t5 = 0.0625396920897071_rk*c6
+    t6 = 0.16255029097038232_rk*c6
+    t7 = t5*t6 + 0.3409906449060338_rk
+    t8 = 0.0625396920897071_rk*s6
+    t9 = t6*t8
+    t10 = 62.4559348502784_rk*t7 + (t9 - 21.61434818388583_rk)
+    t11 = 0.06483323523282834_rk*s6
+    t12 = 18.778467160320414_rk*(t11 + 0.06355169650371038_rk*c6)
+    t13 = t7 - 62.4559348502784_rk*t9
     t14 = t13 - 0.6921471349584476_rk
+    t15 = t5 - t11
+    t16 = 1.193403445777575_rk*s6 - 1.2174687787169953_rk*c6
+    t17 = t8 + 0.06483323523282834_rk*c6
     ! link 6: moment that turns the link [N m]
-    nc6_z = t7*t11 - (neg_a4_y*t12 - (neg_lam5_31*t14 + lam5_12*k6_yz)) + (neg_a5_x*h6_y + &
-        lam5_32*neg_k6_xz + neg_lam5_13*t13)
+    nc6_z = t4*t10 - (neg_a4_y*t12 - (neg_lam5_31*t14 + lam5_12*t15)) + (neg_a5_x*t16 + &
+        lam5_32*t17 + neg_lam5_13*t13)
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     neg_lam4_31 = neg_ww4_zx + alpha4_y
     ! link 5: acceleration of the frame's origin, gravity taken off [m/s^2]
@@ -908,188 +882,172 @@ contains
     lam5_21 = ww5_xy + alpha4_y
     ! link 6: products of the angular velocity [1/s^2]
     ww6_zz = w6_z*w6_z
-    t15 = 0.28054187970758354_rk*neg_a5_x + (1.1561689763413345_rk*neg_lam5_13 - &
-        (0.20245111268601115_rk*neg_lam5_31 - (0.13660343902034475_rk*t7 + &
+    t18 = 0.28054187970758354_rk*neg_a5_x + (1.1561689763413345_rk*neg_lam5_13 - &
+        (0.20245111268601115_rk*neg_lam5_31 - (0.13660343902034475_rk*t4 + &
         0.5911078910549018_rk*neg_a4_y))) + 0.23560176217086468_rk*lam5_12
-    t16 = nc6_z + (0.060693211657558095_rk*lam5_32 + t15)
-    t17 = lam5_21 + neg_w5_x*(2.0_rk*qd(6))
-    t18 = ww5_xx - ww6_zz
-    t19 = neg_lam5_23 + qd(6)*t3
-    t20 = h6_y + 0.28054187970758354_rk
-    t21 = 0.13660343902034475_rk*lam5_21 + (neg_a5_y*t20 + (0.17535491873574263_rk*lam5_32 + &
+    t19 = nc6_z + (0.060693211657558095_rk*lam5_32 + t18)
+    t20 = lam5_21 + neg_w5_x*(2.0_rk*qd(6))
+    t21 = ww5_xx - ww6_zz
+    t22 = neg_lam5_23 + qd(6)*t3
+    t23 = t16 + 0.28054187970758354_rk
+    t24 = 0.13660343902034475_rk*lam5_21 + (neg_a5_y*t23 + (0.17535491873574263_rk*lam5_32 + &
         (0.23560176217086468_rk*(neg_lam4_22 - neg_lam5_22) + 0.6468331423588011_rk*neg_a4_y)))
-    t22 = neg_k6_xz + 0.060693211657558095_rk
-    t23 = t11*t17 + (k6_yz*(t7 - t18) + (1.1561689763413345_rk*neg_lam5_23 + (t13*t19 + t21))) - &
-        neg_lam5_31*t22
+    t25 = t10*t20 + (t15*(t4 - t21) + (1.1561689763413345_rk*neg_lam5_23 + (t13*t22 + t24))) - &
+        neg_lam5_31*(t17 + 0.060693211657558095_rk)
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_x = s5*t16 + 0.06784076259315977_rk*neg_lam4_31 + (c5*t23 + &
+    n4_x = s5*t19 + 0.06784076259315977_rk*neg_lam4_31 + (c5*t25 + &
         0.23523950726161555_rk*(neg_lam2_22 - (neg_lam4_22 + &
         0.011289042504553535_rk*neg_lam4_21)))
     ! link 5: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam5_11 = t7 - neg_lam4_22
-    t24 = neg_lam5_22 - t18
-    t25 = -0.5911078910549018_rk*lam5_11 - (0.6468331423588011_rk*lam5_12 + t12*t24) - &
-        neg_lam5_13*t20
-    t26 = 0.6468331423588011_rk*neg_lam5_22 - (0.28054187970758354_rk*neg_lam5_23 + h6_y*t19 - &
-        t12*t17 + 0.5911078910549018_rk*lam5_21)
+    lam5_11 = t4 - neg_lam4_22
+    t26 = neg_lam5_22 - t21
+    t27 = -0.5911078910549018_rk*lam5_11 - (0.6468331423588011_rk*lam5_12 + t12*t26) - &
+        neg_lam5_13*t23
+    t28 = 0.6468331423588011_rk*neg_lam5_22 - (0.28054187970758354_rk*neg_lam5_23 + t16*t22 - &
+        t12*t20 + 0.5911078910549018_rk*lam5_21)
     ! link 3: force through the joint [N]
-    neg_f3_z = 0.22200183325724177_rk*(ww2_xy + 0.05481374553845334_rk*neg_lam2_22) + (s5*t25 + &
-        c5*t26 - 19.732838668844984_rk*a3_z + 0.9022885982543313_rk*neg_lam4_31)
-    t27 = t12 - 0.5911078910549018_rk
+    neg_f3_z = 0.22200183325724177_rk*(ww2_xy + 0.05481374553845334_rk*neg_lam2_22) + (s5*t27 + &
+        c5*t28 - 19.732838668844984_rk*a3_z + 0.9022885982543313_rk*neg_lam4_31)
+    t29 = t12 - 0.5911078910549018_rk
     ! link 4: force through the joint [N]
-    neg_f4_y = h6_y*(t7 + t24) + (0.6468331423588011_rk*lam5_32 + &
+    neg_f4_y = t16*(t4 + t26) + (0.6468331423588011_rk*lam5_32 + &
         (0.9022885982543313_rk*neg_lam4_21 + 0.28054187970758354_rk*neg_lam4_22)) + &
-        neg_lam5_31*t27
-    t28 = ww4_xx - ww4_zz
+        neg_lam5_31*t29
+    t30 = ww4_xx - ww4_zz
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
-    lam4_11 = t28 - neg_lam2_22
+    lam4_11 = t30 - neg_lam2_22
     ! link 4: force through the joint [N]
-    neg_f4_x = s5*t26 - c5*t25 - 0.9022885982543313_rk*lam4_11
+    neg_f4_x = s5*t28 - c5*t27 - 0.9022885982543313_rk*lam4_11
     ! link 3: force through the joint [N]
     f3_y = 0.024337503994465198_rk*neg_ww2_yz - (c4*neg_f4_y + 19.732838668844984_rk*neg_a3_y + &
         (0.44400366651448353_rk*neg_ww3_xy + (0.4516316755890639_rk*ww1_zz + s4*neg_f4_x)))
-    t29 = 0.17535491873574263_rk*lam5_12 - (0.20245111268601115_rk*lam5_21 - (t14*t17 + &
-        (neg_k6_xz*t18 + (0.6468331423588011_rk*neg_a5_x - 0.13660343902034475_rk*neg_lam5_23))))
-    t30 = k6_yz + 0.23560176217086468_rk
+    t31 = 0.17535491873574263_rk*lam5_12 - (0.20245111268601115_rk*lam5_21 - (t14*t20 + (t17*t21 + &
+        (0.6468331423588011_rk*neg_a5_x - 0.13660343902034475_rk*neg_lam5_23))))
     ! link 5: moment through the joint, about the frame's origin [N m]
-    n5_z = t11*t19 - (neg_a5_y*t27 + (0.060693211657558095_rk*(neg_lam5_22 + lam5_11) + t29)) - &
-        neg_lam5_13*t30
+    n5_z = t10*t22 - (neg_a5_y*t29 + (0.060693211657558095_rk*(neg_lam5_22 + lam5_11) + t31)) - &
+        neg_lam5_13*(t15 + 0.23560176217086468_rk)
     ! link 4: moment through the joint, about the frame's origin [N m]
-    neg_n4_y = 0.23523950726161555_rk*lam4_12 + (0.002655628796226608_rk*t28 - &
+    neg_n4_y = 0.23523950726161555_rk*lam4_12 + (0.002655628796226608_rk*t30 - &
         0.3448462092987837_rk*neg_lam4_31 - 0.06784076259315977_rk*lam4_32 - (n5_z - &
         0.9022885982543313_rk*a3_z))
     ! link 4: lambda matrix: takes a position to its acceleration [1/s^2]
     lam4_13 = alpha4_y - neg_ww4_zx
     lam4_23 = ww4_yz - alpha4_x
-    t31 = 0.06784076259315977_rk*(neg_lam4_22 + lam4_11) - s5*t23 - &
+    t32 = 0.06784076259315977_rk*(neg_lam4_22 + lam4_11) - s5*t25 - &
         (0.3448462092987837_rk*neg_lam4_21 + (0.002655628796226608_rk*lam4_23 + &
         0.9022885982543313_rk*neg_a4_y))
     ! link 4: moment through the joint, about the frame's origin [N m]
-    n4_z = c5*t16 + 0.23523950726161555_rk*lam4_13 + t31
-    t32 = 0.012168751997232599_rk*ww2_xy
+    n4_z = c5*t19 + 0.23523950726161555_rk*lam4_13 + t32
+    t33 = 0.012168751997232599_rk*ww2_xy
     ! link 3: force through the joint [N]
-    neg_f3_x = 0.22200183325724177_rk*neg_lam2_11 + (t32 + (c4*neg_f4_x + &
+    neg_f3_x = 0.22200183325724177_rk*neg_lam2_11 + (t33 + (c4*neg_f4_x + &
         19.732838668844984_rk*neg_a3_x)) - s4*neg_f4_y
-    t33 = ww1_zz - neg_lam2_11
-    t34 = 0.1524_rk*neg_f3_x + (n4_z - 0.22200183325724177_rk*neg_a3_y + &
-        12.556178777734242_rk*(t32 + 0.0359688790342758_rk*neg_a3_x) - 0.07388986205514168_rk*t33)
-    t35 = 0.1524_rk*(neg_f3_z + 0.4848416145350504_rk*ww2_xy) - (c4*n4_x + &
+    t34 = ww1_zz - neg_lam2_11
+    t35 = 0.1524_rk*neg_f3_x + (n4_z - 0.22200183325724177_rk*neg_a3_y + &
+        12.556178777734242_rk*(t33 + 0.0359688790342758_rk*neg_a3_x) - 0.07388986205514168_rk*t34)
+    t36 = 0.1524_rk*(neg_f3_z + 0.4848416145350504_rk*ww2_xy) - (c4*n4_x + &
         (0.4516316755890639_rk*a3_z + (0.012168751997232599_rk*neg_a3_y - &
         (0.15279302557916313_rk*t2 + 0.09822440530186452_rk*neg_ww3_xy))))
     ! link 1: moment through the joint, about the frame's origin [N m]
-    n1_z = c2*(t34 - 0.09822440530186452_rk*neg_ww2_yz - 0.248077550893258_rk*neg_ww3_xy) - &
-        s2*(s4*neg_n4_y - (q(3)*f3_y + t35) - 1.2453237337332923_rk*neg_ww2_yz)
-    t36 = q(3)*neg_f3_x + (5.4475438357201735_rk*s2 + (0.49862309142001715_rk*ww2_xy + &
-        (0.04911220265093226_rk*(t2 + t33) + c4*neg_n4_y)))
+    n1_z = c2*(t35 - 0.09822440530186452_rk*neg_ww2_yz - 0.248077550893258_rk*neg_ww3_xy) - &
+        s2*(s4*neg_n4_y - (q(3)*f3_y + t36) - 1.2453237337332923_rk*neg_ww2_yz)
+    t37 = q(3)*neg_f3_x + (5.4475438357201735_rk*s2 + (0.49862309142001715_rk*ww2_xy + &
+        (0.04911220265093226_rk*(t2 + t34) + c4*neg_n4_y)))
     ! link 2: moment through the joint, about the frame's origin [N m]
-    n2_z = s4*n4_x - 1.4591749065920876_rk*c2 - (t36 + 0.012168751997232599_rk*neg_a3_x) - &
+    n2_z = s4*n4_x - 1.4591749065920876_rk*c2 - (t37 + 0.012168751997232599_rk*neg_a3_x) - &
         0.22200183325724177_rk*a3_z
     ! link 6: first moment of the composite body, about the frame's origin [kg m]
     h6_x = 1.193403445777575_rk*c6 + 1.2174687787169953_rk*s6
-    t37 = c6*c6
-    t38 = c6*s6
-    ! link 6: second moment of the composite body [kg m^2]
-    neg_k6_xy = 0.31745868108016423_rk*(2.0_rk*t37 - 1.0_rk) + 0.010165845146380005_rk*t38
-    ! link 5: force for a unit acceleration of a joint further out
-    neg_fu5_x = c5*h6_y
-    neg_fu5_y = s5*h6_y
-    ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.6921471349584476_rk*s5 + c5*neg_k6_xz
-    nu5_y = s5*neg_k6_xz - 0.6921471349584476_rk*c5
-    ! link 4: force for a unit acceleration of a joint further out
-    neg_fu4_x = c4*neg_fu5_x + s4*h6_x
-    neg_fu4_y = s4*neg_fu5_x - c4*h6_x
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x = c4*nu5_x + s4*k6_yz
-    nu4_y = s4*nu5_x - c4*k6_yz
-    ! link 2: mass matrix, its row of this joint
-    m2_6 = nu4_y - q(3)*neg_fu4_x
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x = s2*neg_fu5_y - c2*neg_fu4_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y = s2*(nu4_x + q(3)*neg_fu4_y) + c2*nu5_y
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_6 = nu2_y + 0.1524_rk*fu2_x
-    t39 = 0.010165845146380005_rk*t37 - 0.6349173621603285_rk*t38
-    ! link 5: mass matrix, its row of this joint
-    neg_m5_5 = t39 - 0.7289625214741676_rk
-    t40 = 0.5911078910549018_rk - h6_x
+    t38 = 0.5911078910549018_rk - h6_x
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_x = c5*t40 - 0.6468331423588011_rk*s5
-    neg_h5_y = 0.6468331423588011_rk*c5 + s5*t40
-    t41 = c5*c5
-    t42 = t39 - 0.37825268400268236_rk
-    t43 = c5*s5
-    t44 = t41*t42 + t22*(2.0_rk*t43)
-    ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t44 - (t39 - 0.553607602738425_rk)
-    neg_k5_xy = t42*t43 + t22*(1.0_rk - 2.0_rk*t41)
-    t45 = neg_k6_xy + 0.13660343902034475_rk
-    neg_k5_xz = c5*t45 - s5*t30
-    neg_k5_yz = s5*t45 + c5*t30
-    ! link 4: force for a unit acceleration of a joint further out
-    fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_x_2 = s4*neg_m5_5 + c4*neg_k5_xz
-    neg_nu4_y = c4*neg_m5_5 - s4*neg_k5_xz
-    ! link 2: mass matrix, its row of this joint
-    neg_m2_5 = neg_nu4_y - q(3)*fu4_x
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_2 = c2*fu4_x + s2*neg_h5_x
-    ! link 2: moment for a unit acceleration of a joint further out
-    nu2_y_2 = s2*(nu4_x_2 - q(3)*fu4_y) + c2*neg_k5_yz
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_5 = nu2_y_2 + 0.1524_rk*fu2_x_2
+    neg_h5_x = c5*t38 - 0.6468331423588011_rk*s5
+    neg_h5_y = s5*t38 + 0.6468331423588011_rk*c5
+    t39 = 0.6349173621603285_rk*c6
+    t40 = s6*t39
+    t41 = c6*t39 - 0.1808552420598195_rk
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = t40 + 0.7260667959919797_rk - 0.01601128863729661_rk*t41
+    t42 = 0.05432633487209812_rk*h6_x
+    ! link 6: second moment of the composite body [kg m^2]
+    neg_k6_xz = t42 - 0.003600924479196722_rk*s6
+    t43 = c5*c5
+    t44 = m5_5 - 0.35070983747148526_rk
+    t45 = c5*s5
+    t46 = neg_k6_xz + (neg_k6_xz + 0.12138642331511619_rk)
+    t47 = t43*t44 - (t45*t46 - 3.589792571474863_rk)
+    t48 = m5_5 + 0.8434693007188008_rk
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t39 - t44 + 2.017360749281895_rk
-    t46 = neg_h5_x - 0.9022885982543313_rk
+    m4_4 = t47 - t48
+    t49 = 0.1286340586837634_rk*c6
+    ! link 6: first moment of the composite body, about the frame's origin [kg m]
+    h6_y = 19.08233644747969_rk*(neg_k6_xz - t49)
+    t50 = neg_h5_x - 0.9022885982543313_rk
+    t51 = 0.28054187970758354_rk + h6_y
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    neg_h4_x = c4*t46 + s4*t20
-    neg_h4_y = s4*t46 - c4*t20
-    t47 = c4*c4
-    t48 = t39 + t44 + 0.976958493212842_rk
-    t49 = neg_k5_xz + 0.06784076259315977_rk
-    t50 = c4*s4
-    t51 = t47*t48 - t49*(2.0_rk*t50)
+    neg_h4_y = s4*t50 - c4*t51
+    ! link 6: second moment of the composite body [kg m^2]
+    neg_k6_yz = 0.9802333058883194_rk*(t42 - t49)
+    t52 = 0.23560176217086468_rk - neg_k6_yz
+    t53 = t41 + 0.01601128863729661_rk*t40
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_xz = s5*t52 - c5*t53
+    t54 = c4*t50 + (s4*t51 - 0.3708972318890874_rk)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    neg_h3_x = t54 + 0.14889539863184567_rk
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_yz = c5*t52 + s5*t53
+    t55 = 0.1524_rk*neg_h4_y
+    t56 = m4_4 - t55
+    t57 = 19.732838668844984_rk*q(3) + (neg_h5_y + 0.5680405719686789_rk)
+    t58 = q(3)*neg_h5_y
+    t59 = m4_4 - q(3)*(t57 - 0.5437030679742136_rk) - t58
+    t60 = c4*c4
+    t61 = t47 + (m5_5 - 5.295713586161873_rk)
+    t62 = c4*s4
+    t63 = k5_xz + (k5_xz - 0.13568152518631954_rk)
+    t64 = t48 - t60*t61 + t62*t63
+    t65 = t46*(t43 - 0.5_rk) + (t44*t45 + 0.002655628796226608_rk)
+    t66 = neg_k5_yz - 0.23523950726161555_rk
+    t67 = c4*t65 + q(3)*neg_h3_x + s4*t66
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t56 - (s2*(s2*(t59 - t64) + c2*(t67 + (t67 + 0.09822440530186452_rk))) + (t55 - &
+        1.8329821847328702_rk))
+    ! link 2: first moment of the composite body, about the frame's origin [kg m]
+    neg_h2_y = s2*t54 + c2*t57
     ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t39 + 1.4971596212473683_rk - t51
-    k4_yy = t51 - (t44 - 0.5202011280345263_rk)
-    k4_xy = t49*(1.0_rk - 2.0_rk*t47) - t48*t50
-    t52 = neg_k5_xy - 0.002655628796226608_rk
-    t53 = neg_k5_yz - 0.23523950726161555_rk
-    k4_xz = c4*t52 - s4*t53
-    k4_yz = s4*t52 + c4*t53
+    k4_yz = c4*t66 - s4*t65
     ! link 2: mass matrix, its row of this joint
     m2_4 = q(3)*neg_h4_y - k4_yz
-    ! link 2: force for a unit acceleration of a joint further out
-    fu2_x_3 = c2*neg_h4_y
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = s2*(k4_xz - q(3)*neg_h4_x) + c2*m4_4
     ! link 1: mass matrix, its row of this joint
-    m1_4 = neg_nu2_y - 0.1524_rk*fu2_x_3
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    neg_h3_x = neg_h4_x - 0.22200183325724177_rk
-    neg_h3_y = neg_h4_y - 0.4516316755890639_rk
-    h3_z = neg_h5_y + 0.012168751997232599_rk
-    ! link 1: mass matrix, its row of this joint
+    m1_2 = c2*(m2_4 - 0.06807816021551473_rk - 0.4516316755890639_rk*q(3)) + (s2*(t63*(t60 - &
+        0.5_rk) + (t61*t62 + 0.0511982033036484_rk)) - 0.1524_rk*neg_h2_y)
     m1_3 = s2*(neg_h4_y - 3.45891628872104_rk)
-    t54 = 19.732838668844984_rk*q(3)
-    t55 = k5_yy + q(3)*(t54 + 2.0_rk*h3_z)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = k4_xx + t55 + 0.7467006423132752_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = s2*(neg_h4_x - 0.3708972318890874_rk) + c2*(h3_z + t54 + 0.5558718199714463_rk)
-    t56 = c2*c2*(k4_xx - t55 - 0.49862309142001715_rk) + (k4_xz - q(3)*neg_h3_x - &
-        0.04911220265093226_rk)*(2.0_rk*(s2*c2))
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t55 + 0.6226618668666462_rk + t56
-    k2_yz = s2*(k4_xy + 0.0511982033036484_rk) - c2*(k4_yz - q(3)*neg_h3_y + &
-        0.06807816021551473_rk)
+    m1_4 = c2*t56 - s2*(t67 + 0.22200183325724177_rk*q(3))
+    ! link 2: force for a unit acceleration of a joint further out
+    fu2_x = s2*neg_h5_x + neg_h5_y*(c2*c4)
+    t68 = m5_5 + t58
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = s2*(c4*k5_xz + s4*t68) - c2*neg_k5_yz
     ! link 1: mass matrix, its row of this joint
-    m1_2 = k2_yz - 0.1524_rk*neg_h2_y
-    m1_1 = k2_xx + (k4_yy - 0.1524_rk*(2.0_rk*neg_h3_y - 3.0072846131319757_rk)) + &
-        1.1129758995253813_rk
+    m1_5 = neg_nu2_y - 0.1524_rk*fu2_x
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_x = c5*h6_y
+    ! link 4: force for a unit acceleration of a joint further out
+    neg_fu4_x = s4*h6_x + c4*neg_fu5_x
+    ! link 5: force for a unit acceleration of a joint further out
+    neg_fu5_y = s5*h6_y
+    ! link 5: moment for a unit acceleration of a joint further out
+    neg_nu5_y = 0.6921471349584476_rk*c5 - s5*neg_k6_xz
+    nu5_x = 0.6921471349584476_rk*s5 + c5*neg_k6_xz
+    ! link 4: force for a unit acceleration of a joint further out
+    fu4_y = c4*h6_x - s4*neg_fu5_x
+    ! link 1: mass matrix, its row of this joint
+    m1_6 = 0.1524_rk*(c2*neg_fu4_x - s2*neg_fu5_y) + (c2*neg_nu5_y - s2*(c4*nu5_x - (s4*neg_k6_yz &
+        + q(3)*fu4_y)))
+    ! link 2: mass matrix, its row of this joint
+    neg_m2_2 = t59 + (t64 - 6.387260437773931_rk)
+    m2_5 = c4*t68 - s4*k5_xz
+    m2_6 = s4*nu5_x - q(3)*neg_fu4_x + c4*neg_k6_yz
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
@@ -1097,72 +1055,73 @@ contains
     l2_1 = m1_2*ipivot1
     l3_1 = m1_3*ipivot1
     l4_1 = m1_4*ipivot1
-    neg_l5_1 = neg_m1_5*ipivot1
-    neg_l6_1 = neg_m1_6*ipivot1
-    pivot2 = m2_2 - m1_2*l2_1
-    ipivot2 = 1.0_rk / pivot2
+    l5_1 = m1_5*ipivot1
+    l6_1 = m1_6*ipivot1
+    neg_pivot2 = neg_m2_2 + m1_2*l2_1
+    neg_ipivot2 = 1.0_rk / neg_pivot2
     ld3_2 = neg_h3_x - m1_2*l3_1
-    l3_2 = ipivot2*ld3_2
-    neg_ld4_2 = m1_2*l4_1 - m2_4
-    neg_l4_2 = ipivot2*neg_ld4_2
-    neg_ld5_2 = neg_m2_5 - m1_2*neg_l5_1
-    neg_l5_2 = ipivot2*neg_ld5_2
-    ld6_2 = m2_6 + m1_2*neg_l6_1
-    l6_2 = ipivot2*ld6_2
-    neg_pivot3 = m1_3*l3_1 - 19.732838668844984_rk + ld3_2*l3_2
+    neg_l3_2 = neg_ipivot2*ld3_2
+    ld4_2 = m2_4 - m1_2*l4_1
+    neg_l4_2 = neg_ipivot2*ld4_2
+    ld5_2 = m2_5 - m1_2*l5_1
+    neg_l5_2 = neg_ipivot2*ld5_2
+    ld6_2 = m2_6 - m1_2*l6_1
+    neg_l6_2 = neg_ipivot2*ld6_2
+    neg_pivot3 = m1_3*l3_1 - 19.732838668844984_rk - ld3_2*neg_l3_2
     neg_ipivot3 = 1.0_rk / neg_pivot3
     neg_ld4_3 = m1_3*l4_1 - ld3_2*neg_l4_2
     l4_3 = neg_ipivot3*neg_ld4_3
-    ld5_3 = neg_h5_x + m1_3*neg_l5_1 + ld3_2*neg_l5_2
+    ld5_3 = neg_h5_x - m1_3*l5_1 + ld3_2*neg_l5_2
     neg_l5_3 = neg_ipivot3*ld5_3
-    ld6_3 = neg_fu5_y + m1_3*neg_l6_1 - ld3_2*l6_2
+    ld6_3 = neg_fu5_y - m1_3*l6_1 + ld3_2*neg_l6_2
     neg_l6_3 = neg_ipivot3*ld6_3
-    pivot4 = m4_4 - m1_4*l4_1 - neg_ld4_2*neg_l4_2 + neg_ld4_3*l4_3
+    pivot4 = m4_4 - m1_4*l4_1 + ld4_2*neg_l4_2 + neg_ld4_3*l4_3
     ipivot4 = 1.0_rk / pivot4
-    neg_ld5_4 = neg_k5_yz - m1_4*neg_l5_1 + neg_ld4_2*neg_l5_2 + neg_ld4_3*neg_l5_3
+    neg_ld5_4 = neg_k5_yz + m1_4*l5_1 - ld4_2*neg_l5_2 + neg_ld4_3*neg_l5_3
     neg_l5_4 = ipivot4*neg_ld5_4
-    neg_ld6_4 = nu5_y - m1_4*neg_l6_1 - neg_ld4_2*l6_2 + neg_ld4_3*neg_l6_3
-    neg_l6_4 = ipivot4*neg_ld6_4
-    neg_pivot5 = neg_m5_5 + neg_m1_5*neg_l5_1 + neg_ld5_2*neg_l5_2 - ld5_3*neg_l5_3 + &
-        neg_ld5_4*neg_l5_4
-    neg_ipivot5 = 1.0_rk / neg_pivot5
-    neg_ld6_5 = k6_yz + neg_m1_5*neg_l6_1 - neg_ld5_2*l6_2 - ld5_3*neg_l6_3 + neg_ld5_4*neg_l6_4
-    l6_5 = neg_ipivot5*neg_ld6_5
-    pivot6 = 0.6921471349584476_rk - neg_m1_6*neg_l6_1 - ld6_2*l6_2 + ld6_3*neg_l6_3 - &
-        neg_ld6_4*neg_l6_4 + neg_ld6_5*l6_5
+    ld6_4 = neg_nu5_y - m1_4*l6_1 + ld4_2*neg_l6_2 - neg_ld4_3*neg_l6_3
+    l6_4 = ipivot4*ld6_4
+    pivot5 = m5_5 - m1_5*l5_1 + ld5_2*neg_l5_2 + ld5_3*neg_l5_3 - neg_ld5_4*neg_l5_4
+    ipivot5 = 1.0_rk / pivot5
+    ld6_5 = neg_k6_yz - m1_5*l6_1 + ld5_2*neg_l6_2 + ld5_3*neg_l6_3 + neg_ld5_4*l6_4
+    l6_5 = ipivot5*ld6_5
+    pivot6 = 0.6921471349584476_rk - m1_6*l6_1 + ld6_2*neg_l6_2 + ld6_3*neg_l6_3 - ld6_4*l6_4 - &
+        ld6_5*l6_5
     ipivot6 = 1.0_rk / pivot6
     ! link 2: forward substitution
     neg_y2 = n2_z - tau(2) - neg_y1*l2_1
     ! link 3: forward substitution
-    y3 = neg_f3_z + tau(3) + neg_y1*l3_1 + l3_2*neg_y2
+    y3 = neg_f3_z + tau(3) + neg_y1*l3_1 - neg_l3_2*neg_y2
     ! link 4: forward substitution
     neg_y4 = n4_z - tau(4) - neg_y1*l4_1 + neg_l4_2*neg_y2 + l4_3*y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) + neg_y1*neg_l5_1 + neg_l5_2*neg_y2 - neg_l5_3*y3 + neg_l5_4*neg_y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - neg_l5_3*y3 + neg_l5_4*neg_y4
     ! link 6: forward substitution
-    neg_y6 = nc6_z - tau(6) + neg_y1*neg_l6_1 - l6_2*neg_y2 - neg_l6_3*y3 + neg_l6_4*neg_y4 - &
+    neg_y6 = nc6_z - tau(6) - neg_y1*l6_1 + neg_l6_2*neg_y2 - neg_l6_3*y3 - l6_4*neg_y4 - &
         l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     neg_qdd6 = ipivot6*neg_y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd5 = neg_ipivot5*neg_y5 + l6_5*neg_qdd6
+    neg_qdd5 = ipivot5*neg_y5 - l6_5*neg_qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd4 = ipivot4*neg_y4 - neg_l5_4*qdd5 + neg_l6_4*neg_qdd6
+    neg_qdd4 = ipivot4*neg_y4 + neg_l5_4*neg_qdd5 - l6_4*neg_qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = neg_ipivot3*y3 - l4_3*neg_qdd4 - neg_l5_3*qdd5 + neg_l6_3*neg_qdd6
+    neg_qdd3 = neg_ipivot3*y3 - l4_3*neg_qdd4 + neg_l5_3*neg_qdd5 + neg_l6_3*neg_qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - l3_2*neg_qdd3 + neg_l4_2*neg_qdd4 - neg_l5_2*qdd5)
+    qdd2 = neg_ipivot2*neg_y2 - neg_l3_2*neg_qdd3 - neg_l4_2*neg_qdd4 - neg_l5_2*neg_qdd5 - &
+        neg_l6_2*neg_qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3 - l4_1*neg_qdd4 - &
-        neg_l5_1*qdd5)
-    t57 = -neg_qdd3
-    t58 = -neg_qdd4
-    t59 = -neg_qdd6
+    qdd1 = l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3 - l4_1*neg_qdd4 - &
+        l5_1*neg_qdd5)
+    t69 = -neg_qdd3
+    t70 = -neg_qdd4
+    t71 = -neg_qdd5
+    t72 = -neg_qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = t57
-    qdd(4) = t58
-    qdd(5) = qdd5
-    qdd(6) = t59
+    qdd(3) = t69
+    qdd(4) = t70
+    qdd(5) = t71
+    qdd(6) = t72
   end subroutine
 end module

@@ -14,15 +14,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 200 multiplications, 188 additions = 388; 1 unary minus; 8 sine/cosine
  *   gravity: 39 multiplications, 21 additions = 60; 1 unary minus; 8 sine/cosine
  *   bias: 184 multiplications, 164 additions = 348; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 105 multiplications, 92 additions = 197; 9 unary minus; 8 sine/cosine
- *   forward_dynamics: 369 multiplications, 320 additions, 6 divisions = 695; 4 unary minus; 8
+ *   mass_matrix: 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine
+ *   forward_dynamics: 360 multiplications, 318 additions, 6 divisions = 684; 4 unary minus; 8
  *       sine/cosine
  */
 #ifndef STANFORD_FULL_H

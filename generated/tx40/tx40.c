@@ -17,12 +17,14 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias the best program known for these parameters, equal to the recursion
  *   without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 161 multiplications, 152 additions = 313; 0 unary minus; 8 sine/cosine
  *   gravity: 26 multiplications, 15 additions = 41; 0 unary minus; 8 sine/cosine
  *   bias: 145 multiplications, 129 additions = 274; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 88 multiplications, 77 additions = 165; 0 unary minus; 8 sine/cosine
+ *   mass_matrix: 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine
  */
 #include "tx40.h"
 
@@ -425,7 +427,7 @@ void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 88 multiplications, 77 additions = 165; 0 unary minus; 8 sine/cosine */
+ * 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine */
 void tx40_mass_matrix(const tx40_real q[6], tx40_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -443,97 +445,79 @@ void tx40_mass_matrix(const tx40_real q[6], tx40_real M[36])
     const tx40_real s23 = sin(angle23);
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
     const tx40_real h5_x = 0.01146*s5 - 0.00408*c5;
-    const tx40_real neg_h5_y = 0.00408*s5 + 0.01146*c5;
-    const tx40_real t1 = c5*c5;
-    const tx40_real t2 = c5*s5;
-    const tx40_real t3 = 0.00034566*t1 + 2.448e-05*t2;
+    const tx40_real t1 = 3.06e-06*s5;
     /* link 5: second moment of the composite body [kg m^2] */
-    const tx40_real k5_yy = t3 + 0.00051632;
-    const tx40_real k5_xy = 1.224e-05*(2.0*t1 - 1.0) - 0.00034566*t2;
-    const tx40_real k5_xz = 4.08e-06*c5 - 3.06e-06*s5;
-    const tx40_real k5_yz = 4.08e-06*s5 + 3.06e-06*c5;
+    const tx40_real k5_xz = 4.08e-06*c5 - t1;
+    const tx40_real t2 = h5_x - 0.01448;
+    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
+    const tx40_real h4_x = c4*t2 - 0.00622*s4;
+    const tx40_real h4_y = s4*t2 + 0.00622*c4;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const tx40_real k5_yz = 1.3333333333333333*(t1 + 2.295e-06*c5);
+    const tx40_real t3 = 2.448e-05*c5;
+    const tx40_real t4 = s5*t3;
+    const tx40_real t5 = c5*t3;
+    const tx40_real t6 = t4 + 0.1781184 + 14.120098039215685*t5;
+    /* link 4: mass matrix, its row of this joint */
+    const tx40_real m4_4 = 0.1835538 - t6;
+    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
+    const tx40_real neg_h5_y = 1988.235294117647*(k5_yz + 0.6627218934911243*k5_xz);
+    const tx40_real t7 = t5 - (14.120098039215685*t4 + 0.0025616);
+    const tx40_real t8 = 0.225*h4_x;
+    const tx40_real t9 = k5_yz + 0.00077468;
+    const tx40_real t10 = c4*t7 - (t8 + s4*t9);
+    const tx40_real t11 = 0.035*h4_y;
+    const tx40_real t12 = t11 + m4_4;
+    const tx40_real t13 = 0.225*c2;
+    const tx40_real t14 = s23*t13;
+    const tx40_real t15 = neg_h5_y + 0.67724;
+    const tx40_real t16 = h4_x + 0.03256;
+    const tx40_real t17 = c23*t13;
+    const tx40_real t18 = t14*t15 + t16*t17;
+    const tx40_real t19 = c23*s23*(t10 + 0.00019536) - (0.0007848*(c2*(s2 + 296.14293450560655*c2))
+        + (t12 + t18));
+    const tx40_real t20 = c4*k5_xz;
+    const tx40_real t21 = s4*(t6 - 0.1775228) - (t20 + (t20 - 5.792e-05*c4));
+    const tx40_real t22 = t6 - 0.18279878 - s4*t21;
+    const tx40_real t23 = 0.45*t15 + (t6 - 0.35654618);
+    /* link 1: mass matrix, its row of this joint */
+    const tx40_real m1_1 = t6 - t19 - (t19 - s23*(s23*(t22 + t23)));
+    /* link 3: mass matrix, its row of this joint */
+    const tx40_real m3_4 = c4*t9 - (0.225*h4_y - s4*t7);
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const tx40_real h3_y = s23*t16 - c23*t15;
+    const tx40_real t24 = 0.035*h3_y;
+    /* link 2: moment for a unit acceleration of a joint further out */
+    const tx40_real neg_nu2_y = c23*(m3_4 + 0.00200122) + (t24 - s23*(k5_xz + (c4*t21 -
+        0.00236392)));
+    const tx40_real t25 = 6.428571428571429*s2;
+    const tx40_real t26 = t11*t25;
+    /* link 2: second moment of the composite body [kg m^2] */
+    const tx40_real k2_yz = 0.1602936*s2 + t26 + (0.0010352*c2 + neg_nu2_y);
     /* link 4: force for a unit acceleration of a joint further out */
     const tx40_real fu4_x = c4*neg_h5_y;
-    const tx40_real fu4_y = s4*neg_h5_y;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const tx40_real neg_nu4_x = c4*k5_xz + 0.0013783*s4;
-    const tx40_real nu4_y = 0.0013783*c4 - s4*k5_xz;
-    /* link 3: mass matrix, its row of this joint */
-    const tx40_real m3_5 = nu4_y + 0.225*fu4_x;
     /* link 3: force for a unit acceleration of a joint further out */
     const tx40_real fu3_x = c23*fu4_x - s23*h5_x;
-    const tx40_real fu3_y = s23*fu4_x + c23*h5_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const tx40_real neg_nu3_y = s23*(neg_nu4_x + 0.225*fu4_y) + c23*k5_yz;
-    const tx40_real t4 = 0.225*c2;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const tx40_real neg_nu2_y = neg_nu3_y + (t4*fu4_y - 0.035*fu3_x);
-    const tx40_real t5 = 0.225*s2;
-    /* link 2: mass matrix, its row of this joint */
-    const tx40_real m2_5 = m3_5 + (t4*fu3_y - t5*fu3_x);
-    /* link 4: mass matrix, its row of this joint */
-    const tx40_real m4_4 = 0.0054354 - t3;
-    const tx40_real t6 = 0.01448 - h5_x;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const tx40_real neg_h4_x = c4*t6 + 0.00622*s4;
-    const tx40_real neg_h4_y = s4*t6 - 0.00622*c4;
-    const tx40_real t7 = c4*c4;
-    const tx40_real t8 = t3 + 0.0005956;
-    const tx40_real t9 = k5_xz - 2.896e-05;
-    const tx40_real t10 = c4*s4;
-    const tx40_real t11 = t7*t8 + t9*(2.0*t10);
-    /* link 4: second moment of the composite body [kg m^2] */
-    const tx40_real k4_yy = t11 - (t3 - 0.0024199);
-    const tx40_real neg_k4_xy = t8*t10 + t9*(1.0 - 2.0*t7);
-    const tx40_real t12 = 0.00254936 - k5_xy;
-    const tx40_real t13 = k5_yz + 0.00077468;
-    const tx40_real k4_xz = c4*t12 + s4*t13;
-    const tx40_real k4_yz = s4*t12 - c4*t13;
     /* link 3: mass matrix, its row of this joint */
-    const tx40_real m3_4 = 0.225*neg_h4_y - k4_yz;
-    /* link 3: force for a unit acceleration of a joint further out */
-    const tx40_real fu3_x_2 = c23*neg_h4_y;
-    const tx40_real fu3_y_2 = s23*neg_h4_y;
-    const tx40_real t14 = k4_xz - 0.225*neg_h4_x;
-    /* link 3: moment for a unit acceleration of a joint further out */
-    const tx40_real neg_nu3_y_2 = s23*t14 + c23*m4_4;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const tx40_real neg_nu2_y_2 = neg_nu3_y_2 + (-0.035*fu3_x_2 - t4*neg_h4_x);
+    const tx40_real m3_3 = t23 - t22;
+    const tx40_real t27 = t18 + t25*t24;
     /* link 2: mass matrix, its row of this joint */
-    const tx40_real m2_4 = m3_4 + (t4*fu3_y_2 - t5*fu3_x_2);
-    const tx40_real t15 = k5_yy + 0.45*neg_h5_y;
+    const tx40_real m2_3 = m3_3 + t27;
+    const tx40_real m2_2 = m2_3 + (t27 + 0.53385475);
+    const tx40_real m2_4 = m3_4 + c23*t26 - h4_y*t14;
+    const tx40_real t28 = 0.225*t15 - 0.1510007;
     /* link 3: mass matrix, its row of this joint */
-    const tx40_real m3_3 = 0.13108988 - (t11 - t15);
-    const tx40_real t16 = neg_h5_y + 0.67724;
-    const tx40_real t17 = neg_h4_x - 0.03256;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const tx40_real h3_x = s23*t16 - c23*t17;
-    const tx40_real neg_h3_y = s23*t17 + c23*t16;
-    const tx40_real t18 = c23*c23*(t11 + t15 + 0.12053792) - (t14 - 0.00019536)*(2.0*(c23*s23));
-    /* link 3: second moment of the composite body [kg m^2] */
-    const tx40_real k3_xx = t15 + 0.1258139 - t18;
-    const tx40_real k3_yy = t18 - (t11 - 0.00527598);
-    const tx40_real k3_yz = s23*(0.00233496 - neg_k4_xy) + c23*(m3_4 + 0.00200122);
-    const tx40_real t19 = 0.035*neg_h3_y;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const tx40_real neg_nu2_y_3 = k3_yz - t19;
+    const tx40_real m3_5 = c4*t28 - s4*k5_xz;
+    const tx40_real t29 = -0.035*fu3_x;
     /* link 2: mass matrix, its row of this joint */
-    const tx40_real m2_3 = m3_3 - (t5*neg_h3_y - t4*h3_x);
-    /* link 2: second moment of the composite body [kg m^2] */
-    const tx40_real k2_zz = k4_yy - 0.07*neg_h4_y;
-    const tx40_real t20 = k3_xx - t4*(-2.0*h3_x);
-    /* link 2: mass matrix, its row of this joint */
-    const tx40_real m2_2 = t20 - (t5*(2.0*neg_h3_y) - k3_yy) + 0.53385475;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const tx40_real k2_xx = t20 + (0.46482595*(c2*c2) + 0.0015696*(c2*s2) + 0.0345144);
-    const tx40_real k2_yz = 0.1602936*s2 + 0.0010352*c2 - (t19 - (k3_yz - t5*neg_h4_y));
-    /* link 1: mass matrix, its row of this joint */
-    const tx40_real m1_1 = k2_zz + k2_xx + 0.14677892;
+    const tx40_real m2_5 = t14*fu4_x + m3_5 + h5_x*t17 + t25*t29;
+    const tx40_real t30 = c23*t12 - s23*t10 + c2*t8;
+    const tx40_real t31 = c23*k5_yz + (neg_h5_y*(s4*t13) + (t29 + s23*(t20 + s4*t28)));
     M[0] = m1_1;
     M[1] = k2_yz;
-    M[2] = neg_nu2_y_3;
-    M[3] = neg_nu2_y_2;
-    M[4] = neg_nu2_y;
+    M[2] = neg_nu2_y;
+    M[3] = t30;
+    M[4] = t31;
     M[5] = 0.0;
     M[6] = k2_yz;
     M[7] = m2_2;
@@ -541,19 +525,19 @@ void tx40_mass_matrix(const tx40_real q[6], tx40_real M[36])
     M[9] = m2_4;
     M[10] = m2_5;
     M[11] = 0.0;
-    M[12] = neg_nu2_y_3;
+    M[12] = neg_nu2_y;
     M[13] = m2_3;
     M[14] = m3_3;
     M[15] = m3_4;
     M[16] = m3_5;
     M[17] = 0.0;
-    M[18] = neg_nu2_y_2;
+    M[18] = t30;
     M[19] = m2_4;
     M[20] = m3_4;
     M[21] = m4_4;
     M[22] = k5_yz;
     M[23] = 0.0;
-    M[24] = neg_nu2_y;
+    M[24] = t31;
     M[25] = m2_5;
     M[26] = m3_5;
     M[27] = k5_yz;

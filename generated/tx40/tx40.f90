@@ -16,12 +16,14 @@
 !   makes no difference is moved to its parent.
 ! Of inverse_dynamics, bias the best program known for these parameters, equal to the recursion
 !   without being written like it: robodyn --optimize full, seed 3.
+! Of mass_matrix the best program known for these parameters, equal to the recursion without being
+!   written like it: robodyn --optimize full, seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 161 multiplications, 152 additions = 313; 0 unary minus; 8 sine/cosine
 !   gravity: 26 multiplications, 15 additions = 41; 0 unary minus; 8 sine/cosine
 !   bias: 145 multiplications, 129 additions = 274; 0 unary minus; 8 sine/cosine
-!   mass_matrix: 88 multiplications, 77 additions = 165; 0 unary minus; 8 sine/cosine
+!   mass_matrix: 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine
 module tx40_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
   implicit none
@@ -448,17 +450,15 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 88 multiplications, 77 additions = 165; 0 unary minus; 8 sine/cosine
+  ! 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine
   pure subroutine tx40_mass_matrix(q, M) &
       bind(c, name="tx40_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, h5_x, neg_h5_y, t1, t2, t3, k5_yy, k5_xy
-    real(rk) :: k5_xz, k5_yz, fu4_x, fu4_y, neg_nu4_x, nu4_y, m3_5, fu3_x, fu3_y, neg_nu3_y, t4
-    real(rk) :: neg_nu2_y, t5, m2_5, m4_4, t6, neg_h4_x, neg_h4_y, t7, t8, t9, t10, t11, k4_yy
-    real(rk) :: neg_k4_xy, t12, t13, k4_xz, k4_yz, m3_4, fu3_x_2, fu3_y_2, t14, neg_nu3_y_2
-    real(rk) :: neg_nu2_y_2, m2_4, t15, m3_3, t16, t17, h3_x, neg_h3_y, t18, k3_xx, k3_yy, k3_yz
-    real(rk) :: t19, neg_nu2_y_3, m2_3, k2_zz, t20, m2_2, k2_xx, k2_yz, m1_1
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, h5_x, t1, k5_xz, t2, h4_x, h4_y, k5_yz
+    real(rk) :: t3, t4, t5, t6, m4_4, neg_h5_y, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17
+    real(rk) :: t18, t19, t20, t21, t22, t23, m1_1, m3_4, h3_y, t24, neg_nu2_y, t25, t26, k2_yz
+    real(rk) :: fu4_x, fu3_x, m3_3, t27, m2_3, m2_2, m2_4, t28, m3_5, t29, m2_5, t30, t31
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -472,97 +472,78 @@ contains
     s23 = sin(angle23)
     ! link 5: first moment of the composite body, about the frame's origin [kg m]
     h5_x = 0.01146_rk*s5 - 0.00408_rk*c5
-    neg_h5_y = 0.00408_rk*s5 + 0.01146_rk*c5
-    t1 = c5*c5
-    t2 = c5*s5
-    t3 = 0.00034566_rk*t1 + 2.448e-05_rk*t2
+    t1 = 3.06e-06_rk*s5
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t3 + 0.00051632_rk
-    k5_xy = 1.224e-05_rk*(2.0_rk*t1 - 1.0_rk) - 0.00034566_rk*t2
-    k5_xz = 4.08e-06_rk*c5 - 3.06e-06_rk*s5
-    k5_yz = 4.08e-06_rk*s5 + 3.06e-06_rk*c5
+    k5_xz = 4.08e-06_rk*c5 - t1
+    t2 = h5_x - 0.01448_rk
+    ! link 4: first moment of the composite body, about the frame's origin [kg m]
+    h4_x = c4*t2 - 0.00622_rk*s4
+    h4_y = s4*t2 + 0.00622_rk*c4
+    ! link 5: second moment of the composite body [kg m^2]
+    k5_yz = 1.3333333333333333_rk*(t1 + 2.295e-06_rk*c5)
+    t3 = 2.448e-05_rk*c5
+    t4 = s5*t3
+    t5 = c5*t3
+    t6 = t4 + 0.1781184_rk + 14.120098039215685_rk*t5
+    ! link 4: mass matrix, its row of this joint
+    m4_4 = 0.1835538_rk - t6
+    ! link 5: first moment of the composite body, about the frame's origin [kg m]
+    neg_h5_y = 1988.235294117647_rk*(k5_yz + 0.6627218934911243_rk*k5_xz)
+    t7 = t5 - (14.120098039215685_rk*t4 + 0.0025616_rk)
+    t8 = 0.225_rk*h4_x
+    t9 = k5_yz + 0.00077468_rk
+    t10 = c4*t7 - (t8 + s4*t9)
+    t11 = 0.035_rk*h4_y
+    t12 = t11 + m4_4
+    t13 = 0.225_rk*c2
+    t14 = s23*t13
+    t15 = neg_h5_y + 0.67724_rk
+    t16 = h4_x + 0.03256_rk
+    t17 = c23*t13
+    t18 = t14*t15 + t16*t17
+    t19 = c23*s23*(t10 + 0.00019536_rk) - (0.0007848_rk*(c2*(s2 + 296.14293450560655_rk*c2)) + &
+        (t12 + t18))
+    t20 = c4*k5_xz
+    t21 = s4*(t6 - 0.1775228_rk) - (t20 + (t20 - 5.792e-05_rk*c4))
+    t22 = t6 - 0.18279878_rk - s4*t21
+    t23 = 0.45_rk*t15 + (t6 - 0.35654618_rk)
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t6 - t19 - (t19 - s23*(s23*(t22 + t23)))
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = c4*t9 - (0.225_rk*h4_y - s4*t7)
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s23*t16 - c23*t15
+    t24 = 0.035_rk*h3_y
+    ! link 2: moment for a unit acceleration of a joint further out
+    neg_nu2_y = c23*(m3_4 + 0.00200122_rk) + (t24 - s23*(k5_xz + (c4*t21 - 0.00236392_rk)))
+    t25 = 6.428571428571429_rk*s2
+    t26 = t11*t25
+    ! link 2: second moment of the composite body [kg m^2]
+    k2_yz = 0.1602936_rk*s2 + t26 + (0.0010352_rk*c2 + neg_nu2_y)
     ! link 4: force for a unit acceleration of a joint further out
     fu4_x = c4*neg_h5_y
-    fu4_y = s4*neg_h5_y
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_x = c4*k5_xz + 0.0013783_rk*s4
-    nu4_y = 0.0013783_rk*c4 - s4*k5_xz
-    ! link 3: mass matrix, its row of this joint
-    m3_5 = nu4_y + 0.225_rk*fu4_x
     ! link 3: force for a unit acceleration of a joint further out
     fu3_x = c23*fu4_x - s23*h5_x
-    fu3_y = s23*fu4_x + c23*h5_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = s23*(neg_nu4_x + 0.225_rk*fu4_y) + c23*k5_yz
-    t4 = 0.225_rk*c2
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = neg_nu3_y + (t4*fu4_y - 0.035_rk*fu3_x)
-    t5 = 0.225_rk*s2
-    ! link 2: mass matrix, its row of this joint
-    m2_5 = m3_5 + (t4*fu3_y - t5*fu3_x)
-    ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.0054354_rk - t3
-    t6 = 0.01448_rk - h5_x
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    neg_h4_x = c4*t6 + 0.00622_rk*s4
-    neg_h4_y = s4*t6 - 0.00622_rk*c4
-    t7 = c4*c4
-    t8 = t3 + 0.0005956_rk
-    t9 = k5_xz - 2.896e-05_rk
-    t10 = c4*s4
-    t11 = t7*t8 + t9*(2.0_rk*t10)
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_yy = t11 - (t3 - 0.0024199_rk)
-    neg_k4_xy = t8*t10 + t9*(1.0_rk - 2.0_rk*t7)
-    t12 = 0.00254936_rk - k5_xy
-    t13 = k5_yz + 0.00077468_rk
-    k4_xz = c4*t12 + s4*t13
-    k4_yz = s4*t12 - c4*t13
     ! link 3: mass matrix, its row of this joint
-    m3_4 = 0.225_rk*neg_h4_y - k4_yz
-    ! link 3: force for a unit acceleration of a joint further out
-    fu3_x_2 = c23*neg_h4_y
-    fu3_y_2 = s23*neg_h4_y
-    t14 = k4_xz - 0.225_rk*neg_h4_x
-    ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y_2 = s23*t14 + c23*m4_4
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_2 = neg_nu3_y_2 + (-0.035_rk*fu3_x_2 - t4*neg_h4_x)
+    m3_3 = t23 - t22
+    t27 = t18 + t25*t24
     ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 + (t4*fu3_y_2 - t5*fu3_x_2)
-    t15 = k5_yy + 0.45_rk*neg_h5_y
+    m2_3 = m3_3 + t27
+    m2_2 = m2_3 + (t27 + 0.53385475_rk)
+    m2_4 = m3_4 + c23*t26 - h4_y*t14
+    t28 = 0.225_rk*t15 - 0.1510007_rk
     ! link 3: mass matrix, its row of this joint
-    m3_3 = 0.13108988_rk - (t11 - t15)
-    t16 = neg_h5_y + 0.67724_rk
-    t17 = neg_h4_x - 0.03256_rk
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = s23*t16 - c23*t17
-    neg_h3_y = s23*t17 + c23*t16
-    t18 = c23*c23*(t11 + t15 + 0.12053792_rk) - (t14 - 0.00019536_rk)*(2.0_rk*(c23*s23))
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t15 + 0.1258139_rk - t18
-    k3_yy = t18 - (t11 - 0.00527598_rk)
-    k3_yz = s23*(0.00233496_rk - neg_k4_xy) + c23*(m3_4 + 0.00200122_rk)
-    t19 = 0.035_rk*neg_h3_y
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y_3 = k3_yz - t19
+    m3_5 = c4*t28 - s4*k5_xz
+    t29 = -0.035_rk*fu3_x
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 - (t5*neg_h3_y - t4*h3_x)
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_zz = k4_yy - 0.07_rk*neg_h4_y
-    t20 = k3_xx - t4*(-2.0_rk*h3_x)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = t20 - (t5*(2.0_rk*neg_h3_y) - k3_yy) + 0.53385475_rk
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t20 + (0.46482595_rk*(c2*c2) + 0.0015696_rk*(c2*s2) + 0.0345144_rk)
-    k2_yz = 0.1602936_rk*s2 + 0.0010352_rk*c2 - (t19 - (k3_yz - t5*neg_h4_y))
-    ! link 1: mass matrix, its row of this joint
-    m1_1 = k2_zz + k2_xx + 0.14677892_rk
+    m2_5 = t14*fu4_x + m3_5 + h5_x*t17 + t25*t29
+    t30 = c23*t12 - s23*t10 + c2*t8
+    t31 = c23*k5_yz + (neg_h5_y*(s4*t13) + (t29 + s23*(t20 + s4*t28)))
     M(1) = m1_1
     M(2) = k2_yz
-    M(3) = neg_nu2_y_3
-    M(4) = neg_nu2_y_2
-    M(5) = neg_nu2_y
+    M(3) = neg_nu2_y
+    M(4) = t30
+    M(5) = t31
     M(6) = 0.0_rk
     M(7) = k2_yz
     M(8) = m2_2
@@ -570,19 +551,19 @@ contains
     M(10) = m2_4
     M(11) = m2_5
     M(12) = 0.0_rk
-    M(13) = neg_nu2_y_3
+    M(13) = neg_nu2_y
     M(14) = m2_3
     M(15) = m3_3
     M(16) = m3_4
     M(17) = m3_5
     M(18) = 0.0_rk
-    M(19) = neg_nu2_y_2
+    M(19) = t30
     M(20) = m2_4
     M(21) = m3_4
     M(22) = m4_4
     M(23) = k5_yz
     M(24) = 0.0_rk
-    M(25) = neg_nu2_y
+    M(25) = t31
     M(26) = m2_5
     M(27) = m3_5
     M(28) = k5_yz

@@ -17,12 +17,14 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias the best program known for these parameters, equal to the recursion
  *   without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 161 multiplications, 152 additions = 313; 0 unary minus; 8 sine/cosine
  *   gravity: 26 multiplications, 15 additions = 41; 0 unary minus; 8 sine/cosine
  *   bias: 145 multiplications, 129 additions = 274; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 88 multiplications, 77 additions = 165; 0 unary minus; 8 sine/cosine
+ *   mass_matrix: 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine
  */
 #ifndef TX40_H
 #define TX40_H

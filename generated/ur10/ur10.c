@@ -15,15 +15,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 104 multiplications, 81 additions = 185; 3 unary minus; 10 sine/cosine
  *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
  *   bias: 84 multiplications, 57 additions = 141; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 224 multiplications, 172 additions, 6 divisions = 402; 3 unary minus; 10
+ *   mass_matrix: 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 204 multiplications, 157 additions, 6 divisions = 367; 3 unary minus; 10
  *       sine/cosine
  */
 #include "ur10.h"
@@ -293,7 +294,7 @@ void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine */
+ * 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine */
 void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -309,81 +310,61 @@ void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
     const volatile ur10_real angle23 = q[1] + q[2];
     const ur10_real c23 = cos(angle23);
     const ur10_real s23 = sin(angle23);
-    const volatile ur10_real angle2to4 = q[3] + angle23;
+    const volatile ur10_real angle2to4 = angle23 + q[3];
     const ur10_real c2to4 = cos(angle2to4);
     const ur10_real s2to4 = sin(angle2to4);
-    /* link 6: second moment of the composite body [kg m^2] */
-    const ur10_real k6_xy = 4.1662710585e-05*(c6*s6);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const ur10_real nu5_x = -0.000526462289415*s5;
     const ur10_real nu5_y = 0.000526462289415*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const ur10_real nu4_y = s2to4*nu5_x;
-    const ur10_real t1 = 4.1662710585e-05*(c6*c6);
-    /* link 5: mass matrix, its row of this joint */
-    const ur10_real m5_5 = t1 + 0.006038962289415;
-    const ur10_real t2 = t1 - 4.1662710585e-05;
-    const ur10_real t3 = c5*c5*t2;
+    const ur10_real t1 = 4.1662710585e-05*s6;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const ur10_real k6_xy = c6*t1;
     /* link 5: second moment of the composite body [kg m^2] */
-    const ur10_real k5_yy = t1 + 0.002998649789415 - t3;
-    const ur10_real k5_xy = t2*(c5*s5);
     const ur10_real neg_k5_xz = c5*k6_xy;
-    const ur10_real neg_k5_yz = s5*k6_xy;
+    const ur10_real t2 = s6*t1;
+    /* link 5: mass matrix, its row of this joint */
+    const ur10_real m5_5 = 0.006080625 - t2;
+    const ur10_real t3 = s2to4*neg_k5_xz;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const ur10_real nu4_y_2 = s2to4*neg_k5_xz - c2to4*m5_5;
+    const ur10_real nu4_y = t3 - c2to4*m5_5;
+    const ur10_real t4 = 2.1214497131999996*c2;
+    const ur10_real t5 = 0.006742227596064426*s2to4;
+    const ur10_real t6 = 1.9838327955299997*(c23*t5);
+    const ur10_real t7 = c23*t4;
+    const ur10_real t8 = t4*t5;
+    const ur10_real t9 = t6 - (t7 - t8);
+    const ur10_real t10 = c5*t2;
+    const ur10_real t11 = c5*t10;
+    const ur10_real t12 = 1.019755017314753*(t4*t4) - (t9 + (t9 - t11 - 0.785878225894297)) -
+        c2to4*(c2to4*(t11 + 0.007934529182815) + (t3 + nu4_y));
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real m1_1 = 1.7671354615519999*(c23*c23) + t12;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const ur10_real neg_k5_yz = s5*k6_xy;
+    const ur10_real t13 = s5*s2to4;
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real m1_4 = t10*t13 - c2to4*(neg_k5_yz - 0.0038315306874);
+    const ur10_real t14 = 0.3121639749051*s23;
+    const ur10_real m1_3 = m1_4 + t14;
+    const ur10_real m1_2 = m1_3 + 1.266064618644*s2;
     /* link 4: mass matrix, its row of this joint */
-    const ur10_real m4_4 = 0.0134886918934 - (t1 - t3);
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real h4_x = 0.0233714*s2to4;
-    const ur10_real neg_h4_y = 0.0233714*c2to4;
-    const ur10_real t4 = c2to4*c2to4*(t1 + t3 - 0.0018955668934) - neg_k5_xz*(2.0*(c2to4*s2to4));
-    /* link 4: second moment of the composite body [kg m^2] */
-    const ur10_real k4_xx = t4 - (t1 - 0.0076921293934);
-    const ur10_real k4_yy = t3 + 0.0057965625 - t4;
-    const ur10_real k4_yz = s2to4*k5_xy + c2to4*neg_k5_yz;
-    const ur10_real t5 = 0.5723*s23;
-    const ur10_real t6 = 0.5723*c23;
+    const ur10_real m4_4 = t2 - t11 + 0.013447029182815;
+    const ur10_real t15 = t6 - 0.04284752019853101*(c2to4*t14);
     /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_4 = m4_4 + (t5*neg_h4_y - t6*h4_x);
-    const ur10_real t7 = 0.612*s2;
-    const ur10_real t8 = 0.612*c2;
+    const ur10_real m3_4 = m4_4 - t15;
+    const ur10_real m3_3 = m3_4 - (t15 - 1.7780198365519997);
+    const ur10_real t16 = t8 - 0.0143032968*(s2*c2to4);
+    const ur10_real t17 = s23*(2.1214497131999996*s2) + (t7 - t16);
     /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_4 = m3_4 + (t7*neg_h4_y - t8*h4_x);
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real m1_4 = 0.0038315306874*c2to4 - k4_yz;
-    const ur10_real t9 = t6*(0.0467428*s2to4) - k4_xx;
-    const ur10_real t10 = k4_yy + t5*(0.0467428*c2to4);
-    /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_3 = 1.7780198365519997 - (t9 - t10);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real h3_x = h4_x - 3.4664211*c23;
-    const ur10_real neg_h3_y = neg_h4_y + 3.4664211*s23;
-    const ur10_real t11 = 1.7671354615519999*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_xx = t11 + 0.0054421875 - t9;
-    const ur10_real k3_yy = t10 - (t11 - 1.7725776490519998);
-    const ur10_real k3_yz = k4_yz + 0.25612456664999994*s23;
-    /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_3 = m3_3 + (t7*neg_h3_y - t8*h3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real m1_3 = 0.163941*neg_h3_y - k3_yz;
-    const ur10_real t12 = t8*(2.0*h3_x) - k3_xx;
-    /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_2 = 4.625822931798 - (t12 - (k3_yy + t7*(2.0*neg_h3_y)));
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real neg_h2_y = neg_h3_y + 8.847684*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_xx = 4.589457306798*(c2*c2) + 0.0181828125 - t12;
-    const ur10_real k2_yz = k3_yz + 0.184433544*s2;
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real m1_2 = 0.163941*neg_h2_y - k2_yz;
-    const ur10_real m1_1 = k5_yy + k2_xx + 0.751562446711482;
+    const ur10_real m2_3 = t17 + m3_3;
+    const ur10_real m2_2 = t17 + (m2_3 + 4.625822931798);
+    const ur10_real m2_4 = m3_4 - t16;
+    const ur10_real t18 = -0.000526462289415*t13;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
     M[3] = m1_4;
-    M[4] = nu4_y_2;
-    M[5] = nu4_y;
+    M[4] = nu4_y;
+    M[5] = t18;
     M[6] = m1_2;
     M[7] = m2_2;
     M[8] = m2_3;
@@ -402,13 +383,13 @@ void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
     M[21] = m4_4;
     M[22] = neg_k5_yz;
     M[23] = nu5_y;
-    M[24] = nu4_y_2;
+    M[24] = nu4_y;
     M[25] = neg_k5_yz;
     M[26] = neg_k5_yz;
     M[27] = neg_k5_yz;
     M[28] = m5_5;
     M[29] = 0.0;
-    M[30] = nu4_y;
+    M[30] = t18;
     M[31] = nu5_y;
     M[32] = nu5_y;
     M[33] = nu5_y;
@@ -417,7 +398,7 @@ void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 224 multiplications, 172 additions, 6 divisions = 402; 3 unary minus; 10 sine/cosine */
+ * 204 multiplications, 157 additions, 6 divisions = 367; 3 unary minus; 10 sine/cosine */
 void ur10_forward_dynamics(
     const ur10_real q[6],
     const ur10_real qd[6],
@@ -518,145 +499,125 @@ void ur10_forward_dynamics(
     const ur10_real n03_z = n4_z - t5*t26 - t14*(t11 + neg_lam2_33*t12);
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const ur10_real n02_z = n03_z - t4*(t26 + 6.6834804198179665) - t16*(t11 - neg_lam2_33*t23);
-    /* link 6: second moment of the composite body [kg m^2] */
-    const ur10_real k6_xy = 4.1662710585e-05*(c6*s6);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const ur10_real neg_nu5_x = 0.000526462289415*s5;
     const ur10_real nu5_y = 0.000526462289415*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const ur10_real neg_nu4_y = s2to4*neg_nu5_x;
-    const ur10_real t27 = 4.1662710585e-05*(c6*c6);
-    /* link 5: mass matrix, its row of this joint */
-    const ur10_real m5_5 = t27 + 0.006038962289415;
-    const ur10_real t28 = t27 - 4.1662710585e-05;
-    const ur10_real t29 = c5*c5*t28;
+    const ur10_real t27 = 4.1662710585e-05*s6;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const ur10_real k6_xy = c6*t27;
     /* link 5: second moment of the composite body [kg m^2] */
-    const ur10_real k5_yy = t27 + 0.002998649789415 - t29;
-    const ur10_real k5_xy = t28*(c5*s5);
     const ur10_real neg_k5_xz = c5*k6_xy;
-    const ur10_real neg_k5_yz = s5*k6_xy;
+    const ur10_real t28 = s6*t27;
+    /* link 5: mass matrix, its row of this joint */
+    const ur10_real neg_m5_5 = t28 - 0.006080625;
+    const ur10_real t29 = s2to4*neg_k5_xz;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const ur10_real nu4_y = s2to4*neg_k5_xz - c2to4*m5_5;
+    const ur10_real nu4_y = t29 + c2to4*neg_m5_5;
+    const ur10_real t30 = 2.1214497131999996*c2;
+    const ur10_real t31 = 0.006742227596064426*s2to4;
+    const ur10_real t32 = 1.9838327955299997*(c23*t31);
+    const ur10_real t33 = c23*t30;
+    const ur10_real t34 = t30*t31;
+    const ur10_real t35 = t32 - (t33 - t34);
+    const ur10_real t36 = c5*t28;
+    const ur10_real t37 = c5*t36;
+    const ur10_real t38 = 1.019755017314753*(t30*t30) - (t35 + (t35 - t37 - 0.785878225894297)) -
+        c2to4*(c2to4*(t37 + 0.007934529182815) + (t29 + nu4_y));
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real m1_1 = 1.7671354615519999*(c23*c23) + t38;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const ur10_real neg_k5_yz = s5*k6_xy;
+    const ur10_real t39 = s2to4*s5;
+    /* link 1: mass matrix, its row of this joint */
+    const ur10_real m1_4 = t36*t39 - c2to4*(neg_k5_yz - 0.0038315306874);
+    const ur10_real t40 = 0.3121639749051*s23;
+    const ur10_real m1_3 = m1_4 + t40;
+    const ur10_real m1_2 = m1_3 + 1.266064618644*s2;
     /* link 4: mass matrix, its row of this joint */
-    const ur10_real m4_4 = 0.0134886918934 - (t27 - t29);
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real h4_x = 0.0233714*s2to4;
-    const ur10_real neg_h4_y = 0.0233714*c2to4;
-    const ur10_real t30 = c2to4*c2to4*(t27 + t29 - 0.0018955668934) - neg_k5_xz*(2.0*(c2to4*s2to4));
-    /* link 4: second moment of the composite body [kg m^2] */
-    const ur10_real k4_xx = t30 - (t27 - 0.0076921293934);
-    const ur10_real neg_k4_yy = t30 - (t29 + 0.0057965625);
-    const ur10_real k4_yz = s2to4*k5_xy + c2to4*neg_k5_yz;
-    const ur10_real t31 = 0.5723*s23;
-    const ur10_real t32 = 0.5723*c23;
+    const ur10_real m4_4 = t28 - t37 + 0.013447029182815;
+    const ur10_real t41 = t32 - 0.04284752019853101*(c2to4*t40);
     /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_4 = m4_4 + (neg_h4_y*t31 - h4_x*t32);
-    const ur10_real t33 = 0.612*s2;
-    const ur10_real t34 = 0.612*c2;
+    const ur10_real m3_4 = m4_4 - t41;
+    const ur10_real m3_3 = m3_4 - (t41 - 1.7780198365519997);
+    const ur10_real t42 = t34 - 0.0143032968*(c2to4*s2);
+    const ur10_real t43 = s23*(2.1214497131999996*s2) + (t33 - t42);
     /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_4 = m3_4 + (neg_h4_y*t33 - h4_x*t34);
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real neg_m1_4 = k4_yz - 0.0038315306874*c2to4;
-    const ur10_real t35 = k4_xx - t32*(0.0467428*s2to4);
-    const ur10_real t36 = neg_k4_yy - t31*(0.0467428*c2to4);
-    /* link 3: mass matrix, its row of this joint */
-    const ur10_real m3_3 = t35 - t36 + 1.7780198365519997;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real h3_x = h4_x - 3.4664211*c23;
-    const ur10_real neg_h3_y = neg_h4_y + 3.4664211*s23;
-    const ur10_real t37 = 1.7671354615519999*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const ur10_real k3_xx = t35 + (t37 + 0.0054421875);
-    const ur10_real neg_k3_yy = t36 + (t37 - 1.7725776490519998);
-    const ur10_real k3_yz = k4_yz + 0.25612456664999994*s23;
-    /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_3 = m3_3 + (t33*neg_h3_y - t34*h3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real neg_m1_3 = k3_yz - 0.163941*neg_h3_y;
-    const ur10_real t38 = k3_xx - t34*(2.0*h3_x);
-    /* link 2: mass matrix, its row of this joint */
-    const ur10_real m2_2 = t38 - (neg_k3_yy - t33*(2.0*neg_h3_y)) + 4.625822931798;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const ur10_real neg_h2_y = neg_h3_y + 8.847684*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const ur10_real k2_xx = t38 + (4.589457306798*(c2*c2) + 0.0181828125);
-    const ur10_real k2_yz = k3_yz + 0.184433544*s2;
-    /* link 1: mass matrix, its row of this joint */
-    const ur10_real neg_m1_2 = k2_yz - 0.163941*neg_h2_y;
-    const ur10_real m1_1 = k5_yy + k2_xx + 0.751562446711482;
+    const ur10_real m2_3 = m3_3 + t43;
+    const ur10_real m2_2 = t43 + (m2_3 + 4.625822931798);
+    const ur10_real m2_4 = m3_4 - t42;
+    /* factorisation M = L D L^T */
+    const ur10_real neg_ld6_1 = 0.000526462289415*t39;
     /* link 1: forward substitution */
     const ur10_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
     const ur10_real ipivot1 = 1.0 / m1_1;
-    const ur10_real neg_l2_1 = neg_m1_2*ipivot1;
-    const ur10_real neg_l3_1 = neg_m1_3*ipivot1;
-    const ur10_real neg_l4_1 = neg_m1_4*ipivot1;
+    const ur10_real l2_1 = m1_2*ipivot1;
+    const ur10_real l3_1 = m1_3*ipivot1;
+    const ur10_real l4_1 = m1_4*ipivot1;
     const ur10_real l5_1 = nu4_y*ipivot1;
-    const ur10_real neg_l6_1 = neg_nu4_y*ipivot1;
-    const ur10_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
+    const ur10_real neg_l6_1 = neg_ld6_1*ipivot1;
+    const ur10_real pivot2 = m2_2 - m1_2*l2_1;
     const ur10_real ipivot2 = 1.0 / pivot2;
-    const ur10_real ld3_2 = m2_3 - neg_m1_2*neg_l3_1;
+    const ur10_real ld3_2 = m2_3 - m1_2*l3_1;
     const ur10_real l3_2 = ipivot2*ld3_2;
-    const ur10_real neg_ld4_2 = neg_m1_2*neg_l4_1 - m2_4;
-    const ur10_real neg_l4_2 = ipivot2*neg_ld4_2;
-    const ur10_real ld5_2 = neg_k5_yz + neg_m1_2*l5_1;
+    const ur10_real ld4_2 = m2_4 - m1_2*l4_1;
+    const ur10_real l4_2 = ipivot2*ld4_2;
+    const ur10_real ld5_2 = neg_k5_yz - m1_2*l5_1;
     const ur10_real l5_2 = ipivot2*ld5_2;
-    const ur10_real ld6_2 = nu5_y - neg_m1_2*neg_l6_1;
+    const ur10_real ld6_2 = nu5_y + m1_2*neg_l6_1;
     const ur10_real l6_2 = ipivot2*ld6_2;
-    const ur10_real pivot3 = m3_3 - neg_m1_3*neg_l3_1 - ld3_2*l3_2;
+    const ur10_real pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2;
     const ur10_real ipivot3 = 1.0 / pivot3;
-    const ur10_real neg_ld4_3 = neg_m1_3*neg_l4_1 - m3_4 - ld3_2*neg_l4_2;
-    const ur10_real neg_l4_3 = ipivot3*neg_ld4_3;
-    const ur10_real ld5_3 = neg_k5_yz + neg_m1_3*l5_1 - ld3_2*l5_2;
+    const ur10_real ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2;
+    const ur10_real l4_3 = ipivot3*ld4_3;
+    const ur10_real ld5_3 = neg_k5_yz - m1_3*l5_1 - ld3_2*l5_2;
     const ur10_real l5_3 = ipivot3*ld5_3;
-    const ur10_real ld6_3 = nu5_y - neg_m1_3*neg_l6_1 - ld3_2*l6_2;
+    const ur10_real ld6_3 = nu5_y + m1_3*neg_l6_1 - ld3_2*l6_2;
     const ur10_real l6_3 = ipivot3*ld6_3;
-    const ur10_real neg_pivot4 = neg_m1_4*neg_l4_1 - m4_4 + neg_ld4_2*neg_l4_2 + neg_ld4_3*neg_l4_3;
-    const ur10_real neg_ipivot4 = 1.0 / neg_pivot4;
-    const ur10_real ld5_4 = neg_k5_yz + neg_m1_4*l5_1 + neg_ld4_2*l5_2 + neg_ld4_3*l5_3;
-    const ur10_real neg_l5_4 = neg_ipivot4*ld5_4;
-    const ur10_real ld6_4 = nu5_y - neg_m1_4*neg_l6_1 + neg_ld4_2*l6_2 + neg_ld4_3*l6_3;
-    const ur10_real neg_l6_4 = neg_ipivot4*ld6_4;
-    const ur10_real pivot5 = m5_5 - nu4_y*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 + ld5_4*neg_l5_4;
-    const ur10_real ipivot5 = 1.0 / pivot5;
-    const ur10_real ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 + ld5_4*neg_l6_4;
-    const ur10_real l6_5 = ipivot5*ld6_5;
-    const ur10_real neg_pivot6 = neg_nu4_y*neg_l6_1 - 0.000526462289415 + ld6_2*l6_2 + ld6_3*l6_3 -
-        ld6_4*neg_l6_4 + ld6_5*l6_5;
+    const ur10_real pivot4 = m4_4 - m1_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
+    const ur10_real ipivot4 = 1.0 / pivot4;
+    const ur10_real ld5_4 = neg_k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
+    const ur10_real l5_4 = ipivot4*ld5_4;
+    const ur10_real ld6_4 = nu5_y + m1_4*neg_l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
+    const ur10_real l6_4 = ipivot4*ld6_4;
+    const ur10_real neg_pivot5 = neg_m5_5 + nu4_y*l5_1 + ld5_2*l5_2 + ld5_3*l5_3 + ld5_4*l5_4;
+    const ur10_real neg_ipivot5 = 1.0 / neg_pivot5;
+    const ur10_real ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4;
+    const ur10_real neg_l6_5 = neg_ipivot5*ld6_5;
+    const ur10_real neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.000526462289415 + ld6_2*l6_2 + ld6_3*l6_3 +
+        ld6_4*l6_4 - ld6_5*neg_l6_5;
     const ur10_real neg_ipivot6 = 1.0 / neg_pivot6;
     /* link 2: forward substitution */
-    const ur10_real neg_y2 = n02_z - tau[1] + neg_y1*neg_l2_1;
+    const ur10_real neg_y2 = n02_z - tau[1] - neg_y1*l2_1;
     /* link 3: forward substitution */
-    const ur10_real neg_y3 = n03_z - tau[2] + neg_y1*neg_l3_1 - l3_2*neg_y2;
+    const ur10_real neg_y3 = n03_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
-    const ur10_real neg_y4 = n4_z - tau[3] + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3;
+    const ur10_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 - l4_2*neg_y2 - l4_3*neg_y3;
     /* link 5: forward substitution */
-    const ur10_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 +
-        neg_l5_4*neg_y4;
+    const ur10_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 - l5_4*neg_y4;
     /* link 6: forward substitution */
-    const ur10_real neg_y6 = nc6_z - tau[5] + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 +
-        neg_l6_4*neg_y4 - l6_5*neg_y5;
+    const ur10_real neg_y6 = nc6_z - tau[5] + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 -
+        l6_4*neg_y4 + neg_l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const ur10_real qdd6 = neg_ipivot6*neg_y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real neg_qdd5 = ipivot5*neg_y5 + l6_5*qdd6;
+    const ur10_real qdd5 = neg_ipivot5*neg_y5 + neg_l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real qdd4 = neg_ipivot4*neg_y4 - neg_l5_4*neg_qdd5 + neg_l6_4*qdd6;
+    const ur10_real neg_qdd4 = ipivot4*neg_y4 + l5_4*qdd5 + l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 - l5_3*neg_qdd5 + l6_3*qdd6;
+    const ur10_real neg_qdd3 = ipivot3*neg_y3 - l4_3*neg_qdd4 + l5_3*qdd5 + l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - neg_l4_2*qdd4 - l5_2*neg_qdd5 +
+    const ur10_real neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - l4_2*neg_qdd4 + l5_2*qdd5 +
         l6_2*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur10_real qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 + neg_l2_1*neg_qdd2 + neg_l3_1*neg_qdd3 -
-        neg_l4_1*qdd4 - l5_1*neg_qdd5);
-    const ur10_real t39 = -neg_qdd2;
-    const ur10_real t40 = -neg_qdd3;
-    const ur10_real t41 = -neg_qdd5;
+    const ur10_real qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 - l2_1*neg_qdd2 - l3_1*neg_qdd3 -
+        l4_1*neg_qdd4 + l5_1*qdd5);
+    const ur10_real t44 = -neg_qdd2;
+    const ur10_real t45 = -neg_qdd3;
+    const ur10_real t46 = -neg_qdd4;
     qdd[0] = qdd1;
-    qdd[1] = t39;
-    qdd[2] = t40;
-    qdd[3] = qdd4;
-    qdd[4] = t41;
+    qdd[1] = t44;
+    qdd[2] = t45;
+    qdd[3] = t46;
+    qdd[4] = qdd5;
     qdd[5] = qdd6;
 }

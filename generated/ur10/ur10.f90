@@ -14,15 +14,16 @@
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
-! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
-!   to the recursion without being written like it: robodyn --optimize full, seed 1.
+! Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+!   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+!   seed 1.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 104 multiplications, 81 additions = 185; 3 unary minus; 10 sine/cosine
 !   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
 !   bias: 84 multiplications, 57 additions = 141; 0 unary minus; 10 sine/cosine
-!   mass_matrix: 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine
-!   forward_dynamics: 224 multiplications, 172 additions, 6 divisions = 402; 3 unary minus; 10
+!   mass_matrix: 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
+!   forward_dynamics: 204 multiplications, 157 additions, 6 divisions = 367; 3 unary minus; 10
 !       sine/cosine
 module ur10_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -312,16 +313,15 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine
+  ! 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
   pure subroutine ur10_mass_matrix(q, M) &
       bind(c, name="ur10_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c5, s5, c6, s6, angle23, c23, s23, angle2to4, c2to4, s2to4, k6_xy, nu5_x
-    real(rk) :: nu5_y, nu4_y, t1, m5_5, t2, t3, k5_yy, k5_xy, neg_k5_xz, neg_k5_yz, nu4_y_2, m4_4
-    real(rk) :: h4_x, neg_h4_y, t4, k4_xx, k4_yy, k4_yz, t5, t6, m3_4, t7, t8, m2_4, m1_4, t9, t10
-    real(rk) :: m3_3, h3_x, neg_h3_y, t11, k3_xx, k3_yy, k3_yz, m2_3, m1_3, t12, m2_2, neg_h2_y
-    real(rk) :: k2_xx, k2_yz, m1_2, m1_1
+    real(rk) :: c2, s2, c5, s5, c6, s6, angle23, c23, s23, angle2to4, c2to4, s2to4, nu5_y, t1
+    real(rk) :: k6_xy, neg_k5_xz, t2, m5_5, t3, nu4_y, t4, t5, t6, t7, t8, t9, t10, t11, t12, m1_1
+    real(rk) :: neg_k5_yz, t13, m1_4, t14, m1_3, m1_2, m4_4, t15, m3_4, m3_3, t16, t17, m2_3, m2_2
+    real(rk) :: m2_4, t18
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -333,81 +333,61 @@ contains
     angle23 = q(2) + q(3)
     c23 = cos(angle23)
     s23 = sin(angle23)
-    angle2to4 = q(4) + angle23
+    angle2to4 = angle23 + q(4)
     c2to4 = cos(angle2to4)
     s2to4 = sin(angle2to4)
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_xy = 4.1662710585e-05_rk*(c6*s6)
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = -0.000526462289415_rk*s5
     nu5_y = 0.000526462289415_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    nu4_y = s2to4*nu5_x
-    t1 = 4.1662710585e-05_rk*(c6*c6)
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t1 + 0.006038962289415_rk
-    t2 = t1 - 4.1662710585e-05_rk
-    t3 = c5*c5*t2
+    t1 = 4.1662710585e-05_rk*s6
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xy = c6*t1
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t1 + 0.002998649789415_rk - t3
-    k5_xy = t2*(c5*s5)
     neg_k5_xz = c5*k6_xy
-    neg_k5_yz = s5*k6_xy
+    t2 = s6*t1
+    ! link 5: mass matrix, its row of this joint
+    m5_5 = 0.006080625_rk - t2
+    t3 = s2to4*neg_k5_xz
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_y_2 = s2to4*neg_k5_xz - c2to4*m5_5
+    nu4_y = t3 - c2to4*m5_5
+    t4 = 2.1214497131999996_rk*c2
+    t5 = 0.006742227596064426_rk*s2to4
+    t6 = 1.9838327955299997_rk*(c23*t5)
+    t7 = c23*t4
+    t8 = t4*t5
+    t9 = t6 - (t7 - t8)
+    t10 = c5*t2
+    t11 = c5*t10
+    t12 = 1.019755017314753_rk*(t4*t4) - (t9 + (t9 - t11 - 0.785878225894297_rk)) - &
+        c2to4*(c2to4*(t11 + 0.007934529182815_rk) + (t3 + nu4_y))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = 1.7671354615519999_rk*(c23*c23) + t12
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_yz = s5*k6_xy
+    t13 = s5*s2to4
+    ! link 1: mass matrix, its row of this joint
+    m1_4 = t10*t13 - c2to4*(neg_k5_yz - 0.0038315306874_rk)
+    t14 = 0.3121639749051_rk*s23
+    m1_3 = m1_4 + t14
+    m1_2 = m1_3 + 1.266064618644_rk*s2
     ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.0134886918934_rk - (t1 - t3)
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = 0.0233714_rk*s2to4
-    neg_h4_y = 0.0233714_rk*c2to4
-    t4 = c2to4*c2to4*(t1 + t3 - 0.0018955668934_rk) - neg_k5_xz*(2.0_rk*(c2to4*s2to4))
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t4 - (t1 - 0.0076921293934_rk)
-    k4_yy = t3 + 0.0057965625_rk - t4
-    k4_yz = s2to4*k5_xy + c2to4*neg_k5_yz
-    t5 = 0.5723_rk*s23
-    t6 = 0.5723_rk*c23
+    m4_4 = t2 - t11 + 0.013447029182815_rk
+    t15 = t6 - 0.04284752019853101_rk*(c2to4*t14)
     ! link 3: mass matrix, its row of this joint
-    m3_4 = m4_4 + (t5*neg_h4_y - t6*h4_x)
-    t7 = 0.612_rk*s2
-    t8 = 0.612_rk*c2
+    m3_4 = m4_4 - t15
+    m3_3 = m3_4 - (t15 - 1.7780198365519997_rk)
+    t16 = t8 - 0.0143032968_rk*(s2*c2to4)
+    t17 = s23*(2.1214497131999996_rk*s2) + (t7 - t16)
     ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 + (t7*neg_h4_y - t8*h4_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_4 = 0.0038315306874_rk*c2to4 - k4_yz
-    t9 = t6*(0.0467428_rk*s2to4) - k4_xx
-    t10 = k4_yy + t5*(0.0467428_rk*c2to4)
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = 1.7780198365519997_rk - (t9 - t10)
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = h4_x - 3.4664211_rk*c23
-    neg_h3_y = neg_h4_y + 3.4664211_rk*s23
-    t11 = 1.7671354615519999_rk*(c23*c23)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t11 + 0.0054421875_rk - t9
-    k3_yy = t10 - (t11 - 1.7725776490519998_rk)
-    k3_yz = k4_yz + 0.25612456664999994_rk*s23
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t7*neg_h3_y - t8*h3_x)
-    ! link 1: mass matrix, its row of this joint
-    m1_3 = 0.163941_rk*neg_h3_y - k3_yz
-    t12 = t8*(2.0_rk*h3_x) - k3_xx
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = 4.625822931798_rk - (t12 - (k3_yy + t7*(2.0_rk*neg_h3_y)))
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = neg_h3_y + 8.847684_rk*s2
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = 4.589457306798_rk*(c2*c2) + 0.0181828125_rk - t12
-    k2_yz = k3_yz + 0.184433544_rk*s2
-    ! link 1: mass matrix, its row of this joint
-    m1_2 = 0.163941_rk*neg_h2_y - k2_yz
-    m1_1 = k5_yy + k2_xx + 0.751562446711482_rk
+    m2_3 = t17 + m3_3
+    m2_2 = t17 + (m2_3 + 4.625822931798_rk)
+    m2_4 = m3_4 - t16
+    t18 = -0.000526462289415_rk*t13
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
     M(4) = m1_4
-    M(5) = nu4_y_2
-    M(6) = nu4_y
+    M(5) = nu4_y
+    M(6) = t18
     M(7) = m1_2
     M(8) = m2_2
     M(9) = m2_3
@@ -426,13 +406,13 @@ contains
     M(22) = m4_4
     M(23) = neg_k5_yz
     M(24) = nu5_y
-    M(25) = nu4_y_2
+    M(25) = nu4_y
     M(26) = neg_k5_yz
     M(27) = neg_k5_yz
     M(28) = neg_k5_yz
     M(29) = m5_5
     M(30) = 0.0_rk
-    M(31) = nu4_y
+    M(31) = t18
     M(32) = nu5_y
     M(33) = nu5_y
     M(34) = nu5_y
@@ -441,7 +421,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 224 multiplications, 172 additions, 6 divisions = 402; 3 unary minus; 10 sine/cosine
+  ! 204 multiplications, 157 additions, 6 divisions = 367; 3 unary minus; 10 sine/cosine
   pure subroutine ur10_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="ur10_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -452,17 +432,15 @@ contains
     real(rk) :: neg_w5_z, w5_y, alpha5_y, c6, s6, neg_w6_x, neg_w6_y, neg_w6_z, c2, s2, c23, s23
     real(rk) :: ww4_zx, neg_alpha5_x, neg_alpha6_x, t1, t2, t3, n5_z, ww2_zz, ww3_zz, ww4_zz
     real(rk) :: neg_lam2_33, nc6_z, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17
-    real(rk) :: t18, t19, t20, t21, t22, t23, n1_z, t24, t25, n4_z, t26, n03_z, n02_z, k6_xy
-    real(rk) :: neg_nu5_x, nu5_y, neg_nu4_y, t27, m5_5, t28, t29, k5_yy, k5_xy, neg_k5_xz
-    real(rk) :: neg_k5_yz, nu4_y, m4_4, h4_x, neg_h4_y, t30, k4_xx, neg_k4_yy, k4_yz, t31, t32
-    real(rk) :: m3_4, t33, t34, m2_4, neg_m1_4, t35, t36, m3_3, h3_x, neg_h3_y, t37, k3_xx
-    real(rk) :: neg_k3_yy, k3_yz, m2_3, neg_m1_3, t38, m2_2, neg_h2_y, k2_xx, k2_yz, neg_m1_2, m1_1
-    real(rk) :: neg_y1, ipivot1, neg_l2_1, neg_l3_1, neg_l4_1, l5_1, neg_l6_1, pivot2, ipivot2
-    real(rk) :: ld3_2, l3_2, neg_ld4_2, neg_l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3, ipivot3
-    real(rk) :: neg_ld4_3, neg_l4_3, ld5_3, l5_3, ld6_3, l6_3, neg_pivot4, neg_ipivot4, ld5_4
-    real(rk) :: neg_l5_4, ld6_4, neg_l6_4, pivot5, ipivot5, ld6_5, l6_5, neg_pivot6, neg_ipivot6
-    real(rk) :: neg_y2, neg_y3, neg_y4, neg_y5, neg_y6, qdd6, neg_qdd5, qdd4, neg_qdd3, neg_qdd2
-    real(rk) :: qdd1, t39, t40, t41
+    real(rk) :: t18, t19, t20, t21, t22, t23, n1_z, t24, t25, n4_z, t26, n03_z, n02_z, nu5_y, t27
+    real(rk) :: k6_xy, neg_k5_xz, t28, neg_m5_5, t29, nu4_y, t30, t31, t32, t33, t34, t35, t36, t37
+    real(rk) :: t38, m1_1, neg_k5_yz, t39, m1_4, t40, m1_3, m1_2, m4_4, t41, m3_4, m3_3, t42, t43
+    real(rk) :: m2_3, m2_2, m2_4, neg_ld6_1, neg_y1, ipivot1, l2_1, l3_1, l4_1, l5_1, neg_l6_1
+    real(rk) :: pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, ld5_2, l5_2, ld6_2, l6_2, pivot3
+    real(rk) :: ipivot3, ld4_3, l4_3, ld5_3, l5_3, ld6_3, l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4
+    real(rk) :: l6_4, neg_pivot5, neg_ipivot5, ld6_5, neg_l6_5, neg_pivot6, neg_ipivot6, neg_y2
+    real(rk) :: neg_y3, neg_y4, neg_y5, neg_y6, qdd6, qdd5, neg_qdd4, neg_qdd3, neg_qdd2, qdd1, t44
+    real(rk) :: t45, t46
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -554,144 +532,125 @@ contains
     n03_z = n4_z - t5*t26 - t14*(t11 + neg_lam2_33*t12)
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
     n02_z = n03_z - t4*(t26 + 6.6834804198179665_rk) - t16*(t11 - neg_lam2_33*t23)
-    ! link 6: second moment of the composite body [kg m^2]
-    k6_xy = 4.1662710585e-05_rk*(c6*s6)
     ! link 5: moment for a unit acceleration of a joint further out
-    neg_nu5_x = 0.000526462289415_rk*s5
     nu5_y = 0.000526462289415_rk*c5
-    ! link 4: moment for a unit acceleration of a joint further out
-    neg_nu4_y = s2to4*neg_nu5_x
-    t27 = 4.1662710585e-05_rk*(c6*c6)
-    ! link 5: mass matrix, its row of this joint
-    m5_5 = t27 + 0.006038962289415_rk
-    t28 = t27 - 4.1662710585e-05_rk
-    t29 = c5*c5*t28
+    t27 = 4.1662710585e-05_rk*s6
+    ! link 6: second moment of the composite body [kg m^2]
+    k6_xy = c6*t27
     ! link 5: second moment of the composite body [kg m^2]
-    k5_yy = t27 + 0.002998649789415_rk - t29
-    k5_xy = t28*(c5*s5)
     neg_k5_xz = c5*k6_xy
-    neg_k5_yz = s5*k6_xy
+    t28 = s6*t27
+    ! link 5: mass matrix, its row of this joint
+    neg_m5_5 = t28 - 0.006080625_rk
+    t29 = s2to4*neg_k5_xz
     ! link 4: moment for a unit acceleration of a joint further out
-    nu4_y = s2to4*neg_k5_xz - c2to4*m5_5
+    nu4_y = t29 + c2to4*neg_m5_5
+    t30 = 2.1214497131999996_rk*c2
+    t31 = 0.006742227596064426_rk*s2to4
+    t32 = 1.9838327955299997_rk*(c23*t31)
+    t33 = c23*t30
+    t34 = t30*t31
+    t35 = t32 - (t33 - t34)
+    t36 = c5*t28
+    t37 = c5*t36
+    t38 = 1.019755017314753_rk*(t30*t30) - (t35 + (t35 - t37 - 0.785878225894297_rk)) - &
+        c2to4*(c2to4*(t37 + 0.007934529182815_rk) + (t29 + nu4_y))
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = 1.7671354615519999_rk*(c23*c23) + t38
+    ! link 5: second moment of the composite body [kg m^2]
+    neg_k5_yz = s5*k6_xy
+    t39 = s2to4*s5
+    ! link 1: mass matrix, its row of this joint
+    m1_4 = t36*t39 - c2to4*(neg_k5_yz - 0.0038315306874_rk)
+    t40 = 0.3121639749051_rk*s23
+    m1_3 = m1_4 + t40
+    m1_2 = m1_3 + 1.266064618644_rk*s2
     ! link 4: mass matrix, its row of this joint
-    m4_4 = 0.0134886918934_rk - (t27 - t29)
-    ! link 4: first moment of the composite body, about the frame's origin [kg m]
-    h4_x = 0.0233714_rk*s2to4
-    neg_h4_y = 0.0233714_rk*c2to4
-    t30 = c2to4*c2to4*(t27 + t29 - 0.0018955668934_rk) - neg_k5_xz*(2.0_rk*(c2to4*s2to4))
-    ! link 4: second moment of the composite body [kg m^2]
-    k4_xx = t30 - (t27 - 0.0076921293934_rk)
-    neg_k4_yy = t30 - (t29 + 0.0057965625_rk)
-    k4_yz = s2to4*k5_xy + c2to4*neg_k5_yz
-    t31 = 0.5723_rk*s23
-    t32 = 0.5723_rk*c23
+    m4_4 = t28 - t37 + 0.013447029182815_rk
+    t41 = t32 - 0.04284752019853101_rk*(c2to4*t40)
     ! link 3: mass matrix, its row of this joint
-    m3_4 = m4_4 + (neg_h4_y*t31 - h4_x*t32)
-    t33 = 0.612_rk*s2
-    t34 = 0.612_rk*c2
+    m3_4 = m4_4 - t41
+    m3_3 = m3_4 - (t41 - 1.7780198365519997_rk)
+    t42 = t34 - 0.0143032968_rk*(c2to4*s2)
+    t43 = s23*(2.1214497131999996_rk*s2) + (t33 - t42)
     ! link 2: mass matrix, its row of this joint
-    m2_4 = m3_4 + (neg_h4_y*t33 - h4_x*t34)
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_4 = k4_yz - 0.0038315306874_rk*c2to4
-    t35 = k4_xx - t32*(0.0467428_rk*s2to4)
-    t36 = neg_k4_yy - t31*(0.0467428_rk*c2to4)
-    ! link 3: mass matrix, its row of this joint
-    m3_3 = t35 - t36 + 1.7780198365519997_rk
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = h4_x - 3.4664211_rk*c23
-    neg_h3_y = neg_h4_y + 3.4664211_rk*s23
-    t37 = 1.7671354615519999_rk*(c23*c23)
-    ! link 3: second moment of the composite body [kg m^2]
-    k3_xx = t35 + (t37 + 0.0054421875_rk)
-    neg_k3_yy = t36 + (t37 - 1.7725776490519998_rk)
-    k3_yz = k4_yz + 0.25612456664999994_rk*s23
-    ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + (t33*neg_h3_y - t34*h3_x)
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_3 = k3_yz - 0.163941_rk*neg_h3_y
-    t38 = k3_xx - t34*(2.0_rk*h3_x)
-    ! link 2: mass matrix, its row of this joint
-    m2_2 = t38 - (neg_k3_yy - t33*(2.0_rk*neg_h3_y)) + 4.625822931798_rk
-    ! link 2: first moment of the composite body, about the frame's origin [kg m]
-    neg_h2_y = neg_h3_y + 8.847684_rk*s2
-    ! link 2: second moment of the composite body [kg m^2]
-    k2_xx = t38 + (4.589457306798_rk*(c2*c2) + 0.0181828125_rk)
-    k2_yz = k3_yz + 0.184433544_rk*s2
-    ! link 1: mass matrix, its row of this joint
-    neg_m1_2 = k2_yz - 0.163941_rk*neg_h2_y
-    m1_1 = k5_yy + k2_xx + 0.751562446711482_rk
+    m2_3 = m3_3 + t43
+    m2_2 = t43 + (m2_3 + 4.625822931798_rk)
+    m2_4 = m3_4 - t42
+    ! factorisation M = L D L^T
+    neg_ld6_1 = 0.000526462289415_rk*t39
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
     ipivot1 = 1.0_rk / m1_1
-    neg_l2_1 = neg_m1_2*ipivot1
-    neg_l3_1 = neg_m1_3*ipivot1
-    neg_l4_1 = neg_m1_4*ipivot1
+    l2_1 = m1_2*ipivot1
+    l3_1 = m1_3*ipivot1
+    l4_1 = m1_4*ipivot1
     l5_1 = nu4_y*ipivot1
-    neg_l6_1 = neg_nu4_y*ipivot1
-    pivot2 = m2_2 - neg_m1_2*neg_l2_1
+    neg_l6_1 = neg_ld6_1*ipivot1
+    pivot2 = m2_2 - m1_2*l2_1
     ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - neg_m1_2*neg_l3_1
+    ld3_2 = m2_3 - m1_2*l3_1
     l3_2 = ipivot2*ld3_2
-    neg_ld4_2 = neg_m1_2*neg_l4_1 - m2_4
-    neg_l4_2 = ipivot2*neg_ld4_2
-    ld5_2 = neg_k5_yz + neg_m1_2*l5_1
+    ld4_2 = m2_4 - m1_2*l4_1
+    l4_2 = ipivot2*ld4_2
+    ld5_2 = neg_k5_yz - m1_2*l5_1
     l5_2 = ipivot2*ld5_2
-    ld6_2 = nu5_y - neg_m1_2*neg_l6_1
+    ld6_2 = nu5_y + m1_2*neg_l6_1
     l6_2 = ipivot2*ld6_2
-    pivot3 = m3_3 - neg_m1_3*neg_l3_1 - ld3_2*l3_2
+    pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2
     ipivot3 = 1.0_rk / pivot3
-    neg_ld4_3 = neg_m1_3*neg_l4_1 - m3_4 - ld3_2*neg_l4_2
-    neg_l4_3 = ipivot3*neg_ld4_3
-    ld5_3 = neg_k5_yz + neg_m1_3*l5_1 - ld3_2*l5_2
+    ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2
+    l4_3 = ipivot3*ld4_3
+    ld5_3 = neg_k5_yz - m1_3*l5_1 - ld3_2*l5_2
     l5_3 = ipivot3*ld5_3
-    ld6_3 = nu5_y - neg_m1_3*neg_l6_1 - ld3_2*l6_2
+    ld6_3 = nu5_y + m1_3*neg_l6_1 - ld3_2*l6_2
     l6_3 = ipivot3*ld6_3
-    neg_pivot4 = neg_m1_4*neg_l4_1 - m4_4 + neg_ld4_2*neg_l4_2 + neg_ld4_3*neg_l4_3
-    neg_ipivot4 = 1.0_rk / neg_pivot4
-    ld5_4 = neg_k5_yz + neg_m1_4*l5_1 + neg_ld4_2*l5_2 + neg_ld4_3*l5_3
-    neg_l5_4 = neg_ipivot4*ld5_4
-    ld6_4 = nu5_y - neg_m1_4*neg_l6_1 + neg_ld4_2*l6_2 + neg_ld4_3*l6_3
-    neg_l6_4 = neg_ipivot4*ld6_4
-    pivot5 = m5_5 - nu4_y*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 + ld5_4*neg_l5_4
-    ipivot5 = 1.0_rk / pivot5
-    ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 + ld5_4*neg_l6_4
-    l6_5 = ipivot5*ld6_5
-    neg_pivot6 = neg_nu4_y*neg_l6_1 - 0.000526462289415_rk + ld6_2*l6_2 + ld6_3*l6_3 - &
-        ld6_4*neg_l6_4 + ld6_5*l6_5
+    pivot4 = m4_4 - m1_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    ipivot4 = 1.0_rk / pivot4
+    ld5_4 = neg_k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3
+    l5_4 = ipivot4*ld5_4
+    ld6_4 = nu5_y + m1_4*neg_l6_1 - ld4_2*l6_2 - ld4_3*l6_3
+    l6_4 = ipivot4*ld6_4
+    neg_pivot5 = neg_m5_5 + nu4_y*l5_1 + ld5_2*l5_2 + ld5_3*l5_3 + ld5_4*l5_4
+    neg_ipivot5 = 1.0_rk / neg_pivot5
+    ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4
+    neg_l6_5 = neg_ipivot5*ld6_5
+    neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.000526462289415_rk + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4 &
+        - ld6_5*neg_l6_5
     neg_ipivot6 = 1.0_rk / neg_pivot6
     ! link 2: forward substitution
-    neg_y2 = n02_z - tau(2) + neg_y1*neg_l2_1
+    neg_y2 = n02_z - tau(2) - neg_y1*l2_1
     ! link 3: forward substitution
-    neg_y3 = n03_z - tau(3) + neg_y1*neg_l3_1 - l3_2*neg_y2
+    neg_y3 = n03_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
     ! link 4: forward substitution
-    neg_y4 = n4_z - tau(4) + neg_y1*neg_l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3
+    neg_y4 = n4_z - tau(4) - neg_y1*l4_1 - l4_2*neg_y2 - l4_3*neg_y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 + neg_l5_4*neg_y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 - l5_4*neg_y4
     ! link 6: forward substitution
-    neg_y6 = nc6_z - tau(6) + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 + neg_l6_4*neg_y4 - &
-        l6_5*neg_y5
+    neg_y6 = nc6_z - tau(6) + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 - l6_4*neg_y4 + &
+        neg_l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd6 = neg_ipivot6*neg_y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd5 = ipivot5*neg_y5 + l6_5*qdd6
+    qdd5 = neg_ipivot5*neg_y5 + neg_l6_5*qdd6
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd4 = neg_ipivot4*neg_y4 - neg_l5_4*neg_qdd5 + neg_l6_4*qdd6
+    neg_qdd4 = ipivot4*neg_y4 + l5_4*qdd5 + l6_4*qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 - l5_3*neg_qdd5 + l6_3*qdd6
+    neg_qdd3 = ipivot3*neg_y3 - l4_3*neg_qdd4 + l5_3*qdd5 + l6_3*qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - neg_l4_2*qdd4 - l5_2*neg_qdd5 + l6_2*qdd6
+    neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - l4_2*neg_qdd4 + l5_2*qdd5 + l6_2*qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 + neg_l2_1*neg_qdd2 + neg_l3_1*neg_qdd3 - neg_l4_1*qdd4 &
-        - l5_1*neg_qdd5)
-    t39 = -neg_qdd2
-    t40 = -neg_qdd3
-    t41 = -neg_qdd5
+    qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 - l2_1*neg_qdd2 - l3_1*neg_qdd3 - l4_1*neg_qdd4 + &
+        l5_1*qdd5)
+    t44 = -neg_qdd2
+    t45 = -neg_qdd3
+    t46 = -neg_qdd4
     qdd(1) = qdd1
-    qdd(2) = t39
-    qdd(3) = t40
-    qdd(4) = qdd4
-    qdd(5) = t41
+    qdd(2) = t44
+    qdd(3) = t45
+    qdd(4) = t46
+    qdd(5) = qdd5
     qdd(6) = qdd6
   end subroutine
 end module

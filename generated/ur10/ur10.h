@@ -15,15 +15,16 @@
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
- * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
- *   to the recursion without being written like it: robodyn --optimize full, seed 1.
+ * Of inverse_dynamics, bias, mass_matrix, forward_dynamics the best program known for these
+ *   parameters, equal to the recursion without being written like it: robodyn --optimize full,
+ *   seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 104 multiplications, 81 additions = 185; 3 unary minus; 10 sine/cosine
  *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
  *   bias: 84 multiplications, 57 additions = 141; 0 unary minus; 10 sine/cosine
- *   mass_matrix: 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 224 multiplications, 172 additions, 6 divisions = 402; 3 unary minus; 10
+ *   mass_matrix: 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 204 multiplications, 157 additions, 6 divisions = 367; 3 unary minus; 10
  *       sine/cosine
  */
 #ifndef UR10_H

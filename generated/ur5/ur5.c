@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 106 multiplications, 79 additions = 185; 2 unary minus; 10 sine/cosine
  *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
  *   bias: 87 multiplications, 54 additions = 141; 2 unary minus; 10 sine/cosine
- *   mass_matrix: 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 226 multiplications, 169 additions, 6 divisions = 401; 3 unary minus; 10
+ *   mass_matrix: 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 207 multiplications, 154 additions, 6 divisions = 367; 3 unary minus; 10
  *       sine/cosine
  */
 #include "ur5.h"
@@ -296,7 +298,7 @@ void ur5_bias(const ur5_real q[6], const ur5_real qd[6], ur5_real tau[6])
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine */
+ * 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine */
 void ur5_mass_matrix(const ur5_real q[6], ur5_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -312,81 +314,61 @@ void ur5_mass_matrix(const ur5_real q[6], ur5_real M[36])
     const volatile ur5_real angle23 = q[1] + q[2];
     const ur5_real c23 = cos(angle23);
     const ur5_real s23 = sin(angle23);
-    const volatile ur5_real angle2to4 = q[3] + angle23;
+    const volatile ur5_real angle2to4 = angle23 + q[3];
     const ur5_real c2to4 = cos(angle2to4);
     const ur5_real s2to4 = sin(angle2to4);
-    /* link 6: second moment of the composite body [kg m^2] */
-    const ur5_real k6_xy = 0.0166855268546*(c6*s6);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const ur5_real nu5_x = -0.0171364731454*s5;
     const ur5_real nu5_y = 0.0171364731454*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const ur5_real nu4_y = s2to4*nu5_x;
-    const ur5_real t1 = 0.0166855268546*(c6*c6);
-    /* link 5: mass matrix, its row of this joint */
-    const ur5_real m5_5 = t1 + 0.2365564731454;
-    const ur5_real t2 = t1 - 0.0166855268546;
-    const ur5_real t3 = c5*c5*t2;
+    const ur5_real t1 = 0.0166855268546*s6;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const ur5_real k6_xy = c6*t1;
     /* link 5: second moment of the composite body [kg m^2] */
-    const ur5_real k5_yy = t1 + 0.1099354731454 - t3;
-    const ur5_real k5_xy = t2*(c5*s5);
     const ur5_real neg_k5_xz = c5*k6_xy;
-    const ur5_real neg_k5_yz = s5*k6_xy;
+    const ur5_real t2 = s6*t1;
+    /* link 5: mass matrix, its row of this joint */
+    const ur5_real m5_5 = 0.253242 - t2;
+    const ur5_real t3 = s2to4*neg_k5_xz;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const ur5_real nu4_y_2 = s2to4*neg_k5_xz - c2to4*m5_5;
+    const ur5_real nu4_y = t3 - c2to4*m5_5;
+    const ur5_real t4 = 0.6794726918749999*c2;
+    const ur5_real t5 = 0.011124085581927274*s2to4;
+    const ur5_real t6 = 0.62711332561875*(c23*t5);
+    const ur5_real t7 = c23*t4;
+    const ur5_real t8 = t4*t5;
+    const ur5_real t9 = t6 - (t7 - t8);
+    const ur5_real t10 = c5*t2;
+    const ur5_real t11 = c5*t10;
+    const ur5_real t12 = 3.801350732012182*(t4*t4) - (t9 + (t9 - t11 - 0.4395951218179)) -
+        c2to4*(c2to4*(t11 + 0.02174530937515) + (t3 + nu4_y));
+    /* link 1: mass matrix, its row of this joint */
+    const ur5_real m1_1 = 0.59155695167475*(c23*c23) + t12;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const ur5_real neg_k5_yz = s5*k6_xy;
+    const ur5_real t13 = s5*s2to4;
+    /* link 1: mass matrix, its row of this joint */
+    const ur5_real m1_4 = t10*t13 - c2to4*(neg_k5_yz - 0.00194120382525);
+    const ur5_real t14 = 0.07714261911624999*s23;
+    const ur5_real m1_3 = m1_4 + t14;
+    const ur5_real m1_2 = m1_3 + 0.408499208875*s2;
     /* link 4: mass matrix, its row of this joint */
-    const ur5_real m4_4 = 0.25785083622975 - (t1 - t3);
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const ur5_real h4_x = 0.017784735*s2to4;
-    const ur5_real neg_h4_y = 0.017784735*c2to4;
-    const ur5_real t4 = c2to4*c2to4*(t1 + t3 + 0.21481116377025) - neg_k5_xz*(2.0*(c2to4*s2to4));
-    /* link 4: second moment of the composite body [kg m^2] */
-    const ur5_real k4_xx = t4 - (t1 - 0.02151983622975);
-    const ur5_real k4_yy = t3 + 0.236331 - t4;
-    const ur5_real k4_yz = s2to4*k5_xy + c2to4*neg_k5_yz;
-    const ur5_real t5 = 0.39225*s23;
-    const ur5_real t6 = 0.39225*c23;
+    const ur5_real m4_4 = t2 - t11 + 0.24116530937515;
+    const ur5_real t15 = t6 - 0.09043071629752977*(c2to4*t14);
     /* link 3: mass matrix, its row of this joint */
-    const ur5_real m3_4 = m4_4 + (t5*neg_h4_y - t6*h4_x);
-    const ur5_real t7 = 0.425*s2;
-    const ur5_real t8 = 0.425*c2;
+    const ur5_real m3_4 = m4_4 - t15;
+    const ur5_real m3_3 = m3_4 - (t15 - 0.5956519516747499);
+    const ur5_real t16 = t8 - 0.007558512375*(s2*c2to4);
+    const ur5_real t17 = s23*(0.6794726918749999*s2) + (t7 - t16);
     /* link 2: mass matrix, its row of this joint */
-    const ur5_real m2_4 = m3_4 + (t7*neg_h4_y - t8*h4_x);
-    /* link 1: mass matrix, its row of this joint */
-    const ur5_real m1_4 = 0.00194120382525*c2to4 - k4_yz;
-    const ur5_real t9 = t6*(0.03556947*s2to4) - k4_xx;
-    const ur5_real t10 = k4_yy + t5*(0.03556947*c2to4);
-    /* link 3: mass matrix, its row of this joint */
-    const ur5_real m3_3 = 0.5956519516747499 - (t9 - t10);
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const ur5_real h3_x = h4_x - 1.598759275*c23;
-    const ur5_real neg_h3_y = neg_h4_y + 1.598759275*s23;
-    const ur5_real t11 = 0.59155695167475*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const ur5_real k3_xx = t11 + 0.0020475 - t9;
-    const ur5_real k3_yy = t10 - (t11 - 0.59360445167475);
-    const ur5_real k3_yz = k4_yz + 0.09736195574999999*s23;
-    /* link 2: mass matrix, its row of this joint */
-    const ur5_real m2_3 = m3_3 + (t7*neg_h3_y - t8*h3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const ur5_real m1_3 = 0.10915*neg_h3_y - k3_yz;
-    const ur5_real t12 = t8*(2.0*h3_x) - k3_xx;
-    /* link 2: mass matrix, its row of this joint */
-    const ur5_real m2_2 = 1.77012693841 - (t12 - (k3_yy + t7*(2.0*neg_h3_y)));
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const ur5_real neg_h2_y = neg_h3_y + 4.4329225*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const ur5_real k2_xx = 1.75501953841*(c2*c2) + 0.0075537 - t12;
-    const ur5_real k2_yz = k3_yz + 0.075354282*s2;
-    /* link 1: mass matrix, its row of this joint */
-    const ur5_real m1_2 = 0.10915*neg_h2_y - k2_yz;
-    const ur5_real m1_1 = k5_yy + k2_xx + 0.29853861244275;
+    const ur5_real m2_3 = t17 + m3_3;
+    const ur5_real m2_2 = t17 + (m2_3 + 1.77012693841);
+    const ur5_real m2_4 = m3_4 - t16;
+    const ur5_real t18 = -0.0171364731454*t13;
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
     M[3] = m1_4;
-    M[4] = nu4_y_2;
-    M[5] = nu4_y;
+    M[4] = nu4_y;
+    M[5] = t18;
     M[6] = m1_2;
     M[7] = m2_2;
     M[8] = m2_3;
@@ -405,13 +387,13 @@ void ur5_mass_matrix(const ur5_real q[6], ur5_real M[36])
     M[21] = m4_4;
     M[22] = neg_k5_yz;
     M[23] = nu5_y;
-    M[24] = nu4_y_2;
+    M[24] = nu4_y;
     M[25] = neg_k5_yz;
     M[26] = neg_k5_yz;
     M[27] = neg_k5_yz;
     M[28] = m5_5;
     M[29] = 0.0;
-    M[30] = nu4_y;
+    M[30] = t18;
     M[31] = nu5_y;
     M[32] = nu5_y;
     M[33] = nu5_y;
@@ -420,7 +402,7 @@ void ur5_mass_matrix(const ur5_real q[6], ur5_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 226 multiplications, 169 additions, 6 divisions = 401; 3 unary minus; 10 sine/cosine */
+ * 207 multiplications, 154 additions, 6 divisions = 367; 3 unary minus; 10 sine/cosine */
 void ur5_forward_dynamics(
     const ur5_real q[6],
     const ur5_real qd[6],
@@ -521,145 +503,125 @@ void ur5_forward_dynamics(
     const ur5_real n03_z = n4_z - t10*(t23 + neg_lam2_33*t9) - t13*t26;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
     const ur5_real n02_z = n03_z - (t16*(t23 - neg_lam2_33*t21) + t7*(t26 + 6.804194372765798));
-    /* link 6: second moment of the composite body [kg m^2] */
-    const ur5_real k6_xy = 0.0166855268546*(c6*s6);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const ur5_real neg_nu5_x = 0.0171364731454*s5;
     const ur5_real nu5_y = 0.0171364731454*c5;
-    /* link 4: moment for a unit acceleration of a joint further out */
-    const ur5_real neg_nu4_y = s2to4*neg_nu5_x;
-    const ur5_real t27 = 0.0166855268546*(c6*c6);
-    /* link 5: mass matrix, its row of this joint */
-    const ur5_real m5_5 = t27 + 0.2365564731454;
-    const ur5_real t28 = t27 - 0.0166855268546;
-    const ur5_real t29 = c5*c5*t28;
+    const ur5_real t27 = 0.0166855268546*s6;
+    /* link 6: second moment of the composite body [kg m^2] */
+    const ur5_real k6_xy = c6*t27;
     /* link 5: second moment of the composite body [kg m^2] */
-    const ur5_real k5_yy = t27 + 0.1099354731454 - t29;
-    const ur5_real k5_xy = t28*(c5*s5);
     const ur5_real neg_k5_xz = c5*k6_xy;
-    const ur5_real neg_k5_yz = s5*k6_xy;
+    const ur5_real t28 = s6*t27;
+    /* link 5: mass matrix, its row of this joint */
+    const ur5_real neg_m5_5 = t28 - 0.253242;
+    const ur5_real t29 = s2to4*neg_k5_xz;
     /* link 4: moment for a unit acceleration of a joint further out */
-    const ur5_real nu4_y = s2to4*neg_k5_xz - c2to4*m5_5;
+    const ur5_real nu4_y = t29 + c2to4*neg_m5_5;
+    const ur5_real t30 = 0.6794726918749999*c2;
+    const ur5_real t31 = 0.011124085581927274*s2to4;
+    const ur5_real t32 = 0.62711332561875*(c23*t31);
+    const ur5_real t33 = c23*t30;
+    const ur5_real t34 = t30*t31;
+    const ur5_real t35 = t32 - (t33 - t34);
+    const ur5_real t36 = c5*t28;
+    const ur5_real t37 = c5*t36;
+    const ur5_real t38 = 3.801350732012182*(t30*t30) - (t35 + (t35 - t37 - 0.4395951218179)) -
+        c2to4*(c2to4*(t37 + 0.02174530937515) + (t29 + nu4_y));
+    /* link 1: mass matrix, its row of this joint */
+    const ur5_real m1_1 = 0.59155695167475*(c23*c23) + t38;
+    /* link 5: second moment of the composite body [kg m^2] */
+    const ur5_real neg_k5_yz = s5*k6_xy;
+    const ur5_real t39 = s2to4*s5;
+    /* link 1: mass matrix, its row of this joint */
+    const ur5_real m1_4 = t36*t39 - c2to4*(neg_k5_yz - 0.00194120382525);
+    const ur5_real t40 = 0.07714261911624999*s23;
+    const ur5_real m1_3 = m1_4 + t40;
+    const ur5_real m1_2 = m1_3 + 0.408499208875*s2;
     /* link 4: mass matrix, its row of this joint */
-    const ur5_real neg_m4_4 = t27 - t29 - 0.25785083622975;
-    /* link 4: first moment of the composite body, about the frame's origin [kg m] */
-    const ur5_real h4_x = 0.017784735*s2to4;
-    const ur5_real neg_h4_y = 0.017784735*c2to4;
-    const ur5_real t30 = c2to4*c2to4*(t27 + t29 + 0.21481116377025) - neg_k5_xz*(2.0*(c2to4*s2to4));
-    /* link 4: second moment of the composite body [kg m^2] */
-    const ur5_real k4_xx = t30 - (t27 - 0.02151983622975);
-    const ur5_real neg_k4_yy = t30 - (t29 + 0.236331);
-    const ur5_real k4_yz = s2to4*k5_xy + c2to4*neg_k5_yz;
-    const ur5_real t31 = 0.39225*s23;
-    const ur5_real t32 = 0.39225*c23;
+    const ur5_real m4_4 = t28 - t37 + 0.24116530937515;
+    const ur5_real t41 = t32 - 0.09043071629752977*(c2to4*t40);
     /* link 3: mass matrix, its row of this joint */
-    const ur5_real neg_m3_4 = neg_m4_4 - (neg_h4_y*t31 - h4_x*t32);
-    const ur5_real t33 = 0.425*s2;
-    const ur5_real t34 = 0.425*c2;
+    const ur5_real m3_4 = m4_4 - t41;
+    const ur5_real m3_3 = m3_4 - (t41 - 0.5956519516747499);
+    const ur5_real t42 = t34 - 0.007558512375*(c2to4*s2);
+    const ur5_real t43 = s23*(0.6794726918749999*s2) + (t33 - t42);
     /* link 2: mass matrix, its row of this joint */
-    const ur5_real neg_m2_4 = neg_m3_4 - (neg_h4_y*t33 - h4_x*t34);
-    /* link 1: mass matrix, its row of this joint */
-    const ur5_real m1_4 = t25 - k4_yz;
-    const ur5_real t35 = k4_xx - t32*(0.03556947*s2to4);
-    const ur5_real t36 = neg_k4_yy - t31*(0.03556947*c2to4);
-    /* link 3: mass matrix, its row of this joint */
-    const ur5_real m3_3 = t35 - t36 + 0.5956519516747499;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const ur5_real h3_x = h4_x - 1.598759275*c23;
-    const ur5_real neg_h3_y = neg_h4_y + 1.598759275*s23;
-    const ur5_real t37 = 0.59155695167475*(c23*c23);
-    /* link 3: second moment of the composite body [kg m^2] */
-    const ur5_real k3_xx = t35 + (t37 + 0.0020475);
-    const ur5_real neg_k3_yy = t36 + (t37 - 0.59360445167475);
-    const ur5_real k3_yz = k4_yz + 0.09736195574999999*s23;
-    /* link 2: mass matrix, its row of this joint */
-    const ur5_real m2_3 = m3_3 + (t33*neg_h3_y - t34*h3_x);
-    /* link 1: mass matrix, its row of this joint */
-    const ur5_real neg_m1_3 = k3_yz - 0.10915*neg_h3_y;
-    const ur5_real t38 = k3_xx - t34*(2.0*h3_x);
-    /* link 2: mass matrix, its row of this joint */
-    const ur5_real m2_2 = t38 - (neg_k3_yy - t33*(2.0*neg_h3_y)) + 1.77012693841;
-    /* link 2: first moment of the composite body, about the frame's origin [kg m] */
-    const ur5_real neg_h2_y = neg_h3_y + 4.4329225*s2;
-    /* link 2: second moment of the composite body [kg m^2] */
-    const ur5_real k2_xx = t38 + (1.75501953841*(c2*c2) + 0.0075537);
-    const ur5_real k2_yz = k3_yz + 0.075354282*s2;
-    /* link 1: mass matrix, its row of this joint */
-    const ur5_real neg_m1_2 = k2_yz - 0.10915*neg_h2_y;
-    const ur5_real m1_1 = k5_yy + k2_xx + 0.29853861244275;
+    const ur5_real m2_3 = m3_3 + t43;
+    const ur5_real m2_2 = t43 + (m2_3 + 1.77012693841);
+    const ur5_real m2_4 = m3_4 - t42;
+    /* factorisation M = L D L^T */
+    const ur5_real neg_ld6_1 = 0.0171364731454*t39;
     /* link 1: forward substitution */
     const ur5_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
     const ur5_real ipivot1 = 1.0 / m1_1;
-    const ur5_real neg_l2_1 = neg_m1_2*ipivot1;
-    const ur5_real neg_l3_1 = neg_m1_3*ipivot1;
+    const ur5_real l2_1 = m1_2*ipivot1;
+    const ur5_real l3_1 = m1_3*ipivot1;
     const ur5_real l4_1 = m1_4*ipivot1;
     const ur5_real l5_1 = nu4_y*ipivot1;
-    const ur5_real neg_l6_1 = neg_nu4_y*ipivot1;
-    const ur5_real pivot2 = m2_2 - neg_m1_2*neg_l2_1;
+    const ur5_real neg_l6_1 = neg_ld6_1*ipivot1;
+    const ur5_real pivot2 = m2_2 - m1_2*l2_1;
     const ur5_real ipivot2 = 1.0 / pivot2;
-    const ur5_real ld3_2 = m2_3 - neg_m1_2*neg_l3_1;
+    const ur5_real ld3_2 = m2_3 - m1_2*l3_1;
     const ur5_real l3_2 = ipivot2*ld3_2;
-    const ur5_real neg_ld4_2 = neg_m2_4 - neg_m1_2*l4_1;
-    const ur5_real neg_l4_2 = ipivot2*neg_ld4_2;
-    const ur5_real ld5_2 = neg_k5_yz + neg_m1_2*l5_1;
+    const ur5_real ld4_2 = m2_4 - m1_2*l4_1;
+    const ur5_real l4_2 = ipivot2*ld4_2;
+    const ur5_real ld5_2 = neg_k5_yz - m1_2*l5_1;
     const ur5_real l5_2 = ipivot2*ld5_2;
-    const ur5_real ld6_2 = nu5_y - neg_m1_2*neg_l6_1;
+    const ur5_real ld6_2 = nu5_y + m1_2*neg_l6_1;
     const ur5_real l6_2 = ipivot2*ld6_2;
-    const ur5_real pivot3 = m3_3 - neg_m1_3*neg_l3_1 - ld3_2*l3_2;
+    const ur5_real pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2;
     const ur5_real ipivot3 = 1.0 / pivot3;
-    const ur5_real neg_ld4_3 = neg_m3_4 - neg_m1_3*l4_1 - ld3_2*neg_l4_2;
-    const ur5_real neg_l4_3 = ipivot3*neg_ld4_3;
-    const ur5_real ld5_3 = neg_k5_yz + neg_m1_3*l5_1 - ld3_2*l5_2;
+    const ur5_real ld4_3 = m3_4 - m1_3*l4_1 - ld3_2*l4_2;
+    const ur5_real l4_3 = ipivot3*ld4_3;
+    const ur5_real ld5_3 = neg_k5_yz - m1_3*l5_1 - ld3_2*l5_2;
     const ur5_real l5_3 = ipivot3*ld5_3;
-    const ur5_real ld6_3 = nu5_y - neg_m1_3*neg_l6_1 - ld3_2*l6_2;
+    const ur5_real ld6_3 = nu5_y + m1_3*neg_l6_1 - ld3_2*l6_2;
     const ur5_real l6_3 = ipivot3*ld6_3;
-    const ur5_real neg_pivot4 = neg_m4_4 + m1_4*l4_1 + neg_ld4_2*neg_l4_2 + neg_ld4_3*neg_l4_3;
-    const ur5_real neg_ipivot4 = 1.0 / neg_pivot4;
-    const ur5_real ld5_4 = neg_k5_yz - m1_4*l5_1 + neg_ld4_2*l5_2 + neg_ld4_3*l5_3;
-    const ur5_real neg_l5_4 = neg_ipivot4*ld5_4;
-    const ur5_real ld6_4 = nu5_y + m1_4*neg_l6_1 + neg_ld4_2*l6_2 + neg_ld4_3*l6_3;
-    const ur5_real neg_l6_4 = neg_ipivot4*ld6_4;
-    const ur5_real pivot5 = m5_5 - nu4_y*l5_1 - ld5_2*l5_2 - ld5_3*l5_3 + ld5_4*neg_l5_4;
-    const ur5_real ipivot5 = 1.0 / pivot5;
-    const ur5_real ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 + ld5_4*neg_l6_4;
-    const ur5_real l6_5 = ipivot5*ld6_5;
-    const ur5_real neg_pivot6 = neg_nu4_y*neg_l6_1 - 0.0171364731454 + ld6_2*l6_2 + ld6_3*l6_3 -
-        ld6_4*neg_l6_4 + ld6_5*l6_5;
+    const ur5_real pivot4 = m4_4 - m1_4*l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
+    const ur5_real ipivot4 = 1.0 / pivot4;
+    const ur5_real ld5_4 = neg_k5_yz - m1_4*l5_1 - ld4_2*l5_2 - ld4_3*l5_3;
+    const ur5_real l5_4 = ipivot4*ld5_4;
+    const ur5_real ld6_4 = nu5_y + m1_4*neg_l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
+    const ur5_real l6_4 = ipivot4*ld6_4;
+    const ur5_real neg_pivot5 = neg_m5_5 + nu4_y*l5_1 + ld5_2*l5_2 + ld5_3*l5_3 + ld5_4*l5_4;
+    const ur5_real neg_ipivot5 = 1.0 / neg_pivot5;
+    const ur5_real ld6_5 = nu4_y*neg_l6_1 - ld5_2*l6_2 - ld5_3*l6_3 - ld5_4*l6_4;
+    const ur5_real neg_l6_5 = neg_ipivot5*ld6_5;
+    const ur5_real neg_pivot6 = neg_ld6_1*neg_l6_1 - 0.0171364731454 + ld6_2*l6_2 + ld6_3*l6_3 +
+        ld6_4*l6_4 - ld6_5*neg_l6_5;
     const ur5_real neg_ipivot6 = 1.0 / neg_pivot6;
     /* link 2: forward substitution */
-    const ur5_real neg_y2 = n02_z - tau[1] + neg_y1*neg_l2_1;
+    const ur5_real neg_y2 = n02_z - tau[1] - neg_y1*l2_1;
     /* link 3: forward substitution */
-    const ur5_real neg_y3 = n03_z - tau[2] + neg_y1*neg_l3_1 - l3_2*neg_y2;
+    const ur5_real neg_y3 = n03_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
-    const ur5_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 + neg_l4_2*neg_y2 + neg_l4_3*neg_y3;
+    const ur5_real neg_y4 = n4_z - tau[3] - neg_y1*l4_1 - l4_2*neg_y2 - l4_3*neg_y3;
     /* link 5: forward substitution */
-    const ur5_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 +
-        neg_l5_4*neg_y4;
+    const ur5_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 - l5_2*neg_y2 - l5_3*neg_y3 - l5_4*neg_y4;
     /* link 6: forward substitution */
-    const ur5_real neg_y6 = nc6_z - tau[5] + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 +
-        neg_l6_4*neg_y4 - l6_5*neg_y5;
+    const ur5_real neg_y6 = nc6_z - tau[5] + neg_y1*neg_l6_1 - l6_2*neg_y2 - l6_3*neg_y3 -
+        l6_4*neg_y4 + neg_l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const ur5_real qdd6 = neg_ipivot6*neg_y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real neg_qdd5 = ipivot5*neg_y5 + l6_5*qdd6;
+    const ur5_real qdd5 = neg_ipivot5*neg_y5 + neg_l6_5*qdd6;
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real qdd4 = neg_ipivot4*neg_y4 - neg_l5_4*neg_qdd5 + neg_l6_4*qdd6;
+    const ur5_real neg_qdd4 = ipivot4*neg_y4 + l5_4*qdd5 + l6_4*qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real neg_qdd3 = ipivot3*neg_y3 - neg_l4_3*qdd4 - l5_3*neg_qdd5 + l6_3*qdd6;
+    const ur5_real neg_qdd3 = ipivot3*neg_y3 - l4_3*neg_qdd4 + l5_3*qdd5 + l6_3*qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - neg_l4_2*qdd4 - l5_2*neg_qdd5 +
+    const ur5_real neg_qdd2 = ipivot2*neg_y2 - l3_2*neg_qdd3 - l4_2*neg_qdd4 + l5_2*qdd5 +
         l6_2*qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const ur5_real qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 + neg_l2_1*neg_qdd2 + neg_l3_1*neg_qdd3 +
-        l4_1*qdd4 - l5_1*neg_qdd5);
-    const ur5_real t39 = -neg_qdd2;
-    const ur5_real t40 = -neg_qdd3;
-    const ur5_real t41 = -neg_qdd5;
+    const ur5_real qdd1 = neg_l6_1*qdd6 - (neg_y1*ipivot1 - l2_1*neg_qdd2 - l3_1*neg_qdd3 -
+        l4_1*neg_qdd4 + l5_1*qdd5);
+    const ur5_real t44 = -neg_qdd2;
+    const ur5_real t45 = -neg_qdd3;
+    const ur5_real t46 = -neg_qdd4;
     qdd[0] = qdd1;
-    qdd[1] = t39;
-    qdd[2] = t40;
-    qdd[3] = qdd4;
-    qdd[4] = t41;
+    qdd[1] = t44;
+    qdd[2] = t45;
+    qdd[3] = t46;
+    qdd[4] = qdd5;
     qdd[5] = qdd6;
 }

@@ -16,13 +16,15 @@
  *   makes no difference is moved to its parent.
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 3.
+ * Of mass_matrix the best program known for these parameters, equal to the recursion without being
+ *   written like it: robodyn --optimize full, seed 1.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 106 multiplications, 79 additions = 185; 2 unary minus; 10 sine/cosine
  *   gravity: 3 multiplications, 4 additions = 7; 0 unary minus; 3 sine/cosine
  *   bias: 87 multiplications, 54 additions = 141; 2 unary minus; 10 sine/cosine
- *   mass_matrix: 54 multiplications, 47 additions = 101; 0 unary minus; 10 sine/cosine
- *   forward_dynamics: 226 multiplications, 169 additions, 6 divisions = 401; 3 unary minus; 10
+ *   mass_matrix: 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine
+ *   forward_dynamics: 207 multiplications, 154 additions, 6 divisions = 367; 3 unary minus; 10
  *       sine/cosine
  */
 #ifndef UR5_H
