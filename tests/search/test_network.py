@@ -299,6 +299,29 @@ def test_numbers_of_many_digits_come_back() -> None:
     assert set(long) <= {arg for operation in found.operations for arg in operation.args}
 
 
+def test_numbers_of_the_program_come_back_however_long_they_are() -> None:
+    long = Fraction(3**5000, 7**3000)
+    made = by_hand(
+        ("mul", (long, X)), ("add", (-long, Y)), ("mul", (0, 1)), ("mul", (1 / long, 2)), outputs=(3, 0)
+    )
+    assert meaning(back(network([made]))) == meaning(made)
+
+
+def test_nothing_is_folded_on_the_way_back() -> None:
+    made = by_hand(
+        ("add", (X, Fraction(2))),
+        ("add", (Y, Fraction(3))),
+        ("mul", (0, 1)),
+        ("add", (0, 1)),  # folded it were (x + y) + 5: one more
+        ("mul", (2, 3)),
+        ("add", (4, 4)),
+        outputs=(5,),
+    )
+    found = back(network([made]))
+    assert meaning(found) == meaning(made)
+    assert operations_of(found).counts == {"add": 4, "mul": 2}
+
+
 def test_other_programs_lend_their_values() -> None:
     first = by_hand(("mul", (X, Y)), ("mul", (0, Y)), outputs=(1,))
     second = by_hand(("mul", (Y, Y)), ("mul", (0, X)), ("tanh", (X,)), ("mul", (2, X)), outputs=(1,))

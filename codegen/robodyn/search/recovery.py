@@ -24,8 +24,10 @@ def rebuilt(
     """
     moduli = [(1 << 61) - BELOW[k] for k in range(source.primes)]
     at = [0] + [POINTS + FURTHER * k for k in range(source.primes - 1)]
-    graph = Graph()
+    # Nothing is folded: (x + c) + (y + d) has been found to cost less than (x + y) + (c + d), x + x than 2 x.
+    graph = Graph(fold=False)
     program = source.program
+    own = _own_constants(program, moduli[:_FEW])
     values = graph.replay_all(program)
     made: dict[int, Scalar] = {}
     residue_of = {i: residues[k] for k, i in enumerate(ids)}
@@ -35,6 +37,8 @@ def rebuilt(
         for p, r in zip(moduli, at, strict=True):
             x, a = residue_of[i][r], residue_of[j][r]
             parts.append(x * pow(a, -1, p) % p if quotient else (x - sign * a) % p)
+            if len(parts) == _FEW and (known := own.get(tuple(parts))) is not None:
+                return known
         return fraction(parts, moduli)
 
     for i, row in zip(ids, rows, strict=True):
@@ -60,6 +64,20 @@ def rebuilt(
             made[i] = -made[i]
     results = [out if isinstance(out, Fraction) else made[out[0]] * out[1] for out in source.outputs]
     return lower(graph, grouped(program, results))
+
+
+#: So many primes tell the constants of a program from all others.
+_FEW = 3
+
+
+def _own_constants(program: Program, moduli: Sequence[int]) -> dict[tuple[int, ...], Fraction]:
+    """Constants of ``program``, their negatives and reciprocals by their residues: these come back however
+    long they are, and at once."""
+    found: dict[tuple[int, ...], Fraction] = {}
+    for c in {arg for operation in program.operations for arg in operation.args if isinstance(arg, Fraction)}:
+        for x in (c, -c, *((1 / c, -1 / c) if c else ())):
+            found[tuple(x.numerator * pow(x.denominator, -1, p) % p for p in moduli)] = x
+    return found
 
 
 def fraction(parts: Sequence[int], moduli: Sequence[int]) -> Fraction:
