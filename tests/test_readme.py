@@ -20,7 +20,7 @@ def test_the_counts_are_those_that_gen_prints(tmp_path: Path, capsys: pytest.Cap
 
 def test_every_command_named_exists_and_every_command_is_named() -> None:
     shell = "".join(re.findall(r"```sh\n(.*?)```", README, flags=re.DOTALL))
-    named = set(re.findall(r"^robodyn (\w+)", shell, flags=re.MULTILINE))
+    named = set(re.findall(r"^robodyn ([\w-]+)", shell, flags=re.MULTILINE))
     assert named == set(COMMANDS)
 
 

@@ -92,8 +92,8 @@ def load_robot(robot: str, *, strict: bool = False) -> Robot:
     return load(robot, strict=strict, warn=lambda text: talk(f"robodyn: warning: {text}"))
 
 
-def write_files(folder: Path, files: Mapping[str, str]) -> list[Path]:
-    """Write `files` (path relative to `folder` -> text), each whole or not at all; return their paths.
+def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
+    """Write `files` (path relative to `folder` -> text or bytes), each whole or not at all; return the paths.
 
     All are written under temporary names beside their places first, and take their names only when all of
     them are there. On an error the temporary files, and the folders made for them, are removed again.
@@ -113,7 +113,7 @@ def write_files(folder: Path, files: Mapping[str, str]) -> list[Path]:
             ends.append(_end_of_links(path))
         path = folder
         new_folders = _missing_folders(end.parent for end in ends)
-        for path, end, text in zip(targets, ends, files.values(), strict=True):
+        for path, end, content in zip(targets, ends, files.values(), strict=True):
             if end.exists() and not end.is_file():
                 raise InputError(
                     f"cannot write {printable(path)}",
@@ -122,7 +122,10 @@ def write_files(folder: Path, files: Mapping[str, str]) -> list[Path]:
                 )
             end.parent.mkdir(parents=True, exist_ok=True)
             temporary.append(end.parent / f".robodyn.{os.getpid()}.{len(temporary)}.tmp")
-            temporary[-1].write_text(text, encoding="utf-8", newline="\n")
+            if isinstance(content, bytes):
+                temporary[-1].write_bytes(content)
+            else:
+                temporary[-1].write_text(content, encoding="utf-8", newline="\n")
         for path, end, source in zip(targets, ends, temporary, strict=True):  # noqa: B007 (the error names it)
             source.replace(end)
     except BaseException as error:

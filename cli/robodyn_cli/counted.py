@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -22,6 +22,30 @@ def record(robot: Robot, function: str, formulation: str, found: Count) -> dict[
         **found.to_dict(),
         "thesis": None if printed is None else printed.to_dict(),
     }
+
+
+def with_rigid(row: dict[str, Any], rigid: Count | None) -> dict[str, Any]:
+    """``row`` of a robot with effects: the rigid arm's operations, and what the effects add, apart."""
+    if rigid is not None:
+        own = rigid.to_dict()
+        row["rigid"] = own
+        row["effects"] = {kind: row[kind] - own[kind] for kind in own}
+    return row
+
+
+def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None]) -> list[str]:
+    """What effects add to each function, a line each."""
+    found = []
+    for function, beneath in rigid.items():
+        whole = counts[function]
+        if beneath is not None and (whole.total, whole.other) != (beneath.total, beneath.other):
+            found.append(
+                f"{function}: {beneath.mul}+{beneath.add} = {beneath.total} of the rigid arm; effects "
+                f"{whole.mul - beneath.mul:+}/{whole.add - beneath.add:+} mul/add, "
+                f"{whole.div - beneath.div:+} div, {whole.sqrt - beneath.sqrt:+} sqrt, "
+                f"{whole.other - beneath.other:+} other = {whole.total - beneath.total:+}"
+            )
+    return found
 
 
 def lines(robot: Robot, rows: Iterable[tuple[str, str, Count]]) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
-from robodyn_cli.counted import lines, record
+from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.options import load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -48,7 +48,7 @@ def command(
     from robodyn.counts import Count, count, parse_budget
     from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS
     from robodyn.errors import CheckError
-    from robodyn.generation import Drafts, Options, SingularArm, program
+    from robodyn.generation import NoForwardDynamics, Options, maker
     from robodyn.prune import Pruning
 
     limit = None if budget is None else parse_budget(budget)
@@ -65,18 +65,23 @@ def command(
     ]
     found: list[tuple[str, str, Count]] = []
     prunings: dict[tuple[str, str], Pruning] = {}
+    rigid: dict[tuple[str, str], Count | None] = {}
     with told() as tell:
         for f, form, one in choices:
-            drafts = Drafts(described, one, tell)
+            made = maker(described, one, tell)
             try:
-                found.append((f, form, count(program(described, f, one, drafts))))
-            except SingularArm:
+                found.append((f, form, count(made.program(f))))
+            except NoForwardDynamics:
                 if function != "all":
                     raise
-            prunings.update({(name, form): pruning for name, pruning in drafts.prunings.items()})
+            rigid[f, form] = made.rigid_count(f)
+            prunings.update({(name, form): pruning for name, pruning in made.prunings.items()})
     if as_json:
         records = [
-            with_pruning(record(described, f, form, c), prunings.get((f, form))) for f, form, c in found
+            with_pruning(
+                with_rigid(record(described, f, form, c), rigid.get((f, form))), prunings.get((f, form))
+            )
+            for f, form, c in found
         ]
         echo_json(records if "all" in (function, formulation) else records[0])
     else:
@@ -84,6 +89,9 @@ def command(
         many = len(formulations) > 1
         for line in lines(described, [(f"{f}, {form}" if many else f, f, c) for f, form, c in found]):
             click.echo(line)
+        for f, form, c in found:
+            for line in effect_lines({f: c}, {f: rigid.get((f, form))}):
+                click.echo(line)
         for line in pruning_lines(prunings):
             click.echo(line)
     if limit is not None:

@@ -19,7 +19,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.counted import lines, record
+from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -100,8 +100,8 @@ def command(
     )
     with told() as tell:
         made = generate(described, options, progress=_told(described), pruning=tell)
-    for function in made.left_out:
-        talk(f"robodyn: note: {described.name} has no {function}: a joint moves without inertia")
+    for function, reason in made.left_out.items():
+        talk(f"robodyn: note: {described.name} has no {function}: {reason}")
     files = made.files(languages)
     if latex:
         from robodyn.dynamics.functions import Choice
@@ -130,7 +130,10 @@ def command(
                 "robot": described.name,
                 "files": [str(folder / name) for name in files],
                 "functions": [
-                    with_pruning(record(described, f, formulation, c), made.prunings.get(f))
+                    with_pruning(
+                        with_rigid(record(described, f, formulation, c), made.rigid_counts.get(f)),
+                        made.prunings.get(f),
+                    )
                     for f, c in made.counts.items()
                 ],
                 "compiled": built,
@@ -139,6 +142,8 @@ def command(
         return
     click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
     for line in lines(described, [(f, f, c) for f, c in made.counts.items()]):
+        click.echo(line)
+    for line in effect_lines(made.counts, made.rigid_counts):
         click.echo(line)
     for line in pruning_lines(made.prunings):
         click.echo(line)
@@ -191,7 +196,8 @@ def _same_bits(made: Generated, one: Any, other: Any) -> bool:
     params = dict.fromkeys(made.signatures[0].parameters, 1.0) or None
     for interface in made.signatures:
         arrays = [random.uniform(-1, 1, (100, size)) for _, size in interface.inputs]
-        mine, theirs = (getattr(k, interface.function)(*arrays, params=params) for k in (one, other))
+        dt = 1e-3 if interface.states else None
+        mine, theirs = (getattr(k, interface.function)(*arrays, params=params, dt=dt) for k in (one, other))
         if not np.array_equal(mine, theirs, equal_nan=True):
             return False
     return True

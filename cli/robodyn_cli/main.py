@@ -22,7 +22,13 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the C and Fortran of a robot's dynamics, and print the counts."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and hold them to a budget."),
     "tables": ("robodyn_cli.tables", "Set the thesis's tables beside what robodyn recomputes."),
+    "simulate": (
+        "robodyn_cli.simulate",
+        "Move a robot with all its effects through time, and write the log.",
+    ),
     "verify": ("robodyn_cli.verify", "Set the compiled kernels against independent references."),
+    "case-study": ("robodyn_cli.case_study", "Run the thesis's case study of friction (chapter 3) anew."),
+    "effects": ("robodyn_cli.effects", "List the effects that a robot may have, or tell all of one."),
     "robots": ("robodyn_cli.robots", "List the bundled robots."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),

@@ -68,6 +68,7 @@ class Search:
         return self._searched(robot, options, functions)
 
     def _searched(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
+        from robodyn.dynamics.drive import rigid_part
         from robodyn.errors import InputError
         from robodyn.search.improve import BUDGET, improved, write_record
         from robodyn.search.objective import parse_objective
@@ -88,7 +89,7 @@ class Search:
                     )
 
                 record = improved(
-                    robot,
+                    rigid_part(robot),
                     level=options.optimize,  # type: ignore[arg-type]  # one of the two
                     function=function,
                     seconds=share * budget,

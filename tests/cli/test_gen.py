@@ -314,7 +314,7 @@ def test_doubtful_numbers_warn_and_strict_refuses_them(elsewhere: Path, capsys: 
 def test_an_arm_without_forward_dynamics(elsewhere: Path, capsys: Capture) -> None:
     out, err = gen(capsys, "tx40", "-o", "out", "--lang", "c")
     assert "forward_dynamics" not in out
-    assert err == "robodyn: note: tx40 has no forward_dynamics: a joint moves without inertia"
+    assert err == "robodyn: note: tx40 has no forward_dynamics: a joint that moves without inertia"
     assert "forward" not in (elsewhere / "out" / "tx40.h").read_text()
     _, err = gen(capsys, "tx40", "-o", "other", "--functions", "gravity,forward_dynamics", code=2)
     assert "tx40 has no forward dynamics" in err

@@ -12,6 +12,7 @@ from typing import Final
 
 from robodyn.generation import Generated, Options, generate
 from robodyn.robot import Robot, bundled_names, load, read_text
+from robodyn_testing.effect_arms import TEXTS as EFFECT_TEXTS
 from robodyn_testing.random_robots import random_robot
 
 STRICT: Final = (
@@ -92,7 +93,9 @@ def _odd(name: str, text: str) -> Robot:
     return read_text(f"name: {name}\n{text}", warn=lambda _: None)
 
 
-ODD: Final = tuple(_ODD)
+#: Robots whose drives have effects.
+EFFECTS: Final = tuple(f"effects_{name}" for name in EFFECT_TEXTS)
+ODD: Final = (*_ODD, *EFFECTS)
 #: Random arms by name, with their numbers of joints.
 _JOINTS: Final = dict(enumerate((3, 5, 7, 1, 2, 3, 4, 2, 5, 1), start=60))
 RANDOM: Final = tuple(f"random_{seed}" for seed in _JOINTS)
@@ -103,6 +106,10 @@ def robots() -> dict[str, Robot]:
     """All of them by name."""
     found = {name: load(name, warn=lambda _: None) for name in bundled_names()}
     found |= {name: _odd(name, text) for name, text in _ODD.items()}
+    found |= {
+        f"effects_{name}": read_text(text.replace(f"name: {name}", f"name: effects_{name}", 1))
+        for name, text in EFFECT_TEXTS.items()
+    }
     found |= {f"random_{seed}": random_robot(seed, joints=n) for seed, n in _JOINTS.items()}
     return found
 

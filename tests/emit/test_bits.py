@@ -19,7 +19,8 @@ from robodyn_testing import require_tool
 from robodyn_testing.random_robots import random_states
 
 STATES = 1000
-NAMES = ("puma560", "stanford", "smooth", "tool", "random_65")
+DT = 0.0625
+NAMES = ("puma560", "stanford", "smooth", "tool", "random_65", "effects_smooth", "effects_remembering")
 
 
 @pytest.fixture(autouse=True)
@@ -45,7 +46,8 @@ def parameters(name: str) -> dict[str, float] | None:
 
 def run(kernel: Any, function: str, inputs: dict[str, NDArray[np.float64]], name: str) -> NDArray[Any]:
     given = [inputs[array].astype(kernel.dtype) for array, _ in kernel.signatures[function].inputs]
-    result: NDArray[Any] = getattr(kernel, function)(*given, params=parameters(name))
+    dt = DT if kernel.signatures[function].states else None
+    result: NDArray[Any] = getattr(kernel, function)(*given, params=parameters(name), dt=dt)
     return result
 
 
@@ -75,12 +77,30 @@ def test_compiled_c_does_what_the_program_says_to_the_bit(name: str) -> None:
     inputs = arrays(name, 40)
     numbers = parameters(name) or {}
     for interface, program in made(name).unit.functions:
+        if interface.states:
+            steps(kernel, interface, program, inputs, numbers)
+            continue
         found = run(kernel, interface.function, inputs, name).reshape(40, -1)
         for k in range(40):
             state = {Input(array, i): float(v) for array, x in inputs.items() for i, v in enumerate(x[k])}
             state |= {Input(parameter, None): v for parameter, v in numbers.items()}
             (expected,) = evaluate(program, state).values()
             assert found[k].tobytes() == np.array(expected, dtype=np.float64).tobytes()
+
+
+def steps(kernel: Any, interface: Any, program: Any, inputs: Any, numbers: dict[str, float]) -> None:
+    """One state after another: the first call at rest, then each from the memory that the last one left."""
+    memory = np.zeros(len(interface.states))
+    for k in range(-1, 40):
+        rows = {array: x[max(k, 0)] for array, x in inputs.items() if array != "tau"}
+        state = {Input(array, i): float(v) for array, x in rows.items() for i, v in enumerate(x)}
+        state |= {Input("state", i): float(v) for i, v in enumerate(memory)}
+        state |= {Input("dt", None): DT if k >= 0 else 0.0}
+        state |= {Input(parameter, None): v for parameter, v in numbers.items()}
+        tau = kernel.inverse_dynamics(*rows.values(), params=numbers, state=memory, dt=DT if k >= 0 else 0.0)
+        expected = evaluate(program, state)
+        assert tau.tobytes() == np.array(expected["tau"], dtype=np.float64).tobytes()
+        assert memory.tobytes() == np.array(expected["state"], dtype=np.float64).tobytes()
 
 
 @pytest.mark.parametrize(

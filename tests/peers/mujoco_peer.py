@@ -1,7 +1,9 @@
 """A robot's dynamics by MuJoCo, from an MJCF text in which every number is a double to the last digit.
 
-Q, Qd, Qdd and Tau are [N, n]; SI units. Contacts and constraints are switched off and there are no springs or
-dampers, so that ``mj_inverse`` is rigid-body inverse dynamics and nothing else; friction is added here.
+Q, Qd, Qdd and Tau are [N, n]; SI units. In the model of :func:`mujoco_model` contacts and constraints are
+switched off and there are no springs or dampers, so that ``mj_inverse`` is rigid-body inverse dynamics and
+nothing else; friction is added here. That of :func:`moving_model` is for ``mj_step``: it has the damping, dry
+friction (a soft constraint) and springs of the joints, and the payload.
 
 MuJoCo's compiler refuses links that its arithmetic could handle: without mass, without extent, or breaking
 the triangle inequality. Such a robot is *not expressible* in MJCF. By default the refused links then pass the
@@ -12,14 +14,16 @@ Principal moments and axes are computed here: MuJoCo 3.2 diagonalises a ``fullin
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 
 from peers.numbers import Array, armature, friction, inertia_tensor, number, placement
-from robodyn.robot.model import Link, Robot
+from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
+from robodyn.robot.values import Value
 
 __all__ = [
     "NotExpressible",
@@ -27,6 +31,8 @@ __all__ = [
     "forward_dynamics",
     "gravity",
     "mass_matrix",
+    "motion",
+    "moving_model",
     "mujoco_model",
     "refusals",
     "torques",
@@ -36,8 +42,8 @@ _HEAD = """\
 <mujoco model="{name}">
   <compiler angle="radian" autolimits="false" inertiafromgeom="false" balanceinertia="false"
             boundmass="0" boundinertia="0"/>
-  <option gravity="{gravity}" integrator="Euler">
-    <flag contact="disable" constraint="disable" equality="disable" limit="disable" frictionloss="disable"
+  <option gravity="{gravity}" {option}>
+    <flag contact="disable" constraint="{dry}" equality="disable" limit="disable" frictionloss="{dry}"
           actuation="disable" warmstart="disable"/>
   </option>
   <worldbody>
@@ -48,18 +54,74 @@ _STAND_IN = (1.0, np.array([0.5, 0.1, 0.2, 0.3]), np.array([1.0, 1.1, 1.2]))
 the numbers written later do not allow."""
 
 
+@dataclass(frozen=True, slots=True)
+class Moving:
+    """How a model moves: by Runge-Kutta's classic method with ``step`` [s].
+
+    Dry friction is MuJoCo's soft constraint: what should stick loses its speed at the rate ``hardness`` [1/s]
+    and creeps under load, the slower the larger that is. Above 2.8 / ``step`` it chatters.
+    """
+
+    step: float
+    hardness: float = 1e6
+
+    @property
+    def option(self) -> str:
+        """Attributes of MJCF's ``option``."""
+        return (
+            f'integrator="RK4" timestep="{self.step!r}" solver="Newton" iterations="200" tolerance="0"'
+            ' jacobian="dense"'
+        )
+
+
 class NotExpressible(ValueError):
     """MJCF cannot state this robot; the message says which links the compiler refuses, and why."""
 
 
-def mujoco_model(robot: Robot, *, patch: bool = True) -> mujoco.MjModel:
+def moving_model(robot: Robot, moving: Moving) -> mujoco.MjModel:
+    """The robot with its payload, and with damping, dry friction and springs of its joints, for ``mj_step``.
+
+    Other effects raise :class:`NotExpressible`.
+    """
+    for entry in robot.effects:
+        linear = entry.effect == "spring" and not entry.number("cubic")
+        if not linear and entry.effect != "payload":
+            raise NotExpressible(f"{robot.name} has {entry.effect}, which MJCF cannot state")
+    model = mujoco_model(robot, moving=moving)
+    # Friction's regularisation goes by the inertia at the joint, of which the stand-ins know nothing.
+    mujoco.mj_setConst(model, mujoco.MjData(model))
+    return model
+
+
+def motion(
+    model: mujoco.MjModel,
+    q: Array,
+    qd: Array,
+    torque: Callable[[float, Array, Array], Array],
+    steps: int,
+    every: int = 1,
+) -> tuple[Array, Array]:
+    """Positions and velocities [steps / every + 1, n]; a ``torque(t, q, qd)`` is held for ``every`` steps."""
+    data = mujoco.MjData(model)
+    data.qpos[:], data.qvel[:] = q, qd
+    positions, velocities = [q], [qd]
+    with _no_warnings():
+        for k in range(0, steps, every):
+            data.qfrc_applied[:] = torque(k * model.opt.timestep, data.qpos, data.qvel)
+            mujoco.mj_step(model, data, every)
+            positions.append(data.qpos.copy())
+            velocities.append(data.qvel.copy())
+    return np.array(positions), np.array(velocities)
+
+
+def mujoco_model(robot: Robot, *, patch: bool = True, moving: Moving | None = None) -> mujoco.MjModel:
     """The robot as a compiled MuJoCo model.
 
     Where the compiler refuses a link, its inertia is written into the compiled model (``patch``), or
     :class:`NotExpressible` is raised.
     """
     try:
-        return mujoco.MjModel.from_xml_string(_mjcf(robot, patched=()))
+        return mujoco.MjModel.from_xml_string(_mjcf(robot, (), moving))
     except ValueError as error:
         refused = refusals(robot)
         if not refused:
@@ -67,11 +129,11 @@ def mujoco_model(robot: Robot, *, patch: bool = True) -> mujoco.MjModel:
         if not patch:
             reasons = "; ".join(f"link {i + 1}: {reason}" for i, reason in sorted(refused.items()))
             raise NotExpressible(f"{robot.name} is not expressible in MJCF: {reasons}") from error
-    model = mujoco.MjModel.from_xml_string(_mjcf(robot, patched=refused))
+    model = mujoco.MjModel.from_xml_string(_mjcf(robot, refused, moving))
     for i in refused:
         _write_inertia(model, i + 1, robot.links[i])
     mass = model.body_mass.copy()
-    for body in range(robot.n, 0, -1):
+    for body in range(model.nbody - 1, 0, -1):
         mass[body - 1] += mass[body]
     model.body_subtreemass[:] = mass
     return model
@@ -83,20 +145,22 @@ def refusals(robot: Robot) -> dict[int, str]:
     for i, link in enumerate(robot.links):
         alone = Robot(name="alone", links=(link,))
         try:
-            mujoco.MjModel.from_xml_string(_mjcf(alone, patched=()))
+            mujoco.MjModel.from_xml_string(_mjcf(alone, ()))
         except ValueError as error:
             refused[i] = str(error).splitlines()[0].removeprefix("Error: ")
     return refused
 
 
-def torques(model: mujoco.MjModel, robot: Robot, Q: Array, Qd: Array, Qdd: Array) -> Array:
-    """Inverse dynamics [N, n]: ``mj_inverse``, and friction."""
+def torques(
+    model: mujoco.MjModel, robot: Robot, Q: Array, Qd: Array, Qdd: Array, *, add_friction: bool = True
+) -> Array:
+    """Inverse dynamics [N, n]: ``mj_inverse``, and friction where the model has none of its own."""
     tau: list[Array] = []
     for data in _at(model, Q, Qd):
         data.qacc[:] = Qdd[len(tau)]
         mujoco.mj_inverse(model, data)
         tau.append(data.qfrc_inverse.copy())
-    return np.array(tau) + friction(robot, Qd)
+    return np.array(tau) + friction(robot, Qd) if add_friction else np.array(tau)
 
 
 def mass_matrix(model: mujoco.MjModel, robot: Robot, Q: Array) -> Array:
@@ -171,41 +235,78 @@ def _text(numbers: Iterable[float]) -> str:
     return " ".join(repr(float(x)) for x in numbers)
 
 
-def _mjcf(robot: Robot, patched: Iterable[int]) -> str:
+def _mjcf(robot: Robot, patched: Iterable[int], moving: Moving | None = None) -> str:
     """The MJCF text, with a stand-in inertia for the links ``patched`` (from 0)."""
     stand_ins = set(patched)
-    lines = [_HEAD.format(name=robot.name, gravity=_text(float(g) for g in robot.gravity))]
+    option = 'integrator="Euler"' if moving is None else moving.option
+    dry = any(link.joint.coulomb for link in robot.links) and moving is not None
+    lines = [
+        _HEAD.format(
+            name=robot.name,
+            gravity=_text(float(g) for g in robot.gravity),
+            option=option,
+            dry="enable" if dry else "disable",
+        )
+    ]
     rotors = armature(robot)
     for i, link in enumerate(robot.links):
         rotation, position = placement(link.joint)
-        mass, turn, moments = _STAND_IN if i in stand_ins else _principal(link)
+        mass, turn, moments = _STAND_IN if i in stand_ins else _principal(link.mass, link.inertia)
         kind = "hinge" if link.joint.kind == "revolute" else "slide"
+        held = "" if moving is None else _held(robot, i, moving)
         lines.append(
             f'<body pos="{_text(position)}" xyaxes="{_text([*rotation[:, 0], *rotation[:, 1]])}">\n'
-            f'<joint type="{kind}" axis="0 0 1" armature="{float(rotors[i])!r}"/>\n'
+            f'<joint type="{kind}" axis="0 0 1" armature="{float(rotors[i])!r}"{held}/>\n'
             f'<inertial pos="{_text(_com(link))}" quat="{_text(turn)}" mass="{mass!r}"'
             f' diaginertia="{_text(moments)}"/>\n'
         )
+    if moving is not None:
+        lines += [_payload(entry) for entry in robot.effects if entry.effect == "payload"]
     return "".join(lines) + "</body>\n" * robot.n + "</worldbody>\n</mujoco>\n"
+
+
+def _held(robot: Robot, i: int, moving: Moving) -> str:
+    """Attributes of joint ``i`` (from 0): what holds it back."""
+    joint = robot.links[i].joint
+    text = f' damping="{number(joint.viscous)!r}"'
+    if joint.coulomb:
+        text += (
+            f' frictionloss="{number(joint.coulomb)!r}" solimpfriction="0.9999 0.9999 1 0.5 1"'
+            f' solreffriction="-1 {-moving.hardness!r}"'
+        )
+    for entry in robot.effects_at(i + 1):
+        if entry.effect == "spring":
+            text += f' stiffness="{entry.number("stiffness")!r}" springref="{entry.number("rest")!r}"'
+    return text
+
+
+def _payload(entry: EffectEntry) -> str:
+    inertia = entry["inertia"] if "inertia" in entry else Inertia()
+    mass, turn, moments = _principal(entry["mass"], inertia)
+    com = _text(number(c) for c in entry["com"])
+    numbers = f'pos="{com}" quat="{_text(turn)}" mass="{mass!r}" diaginertia="{_text(moments)}"'
+    return f"<body><inertial {numbers}/></body>\n"
 
 
 def _com(link: Link) -> list[float]:
     return [number(c) for c in link.com]
 
 
-def _principal(link: Link) -> tuple[float, Array, Array]:
+def _principal(of: Value, inertia: Inertia) -> tuple[float, Array, Array]:
     """Mass, axes of inertia as a quaternion [4], and moments about them [3]."""
-    moments, axes = np.linalg.eigh(inertia_tensor(link.inertia))
+    moments, axes = np.linalg.eigh(inertia_tensor(inertia))
     if np.linalg.det(axes) < 0:
         axes[:, 0] = -axes[:, 0]
     turn = np.zeros(4)
     mujoco.mju_mat2Quat(turn, axes.ravel())
-    return number(link.mass), turn, moments
+    return number(of), turn, moments
 
 
 def _write_inertia(model: mujoco.MjModel, body: int, link: Link) -> None:
     """Write mass, centre and inertia of ``link`` over the stand-in's in the compiled model."""
     if model.body_simple[body] or model.body_sameframe[body]:
         raise AssertionError(f"body {body}: MuJoCo would take a short cut past the inertia written here")
-    model.body_mass[body], model.body_iquat[body], model.body_inertia[body] = _principal(link)
+    model.body_mass[body], model.body_iquat[body], model.body_inertia[body] = _principal(
+        link.mass, link.inertia
+    )
     model.body_ipos[body] = _com(link)

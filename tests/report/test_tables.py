@@ -9,6 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
 import pytest
 
 from robodyn import InputError
@@ -18,16 +19,19 @@ from robodyn.counts.printed import TABLE_1_1, TABLE_2_9, TABLE_3_3
 from robodyn.dynamics import lagrange, lagrange_4x4, steps
 from robodyn.effects import thesis_friction
 from robodyn.generation import Options, program
+from robodyn.report.case_arm import D4_START, led
 from robodyn.report.tables import (
     TABLE_IDS,
     Table,
     claims,
     make,
+    operating_point,
     robots,
     table_1_1,
     table_2_9,
     table_2_10,
     table_3_3,
+    table_3_5,
     table_4_2,
     table_4_4,
     table_4_5,
@@ -35,8 +39,10 @@ from robodyn.report.tables import (
     to_text,
 )
 from robodyn.robot import Robot, bundled_names, load
+from robodyn.robot.model import EffectEntry
 from robodyn.schedule import arithmetic, elimination, graph
 from robodyn.schedule.tasks import TASKS
+from robodyn.verify.reference import Reference
 
 IDS = tuple(name for name in TABLE_IDS if name != "robots")
 Patch = pytest.MonkeyPatch
@@ -74,7 +80,9 @@ def changed(name: str, link: int, **numbers: Any) -> Callable[[str], Robot]:
 
 
 def test_all_that_were_asked_for_are_there() -> None:
-    assert TABLE_IDS == ("1.1", "2.9", "2.10", "3.3", "4.2", "4.4", "4.5", "4.6", "claims", "robots")
+    assert TABLE_IDS == (
+        "1.1", "2.9", "2.10", "3.3", "3.5", "4.2", "4.4", "4.5", "4.6", "claims", "robots",
+    )  # fmt: skip
 
 
 def test_an_unknown_table_is_refused_with_the_list() -> None:
@@ -252,6 +260,97 @@ def test_table_3_3_follows_the_equations(monkeypatch: Patch) -> None:
     assert table.row("joint, prismatic").verdict == "differs"
     assert table.row("transmission, linear").ours["operations"]["total"] == 2
     assert table.row("total_linear, prismatic").ours["operations"]["total"] == 113 + 1 + 2
+
+
+# --- 3.5 ----------------------------------------------------------------------------------------------------
+
+
+def test_table_3_5(tables: dict[str, Table]) -> None:
+    table = tables["3.5"]
+    lost = [name for name, verdict in verdicts(table).items() if verdict == "not recoverable"]
+    assert lost == [
+        "dynamic", "link 1, joint friction", "link 2, joint friction", "link 3, joint friction",
+        "velocity profile", "efficiency curve", "Figures 3.6 to 3.15",
+    ]  # fmt: skip
+    assert set(verdicts(table).values()) == {"reproduced", "not recoverable"}
+    found = [table.row(f"link {k}, efficiency").ours for k in (1, 2, 3)]
+    assert [row["efficiency"] for row in found] == [0.4543, 0.5619, 0.3458]
+    assert [row["load_fraction"] for row in found] == [0.0307, 0.0856, 0.0076]
+    assert [row["case"] for row in found] == ["drives", "drives", "brakes"]
+    assert table.row("link 2, sign rule").ours["by_eq_3_7"] == pytest.approx(-15.3083)
+    assert "-15.3083" in table.row("link 2, sign rule").reason
+    dynamic = table.row("dynamic").ours
+    assert (dynamic["off"], dynamic["at_z"], dynamic["highest_z_with_these_signs"]) == (2.31, -0.53, -0.23)
+    for link, least in ((2, 1.61), (3, 0.26)):
+        row = table.row(f"link {link}, joint friction")
+        assert row.ours["bound"] == least > 2 * abs(row.printed["torque"])
+        assert len(row.ours["bound_by_parameters"]) == 4
+
+
+def test_table_3_5_would_say_so_if_a_sum_were_wrong(monkeypatch: Patch) -> None:
+    first = replace(data.TABLE_3_5[0], joint_friction=Fraction("1.7805"), transmission=Fraction("8.9"))
+    monkeypatch.setattr(table_3_5, "TABLE_3_5", (first, *data.TABLE_3_5[1:]))
+    table = table_3_5.table()
+    assert table.row("link 1, joint total").verdict == "differs"
+    assert table.row("link 1, input").verdict == "differs"
+    assert table.row("link 2, input").verdict == "reproduced"
+    monkeypatch.setattr(thesis_friction, "driving", lambda tau, e, b, sign: tau * e + b * sign)
+    assert table_3_5.table().row("link 2, efficiency").verdict == "differs"
+
+
+def test_the_bounds_of_table_3_5_rest_on_eq_3_3_and_newton_euler() -> None:
+    """Eq 3.3, as printed and corrected, is never below the bound; the forces are the reference's."""
+    rng = np.random.default_rng(5)
+    at = operating_point.on_the_path_of_d4()
+    at = at.where(rng.random(len(at.z)) < 0.1)
+    robot = bundled("puma560_3dof_d12")
+    a, w = 1.7, 0.6
+    qd, qdd = np.sqrt(w) * at.qd, a * at.qd + w * at.qdd
+    tau, f = (still + a * ahead + w * fast for still, ahead, fast in (
+        getattr(operating_point.affine(robot.name, at), name) for name in ("tau", "f")
+    ))  # fmt: skip
+    np.testing.assert_allclose(tau, Reference(robot).inverse_dynamics(at.q, qd, qdd), atol=1e-9)
+    for k, drive in enumerate(data.TABLE_3_4):
+        for d in (0.01, 0.2, 5.0):
+            for variant in ("corrected", "printed"):
+                setting = (
+                    ("bearing", "journal"), ("mu", drive.mu), ("radius", drive.radius),
+                    ("span", Fraction(str(d))), ("variant", variant),
+                )  # fmt: skip
+                entry = EffectEntry("load_dependent_friction", k + 1, setting)
+                taken = Reference(replace(robot, effects=(entry,))).inverse_dynamics(at.q, qd, qdd) - tau
+                bound = float(drive.mu * drive.radius) * np.hypot(f[:, k, 0], f[:, k, 1])
+                assert (np.abs(taken[:, k]) >= bound * (1 - 1e-9)).all()
+
+
+def test_joints_turn_as_printed_up_or_down_the_line() -> None:
+    rates = np.array([[1.0, -2.0, 0.5], [-1.0, 2.0, -0.5], [1.0, 2.0, -0.5], [1.0, 2.0, 0.5]])
+    none = np.zeros_like(rates)
+    at = operating_point.Places(np.arange(4.0), none, rates, none)
+    assert at.fitting.tolist() == [True, True, False, False]
+    assert at.where(at.fitting).z.tolist() == [0, 1]
+
+
+def test_places_of_table_3_5_lie_on_the_line() -> None:
+    at = operating_point.on_the_path_of_d4()
+    kinematics = led("programs").kinematics
+    np.testing.assert_allclose(kinematics.position(at.q)[:, 0], 0.4, atol=1e-12)
+    np.testing.assert_allclose(kinematics.position(at.q)[:, 1:], np.stack([at.z, at.z], 1), atol=1e-12)
+    begin = int(np.abs(at.z - 0.1).argmin())
+    turned = at.q[begin] - np.array(D4_START)
+    np.testing.assert_allclose(turned - 2 * np.pi * np.round(turned / (2 * np.pi)), 0, atol=0.01)
+    assert not at.fitting[begin:].any()
+    fits = at.where(at.fitting)
+    off, z = operating_point.closest("puma560_3dof_d12", at)
+    assert z in fits.z
+    k = int(np.nonzero(at.z == z)[0][0])
+    still, ahead, fast = (part[k] for part in operating_point.affine("puma560_3dof_d12", at).tau)
+    tried = [
+        np.linalg.norm(still + a * ahead + w * fast - operating_point.printed_torques())
+        for a in np.linspace(-20, 20, 201)
+        for w in np.linspace(0, 8, 81)
+    ]
+    assert off <= min(tried) <= off + 0.5  # no grid comes nearer
 
 
 # --- 4.2 to 4.6 ---------------------------------------------------------------------------------------------

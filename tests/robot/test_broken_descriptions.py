@@ -108,11 +108,11 @@ BROKEN = {
     "smooth and more": (HEAD + "friction_at_rest: ¶{smooth: {}, exact: 1}\n", "friction_at_rest is unknown"),
     "smooth by nothing": (HEAD + "friction_at_rest: {smooth: {velocity: ¶0}}\n", "is not positive"),
     "smooth by a name": (HEAD + "friction_at_rest: {smooth: {velocity: ¶eps}}\n", "a name cannot stand here"),
-    "effects of the robot": (HEAD + "effects:\n  - ¶{effect: payload, mass: 2.8}\n", "not supported yet"),
-    "effects of a link": (
-        HEAD + "    effects: [¶{effect: spring}]\n",
-        "link 1: effects are not supported yet",
+    "smooth with a dead band": (
+        HEAD + "friction_at_rest: ¶{smooth: {}, dead_band: {}}\n",
+        "friction_at_rest is both smooth and a dead band",
     ),
+    "dead band of nothing": (HEAD + "friction_at_rest: {dead_band: {velocity: ¶0}}\n", "is not positive"),
     "effects are a mapping": (HEAD + "    effects: ¶{spring: 1}\n", "effects must be a list"),
     # links
     "no link": ("name: arm\nlinks: ¶[]\n", "1 to 100 entries; found an empty list"),

@@ -32,12 +32,12 @@ links:
     limits: {position: [-2.9, 2.9], velocity: 3.0, acceleration: 10.0, torque: 186.4}
     confidence: 0.02
     friction: {viscous: 1.2, coulomb: 3.0}
-    effects: []
+    effects: [{effect: spring, stiffness: 2*k}]
   - joint: prismatic
     mass: m_tool
 torque_side: link
 friction_at_rest: {smooth: {velocity: 1e-2}}
-effects: []
+effects: [{effect: payload, mass: 2.5}]
 """
 
 
@@ -56,7 +56,11 @@ def test_everything_stated() -> None:
     assert robot.compare == Comparison("2.10", "puma_6")  # not 2.1: the text counts
     assert robot.torque_side == "link"
     assert robot.rest_velocity == f(1, 100)
-    assert robot.parameters == ("m_tool",)
+    assert robot.dead_band is None
+    assert [(entry.effect, entry.joint) for entry in robot.effects] == [("spring", 1), ("payload", None)]
+    assert robot.effects[0]["stiffness"] == 2 * parameter("k")
+    assert robot.effects[1]["mass"] == f(5, 2)
+    assert robot.parameters == ("m_tool", "k")
     shoulder, slide = robot.links
     assert shoulder.name == "shoulder"
     assert shoulder.mass == f(174, 10)
@@ -87,6 +91,8 @@ def test_only_name_links_and_joint_are_required() -> None:
     assert robot.compare is None
     assert robot.torque_side == "motor"
     assert robot.rest_velocity is None
+    assert robot.dead_band is None
+    assert robot.effects == ()
     assert robot.parameters == ()
     for link in robot.links:
         assert link.mass == ZERO

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
 import yaml
 
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
 from robodyn.robot import bundled_names, bundled_text, json_schema, read_text, starter
 from robodyn.robot.keys import FRICTION, INERTIA, LIMITS, LINK, ROBOT
@@ -62,6 +64,12 @@ LINK1 = "name: arm\nlinks:\n  - joint: revolute\n    "
         LINK1 + "limits: {position: [-pi, pi], velocity: 3}",
         LINK1 + "confidence: 1",
         LINK1 + "effects: []",
+        LINK1 + "effects: [{effect: transmission_loss, efficiency: 1/2}, {effect: spring, stiffness: -k}]",
+        LINK1 + "effects: [{effect: transmission_loss, efficiency: [[0, 0.5], [1, 1]], rated_torque: 9}]",
+        "name: arm\nlinks: [{joint: prismatic}]\neffects: [{effect: time_delay, delay: 1e-3}]",
+        "name: arm\nlinks: [{joint: prismatic}]\neffects: [{effect: payload, mass: m, inertia: {xx: 1}}]",
+        "name: arm\nlinks: [{joint: prismatic}]\nfriction_at_rest: {dead_band: {velocity: 1e-2}}",
+        "name: arm\nlinks: [{joint: prismatic}]\nfriction_at_rest: dead_band",
         "name: arm\ntitle: 2.10\nlinks: [{joint: prismatic}]\nfriction_at_rest: exact",
         "name: arm\nlinks: [{joint: prismatic}]\nfriction_at_rest: {smooth: {velocity: 1e-3}}",
         "name: arm\nlinks: [{joint: prismatic}]\nconvention: sdh\ntorque_side: link",
@@ -92,6 +100,21 @@ def test_what_the_reader_takes_the_schema_takes(text: str) -> None:
         LINK1 + "confidence: 2",
         LINK1 + "limits: {velocity: 0}",
         LINK1 + "effects: [{effect: spring}]",
+        LINK1 + "effects: [spring]",
+        LINK1 + "effects: [{stiffness: 1}]",
+        LINK1 + "effects: [{effect: springs, stiffness: 1}]",
+        LINK1 + "effects: [{effect: spring, stiffness: 1, damping: 1}]",
+        LINK1 + "effects: [{effect: payload, mass: 1}]",
+        LINK1 + "effects: [{effect: viscous_friction, coefficient: -1}]",
+        LINK1 + "effects: [{effect: torque_bias, bias: b}]",
+        LINK1 + "effects: [{effect: transmission_loss, efficiency: 1.1}]",
+        LINK1 + "effects: [{effect: transmission_loss, efficiency: [[0, 1]], rated_torque: 1}]",
+        LINK1 + "effects: [{effect: transmission_loss, efficiency: [[0, 0], [1, 1]], rated_torque: 1}]",
+        LINK1 + "effects: [{effect: transmission_loss, interpolation: square}]",
+        LINK1 + "effects: [{effect: motor_coupling, with: 0}]",
+        "name: arm\nlinks: [{joint: revolute}]\neffects: [{effect: spring, stiffness: 1}]",
+        "name: arm\nlinks: [{joint: revolute}]\neffects: [{effect: payload, mass: 1, com: [0, 0]}]",
+        "name: arm\nlinks: [{joint: revolute}]\nfriction_at_rest: {dead_band: {velocity: 0}}",
         "name: arm\ngravity: [0, 0, g]\nlinks: [{joint: revolute}]",
         "name: arm\nlinks: [{joint: revolute}]\ntorque_side: gear",
         "name: arm\nlinks: [{joint: revolute}]\nfriction_at_rest: {sharp: 1}",
@@ -101,6 +124,24 @@ def test_what_the_schema_refuses_the_reader_refuses(text: str) -> None:
     assert _problems(text) != []
     with pytest.raises(InputError):
         read_text(text)
+
+
+def test_it_documents_every_effect_with_its_parameters_and_units() -> None:
+    schema = json_schema()
+    lists = schema["properties"]["effects"], schema["properties"]["links"]["items"]["properties"]["effects"]
+    offered = {id for one in lists for id in _deep(schema, one["items"])["properties"]["effect"]["enum"]}
+    assert offered == set(CATALOGUE)
+    for id, effect in CATALOGUE.items():
+        properties = schema["$defs"][f"effect_{id}"]["properties"]
+        assert list(properties) == ["effect", *effect.names]
+        for parameter in effect.parameters:
+            told = properties[parameter.name]["description"]
+            assert parameter.doc in told
+            assert all(unit in told for unit in (parameter.unit, parameter.linear_unit or "") if unit != "1")
+
+
+def _deep(schema: dict[str, Any], one: dict[str, Any]) -> dict[str, Any]:
+    return schema["$defs"][one["$ref"].rpartition("/")[2]]
 
 
 @pytest.mark.parametrize("joints", [1, 2, 3, 7, 100])
@@ -114,11 +155,18 @@ def test_a_starter_loads_without_a_warning(joints: int) -> None:
     assert max(map(len, text.splitlines())) <= 110
 
 
+def test_the_effects_that_a_starter_hints_at_are_right() -> None:
+    text = re.sub(r"# (?=(  - \{)?effect)", "", starter())
+    robot = read_text(text, strict=True)
+    assert [entry.effect for entry in robot.effects] == ["stribeck_friction", "transmission_loss", "payload"]
+    assert _problems(text) == []
+
+
 def test_a_starter_names_every_key_of_a_link() -> None:
     text = starter()
     assert read_text(text).name == "my_arm"
     for key in (*LINK, *ROBOT):
-        if key.name not in ("effects", "compare"):
+        if key.name != "compare":
             assert f"{key.name}:" in text, key.name
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -10,10 +11,11 @@ import pytest
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError
-from robodyn.robot import Robot, read_text
-from robodyn.robot.values import Affine
+from robodyn.robot import Inertia, Robot, read_text
+from robodyn.robot.values import Affine, Value
 
 Array = NDArray[np.float64]
+AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 class Row(NamedTuple):
@@ -170,6 +172,82 @@ def test_the_converted_arm_has_the_same_torques(seed: int) -> None:
         q, qd, qdd = (random.uniform(-2, 2, len(rows)) for _ in range(3))
         expected = _standard_torques(rows, np.array([0.3, -0.2, -9.8]), q, qd, qdd)
         np.testing.assert_allclose(_modified_torques(robot, q, qd, qdd), expected, rtol=1e-11, atol=1e-10)
+
+
+Body = tuple[float, Array, Array]
+
+
+def _joined(one: Body, other: Body) -> Body:
+    """Two bodies, each (mass, centre, tensor about it), as one."""
+    mass = one[0] + other[0]
+    centre = (one[0] * one[1] + other[0] * other[1]) / mass
+    tensor = np.zeros((3, 3))
+    for m, c, about_own in (one, other):
+        r = c - centre
+        tensor += about_own + m * (r @ r * np.eye(3) - np.outer(r, r))
+    return mass, centre, tensor
+
+
+def _six(tensor: Array) -> tuple[float, ...]:
+    return tuple(float(tensor[i, j]) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_payload_moves_along_with_the_last_link(seed: int) -> None:
+    """Joined to the last link in standard frames, and as it is read in modified ones: equal torques."""
+    rows = _random_rows(seed + 50, 1 + seed % 4)
+    mass, com, inertia = 1.7, (0.1, -0.2, 0.3), (0.02, 0.03, 0.04, 0.001, -0.002, 0.003)
+    entries = ", ".join(f"{axes}: {x}" for axes, x in zip(AXES, inertia, strict=True))
+    robot = read_text(
+        _yaml(rows)
+        + f"effects: [{{effect: payload, mass: {mass}, com: {list(com)}, inertia: {{{entries}}}}}]\n"
+    )
+    last = rows[-1]
+    joined = _joined(
+        (last.mass, np.array(last.com), _tensor(last.inertia)), (mass, np.array(com), _tensor(inertia))
+    )
+    rows[-1] = last._replace(mass=joined[0], com=tuple(joined[1]), inertia=_six(joined[2]))
+
+    (payload,), link = robot.effects, robot.links[-1]
+
+    def body(m: Value, c: tuple[Value, ...], i: Inertia) -> Body:
+        tensor = _tensor(tuple(_float(getattr(i, axes)) for axes in AXES))
+        return _float(m), np.array([_float(x) for x in c]), tensor
+
+    m, c, t = _joined(
+        body(link.mass, link.com, link.inertia), body(payload["mass"], payload["com"], payload["inertia"])
+    )
+    x, y, z = map(Fraction, c.tolist())
+    moved = replace(link, mass=Fraction(m), com=(x, y, z), inertia=Inertia(*map(Fraction, _six(t))))
+    loaded = replace(robot, links=(*robot.links[:-1], moved), effects=())
+    random = np.random.default_rng(seed)
+    for _ in range(5):
+        q, qd, qdd = (random.uniform(-2, 2, len(rows)) for _ in range(3))
+        expected = _standard_torques(rows, np.array([0.3, -0.2, -9.8]), q, qd, qdd)
+        np.testing.assert_allclose(_modified_torques(loaded, q, qd, qdd), expected, rtol=1e-11, atol=1e-10)
+
+
+def test_effects_of_a_standard_arm() -> None:
+    robot = read_text(
+        "name: arm\nconvention: sdh\nlinks:\n"
+        "  - {joint: revolute, alpha: pi/2, a: 1, mass: 1, com: [0, 0, 1],\n"
+        "     effects: [{effect: inertial_error, delta_com_y: dy}, {effect: spring, stiffness: 2}]}\n"
+        "effects: [{effect: payload, mass: m, com: [0, y, 0], inertia: {yy: 1}}]\n"
+    )
+    spring, payload = robot.effects
+    one, zero = Fraction(1), Fraction(0)
+    assert robot.links[0].com == (1, -1, Affine(zero, (("dy", one),)))  # an error is one of the standard row
+    assert spring["stiffness"] == 2
+    assert payload["com"] == (1, 0, Affine(zero, (("y", one),)))
+    assert payload["inertia"] == Inertia(zz=one)
+
+
+def test_a_payload_beyond_double_is_refused() -> None:
+    with pytest.raises(InputError, match="too large to be converted"):
+        read_text(
+            "name: arm\nconvention: sdh\nlinks: [{joint: revolute, alpha: pi/4}]\n"
+            "effects: [{effect: payload, mass: 1, com: [0, 1.7e308, -1.7e308]}]\n"
+        )
 
 
 def test_rows_move_up_by_one() -> None:

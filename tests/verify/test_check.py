@@ -349,3 +349,15 @@ def test_limits_that_overflow_do_no_harm(arm: Robot) -> None:
     )
     robot = replace(arm, links=links)
     assert check(robot, Stand(robot)).passed
+
+
+@pytest.mark.parametrize("name", ["rubbing", "remembering", "banded"])
+def test_arms_with_effects_against_the_reference(name: str) -> None:
+    from robodyn.build.robot_kernel import compile as compile_kernel
+    from robodyn_testing.effect_arms import arm as effect_arm
+
+    robot = effect_arm(name)
+    report = verify(robot, compile_kernel(robot), states=40)
+    assert report.passed
+    assert {c.function for c in report.comparisons} >= {"inverse_dynamics", "bias", "gravity", "mass_matrix"}
+    assert "exact and Lagrangian torques" in report.skipped

@@ -41,6 +41,9 @@ class Function:
     ``params`` gives every run-time parameter by name. ``out`` is an array (a tuple of them, if there is more
     than one result) of the result's shape and the kernel's type, which is written to and returned.
 
+    A function of a robot whose effects remember (``signature.states``) takes its states as one after another
+    in time, ``dt`` [s] apart. It begins at rest, or with ``state`` [k], which it moves on in place.
+
     Raises
     ------
     InputError: says which argument is wrong, what was found, what was expected.
@@ -66,6 +69,8 @@ class Function:
         *arrays: object,
         params: Mapping[str, float] | None = None,
         out: Array | Sequence[Array] | None = None,
+        state: Array | None = None,
+        dt: float | None = None,
         **named: object,
     ) -> Any:
         if named or len(arrays) != len(self._inputs):
@@ -76,6 +81,8 @@ class Function:
             for (name, length), value in zip(self.signature.inputs, arrays, strict=True)
         ]
         lead = common_lead(where, self._inputs, inputs)
+        if (state is not None or dt is not None) and not self.signature.states:
+            raise InputError(f"{where} remembers nothing", found="state or dt", expected="neither")
         results = self._arrays(lead, out, arrays)
         values = self._null
         pointer, view = self._pointer, self._view
@@ -84,8 +91,34 @@ class Function:
         count = lead[0] if lead else 1
         if count:
             ins = [view(pointer, array) for array in inputs]
-            self._call(count, *ins, *[view(pointer, array) for array in results], values)
+            outs = [view(pointer, array) for array in results]
+            if self.signature.states:
+                memory = view(pointer, self._state(state, dt), True)
+                if state is None:
+                    self._call(1, *ins, *outs, values, memory, 0.0)  # at rest before the first state
+                self._call(count, *ins, *outs, values, memory, dt)
+            else:
+                self._call(count, *ins, *outs, values)
         return results[0] if len(results) == 1 else tuple(results)
+
+    def _state(self, state: Array | None, dt: float | None) -> Array:
+        """The memory of the effects: a new one, or ``state`` itself."""
+        names = self.signature.states
+        if dt is None or not dt >= 0:
+            raise InputError(
+                f"{self.where} remembers, and needs the time between states",
+                found=f"dt = {dt}",
+                expected="dt in s, 0 or more",
+            )
+        if state is None:
+            return np.zeros(len(names), self.dtype)
+        if state.shape != (len(names),) or state.dtype != self.dtype or not state.flags.c_contiguous:
+            raise InputError(
+                f"{self.where}: state does not fit",
+                found=f"{list(state.shape)} of {state.dtype}",
+                expected=f"an array [{len(names)}] of {self.dtype}: {', '.join(names)}",
+            )
+        return state
 
     def _bind(self, arrays: tuple[object, ...], named: dict[str, object]) -> tuple[object, ...]:
         """Positional and named arguments in the order of the signature."""

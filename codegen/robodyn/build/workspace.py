@@ -20,6 +20,8 @@ class Workspace(functools.partial[None]):
     in place. Inputs start at zero, outputs at NaN. ``ws.q = values`` copies into the array. Where there
     are run-time parameters, ``ws.params["m_tool"] = 2.8`` sets one; they start at ``params``, or at NaN.
 
+    Where effects remember there are ``ws.state`` and ``ws.dt``: begin with a call at ``dt`` 0.
+
     A call takes no argument and returns None. It is the C call itself (a ``functools.partial`` of it), so
     that it costs what cffi costs. It is not for two threads at once.
     """
@@ -39,7 +41,7 @@ class Workspace(functools.partial[None]):
             if name in outputs:
                 view[:] = np.nan
         if function.parameters:
-            values = memory[block.parameters :]
+            values = memory[block.parameters : block.states]
             values[:] = np.nan
             if params is not None:
                 values[:] = read_parameters(function.where, function.parameters, params, dtype)
@@ -47,6 +49,9 @@ class Workspace(functools.partial[None]):
             views["params"] = values.view(record).reshape(())
         elif params:
             read_parameters(function.where, (), params, dtype)
+        if signature.states:
+            views["state"] = memory[block.states : block.states + len(signature.states)]
+            views["dt"] = memory[block.states + len(signature.states) : block.length]
         call = getattr(function.library.lib, f"robodyn_work_{signature.function}")
         pointer = ffi.from_buffer(f"{signature.scalar} *", memory, True)
         self = super().__new__(cls, call, pointer)

@@ -29,17 +29,22 @@ class Layout:
     """``(name, offset, length)`` of inputs and outputs."""
     parameters: int
     """Offset of the parameters."""
+    states: int
+    """Offset of the states; the time step comes after them."""
     length: int
     """Length of the block."""
 
 
 def layout(signature: Signature, parameters: Sequence[str]) -> Layout:
-    """The block of ``signature``: inputs, outputs and parameters one after another."""
+    """The block of ``signature``: inputs, outputs, parameters, states and time step one after another."""
     places, offset = [], 0
     for name, length in (*signature.inputs, *signature.outputs):
         places.append((name, offset, length))
         offset += length
-    return Layout(tuple(places), offset, offset + len(parameters))
+    states = offset + len(parameters)
+    return Layout(
+        tuple(places), offset, states, states + (len(signature.states) + 1 if signature.states else 0)
+    )
 
 
 def parameters_of(signatures: Sequence[Signature]) -> tuple[str, ...]:
@@ -94,7 +99,8 @@ def header(robot: str, files: Mapping[str, str]) -> str:
 def _batch(s: Signature) -> str:
     inputs = "".join(f", const {s.scalar} *i{k}" for k in range(len(s.inputs)))
     outputs = "".join(f", {s.scalar} *o{k}" for k in range(len(s.outputs)))
-    return f"robodyn_batch_{s.function}(ptrdiff_t count{inputs}{outputs}, const {s.scalar} *parameters)"
+    past = f", {s.scalar} *states, {s.scalar} dt" if s.states else ""
+    return f"robodyn_batch_{s.function}(ptrdiff_t count{inputs}{outputs}, const {s.scalar} *parameters{past})"
 
 
 def _work(s: Signature) -> str:
@@ -109,9 +115,14 @@ def _declarations(signatures: Sequence[Signature], parameters: Sequence[str]) ->
         members = " ".join(f"{first.scalar} {name};" for name in parameters)
         lines.append(f"typedef struct {{ {members} }} {first.robot}_params;")
     for s in signatures:
+        if s.states:
+            members = " ".join(f"{s.scalar} {name};" for name in s.states)
+            lines.append(f"typedef struct {{ {members} }} {s.robot}_state;")
         arguments = [f"const {s.scalar} *"] * len(s.inputs) + [f"{s.scalar} *"] * len(s.outputs)
         if s.parameters:
             arguments.append(f"const {s.robot}_params *")
+        if s.states:
+            arguments += [f"{s.robot}_state *", s.scalar]
         lines.append(f"void {s.fortran_symbol}({', '.join(arguments)});")
     return lines
 
@@ -119,7 +130,7 @@ def _declarations(signatures: Sequence[Signature], parameters: Sequence[str]) ->
 def _definitions(s: Signature, parameters: Sequence[str], language: Language) -> list[str]:
     symbol = s.symbol if language == "c" else s.fortran_symbol
     block = layout(s, parameters)
-    last = ["&p"] if s.parameters else []
+    last = (["&p"] if s.parameters else []) + (["&state", "dt"] if s.states else [])
     steps = [f"i{k} + {length} * k" for k, (_, length) in enumerate(s.inputs)]
     steps += [f"o{k} + {length} * k" for k, (_, length) in enumerate(s.outputs)]
     places = [f"block + {offset}" for _, offset, _ in block.places]
@@ -134,21 +145,35 @@ def _definitions(s: Signature, parameters: Sequence[str], language: Language) ->
         ]
         return [f"    {s.robot}_params p = {{0}};", *members]
 
+    def past(source: str, start: int, *, back: bool = False) -> list[str]:
+        if not s.states:
+            return []
+        moves = [(f"state.{name}", f"{source}[{start + k}]") for k, name in enumerate(s.states)]
+        if back:
+            return [f"    {there} = {here};" for here, there in moves]
+        return [f"    {s.robot}_state state = {{0}};", *(f"    {here} = {there};" for here, there in moves)]
+
+    step = block.states + len(s.states)
     return [
         f"void {_batch(s)}",
         "{",
         "    ptrdiff_t k;",
         *fill("parameters", 0),
+        *past("states", 0),
         "    (void)parameters;",
         "    for (k = 0; k < count; ++k) {",
         f"        {symbol}({', '.join([*steps, *last])});",
         "    }",
+        *past("states", 0, back=True),
         "}",
         "",
         f"void {_work(s)}",
         "{",
         *fill("block", block.parameters),
+        *past("block", block.states),
+        *([f"    {s.scalar} dt = block[{step}];"] if s.states else []),
         f"    {symbol}({', '.join([*places, *last])});",
+        *past("block", block.states, back=True),
         "}",
         "",
     ]

@@ -14,7 +14,8 @@ from robodyn.ir.program import Program
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """Operations by kind. ``other`` are calls of tanh and sign, which friction may need."""
+    """Operations by kind. ``other`` are absolute values, signs, tanh, exp and pow,
+    which friction may need."""
 
     mul: int = 0
     add: int = 0
@@ -43,7 +44,8 @@ class Count:
 
 _KIND = {
     "mul": "mul", "add": "add", "sub": "add", "div": "div", "sqrt": "sqrt", "neg": "neg",
-    "sin": "sincos", "cos": "sincos", "tanh": "other", "sign": "other",
+    "sin": "sincos", "cos": "sincos", "tanh": "other", "sign": "other", "abs": "other", "exp": "other",
+    "pow": "other",
 }  # fmt: skip
 
 

@@ -101,6 +101,45 @@ TABLE_3_3: Final[dict[str, dict[str, Pair]]] = {
 }
 
 
+@dataclass(frozen=True, slots=True)
+class PrintedDrive:
+    """A row of Table 3.4: coefficient of friction, radius of the journals [m], breakaway torque and largest
+    torque [N m]."""
+
+    mu: Fraction
+    radius: Fraction
+    breakaway: Fraction
+    largest: Fraction
+
+
+TABLE_3_4: Final = tuple(
+    PrintedDrive(*_coefficients(*row.split()))
+    for row in ("0.1 0.10 6.3 97.6", "0.1 0.08 5.5 186.4", "0.1 0.07 2.6 89.4")
+)
+
+
+@dataclass(frozen=True, slots=True)
+class PrintedTorques:
+    """A row of Table 3.5 [N m]."""
+
+    dynamic: Fraction
+    joint_friction: Fraction
+    joint_total: Fraction
+    transmission: Fraction
+    input: Fraction
+
+
+#: Torques of the three joints 0.6 s into the case study's motion.
+TABLE_3_5: Final = tuple(
+    PrintedTorques(*_coefficients(*row.split()))
+    for row in (
+        "1.2140 1.7803 2.9943 9.8968 12.8911",
+        "-15.6364 -0.3281 -15.9646 -17.9472 -33.9117",
+        "-0.8042 0.1241 -0.6801 3.0449 2.3648",
+    )
+)
+
+
 def table_2_10() -> dict[str, dict[str, Pair]]:
     """Table 2.10: by row and method, method I being the thesis's own."""
     return {row: {"I": (mul, add), **TABLE_2_10_QUOTED[row]} for row, (mul, add, _) in TABLE_2_10.items()}

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.vectors import Vector
+from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label
-from robodyn.robot.model import Robot
+from robodyn.robot.model import Inertia, Robot
 from robodyn.robot.values import Affine, Angle, Value
 
 
@@ -65,6 +66,7 @@ class Arm:
     bodies: tuple[Body, ...]
     gravity: Vector
     rest_velocity: Any | None
+    dead_band: Any | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +106,8 @@ class Motion:
 def build_arm(robot: Robot, number: Callable[[Fraction], Any], parameter: Callable[[str], Any]) -> Arm:
     """``robot`` with ``number`` applied to its constants and ``parameter`` to its run-time names.
 
-    With ``torque_side: link`` rotor and friction are not in the torque and are left out.
+    With ``torque_side: link`` rotor and friction are not in the torque and are left out. A payload is part of
+    the last body.
     """
 
     def scalar(value: Value) -> Any:
@@ -137,9 +140,49 @@ def build_arm(robot: Robot, number: Callable[[Fraction], Any], parameter: Callab
                 coulomb=scalar(joint.coulomb) if motor else none,
             )
         )
+    loads = [
+        (
+            scalar(entry["mass"]),
+            _vector(scalar, entry["com"]),
+            Symmetric(*(scalar(getattr(tensor, axes)) for axes in ("xx", "yy", "zz", "xy", "xz", "yz"))),
+        )
+        for entry in robot.effects
+        if entry.effect == "payload"
+        for tensor in (entry["inertia"] if "inertia" in entry else Inertia(),)
+    ]
     gx, gy, gz = robot.gravity
     rest = None if robot.rest_velocity is None else number(robot.rest_velocity)
-    return Arm(tuple(bodies), (number(gx), number(gy), number(gz)), rest)
+    band = None if robot.dead_band is None else number(robot.dead_band)
+    if loads:
+        bodies[-1] = _loaded(bodies[-1], loads)
+    return Arm(tuple(bodies), (number(gx), number(gy), number(gz)), rest, band)
+
+
+def _vector(scalar: Callable[[Value], Any], values: Sequence[Value]) -> Vector:
+    x, y, z = values
+    return scalar(x), scalar(y), scalar(z)
+
+
+def _loaded(body: Body, loads: Sequence[tuple[Any, Vector, Symmetric]]) -> Body:
+    """``body`` with others fixed to it: masses, centres of mass and inertias about them, in its frame."""
+    parts = [(body.mass, body.com, body.inertia), *loads]
+    mass = sum((m for m, _, _ in parts[1:]), start=parts[0][0])
+    if is_zero(mass):
+        return body
+    # Integers divide to floats, and floats are not exact.
+    share = 1 / (Fraction(mass) if isinstance(mass, int) else mass)
+    x, y, z = (
+        sum((m * c[k] for m, c, _ in parts[1:]), start=body.mass * body.com[k]) * share for k in range(3)
+    )
+    entries = [0, 0, 0, 0, 0, 0]
+    for m, c, inertia in parts:
+        r = (c[0] - x, c[1] - y, c[2] - z)
+        shift = (
+            r[1] * r[1] + r[2] * r[2], r[0] * r[0] + r[2] * r[2], r[0] * r[0] + r[1] * r[1],
+            -(r[0] * r[1]), -(r[0] * r[2]), -(r[1] * r[2]),
+        )  # fmt: skip
+        entries = [e + own + m * s for e, own, s in zip(entries, inertia.entries(), shift, strict=True)]
+    return replace(body, mass=mass, com=(x, y, z), inertia=Symmetric(*entries))
 
 
 def build_motion(

@@ -28,10 +28,13 @@ def equals_recursion(
     """Whether ``program`` gives, at ``points`` random rational points, exactly what the plain recursion
     gives. ``program`` computes ``function`` from ``q`` (not from given sines).
 
-    :class:`ValueError` where friction is smooth at rest: its tanh has no exact value.
+    :class:`ValueError` where friction is smooth at rest, its tanh has no exact value, and where drives have
+    effects.
     """
     if robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links):
         raise ValueError("tanh has no exact value")
+    if any(entry.effect != "payload" for entry in robot.effects):
+        raise ValueError("the plain recursion is that of the rigid arm")
     chance = random.Random(f"{robot.name} {function} {seed}")
     return all(_equal_at(robot, function, program, chance) for _ in range(points))
 

@@ -11,10 +11,10 @@ from robodyn.dynamics.arm import Arm
 from robodyn.dynamics.costing import Costing
 from robodyn.dynamics.functions import Choice
 from robodyn.dynamics.gauge import Unsuited
-from robodyn.dynamics.joints import is_zero
 from robodyn.dynamics.parallel import chained
 from robodyn.dynamics.suited import suited_writing
 from robodyn.dynamics.writing import LinkWriting, Writing
+from robodyn.effects.scalars import is_zero
 from robodyn.robot.model import Robot
 
 #: Of programs whose costs are estimated so close the passes have the last word.

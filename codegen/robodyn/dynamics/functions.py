@@ -51,6 +51,10 @@ FORMULATIONS = (
 )
 
 
+class NoForwardDynamics(InputError):
+    """An arm has no forward dynamics, or none in closed form; ``found`` says why."""
+
+
 @dataclass(frozen=True, slots=True)
 class Choice:
     """How the recursion is written: the formulation, and whether base parameters are regrouped (in the
@@ -125,7 +129,14 @@ def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Sig
         outputs=((result, size),),
         parameters=robot.parameters,
         scalar=scalar,
+        states=_states(robot) if function == "inverse_dynamics" and robot.effects else (),
     )
+
+
+def _states(robot: Robot) -> tuple[str, ...]:
+    from robodyn.dynamics.drive import layer_of
+
+    return layer_of(robot, lambda x: x, lambda _: 1).state_names
 
 
 def build(robot: Robot, function: str, choice: Choice) -> Program:

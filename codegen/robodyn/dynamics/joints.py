@@ -2,33 +2,23 @@
 
 from __future__ import annotations
 
-import math
+from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.vectors import Mark
-from robodyn.ir.graph import Node
+from robodyn.effects.scalars import is_zero, sign, tangent
 from robodyn.ir.program import Label
 
 
-def smoothed_sign(velocity: Any, rest_velocity: Any | None) -> Any:
-    """sgn(velocity) with sgn 0 = 0, or tanh(velocity / rest_velocity)."""
-    if rest_velocity is None:
-        if hasattr(velocity, "graph"):
-            return velocity.graph.sign(velocity)
-        if hasattr(velocity, "free_symbols"):
-            import sympy
-
-            return sympy.sign(velocity)
-        return (velocity > 0) - (velocity < 0)
-    ratio = velocity / rest_velocity
-    if hasattr(ratio, "graph"):
-        return ratio.graph.tanh(ratio)
-    if hasattr(ratio, "free_symbols"):
-        import sympy
-
-        return sympy.tanh(ratio)
-    return math.tanh(ratio)
+def smoothed_sign(velocity: Any, rest_velocity: Any | None, dead_band: Any | None = None) -> Any:
+    """sgn(velocity) with sgn 0 = 0; tanh(velocity / rest_velocity); or 0 within the dead band."""
+    if rest_velocity is not None:
+        return tangent(velocity / rest_velocity)
+    if dead_band is not None:
+        twice = sign(velocity - dead_band) + sign(velocity + dead_band)
+        return Fraction(twice, 2) if isinstance(twice, int) else twice / 2
+    return sign(velocity)
 
 
 def joint_torque(arm: Arm, i: int, motion: Motion, torque: Any, mark: Mark) -> Any:
@@ -43,10 +33,5 @@ def joint_torque(arm: Arm, i: int, motion: Motion, torque: Any, mark: Mark) -> A
         if not is_zero(body.viscous):
             total = total + body.viscous * qd
         if not is_zero(body.coulomb):
-            total = total + body.coulomb * smoothed_sign(qd, arm.rest_velocity)
+            total = total + body.coulomb * smoothed_sign(qd, arm.rest_velocity, arm.dead_band)
     return mark(total, Label(i + 1, "tau", ""))
-
-
-def is_zero(value: Any) -> bool:
-    """Whether ``value`` is the number zero (a node or an expression is not)."""
-    return not isinstance(value, Node) and bool(value == 0)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, Trigonometry
-from robodyn.dynamics.joints import is_zero
+from robodyn.effects.scalars import is_zero
 from robodyn.robot.values import quarter_turns
 
 

@@ -40,22 +40,7 @@ def in_reading_order(graph: Graph, outputs: Sequence[Scalar]) -> tuple[Graph, li
                 stack += waiting
                 continue
             stack.pop()
-            made[p] = _copied(graph.keys[p], target, made)
+            made[p] = target.copied(graph.keys[p], made)
             if p in labels:
                 target.label(made[p], labels[p])
     return target, [made[v.position] * v.sign if isinstance(v, Node) else v for v in outputs]
-
-
-def _copied(key: tuple[Any, ...], target: Graph, made: dict[int, Any]) -> Any:
-    op = key[0]
-    if op == "input":
-        return target.input(*key[1])
-    if op == "const":
-        return key[1]
-    if op == "scale":
-        return made[key[2]] * key[1]
-    if op == "add":
-        return made[key[1]] + key[2] * made[key[3]]
-    if op == "sqrt":
-        return target.sqrt(made[key[1]] * key[2])
-    return target.apply(op, [made[p] for p in key[1:]])

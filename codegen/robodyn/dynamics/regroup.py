@@ -17,9 +17,9 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Symmetric, origin
-from robodyn.dynamics.joints import is_zero
 from robodyn.dynamics.vectors import Vector
 from robodyn.dynamics.writing import MomentForm
+from robodyn.effects.scalars import is_zero
 
 
 @dataclass(frozen=True, slots=True)

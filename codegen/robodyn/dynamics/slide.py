@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from robodyn.dynamics.arm import Arm
-from robodyn.dynamics.joints import is_zero
+from robodyn.effects.scalars import is_zero
 
 
 def slides(arm: Arm) -> tuple[bool, ...]:

@@ -136,7 +136,12 @@ class Value:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Any:
+        if other.__class__ is Value:
+            return self.graph.divided(self.value, other.value)
         return self * pow(residue(other), -1, PRIME)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self.graph.divided(residue(other), self.value) if other else 0
 
 
 class Tally:
@@ -239,6 +244,14 @@ class Tally:
             own, k = reads[0], k * more
         self.made[position] = (SCALE, (own,), (k if value == position else -k) % PRIME)
         return Value(self, value)
+
+    def divided(self, u: int, v: int) -> Value:
+        """``u / v``; what it costs is the same in every writing, and is not counted."""
+        return self._at(
+            u * pow(v, -1, PRIME) % PRIME,
+            CALL,
+            tuple(_position(x) for x in (u, v) if _position(x) in self.made),
+        )
 
     def _at(self, value: int, kind: int, reads: tuple[int, ...]) -> Value:
         self.made.setdefault(_position(value), (kind, reads, None))

@@ -1,24 +1,118 @@
-"""Functions of scalars of any kind that arithmetic alone does not have."""
+"""Functions of scalars of any kind that arithmetic alone does not have.
+
+A scalar is a float, a ``Fraction``, a node of a graph, a sympy expression, a numpy array (of many states), or
+anything that has a method of the function's name.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from robodyn.ir.graph import Node
 
+# Exact where there is nothing to round.
+_AT_ZERO = {"sqrt": 0, "exp": 1, "tanh": 0, "sin": 0, "cos": 1, "sign": 0}
+_PLAIN: dict[str, Callable[[Any], Any]] = {
+    "sqrt": math.sqrt,
+    "exp": math.exp,
+    "log": math.log,
+    "tanh": math.tanh,
+    "sin": math.sin,
+    "cos": math.cos,
+    "sign": lambda x: (x > 0) - (x < 0),
+}
 
-def root(x: Any) -> Any:
-    """Square root: of a float, a node, an expression of sympy, or of what has a ``sqrt`` of its own."""
-    if isinstance(x, Node):
-        return x.graph.sqrt(x)
+
+def _call(name: str, x: Any) -> Any:
+    graph = getattr(x, "graph", None)  # of a node, or of what stands in for one
+    if graph is not None:
+        return getattr(graph, name)(x)
     if hasattr(x, "free_symbols"):
         import sympy
 
-        return sympy.sqrt(x)
-    return x.sqrt() if hasattr(x, "sqrt") else math.sqrt(x)
+        return getattr(sympy, name)(x)
+    if hasattr(x, "dtype"):
+        import numpy as np
+
+        return getattr(np, name)(x)
+    if hasattr(x, name):
+        return getattr(x, name)()
+    return _AT_ZERO[name] if x == 0 and name in _AT_ZERO else _PLAIN[name](x)
+
+
+def root(x: Any) -> Any:
+    """Square root."""
+    return _call("sqrt", x)
+
+
+def exponential(x: Any) -> Any:
+    """``e^x``."""
+    return _call("exp", x)
+
+
+def tangent(x: Any) -> Any:
+    """Hyperbolic tangent."""
+    return _call("tanh", x)
+
+
+def sine(x: Any) -> Any:
+    """Sine of ``x`` [rad]."""
+    return _call("sin", x)
+
+
+def cosine(x: Any) -> Any:
+    """Cosine of ``x`` [rad]."""
+    return _call("cos", x)
+
+
+def sign(x: Any) -> Any:
+    """-1, 0 or 1."""
+    return _call("sign", x)
 
 
 def magnitude(x: Any) -> Any:
-    """``|x|``; of a node ``x sgn x``."""
-    return x * x.graph.sign(x) if isinstance(x, Node) else abs(x)
+    """``|x|``."""
+    if isinstance(x, Node):
+        return x.graph.abs(x)
+    return abs(x)
+
+
+def power(x: Any, exponent: Any) -> Any:
+    """``x^exponent`` for ``x`` of 0 or more; small whole powers are products."""
+    if not isinstance(exponent, Node) and not hasattr(exponent, "dtype") and exponent in (1, 2, 3, 4):
+        square = x if exponent == 1 else x * x
+        return square if exponent <= 2 else square * (x if exponent == 3 else square)
+    graph = next((each.graph for each in (x, exponent) if isinstance(each, Node)), None)
+    if graph is not None:
+        return graph.pow(x, exponent)
+    if hasattr(x, "free_symbols") or hasattr(exponent, "free_symbols"):
+        import sympy
+
+        return sympy.Pow(x, exponent)
+    if hasattr(x, "dtype"):
+        return x ** float(exponent)
+    return math.pow(x, exponent)
+
+
+def positive_part(x: Any) -> Any:
+    """The greater of ``x`` and 0."""
+    return (x + magnitude(x)) / 2
+
+
+def clamped(x: Any, low: Any, high: Any) -> Any:
+    """``x``, or the nearest of ``low`` and ``high``."""
+    return low + positive_part(x - low) - positive_part(x - high)
+
+
+def is_zero(value: Any) -> bool:
+    """Whether ``value`` is the number zero (a node, an expression or an array is not)."""
+    if isinstance(value, Node) or hasattr(value, "free_symbols") or getattr(value, "ndim", 0):
+        return False
+    return bool(value == 0)
+
+
+def logarithm(x: Any) -> Any:
+    """Natural logarithm; not of a node."""
+    return _call("log", x)

@@ -109,6 +109,7 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict
         "scalar": signature.scalar,
         "kind": "c_float" if single else "c_double",
         "parameters": signature.parameters,
+        "states": _states(unit),
         "functions": functions,
         "head": _head(unit, language),
     }
@@ -140,6 +141,11 @@ def _head(unit: Unit, language: str) -> list[str]:
         say("Torques act behind the gear: rotor inertia and friction are not in them.")
     if unit.functions[0][0].parameters:
         say(f"Run-time parameters, in {robot.name}_params: {', '.join(unit.functions[0][0].parameters)}")
+    if _states(unit):
+        say(
+            f"inverse_dynamics remembers: {robot.name}_state begins at zero and a call with dt = 0; then "
+            "call it at every sample, dt [s] after the one before."
+        )
     if unit.sc:
         say("sc, the sines and cosines that the functions read:")
         for k, text in enumerate(unit.sc):
@@ -153,10 +159,15 @@ def _head(unit: Unit, language: str) -> list[str]:
     return lines
 
 
+def _states(unit: Unit) -> tuple[str, ...]:
+    """Members of the state struct of ``unit``, if a function has one."""
+    return next((signature.states for signature, _ in unit.functions if signature.states), ())
+
+
 def _counted(found: Count) -> str:
     parts = [str(found), f"{found.neg} unary minus", f"{found.sincos} sine/cosine"]
     if found.other:
-        parts.append(f"{found.other} tanh/sign")
+        parts.append(f"{found.other} other calls")
     return "; ".join(parts)
 
 
@@ -172,12 +183,14 @@ def _comment(text: str) -> str:
 
 
 def _c_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:
-    spelling = c_spelling(single=signature.scalar == "float")
+    spelling = c_spelling(single=signature.scalar == "float", states=signature.states)
     real = f"{signature.robot}_real"
     arguments = [f"const {real} {array}[{size}]" for array, size in signature.inputs]
     arguments += [f"{real} {array}[{size}]" for array, size in signature.outputs]
     if signature.parameters:
         arguments.append(f"const {signature.robot}_params *p")
+    if signature.states:
+        arguments += [f"{signature.robot}_state *state", f"{real} dt"]
 
     def second_read(argument: Expression) -> str:
         if isinstance(argument, str):
@@ -197,18 +210,20 @@ def _c_function(signature: Signature, counted: Count, body: Body) -> dict[str, A
         line
         for array, elements in body.outputs
         for i, e in enumerate(elements)
-        for line in spelling.wrapped(f"{array}[{i}] = {spelling.text(e)};", "    ")
+        for line in spelling.wrapped(f"{spelling.element(array, i)} = {spelling.text(e)};", "    ")
     ]
     read = _inputs_read(body)
     unused = [array for array, _ in signature.inputs if array not in read]
     if signature.parameters and not any(name in read for name in signature.parameters):
         unused.append("p")
+    if signature.states and "dt" not in read:
+        unused.append("dt")
     return {
         "symbol": signature.symbol,
         "arguments": arguments,
         "prototype": _prototype(f"void {signature.symbol}(", arguments),
         "purpose": PURPOSES[signature.function],
-        "counted": _counted(counted),
+        "counted": textwrap.wrap(_counted(counted), WIDTH, break_on_hyphens=False),
         "lines": lines,
         "results": results,
         "unused": unused,
@@ -225,7 +240,7 @@ def _prototype(head: str, arguments: list[str]) -> str:
 
 
 def _fortran_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:
-    spelling = fortran_spelling(single=signature.scalar == "float")
+    spelling = fortran_spelling(single=signature.scalar == "float", states=signature.states)
     lines: list[str] = []
     for statement in body.statements:
         if statement.heading:
@@ -235,25 +250,30 @@ def _fortran_function(signature: Signature, counted: Count, body: Body) -> dict[
         line
         for array, elements in body.outputs
         for i, e in enumerate(elements)
-        for line in spelling.wrapped(f"{array}({i + 1}) = {spelling.text(e)}", "    ")
+        for line in spelling.wrapped(f"{spelling.element(array, i)} = {spelling.text(e)}", "    ")
     ]
     names = [statement.name for statement in body.statements]
     locals_ = [line.rstrip(",") for line in textwrap.wrap(", ".join(names), WIDTH - 16)]
     arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
     if signature.parameters:
         arguments.append("p")
+    if signature.states:
+        arguments += ["state", "dt"]
     read = _inputs_read(body)
     unused = [array for array, _ in signature.inputs if array not in read]
     if signature.parameters and not any(name in read for name in signature.parameters):
         unused.append("p%" + signature.parameters[0])
+    if signature.states and "dt" not in read:
+        unused.append("dt")
     return {
         "symbol": signature.symbol,
         "bound": signature.fortran_symbol,
         "arguments": ", ".join(arguments),
         "inputs": signature.inputs,
         "outputs": signature.outputs,
+        "states": signature.states,
         "purpose": PURPOSES[signature.function],
-        "counted": _counted(counted),
+        "counted": textwrap.wrap(_counted(counted), WIDTH, break_on_hyphens=False),
         "locals": locals_,
         "lines": lines,
         "results": results,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -24,7 +24,7 @@ class Spelling:
     literal: Callable[[str], str]
     element: Callable[[str, int], str]
     member: Callable[[str], str]
-    functions: Mapping[str, Callable[[str], str]]
+    functions: Mapping[str, Callable[..., str]]
     single: bool
     continuation: str
 
@@ -53,7 +53,7 @@ class Spelling:
         if op == "sin" and twice is not None:
             return self.functions[op](twice(args[0])), _ATOM
         if op in self.functions:
-            return self.functions[op](self._text(args[0], twice)[0]), _ATOM
+            return self.functions[op](*(self._text(arg, twice)[0] for arg in args)), _ATOM
         if op == "neg":
             text, strength = self._text(args[0], twice)
             return ("-" + (text if strength == _ATOM else f"({text})")), _UNARY
@@ -127,19 +127,30 @@ def nearest_float(value: Fraction) -> float:
     return float(rounded if value > 0 else -rounded)
 
 
-def c_spelling(*, single: bool, parameters: str = "p->") -> Spelling:
-    """C99, also valid C++."""
+def c_spelling(*, single: bool, parameters: str = "p->", states: Sequence[str] = ()) -> Spelling:
+    """C99, also valid C++. ``states`` are the members of ``state``, where a function has one; it has ``dt``
+    then."""
+
+    def element(array: str, i: int) -> str:
+        return f"state->{states[i]}" if array == "state" else f"{array}[{i}]"
+
+    def member(name: str) -> str:
+        return name if states and name == "dt" else parameters + name
+
     f = "f" if single else ""
     zero, one = (f"0.0{f}", f"1.0{f}")
     return Spelling(
         literal=lambda digits: digits + f,
-        element=lambda array, i: f"{array}[{i}]",
-        member=lambda name: parameters + name,
+        element=element,
+        member=member,
         functions={
             "sin": lambda x: f"sin{f}({x})",
             "cos": lambda x: f"cos{f}({x})",
             "tanh": lambda x: f"tanh{f}({x})",
             "sqrt": lambda x: f"sqrt{f}({x})",
+            "abs": lambda x: f"fabs{f}({x})",
+            "exp": lambda x: f"exp{f}({x})",
+            "pow": lambda x, y: f"pow{f}({x}, {y})",
             "sign": lambda x: f"({x} > {zero} ? {one} : ({x} < {zero} ? -{one} : {zero}))",
         },
         single=single,
@@ -147,17 +158,27 @@ def c_spelling(*, single: bool, parameters: str = "p->") -> Spelling:
     )
 
 
-def fortran_spelling(*, single: bool) -> Spelling:
-    """Fortran 2008, free form; the kind of all reals is ``rk``."""
+def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
+    """Fortran 2008, free form; the kind of all reals is ``rk``; ``states`` as in C."""
+
+    def element(array: str, i: int) -> str:
+        return f"state%{states[i]}" if array == "state" else f"{array}({i + 1})"
+
+    def member(name: str) -> str:
+        return name if states and name == "dt" else f"p%{name}"
+
     return Spelling(
         literal=lambda digits: digits + "_rk",
-        element=lambda array, i: f"{array}({i + 1})",
-        member=lambda name: f"p%{name}",
+        element=element,
+        member=member,
         functions={
             "sin": lambda x: f"sin({x})",
             "cos": lambda x: f"cos({x})",
             "tanh": lambda x: f"tanh({x})",
             "sqrt": lambda x: f"sqrt({x})",
+            "abs": lambda x: f"abs({x})",
+            "exp": lambda x: f"exp({x})",
+            "pow": lambda x, y: f"({x})**({y})",
             "sign": lambda x: f"merge(1.0_rk, merge(-1.0_rk, 0.0_rk, {x} < 0.0_rk), {x} > 0.0_rk)",
         },
         single=single,

@@ -97,6 +97,8 @@ def statements(program: Program) -> Body:
     operations = program.operations
     in_output = {x for x in program.results() if isinstance(x, int)}
     arguments = {x for op in operations if op.op in ("sin", "cos") for x in op.args if isinstance(x, int)}
+    # C writes the argument of a sign twice.
+    compared = {x for op in operations if op.op == "sign" for x in op.args if isinstance(x, int)}
     size: list[int] = []
     text: list[Expression] = []
     made: list[Statement] = []
@@ -117,6 +119,7 @@ def statements(program: Program) -> Body:
             or is_trig
             or i in in_output
             or i in arguments
+            or i in compared
             or steps >= _LONGEST
         )
         if not named:

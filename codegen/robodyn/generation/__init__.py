@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
-from robodyn.dynamics.functions import FUNCTIONS, Choice, signature
+from robodyn.dynamics.functions import FUNCTIONS, Choice, NoForwardDynamics, signature
 from robodyn.emit import Unit, render
-from robodyn.generation.drafts import Drafts, SingularArm, program
+from robodyn.generation.drafts import Drafts, SingularArm
 from robodyn.generation.options import (
     ENGINES,
     LANGUAGES,
@@ -31,6 +32,9 @@ from robodyn.passes.trig_given import describe, given_layout, trig_given
 from robodyn.prune import Pruning, notes_of
 from robodyn.robot.model import Robot
 
+if TYPE_CHECKING:
+    from robodyn.generation.layered import Layered
+
 __all__ = [
     "ENGINES",
     "LANGUAGES",
@@ -40,11 +44,13 @@ __all__ = [
     "Engine",
     "Generated",
     "Level",
+    "NoForwardDynamics",
     "Options",
     "SingularArm",
     "Trigonometry",
     "check_languages",
     "generate",
+    "maker",
     "program",
 ]
 
@@ -57,11 +63,10 @@ class Generated:
     options: Options
     counts: dict[str, Count]
     prunings: dict[str, Pruning] = field(default_factory=dict)
-
-    @property
-    def left_out(self) -> tuple[str, ...]:
-        """Functions that the robot does not have."""
-        return () if self.options.functions else tuple(f for f in FUNCTIONS if f not in self.counts)
+    #: Functions that the robot does not have, and why.
+    left_out: dict[str, str] = field(default_factory=dict)
+    #: Of a robot with effects: the operations of the rigid arm alone.
+    rigid_counts: dict[str, Count | None] = field(default_factory=dict)
 
     @property
     def signatures(self) -> tuple[Signature, ...]:
@@ -89,16 +94,19 @@ def generate(
     InputError: a constant of the model does not fit the scalar type, or an option is unknown.
     """
     options = options or Options()
-    drafts = Drafts(robot, options, pruning)
+    made = maker(robot, options, pruning)
+    drafts = made if isinstance(made, Drafts) else made.rigid
     programs: dict[str, Program] = {}
+    left_out: dict[str, str] = {}
     for function in options.functions or FUNCTIONS:
         if progress is not None:
             progress(function)
         try:
-            programs[function] = program(robot, function, options, drafts)
-        except SingularArm:
+            programs[function] = made.program(function)
+        except NoForwardDynamics as reason:
             if options.functions is not None:
                 raise
+            left_out[function] = (reason.found or reason.what).partition(":")[0]
     interfaces = {f: signature(robot, f, options.scalar) for f in programs}
     described: tuple[str, ...] = ()
     no_angle = False
@@ -113,10 +121,25 @@ def generate(
         functions=tuple((interfaces[f], programs[f]) for f in programs),
         sc=described,
         notes=_notes(drafts)
+        + (() if isinstance(made, Drafts) else made.notes)
         + notes_of(tuple(drafts.prunings.values()))
         + (("sc is not read: there is no angle.",) if no_angle else ()),
     )
-    return Generated(unit, options, {f: count(p) for f, p in programs.items()}, drafts.prunings)
+    counts = {f: count(p) for f, p in programs.items()}
+    rigid = {f: made.rigid_count(f) for f in programs}
+    return Generated(unit, options, counts, drafts.prunings, left_out, rigid)
+
+
+def maker(robot: Robot, options: Options, pruning: Callable[[str], None] | None = None) -> Drafts | Layered:
+    """What makes the programs of ``robot``: the recursion, or the recursion beneath its effects."""
+    if robot.effects:
+        from robodyn.dynamics.drive import has_drive_effects
+
+        if has_drive_effects(robot):
+            from robodyn.generation.layered import Layered
+
+            return Layered(robot, options)
+    return Drafts(robot, options, pruning)
 
 
 def _with_sc(interface: Signature, size: int) -> Signature:
@@ -135,6 +158,16 @@ _TITLES = {
     "lagrange_4x4": "recursive Lagrange with 4x4 matrices (Hollerbach)",
     "lagrange_3x3": "recursive Lagrange with 3x3 matrices (Hollerbach)",
 }
+
+
+def program(robot: Robot, function: str, options: Options | None = None) -> Program:
+    """The optimised program of one function of ``robot``, with its effects.
+
+    Raises
+    ------
+    NoForwardDynamics: there is none.
+    """
+    return maker(robot, options or Options()).program(function)
 
 
 def _notes(drafts: Drafts) -> tuple[str, ...]:

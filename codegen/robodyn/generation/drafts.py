@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from robodyn.counts import count
+from robodyn.counts import Count, count
 from robodyn.dynamics.compose import composed_forward_dynamics
 from robodyn.dynamics.fast import fast_choices
-from robodyn.dynamics.functions import Choice, build, signature
-from robodyn.errors import InputError
+from robodyn.dynamics.functions import Choice, NoForwardDynamics, build, signature
 from robodyn.generation.options import Options
 from robodyn.generation.proof import prove
 from robodyn.ir.program import Input, Program
@@ -25,7 +24,7 @@ _CLEARLY = 0.85
 _SMALL = 100
 
 
-class SingularArm(InputError):
+class SingularArm(NoForwardDynamics):
     """The mass matrix cannot be inverted in any pose: some joint moves without inertia."""
 
 
@@ -55,6 +54,19 @@ class Drafts:
         if self.options.engine == "graph":
             self._drafts["inverse_dynamics"], self._after_passes["inverse_dynamics"] = drafts[k], passed[k]
         return choices[k]
+
+    def program(self, function: str) -> Program:
+        """The optimised program of ``function``, pruned if that is asked for.
+
+        Raises
+        ------
+        SingularArm: forward dynamics of an arm in which a joint moves without inertia.
+        """
+        return self.pruned(function, self.best(function))
+
+    def rigid_count(self, function: str) -> Count | None:
+        """There is nothing on top of the rigid arm."""
+        return None
 
     def pruned(self, function: str, found: Program) -> Program:
         """``found`` without terms that cannot matter, if that is asked for; or what the passes alone give
@@ -176,17 +188,3 @@ class Drafts:
 
             return build_through_sympy(self.robot, function, self.choice)
         return build(self.robot, function, self.choice)
-
-
-def program(
-    robot: Robot, function: str, options: Options | None = None, drafts: Drafts | None = None
-) -> Program:
-    """The optimised program of one function of ``robot``; ``drafts`` saves choosing again.
-
-    Raises
-    ------
-    SingularArm: forward dynamics of an arm in which a joint moves without inertia.
-    """
-    options = options or Options()
-    drafts = drafts or Drafts(robot, options)
-    return drafts.pruned(function, drafts.best(function))

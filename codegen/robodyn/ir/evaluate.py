@@ -11,12 +11,15 @@ from typing import Any
 from robodyn.ir.program import Input, Operand, Program
 
 #: Functions over float; give others for other scalars.
-REAL_FUNCTIONS: dict[str, Callable[[Any], Any]] = {
+REAL_FUNCTIONS: dict[str, Callable[..., Any]] = {
     "sin": math.sin,
     "cos": math.cos,
     "sqrt": math.sqrt,
     "tanh": math.tanh,
     "sign": lambda x: (x > 0) - (x < 0),
+    "abs": abs,
+    "exp": math.exp,
+    "pow": math.pow,
 }
 
 
@@ -25,12 +28,12 @@ def evaluate(
     inputs: Mapping[Input, Any],
     *,
     number: Callable[[Fraction], Any] = float,
-    functions: Mapping[str, Callable[[Any], Any]] = REAL_FUNCTIONS,
+    functions: Mapping[str, Callable[..., Any]] = REAL_FUNCTIONS,
 ) -> dict[str, list[Any]]:
     """Run ``program`` on ``inputs``; the outputs by name.
 
     ``number`` turns a constant into the scalar in use (``float``, ``Fraction``, ``sympy.Rational``...);
-    ``functions`` has ``sin cos sqrt tanh sign`` over that scalar.
+    ``functions`` has ``sin cos sqrt tanh sign abs exp pow`` over that scalar, those that the program needs.
     """
     values: list[Any] = []
 
@@ -53,16 +56,18 @@ def evaluate(
             values.append(x / value(args[1]))
         elif op == "neg":
             values.append(-x)
+        elif op == "pow":
+            values.append(functions[op](x, value(args[1])))
         else:
             values.append(functions[op](x))
     return {name: [value(operand) for operand in elements] for name, elements in program.outputs}
 
 
-AngleForm = tuple[tuple[tuple[Input, int], ...], Fraction]
+AngleForm = tuple[tuple[tuple[Input, int | Fraction], ...], Fraction]
 
 
 def angle_form(program: Program, operand: Operand, known: dict[int, AngleForm] | None = None) -> AngleForm:
-    """The argument of a sine or cosine as whole multiples of inputs plus a constant [rad].
+    """The argument of a sine or cosine as multiples of inputs plus a constant [rad].
 
     ``known`` remembers the forms of operations from call to call.
     """
@@ -73,24 +78,38 @@ def angle_form(program: Program, operand: Operand, known: dict[int, AngleForm] |
     if known is not None and operand in known:
         return known[operand]
     op, args, _ = program.operations[operand]
-    factors: tuple[int, ...]
-    if op == "mul" and isinstance(args[0], Fraction) and args[0].denominator == 1:
-        factors, args = (args[0].numerator,), args[1:]
+    factors: tuple[int | Fraction, ...]
+    if op == "mul" and isinstance(args[0], Fraction):
+        factors, args = (_whole(args[0]),), args[1:]
     elif op in ("add", "sub", "neg"):
         factors = {"add": (1, 1), "sub": (1, -1), "neg": (-1,)}[op]
     else:
         raise ValueError(f"{op} in the argument of a sine")
-    total: dict[Input, int] = {}
+    total: dict[Input, int | Fraction] = {}
     constant = Fraction(0)
     for factor, arg in zip(factors, args, strict=True):
         terms, rest = angle_form(program, arg, known)
         constant += factor * rest
         for name, multiple in terms:
-            total[name] = total.get(name, 0) + factor * multiple
+            total[name] = _whole(total.get(name, 0) + factor * multiple)
     form = tuple(sorted((name, m) for name, m in total.items() if m)), constant
     if known is not None:
         known[operand] = form
     return form
+
+
+def is_angle(program: Program, operand: Operand, known: dict[int, AngleForm] | None = None) -> bool:
+    """Whether ``operand`` has an :func:`angle_form`."""
+    try:
+        angle_form(program, operand, known)
+    except ValueError:
+        return False
+    return True
+
+
+def _whole(x: int | Fraction) -> int | Fraction:
+    """``x`` as an integer if it is one."""
+    return x.numerator if isinstance(x, Fraction) and x.denominator == 1 else x
 
 
 Circle = tuple[Any, Any]
@@ -121,6 +140,8 @@ def evaluate_exact(
         terms, constant = next(forms)
         total: Circle = constant_point(constant) if constant else (Fraction(1), Fraction(0))
         for name, multiple in terms:
+            if isinstance(multiple, Fraction):
+                raise ValueError(f"the sine of {multiple} {name} has no exact value")
             c, s = points[name]
             for _ in range(abs(multiple)):
                 total = turn(total, (c, s if multiple > 0 else -s))
@@ -133,6 +154,7 @@ def evaluate_exact(
         "sin": lambda _: point()[1],
         "cos": lambda _: point()[0],
         "sign": sign,
+        "abs": abs,
     }
     return evaluate(program, inputs, number=lambda x: x, functions=functions)
 
@@ -151,8 +173,9 @@ def fingerprint(
     Two programs that are the same rational function (of inputs, sines and cosines) agree at every
     point; two that differ agree with a probability of about degree / 2^61. Exact as ``Fraction``s are,
     and a hundred times faster, so that every pass can be checked on every run. Angles are exponents in
-    the circle group, so that sines of sums obey the addition theorems; sqrt, tanh and sign are random
-    functions (the latter two odd). :class:`ZeroDivisionError` where a divisor is zero as a function.
+    the circle group, so that sines of sums obey the addition theorems; a sine of anything but
+    multiples of inputs, sqrt, exp, pow, tanh, sign and abs are random functions (tanh and sign odd, abs
+    even). :class:`ZeroDivisionError` where a divisor is zero as a function.
     """
 
     def random(name: str) -> int:
@@ -165,6 +188,9 @@ def fingerprint(
     def number(x: Fraction) -> int:
         return x.numerator * pow(x.denominator, -1, PRIME) % PRIME
 
+    def angle(x: Input, parts: int) -> int:
+        return variable(x) if parts == 1 else random(f"{x.array} {x.index} / {parts}") % (1 << 40)
+
     t = random("circle")
     inverse = pow(1 + t * t, -1, PRIME)
     base = ((1 - t * t) * inverse % PRIME, 2 * t * inverse % PRIME)
@@ -175,7 +201,7 @@ def fingerprint(
         form = angle_form(program, operand, forms)
         if form not in powers:
             terms, constant = form
-            exponent = sum(m * variable(name) for name, m in terms)
+            exponent = sum(m.numerator * angle(name, m.denominator) for name, m in terms)
             c, s = base if exponent >= 0 else (base[0], -base[1])
             exponent = abs(exponent)
             total = (1, 0)
@@ -200,7 +226,7 @@ def fingerprint(
         return number(operand)
 
     for op, args, _ in program.operations:
-        if op in ("sin", "cos"):
+        if op in ("sin", "cos") and is_angle(program, args[0], forms):
             values.append(circle(args[0])[op == "sin"] % PRIME)
             continue
         x = value(args[0])
@@ -217,10 +243,14 @@ def fingerprint(
             x = x * pow(divisor, -1, PRIME)
         elif op == "neg":
             x = -x
-        elif op == "sqrt":
-            x = random(f"sqrt {x}")
+        elif op in ("sqrt", "exp"):
+            x = random(f"{op} {x % PRIME}")
+        elif op == "pow":
+            x = random(f"pow {x % PRIME} {value(args[1]) % PRIME}")
+        elif op in ("abs", "cos"):
+            x = random(f"{op} {min(x % PRIME, -x % PRIME)}")
         else:
-            y = min(x, PRIME - x)
+            y = min(x % PRIME, -x % PRIME)
             x = random(f"{op} {y}") * (1 if y == x else -1) if y else 0
         values.append(x % PRIME)
     return tuple(value(operand) % PRIME for operand in program.results())

@@ -200,6 +200,29 @@ class Graph:
         """Sign, 0 at 0; odd."""
         return self._odd("sign", a)
 
+    def abs(self, a: Scalar) -> Scalar:
+        """Absolute value; even."""
+        if not isinstance(a, Node):
+            return a if a >= 0 else -a
+        return self._node(("abs", a.position))
+
+    def exp(self, a: Scalar) -> Scalar:
+        """Exponential."""
+        if not isinstance(a, Node):
+            if a == 0:
+                return Fraction(1)
+            a = self.constant(a)
+        return self._node(("exp", a.position, a.sign))
+
+    def pow(self, a: Scalar, b: Scalar) -> Scalar:
+        """``a`` to the power of ``b``, for ``a`` of 0 or more; whole powers up to 4 are products."""
+        if not isinstance(b, Node) and b in (1, 2, 3, 4):
+            square = a if b == 1 else self.mul(a, a)
+            return square if b <= 2 else self.mul(square, a if b == 3 else square)
+        a = a if isinstance(a, Node) else self.constant(a)
+        b = b if isinstance(b, Node) else self.constant(b)
+        return self._node(("pow", a.position, a.sign, b.position, b.sign))
+
     def apply(self, op: str, args: Sequence[Scalar]) -> Scalar:
         """An operation by its name in a program."""
         if op == "sub":
@@ -210,31 +233,43 @@ class Graph:
         result: Scalar = function(*args)
         return result
 
-    def replay(self, program: Program, replacement: dict[int, Scalar] | None = None) -> list[Scalar]:
+    def replay(
+        self,
+        program: Program,
+        replacement: dict[int, Scalar] | None = None,
+        inputs: Mapping[Input, Scalar] | None = None,
+    ) -> list[Scalar]:
         """Build ``program`` in this graph; the values of its outputs, one after another.
 
-        ``replacement`` gives values that stand in for operations (by position).
+        ``replacement`` gives values that stand in for operations (by position), ``inputs`` for inputs.
         """
-        values = self.replay_all(program, replacement)
+        values = self.replay_all(program, replacement, inputs)
+        given = inputs or {}
 
         def value(operand: Operand) -> Scalar:
             if isinstance(operand, int):
                 return values[operand]
             if isinstance(operand, Input):
-                return self.input(*operand)
+                return given[operand] if operand in given else self.input(*operand)
             return operand
 
         return [value(operand) for operand in program.results()]
 
-    def replay_all(self, program: Program, replacement: dict[int, Scalar] | None = None) -> list[Scalar]:
+    def replay_all(
+        self,
+        program: Program,
+        replacement: dict[int, Scalar] | None = None,
+        inputs: Mapping[Input, Scalar] | None = None,
+    ) -> list[Scalar]:
         """Build ``program`` in this graph; the values of its operations."""
         values: list[Scalar] = []
+        given = inputs or {}
 
         def value(operand: Operand) -> Scalar:
             if isinstance(operand, int):
                 return values[operand]
             if isinstance(operand, Input):
-                return self.input(*operand)
+                return given[operand] if operand in given else self.input(*operand)
             return operand
 
         for i, (op, args, label) in enumerate(program.operations):
@@ -246,6 +281,24 @@ class Graph:
                 self.label(made, label)
             values.append(made)
         return values
+
+    def copied(self, key: tuple[Any, ...], made: Mapping[int, Scalar]) -> Scalar:
+        """What ``key`` of another graph is in this one, where its operands are ``made``."""
+        op = key[0]
+        if op == "input":
+            return self.input(*key[1])
+        if op == "const":
+            constant: Fraction = key[1]
+            return constant
+        if op == "scale":
+            return self.mul(made[key[2]], key[1])
+        if op == "add":
+            return self.add(made[key[1]], made[key[3]] * key[2])
+        if op in ("sqrt", "exp"):
+            return self.apply(op, [made[key[1]] * key[2]])
+        if op == "pow":
+            return self.pow(made[key[1]] * key[2], made[key[3]] * key[4])
+        return self.apply(op, [made[p] for p in key[1:]])
 
     # -- inside ---------------------------------------------------------------------------------
     def _node(self, key: tuple[Any, ...], sign: int = 1) -> Node:
@@ -353,9 +406,11 @@ def lower(graph: Graph, outputs: Outputs, stored: Mapping[int, int] | None = Non
             sign = own * signs.get(key[1], 1) * signs.get(key[2], 1)
             left = operand(key[1], sign * signs.get(key[1], 1))
             place[position] = emit(op, left, place[key[2]], label=label)
-        elif op == "sqrt":
+        elif op in ("sqrt", "exp"):
             place[position] = emit(op, operand(key[1], key[2]), label=label)
-        elif op == "cos":
+        elif op == "pow":
+            place[position] = emit(op, operand(key[1], key[2]), operand(key[3], key[4]), label=label)
+        elif op in ("cos", "abs"):
             place[position] = emit(op, place[key[1]], label=label)
         else:
             place[position] = emit(op, operand(key[1], 1), label=label)
@@ -376,6 +431,8 @@ def children(key: tuple[Any, ...]) -> tuple[int, ...]:
         return (key[1], key[3])
     if op == "scale":
         return (key[2],)
-    if op == "sqrt":
+    if op in ("sqrt", "exp"):
         return (key[1],)
+    if op == "pow":
+        return (key[1], key[3])
     return tuple(key[1:])

@@ -43,8 +43,8 @@ class Label(NamedTuple):
 Operand = int | Input | Fraction
 
 #: Operations with two operands and with one.
-BINARY = ("add", "sub", "mul", "div")
-UNARY = ("neg", "sqrt", "sin", "cos", "tanh", "sign")
+BINARY = ("add", "sub", "mul", "div", "pow")
+UNARY = ("neg", "sqrt", "sin", "cos", "tanh", "sign", "abs", "exp")
 
 
 class Operation(NamedTuple):

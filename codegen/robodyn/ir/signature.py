@@ -22,6 +22,8 @@ class Signature:
     outputs: tuple[tuple[str, int], ...]
     parameters: tuple[str, ...] = ()
     scalar: ScalarType = "double"
+    #: Members of ``NAME_state``: a function that has any takes ``NAME_state *state, NAME_real dt`` last.
+    states: tuple[str, ...] = ()
 
     @property
     def symbol(self) -> str:

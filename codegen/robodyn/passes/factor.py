@@ -77,7 +77,7 @@ class _Factoring:
         for p in self.positions:
             if p in dissolved:
                 continue
-            made[p] = self._factored(*sums[p], made) if p in sums else _copy(keys[p], target, made)
+            made[p] = self._factored(*sums[p], made) if p in sums else target.copied(keys[p], made)
             if p in labels:
                 target.label(made[p], labels[p])
         outputs = [
@@ -147,18 +147,3 @@ def _factors(key: tuple[Any, ...]) -> tuple[Any, ...]:
 
 def _value(factor: Any, made: dict[int, Scalar]) -> Any:
     return made[factor] if isinstance(factor, int) else Fraction(*factor)
-
-
-def _copy(key: tuple[Any, ...], target: Graph, made: dict[int, Scalar]) -> Any:
-    op = key[0]
-    if op == "input":
-        return target.input(*key[1])
-    if op == "const":
-        return key[1]
-    if op == "scale":
-        return made[key[2]] * key[1]
-    if op == "add":
-        return made[key[1]] + key[2] * made[key[3]]
-    if op == "sqrt":
-        return target.sqrt(made[key[1]] * key[2])
-    return target.apply(op, [made[p] for p in key[1:]])

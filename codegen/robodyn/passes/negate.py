@@ -116,8 +116,10 @@ class _Signs:
             return _MINUS if sign[p] * sign[key[1]] * sign[key[2]] < 0 else 0
         if op == "scale":
             return 1 if sign[p] * sign[key[2]] < 0 else 0
-        if op == "sqrt":
+        if op in ("sqrt", "exp"):
             return _MINUS if key[2] != sign[key[1]] else 0
+        if op == "pow":
+            return _MINUS * (int(key[2] != sign[key[1]]) + int(key[4] != sign[key[3]]))
         if op in ("sin", "tanh", "sign"):
             return _MINUS if sign[key[1]] < 0 else 0
         return 0

@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from robodyn.ir.evaluate import angle_form
+from robodyn.ir.evaluate import angle_form, is_angle
 from robodyn.ir.program import Input, Operand, Operation, Program
 from robodyn.passes.dce import dce
 
-#: One element of ``sc``: "cos" or "sin" of whole multiples of joint angles plus a constant [rad], or
+#: One element of ``sc``: "cos" or "sin" of multiples of joint angles plus a constant [rad], or
 #: "q", a prismatic joint's displacement.
-Given = tuple[str, tuple[tuple[Input, int], ...], Fraction]
+Given = tuple[str, tuple[tuple[Input, int | Fraction], ...], Fraction]
 
 
 def given_layout(programs: Sequence[Program]) -> tuple[Given, ...]:
@@ -22,7 +22,7 @@ def given_layout(programs: Sequence[Program]) -> tuple[Given, ...]:
     found: set[Given] = set()
     for program in programs:
         for op, args, _ in program.operations:
-            if op in ("sin", "cos"):
+            if op in ("sin", "cos") and is_angle(program, args[0]):
                 found.add((op, *angle_form(program, args[0])))
         found.update(("q", ((x, 1),), Fraction(0)) for x in _displacements(program))
     return tuple(sorted(found, key=lambda g: (g[0] == "q", g[1], g[2], g[0])))
@@ -40,7 +40,7 @@ def _displacements(program: Program) -> list[Input]:
         elif isinstance(operand, int) and operand not in seen:
             seen.add(operand)
             operation = program.operations[operand]
-            if operation.op not in ("sin", "cos"):
+            if operation.op not in ("sin", "cos") or not is_angle(program, operation.args[0]):
                 stack.extend(operation.args)
     return list(found)
 
@@ -59,7 +59,7 @@ def trig_given(program: Program, layout: Sequence[Given]) -> Program:
         return operand
 
     for op, args, label in program.operations:
-        if op in ("sin", "cos"):
+        if op in ("sin", "cos") and is_angle(program, args[0]):
             values.append(place[(op, *angle_form(program, args[0]))])
             continue
         operations.append(Operation(op, tuple(map(moved, args)), label))
@@ -73,7 +73,11 @@ def describe(given: Given) -> str:
     kind, terms, constant = given
     if kind == "q":
         return str(terms[0][0])
-    text = " + ".join(str(x) if m == 1 else f"{m}*{x}" for x, m in terms).replace("+ -", "- ")
+    text = " + ".join(str(x) if m == 1 else f"{_decimal(m)}*{x}" for x, m in terms).replace("+ -", "- ")
     if constant:
         text += f" {'-' if constant < 0 else '+'} {abs(float(constant))!r}"
     return f"{kind}({text})"
+
+
+def _decimal(multiple: int | Fraction) -> str:
+    return str(multiple) if isinstance(multiple, int) else repr(float(multiple))

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import hashlib
 from fractions import Fraction
+from typing import Any
 
-from robodyn.robot.model import Joint, Link, Robot
+from robodyn.robot.model import EffectEntry, Inertia, Joint, Link, Robot, Setting
 from robodyn.robot.values import Affine, Angle, Value
 
 
@@ -17,7 +18,25 @@ def identity(robot: Robot) -> str:
     lines = ["robodyn robot 1", "gravity " + " ".join(map(str, robot.gravity)), f"torque {robot.torque_side}"]
     lines.append(f"rest {robot.rest_velocity}")
     lines += [_link(link) for link in robot.links]
+    if robot.dead_band is not None:
+        lines.append(f"dead band {robot.dead_band}")
+    lines += [_effect(entry) for entry in robot.effects]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:32]
+
+
+def _effect(entry: EffectEntry) -> str:
+    settings = " ".join(f"{name}={_setting(setting)}" for name, setting in entry.settings)
+    return f"effect {entry.effect} {entry.joint} {settings}"
+
+
+def _setting(setting: Setting | tuple[Any, ...]) -> str:
+    if isinstance(setting, (Fraction, Affine)):
+        return _value(setting)
+    if isinstance(setting, Inertia):
+        return _setting((setting.xx, setting.yy, setting.zz, setting.xy, setting.xz, setting.yz))
+    if isinstance(setting, tuple):
+        return f"({','.join(map(_setting, setting))})"
+    return str(setting)
 
 
 def _link(link: Link) -> str:

@@ -4,6 +4,9 @@ Standard row i holds a_i and alpha_i of the link itself: frame i, in which the l
 inertia are given, lies at the link's far end, ``Rot(z, theta) Trans(z, d) Trans(x, a) Rot(x, alpha)``
 from frame i-1. Modified frame i is the one reached after ``Rot(z, theta) Trans(z, d)`` already, so each
 row hands its a and alpha to the next (Craig, Introduction to Robotics, section 3.4).
+
+Of effects a payload moves along with the last link. What a bearing carries (load-dependent friction) and
+where a contact acts are meant in the modified frames, whose z is the joint's axis, with the origin on it.
 """
 
 from __future__ import annotations
@@ -12,7 +15,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
-from robodyn.robot.model import Inertia, Link, Vector
+from robodyn.robot.model import EffectEntry, Inertia, Link, Setting, Vector
 from robodyn.robot.numbers import rounded
 from robodyn.robot.values import ZERO, Angle, Value, angle
 
@@ -36,7 +39,7 @@ def from_standard(links: Iterable[Link]) -> tuple[Link, ...]:
             replace(
                 link,
                 joint=replace(link.joint, a=a, alpha=alpha),
-                com=_centre(link, own_a, own_alpha),
+                com=_centre(link.mass, link.com, own_a, own_alpha),
                 inertia=_turned(link.inertia, own_alpha),
             )
         )
@@ -44,11 +47,28 @@ def from_standard(links: Iterable[Link]) -> tuple[Link, ...]:
     return tuple(converted)
 
 
-def _centre(link: Link, a: Value, alpha: Angle) -> Vector:
+def effect_from_standard(entry: EffectEntry, last: Link) -> EffectEntry:
+    """``entry`` for the modified frames: a payload stands in the frame of ``last``, the last standard row.
+
+    Raises
+    ------
+    OverflowError: a number grows beyond double.
+    """
+    if entry.effect != "payload":
+        return entry
+    a, alpha = last.joint.a, last.joint.alpha
+    moved: dict[str, Setting] = dict(entry.settings)
+    moved["com"] = _centre(entry["mass"], entry["com"], a, alpha)
+    if "inertia" in entry:
+        moved["inertia"] = _turned(entry["inertia"], alpha)
+    return replace(entry, settings=tuple(moved.items()))
+
+
+def _centre(mass: Value, com: Vector, a: Value, alpha: Angle) -> Vector:
     """Centre of mass seen from the modified frame: (a, 0, 0) + Rot(x, alpha) com."""
-    x, y, z = link.com
-    if link.mass == 0 and link.com == (ZERO, ZERO, ZERO):
-        return link.com  # a link without mass has no centre: do not invent one
+    x, y, z = com
+    if mass == 0 and com == (ZERO, ZERO, ZERO):
+        return com  # a link without mass has no centre: do not invent one
     c, s = alpha.cos, alpha.sin
     return a + x, _kept(y * c - z * s, alpha), _kept(y * s + z * c, alpha)
 

@@ -32,6 +32,7 @@ class Source:
         self.strict = strict
         self.warn = warn
         self.names: dict[str, tuple[str, Place]] = {}
+        self.effects = 0
 
     def place(self, node: Node, offset: int = 0) -> Place:
         """The place of ``node``, or of a character of a scalar where the text stands there one by one."""
@@ -57,6 +58,10 @@ class Source:
         if self.strict:
             raise error
         self.warn(str(error))
+
+    def note(self, node: Node, what: str, remedy: str) -> None:
+        """Something that is right but hardly meant: a warning, also with ``strict``."""
+        self.warn(str(InputError(what, where=self.place(node), remedy=remedy)))
 
     def name(self, name: str, place: Place) -> None:
         """Note a run-time parameter; two names that Fortran cannot tell apart are refused."""
@@ -216,9 +221,7 @@ class Section:
         items = self.items(name, 2)
         if items is None:
             return None
-        low, high = (self._number(node, self.keys[name], self.path(name)) for node in items)
-        assert isinstance(low, Fraction)
-        assert isinstance(high, Fraction)
+        low, high = (self._constant(node, self.keys[name], self.path(name)) for node in items)
         if low >= high:
             self.source.fail(
                 self.values[name],
@@ -268,6 +271,11 @@ class Section:
             self.source.name(name, self.source.place(scalar, position))
         return number
 
+    def _constant(self, node: Node, key: Key, path: str) -> Fraction:
+        value = self._number(node, key, path)
+        assert isinstance(value, Fraction)  # no names there
+        return value
+
     def _number(self, node: Node, key: Key, path: str) -> Value:
         read = self._parse(node, key, path)
         # pi is irrational: elsewhere than in an angle the double is what counts.
@@ -303,6 +311,10 @@ def expectation(key: Key) -> str:
         "range": "[lowest, highest]",
         "list": "a list",
         "group": "a mapping",
-        "rest": "exact, or smooth: {velocity: 1e-3}",
+        "rest": "exact, or smooth: {velocity: 1e-3}, or dead_band: {velocity: 1e-3}",
+        "efficiency": "a number, or a table [[load fraction, efficiency], ...]",
+        "joint": "the number of a joint",
+        "effects of a joint": "a list of effects, such as [{effect: backlash, gap: 1e-3}]",
+        "effects of the robot": "a list of effects, such as [{effect: payload, mass: 2}]",
     }
     return words[key.kind] + unit

@@ -7,7 +7,22 @@ from typing import Literal
 
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH
 
-Kind = Literal["name", "text", "choice", "number", "angle", "vector", "range", "group", "list", "rest"]
+Kind = Literal[
+    "name",
+    "text",
+    "choice",
+    "number",
+    "angle",
+    "vector",
+    "range",
+    "group",
+    "list",
+    "rest",
+    "efficiency",
+    "joint",
+    "effects of a joint",
+    "effects of the robot",
+]
 Sign = Literal["any", "nonnegative", "positive", "share"]
 
 
@@ -33,7 +48,11 @@ class Key:
 
 #: Most links a robot may have.
 LINKS = 100
-#: tanh(qd / velocity) replaces the sign of the velocity where ``smooth`` gives no velocity.
+#: Most effects a robot may have, all lists together.
+EFFECTS = 1000
+#: Fewest and most knots of a table of efficiencies.
+KNOTS = (2, 64)
+#: The velocity of ``smooth`` and of ``dead_band`` where none is given.
 REST_VELOCITY = "1e-3"
 
 COMPARE = (
@@ -112,7 +131,11 @@ LINK = (
         default="0.1",
     ),
     Key("friction", "group", "Friction in the joint.", members=FRICTION),
-    Key("effects", "list", "Effects at this joint. Not supported yet: must be empty."),
+    Key(
+        "effects",
+        "effects of a joint",
+        "What this joint and its link have beyond a rigid body: friction, gear, elasticity, sensors.",
+    ),
 )
 ROBOT = (
     Key(
@@ -134,7 +157,8 @@ ROBOT = (
     Key(
         "convention",
         "choice",
-        "mdh: modified (Craig) Denavit-Hartenberg; sdh: standard, rows hold a_i and alpha_i, is converted.",
+        "mdh: modified (Craig) Denavit-Hartenberg; sdh: standard, rows hold a_i and alpha_i, is converted. "
+        "Bearings and contacts among the effects are meant in the modified frames either way.",
         choices=("mdh", "sdh"),
         default="mdh",
     ),
@@ -155,21 +179,26 @@ ROBOT = (
     Key(
         "friction_at_rest",
         "rest",
-        "exact: sgn(0) = 0; smooth: {velocity: v}: tanh(qd/v) in place of the sign.",
-        choices=("exact", "smooth"),
+        "exact: sgn(0) = 0; smooth: {velocity: v}: tanh(qd/v) in place of the sign; "
+        "dead_band: {velocity: v}: 0 in place of the sign below v.",
+        choices=("exact", "smooth", "dead_band"),
         default="exact",
         members=(
             Key(
                 "velocity",
                 "number",
-                "Speed over which the sign is smoothed.",
+                "Speed over which the sign is smoothed, or below which it is 0.",
                 "rad/s, prismatic m/s",
                 sign="positive",
                 default=REST_VELOCITY,
             ),
         ),
     ),
-    Key("effects", "list", "Effects of the whole robot. Not supported yet: must be empty."),
+    Key(
+        "effects",
+        "effects of the robot",
+        "Effects of the whole robot: payload, contacts, what holds for all joints.",
+    ),
 )
 
 #: What other formats call our keys.

@@ -7,10 +7,10 @@ Frame i is reached from frame i-1 by ``Rot(x, alpha) Trans(x, a) Rot(z, theta + 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Literal
+from typing import Any, Literal
 
 from robodyn.robot.values import ZERO, Affine, Angle, Value, parameters_of
 
@@ -74,6 +74,52 @@ class Link:
     confidence: Fraction = Fraction(1, 10)
 
 
+#: What an effect's parameter may be: a number, three, a tensor, knots (load fraction, efficiency), a word,
+#: the number of a joint.
+Setting = Value | Vector | Inertia | tuple[tuple[Fraction, Fraction], ...] | str | int
+
+
+@dataclass(frozen=True, slots=True)
+class EffectEntry:
+    """An effect that a robot has: its id in the catalogue (:mod:`robodyn.effects.catalogue`), the joint (from
+    1; None: the whole robot), and its parameters, those left out at their defaults."""
+
+    effect: str
+    joint: int | None
+    settings: tuple[tuple[str, Setting], ...]
+
+    def __getitem__(self, name: str) -> Any:
+        for known, value in self.settings:
+            if known == name:
+                return value
+        raise KeyError(name)
+
+    def __contains__(self, name: str) -> bool:
+        return any(known == name for known, _ in self.settings)
+
+    def number(self, name: str, parameters: Mapping[str, float] | None = None) -> float:
+        """The parameter ``name`` as a float; run-time names take their values from ``parameters``."""
+        value = self[name]
+        if isinstance(value, Affine):
+            known = parameters or {}
+            return float(value.constant) + sum(float(k) * known[term] for term, k in value.terms)
+        return float(value)
+
+    def text(self, name: str) -> str:
+        """The parameter ``name``, a word."""
+        return str(self[name])
+
+    def values(self) -> Iterator[Value]:
+        """Every number of it that may be a run-time parameter."""
+        for _, setting in self.settings:
+            if isinstance(setting, (Fraction, Affine)):
+                yield setting
+            elif isinstance(setting, Inertia):
+                yield from (setting.xx, setting.yy, setting.zz, setting.xy, setting.xz, setting.yz)
+            elif isinstance(setting, tuple):
+                yield from (x for x in setting if isinstance(x, (Fraction, Affine)))
+
+
 @dataclass(frozen=True, slots=True)
 class Comparison:
     """The row of a table of the thesis that a robot is set beside."""
@@ -89,6 +135,7 @@ class Robot:
     ``rest_velocity`` is None where friction at rest is exact (sgn 0 = 0), else the velocity [rad/s or
     m/s] over which ``tanh(qd / rest_velocity)`` replaces the sign. ``torque_side`` says whether the
     joint torque is the motor's (rotor and friction are in it) or the link's (they are not).
+    ``dead_band``: the sign is 0 below that velocity. ``effects``: base to tip, then those of the whole robot.
     """
 
     name: str
@@ -99,6 +146,8 @@ class Robot:
     compare: Comparison | None = None
     torque_side: Literal["motor", "link"] = "motor"
     rest_velocity: Fraction | None = None
+    dead_band: Fraction | None = None
+    effects: tuple[EffectEntry, ...] = ()
 
     @property
     def n(self) -> int:
@@ -112,6 +161,12 @@ class Robot:
             yield from (j.a, j.d, link.mass, *link.com)
             yield from (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz)
             yield from (j.motor_inertia, j.viscous, j.coulomb)
+        for entry in self.effects:
+            yield from entry.values()
+
+    def effects_at(self, joint: int | None) -> tuple[EffectEntry, ...]:
+        """The effects at ``joint`` (from 1), or those of the whole robot (None)."""
+        return tuple(entry for entry in self.effects if entry.joint == joint)
 
     @property
     def parameters(self) -> tuple[str, ...]:

@@ -130,7 +130,7 @@ def parameter_clash(name: str, robot: str) -> str | None:
     The emitted files' types and include guard have these names: as a member, ``arm_real arm_real`` is no
     C++, and ``ARM_H`` is nothing at all.
     """
-    if name.lower() in (f"{robot}_{end}".lower() for end in ("real", "params", "h")):
+    if name.lower() in (f"{robot}_{end}".lower() for end in ("real", "params", "state", "h")):
         return "is a name of the emitted files"
     return None
 

@@ -6,16 +6,20 @@ import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from robodyn.errors import InputError
 from robodyn.robot import numbers
-from robodyn.robot.dh import from_standard
+from robodyn.robot.dh import effect_from_standard, from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
 from robodyn.robot.doubts import inertia_doubt, only_about_base_axis
 from robodyn.robot.fields import Section, Source, expectation
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT
 from robodyn.robot.model import Comparison, Inertia, Joint, JointKind, Limits, Link, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
+
+if TYPE_CHECKING:
+    from robodyn.robot.effects import Written
 
 Warn = Callable[[str], object]
 
@@ -59,16 +63,21 @@ def _robot(section: Section) -> Robot:
     compared = section.section("compare")
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
     convention = section.choice("convention") or "mdh"
-    links = _links(section, convention)
+    links, effects = _links(section, convention)
     _refuse_clashes(section.source, name)
     side = section.choice("torque_side")
-    rest = _rest_velocity(section)
-    _refuse_effects(section)
-    robot = Robot(name, links, title, from_, compare=comparison, rest_velocity=rest)
+    rest, band = _at_rest(section)
+    robot = Robot(name, links, title, from_, compare=comparison, rest_velocity=rest, dead_band=band)
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
         robot = replace(robot, gravity=(x, y, z))
-    return replace(robot, torque_side="link") if side == "link" else robot
+    if side == "link":
+        robot = replace(robot, torque_side="link")
+    if effects:
+        from robodyn.robot.folding import into_robot
+
+        robot = into_robot(robot, effects)
+    return robot
 
 
 def _robot_name(section: Section) -> str:
@@ -98,7 +107,15 @@ def _refuse_clashes(source: Source, robot: str) -> None:
             )
 
 
-def _links(section: Section, convention: str) -> tuple[Link, ...]:
+def _written(section: Section, joint: int | None, kind: JointKind, joints: int) -> tuple[Written, ...]:
+    if not section.items("effects"):
+        return ()
+    from robodyn.robot.effects import read_effects  # with the catalogue: a rigid arm does without
+
+    return read_effects(section, joint, kind, joints)
+
+
+def _links(section: Section, convention: str) -> tuple[tuple[Link, ...], tuple[Written, ...]]:
     source = section.source
     nodes = section.items("links") or ()
     if not 1 <= len(nodes) <= LINKS:
@@ -109,27 +126,31 @@ def _links(section: Section, convention: str) -> tuple[Link, ...]:
             expected="one entry a joint, base to tip",
         )
     sections = [Section(source, f"link {i}", node, LINK) for i, node in enumerate(nodes, 1)]
-    written = tuple(_link(part, i) for i, part in enumerate(sections, 1))
-    _refuse_twins(sections, written)
-    links = written
+    read = [_link(part, i, len(nodes)) for i, part in enumerate(sections, 1)]
+    rows = tuple(link for link, _ in read)
+    _refuse_twins(sections, rows)
+    effects = [entry for _, entries in read for entry in entries]
+    effects += _written(section, None, "revolute", len(nodes))
+    links = rows
     if convention == "sdh":
         try:
-            links = from_standard(written)
+            links = from_standard(rows)
+            effects = [replace(one, entry=effect_from_standard(one.entry, rows[-1])) for one in effects]
         except OverflowError:
             source.fail(
                 section.values["links"],
                 "the links' numbers are too large to be converted to modified DH",
                 expected="numbers well below 1e308",
             )
-    for i, (part, link) in enumerate(zip(sections, written, strict=True)):
+    for i, (part, link) in enumerate(zip(sections, rows, strict=True)):
         reason = inertia_doubt(link.inertia)
         if reason and not (i == 0 and only_about_base_axis(links[0].joint, links[0].inertia)):
             source.doubt(
-                part.values["inertia"],
+                part.values.get("inertia", part.node),
                 f"{part.label}: inertia is not physical: {reason}",
                 "check the table, or move a rotor's share to motor_inertia",
             )
-    return links
+    return links, tuple(effects)
 
 
 def _refuse_twins(sections: list[Section], links: tuple[Link, ...]) -> None:
@@ -145,7 +166,7 @@ def _refuse_twins(sections: list[Section], links: tuple[Link, ...]) -> None:
             )
 
 
-def _link(section: Section, i: int) -> Link:
+def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, ...]]:
     kind: JointKind = "prismatic" if section.choice("joint") == "prismatic" else "revolute"
     name = section.text("name")
     if not name and "name" in section.values:
@@ -168,13 +189,19 @@ def _link(section: Section, i: int) -> Link:
     joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits)
     if friction:
         joint = replace(joint, viscous=friction.number("viscous"), coulomb=friction.number("coulomb"))
-    _refuse_effects(section)
     link = Link(name or f"link{i}", joint, mass)
     if com is not None:
         link = replace(link, com=com)
     if tensor:
         link = replace(link, inertia=Inertia(*(tensor.number(key.name) for key in INERTIA)))
-    return link if confidence is None else replace(link, confidence=confidence)
+    if confidence is not None:
+        link = replace(link, confidence=confidence)
+    effects = _written(section, i, kind, joints)
+    if effects:
+        from robodyn.robot.folding import into_link
+
+        return into_link(link, friction, effects)
+    return link, ()
 
 
 def _limits(section: Section) -> Limits:
@@ -189,28 +216,28 @@ def _limits(section: Section) -> Limits:
     )
 
 
-def _rest_velocity(section: Section) -> Fraction | None:
-    """``exact``, ``smooth`` or ``smooth: {velocity: v}``; None for exact."""
+def _at_rest(section: Section) -> tuple[Fraction | None, Fraction | None]:
+    """``exact``, ``smooth`` or ``dead_band``, these with ``{velocity: v}`` or without: their velocities."""
     key = section.keys["friction_at_rest"]
     node: Node | None = section.values.get(key.name)
     if node is None or (isinstance(node, Scalar) and node.text == "exact"):
-        return None
+        return None, None
     path = section.path(key.name)
-    if isinstance(node, Scalar) and node.text == "smooth":
-        return numbers.number(REST_VELOCITY)
-    if not (isinstance(node, Mapping) and len(node.entries) == 1 and node.entries[0][0].text == "smooth"):
+    velocity = numbers.number(REST_VELOCITY)
+    rule = node.text if isinstance(node, Scalar) else ""
+    if isinstance(node, Mapping):
+        rules = [name.text for name, _ in node.entries]
+        if sorted(rules) == ["dead_band", "smooth"]:
+            section.source.fail(
+                node,
+                f"{path} is both smooth and a dead band",
+                expected="one rule",
+                remedy="delete one of the two",
+            )
+        rule = rules[0] if len(rules) == 1 else ""
+    if rule not in ("smooth", "dead_band"):
         section.source.fail(node, f"{path} is unknown", found=describe(node), expected=expectation(key))
-    smooth = Section(section.source, f"{path}: smooth", node.entries[0][1], key.members)
-    return smooth.constant("velocity") or numbers.number(REST_VELOCITY)
-
-
-def _refuse_effects(section: Section) -> None:
-    items = section.items("effects")
-    if items:
-        section.source.fail(
-            items[0],
-            f"{section.path('effects')} are not supported yet",
-            found=describe(section.values["effects"]),
-            expected="no entry",
-            remedy="delete the list; viscous and Coulomb friction go to 'friction'",
-        )
+    if isinstance(node, Mapping):
+        rest = Section(section.source, f"{path}: {rule}", node.entries[0][1], key.members)
+        velocity = rest.constant("velocity") or velocity
+    return (velocity, None) if rule == "smooth" else (None, velocity)

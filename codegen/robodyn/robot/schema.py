@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
-from robodyn.robot.keys import LINKS, REST_VELOCITY, ROBOT, Key
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot.effects import belongs, keys_of
+from robodyn.robot.keys import EFFECTS, KNOTS, LINKS, REST_VELOCITY, ROBOT, Key
 from robodyn.robot.names import PARAMETER_NAME_LENGTH, ROBOT_NAME_LENGTH, TEXT_LENGTH
 from robodyn.robot.numbers import LENGTH
 
@@ -19,8 +22,9 @@ _WITH_NAMES = rf"^(?:[-+*/() ]|{_NAME}\b|{_LITERAL})+$"
 def json_schema() -> Schema:
     """JSON Schema (2020-12) of the robot description, with descriptions and units.
 
-    It is made from the table of keys that the reader uses. What a schema cannot say (parameters that
-    differ by case, tensors that no body has) is left to the reader.
+    It is made from the table of keys and the catalogue of effects that the reader uses. What a schema cannot
+    say (parameters that differ by case, tensors that no body has, effects that do not go together) is left to
+    the reader.
     """
     schema: Schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -41,8 +45,28 @@ def json_schema() -> Schema:
             "pattern": _WITH_NAMES,
             "description": "Arithmetic as above; a name becomes a run-time parameter of the kernels.",
         },
+        "joint_effect": _effects(of_robot=False),
+        "robot_effect": _effects(of_robot=True),
     }
+    schema["$defs"].update({f"effect_{id}": _effect(id) for id in CATALOGUE})
     return schema
+
+
+def _effects(*, of_robot: bool) -> Schema:
+    ids = [id for id, effect in CATALOGUE.items() if belongs(effect, of_robot=of_robot)]
+    return {
+        "type": "object",
+        "properties": {"effect": {"enum": ids}},
+        "required": ["effect"],
+        "oneOf": [{"$ref": f"#/$defs/effect_{id}"} for id in ids],
+    }
+
+
+def _effect(id: str) -> Schema:
+    effect = CATALOGUE[id]
+    schema = _object(keys_of(id))
+    schema["properties"]["effect"] = {"const": id, "description": effect.title + "."}
+    return {"title": effect.title, "description": effect.doc, **schema}
 
 
 def _object(keys: tuple[Key, ...]) -> Schema:
@@ -80,15 +104,37 @@ def _of_kind(key: Key) -> Schema:
     if key.kind == "group":
         return _object(key.members)
     if key.kind == "rest":
-        smooth = {"type": "object", "properties": {"smooth": _object(key.members)}, "required": ["smooth"]}
+        with_velocity = [
+            {
+                "type": "object",
+                "properties": {rule: _object(key.members)},
+                "required": [rule],
+                "additionalProperties": False,
+            }
+            for rule in key.choices[1:]
+        ]
         example = {"smooth": {"velocity": float(REST_VELOCITY)}}
-        return {
-            "anyOf": [{"enum": list(key.choices)}, {**smooth, "additionalProperties": False}],
-            "examples": ["exact", example],
-        }
-    if not key.members:
-        return {"type": "array", "maxItems": 0}
+        return {"anyOf": [{"enum": list(key.choices)}, *with_velocity], "examples": ["exact", example]}
+    if key.kind == "efficiency":
+        return _share(key)
+    if key.kind == "joint":
+        return {"type": "integer", "minimum": 1, "maximum": LINKS}
+    if key.kind in ("effects of a joint", "effects of the robot"):
+        entry = "joint_effect" if key.kind == "effects of a joint" else "robot_effect"
+        return {"type": "array", "items": {"$ref": f"#/$defs/{entry}"}, "maxItems": EFFECTS}
     return {"type": "array", "items": _object(key.members), "minItems": 1, "maxItems": LINKS}
+
+
+def _share(key: Key) -> Schema:
+    few, many = KNOTS
+    knot: Schema = {
+        "type": "array",
+        "prefixItems": [_number(replace(key, sign="nonnegative")), _number(key)],
+        "minItems": 2,
+        "maxItems": 2,
+    }
+    table = {"type": "array", "items": knot, "minItems": few, "maxItems": many}
+    return {"anyOf": [*_number(key)["anyOf"], table]}
 
 
 def _number(key: Key) -> Schema:

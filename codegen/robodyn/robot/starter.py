@@ -33,6 +33,9 @@ _FIRST = """\
     friction: {viscous: 1.0, coulomb: 2.0}                        # N m s/rad, N m
     limits: {position: [-pi, pi], velocity: 3.0, acceleration: 10.0, torque: 150}
     confidence: 0.1              # inertial numbers are right to about this share
+    # effects:                   # what the joint has beyond a rigid body
+    #   - {effect: stribeck_friction, level: 2.0, static: 3.0, velocity: 0.05}  # in place of coulomb
+    #   - {effect: transmission_loss, efficiency: 0.85}
 """
 _MORE = """\
   - name: link{i}
@@ -49,7 +52,9 @@ _MORE = """\
 _TAIL = """\
 
 # torque_side: motor             # motor (default): rotor and friction are in the torque; or link
-# friction_at_rest: exact        # or {smooth: {velocity: 1e-3}}
+# friction_at_rest: exact        # or {smooth: {velocity: 1e-3}}, or {dead_band: {velocity: 1e-3}}
+# effects:                       # of the whole robot
+#   - {effect: payload, mass: m_load, com: [0, 0, 0.1]}
 """
 
 

@@ -6,11 +6,12 @@ import math
 from fractions import Fraction
 
 from robodyn.robot import numbers
-from robodyn.robot.model import Joint, Limits, Link, Robot
+from robodyn.robot.model import EffectEntry, Inertia, Joint, Limits, Link, Robot, Setting
 from robodyn.robot.values import ZERO, Affine, Angle, Value, angle
 
 # Smallest part of pi that is looked for behind an angle: pi/360 is half a degree.
 _PARTS = 360
+_AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 def to_yaml(robot: Robot) -> str:
@@ -30,10 +31,14 @@ def to_yaml(robot: Robot) -> str:
     lines.append("links:")
     for i, link in enumerate(robot.links, 1):
         lines += _link_lines(link, i)
+        lines += _effect_lines(robot.effects_at(i), "    ")
     if robot.torque_side != "motor":
         lines.append(f"torque_side: {robot.torque_side}")
     if robot.rest_velocity is not None:
         lines.append(f"friction_at_rest: {{smooth: {{velocity: {_number(robot.rest_velocity)}}}}}")
+    elif robot.dead_band is not None:
+        lines.append(f"friction_at_rest: {{dead_band: {{velocity: {_number(robot.dead_band)}}}}}")
+    lines += _effect_lines(robot.effects_at(None), "")
     return "\n".join(lines) + "\n"
 
 
@@ -48,7 +53,7 @@ def _link_lines(link: Link, i: int) -> list[str]:
         f"theta: {_angle(joint.theta)}",
         f"mass: {_number(link.mass)}",
         f"com: {_list(link.com)}",
-        f"inertia: {_group({axes: getattr(inertia, axes) for axes in ('xx', 'yy', 'zz', 'xy', 'xz', 'yz')})}",
+        f"inertia: {_group({axes: getattr(inertia, axes) for axes in _AXES})}",
     ]
     if joint.motor_inertia != ZERO:
         lines.append(f"motor_inertia: {_number(joint.motor_inertia)}")
@@ -59,6 +64,34 @@ def _link_lines(link: Link, i: int) -> list[str]:
     if (joint.viscous, joint.coulomb) != (ZERO, ZERO):
         lines.append(f"friction: {_friction(joint)}")
     return [("  - " if k == 0 else "    ") + line for k, line in enumerate(lines)]
+
+
+def _effect_lines(entries: tuple[EffectEntry, ...], indent: str) -> list[str]:
+    if not entries:
+        return []
+    from robodyn.effects.catalogue import CATALOGUE  # not at the top: a rigid arm does without
+    from robodyn.robot.effects import default_of
+
+    lines = [f"{indent}effects:"]
+    for entry in entries:
+        known = {parameter.name: parameter for parameter in CATALOGUE[entry.effect].parameters}
+        stated = [(name, value) for name, value in entry.settings if value != default_of(known[name])]
+        parts = [f"effect: {entry.effect}"]
+        parts += [f"{name}: {_setting(value, plain=known[name].kind != 'text')}" for name, value in stated]
+        lines.append(f"{indent}  - {{{', '.join(parts)}}}")
+    return lines
+
+
+def _setting(value: Setting, *, plain: bool) -> str:
+    if isinstance(value, (Fraction, Affine)):
+        return _number(value)
+    if isinstance(value, Inertia):
+        entries = {axes: getattr(value, axes) for axes in _AXES}
+        return _group({axes: entry for axes, entry in entries.items() if entry != ZERO})
+    if isinstance(value, tuple):
+        parts = [_list(part) if isinstance(part, tuple) else _number(part) for part in value]
+        return f"[{', '.join(parts)}]"
+    return str(value) if plain or isinstance(value, int) else _quoted(value)
 
 
 def _limits(limits: Limits) -> str:

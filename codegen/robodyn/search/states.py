@@ -29,6 +29,8 @@ class State:
         terms, constant = form
         total = circle_point(constant) if constant else (Fraction(1), Fraction(0))
         for x, multiple in terms:
+            if isinstance(multiple, Fraction):
+                raise ValueError(f"the sine of {multiple} {x} has no exact value")
             if x not in self.points:
                 t = Fraction(self.chance.randint(-(3 << 37), 3 << 37), 1 << 37)
                 self.points[x] = ((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t))

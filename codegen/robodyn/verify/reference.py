@@ -4,9 +4,10 @@ Written from the textbook (J. J. Craig, Introduction to Robotics, 6.45 to 6.53; 
 vectors and cross products, over many states at once. It knows nothing of the rest of robodyn but the
 robot's description, and nothing in it is simplified.
 
-Rotor inertia acts as ``motor_inertia * qdd`` on the joint's own axis; friction is ``viscous * qd +
-coulomb * sgn(qd)`` with sgn(0) = 0, or ``tanh(qd / rest_velocity)`` in place of the sign. Both are left out
-where the torque is the link's.
+On top of the recursion come the drives (:mod:`robodyn.verify.effects`). Rotor inertia acts as
+``motor_inertia * qdd`` on the joint's own axis; friction is ``viscous * qd + coulomb * sgn(qd)`` with
+sgn(0) = 0, or ``tanh(qd / rest_velocity)`` in place of the sign, or 0 within a dead band. All that is behind
+the gear is left out where the torque is the link's.
 """
 
 from __future__ import annotations
@@ -15,19 +16,33 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from robodyn.errors import InputError
-from robodyn.robot.model import Link, Robot
+from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
+from robodyn.verify.effects import Drives, Reactions
+from robodyn.verify.effects import Floats as Floats
 from robodyn.verify.numbers import Parameters, filled, number
 from robodyn.verify.numbers import real as rounded
 
-Floats = NDArray[np.float64]
+#: Newton's rounds for accelerations under friction that depends on them, and halvings of a step.
+_ROUNDS, _HALVINGS = 60, 40
+#: What share of the torques may be left over: what ends the search, and what is refused after it.
+_ENOUGH, _TOO_MUCH = 1e-14, 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class _Solid:
+    """A rigid body in numbers: ``inertia`` [3, 3] about the centre of mass ``com`` [3]."""
+
+    mass: float
+    com: Floats
+    inertia: Floats
 
 
 @dataclass(frozen=True, slots=True)
 class _Body:
-    """A link in numbers: ``inertia`` [3, 3] about the centre of mass ``com`` [3]."""
+    """A link in numbers: its frame, and the solids that are fixed to it."""
 
     prismatic: bool
     ca: float
@@ -36,18 +51,14 @@ class _Body:
     d: float
     ct: float
     st: float
-    mass: float
-    com: Floats
-    inertia: Floats
-    motor: float
-    viscous: float
-    coulomb: float
+    solids: tuple[_Solid, ...]
 
 
 class Reference:
-    """Plain dynamics of ``robot`` at given values of its run-time parameters.
+    """Plain dynamics of ``robot`` and its effects at given values of its run-time parameters.
 
-    Every method takes one state ``[n]`` or many ``[N, n]`` (rad or m, and per second) and returns as many.
+    Effects that remember are in their steady form. Every method takes one state ``[n]`` or many ``[N, n]``
+    (rad or m, and per second) and returns as many.
 
     Raises
     ------
@@ -57,30 +68,33 @@ class Reference:
     def __init__(self, robot: Robot, parameters: Parameters | None = None) -> None:
         values = filled(robot, parameters)
         self.robot = robot
-        self._bodies = [_body(link, values) for link in robot.links]
+        loads = [_load(entry, values) for entry in robot.effects if entry.effect == "payload"]
+        self._bodies = [
+            _body(link, loads if i == robot.n else [], values) for i, link in enumerate(robot.links, 1)
+        ]
         self._gravity = np.array([float(g) for g in robot.gravity])
-        self._at_motor = robot.torque_side == "motor"
-        self._rest = None if robot.rest_velocity is None else float(robot.rest_velocity)
+        self._drives = Drives(robot, values)
 
     def inverse_dynamics(self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> Floats:
         """Joint torques [N m or N] that give the accelerations ``qdd``; ``[n]`` or ``[N, n]``."""
         (positions, speeds, rates), lead = self._read(q, qd, qdd)
-        return self._torque(positions, speeds, rates, self._gravity).reshape((*lead, self.robot.n))
+        return self._torque(positions, speeds, rates).reshape((*lead, self.robot.n))
 
     def gravity(self, q: ArrayLike) -> Floats:
         """Torques [N m or N] that hold the arm still at ``q``; ``[n]`` or ``[N, n]``."""
         (states,), lead = self._read(q)
         rest = np.zeros_like(states)
-        return self._torque(states, rest, rest, self._gravity).reshape((*lead, self.robot.n))
+        return self._torque(states, rest, rest).reshape((*lead, self.robot.n))
 
     def bias(self, q: ArrayLike, qd: ArrayLike) -> Floats:
         """Torques [N m or N] at zero acceleration: Coriolis, centrifugal, gravity, friction; like ``q``."""
         (positions, speeds), lead = self._read(q, qd)
         rest = np.zeros_like(positions)
-        return self._torque(positions, speeds, rest, self._gravity).reshape((*lead, self.robot.n))
+        return self._torque(positions, speeds, rest).reshape((*lead, self.robot.n))
 
     def mass_matrix(self, q: ArrayLike) -> Floats:
-        """``[n, n]`` or ``[N, n, n]``: column j is the torque of a unit acceleration of joint j alone."""
+        """``[n, n]`` or ``[N, n, n]``: column j is the torque of a unit acceleration of joint j alone.
+        Friction is not in it."""
         (positions,), lead = self._read(q)
         n = self.robot.n
         rest = np.zeros_like(positions)
@@ -88,20 +102,23 @@ class Reference:
         for j in range(n):
             unit = np.zeros_like(positions)
             unit[:, j] = 1.0
-            matrix[:, :, j] = self._torque(positions, rest, unit, np.zeros(3))
-        return matrix.reshape((*lead, n, n))
+            matrix[:, :, j] = self._rigid(positions, rest, unit, np.zeros(3)).tau
+        return (matrix + self._drives.inertia()).reshape((*lead, n, n))
 
     def forward_dynamics(self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike) -> Floats:
         """Joint accelerations [rad/s^2 or m/s^2] under the torques ``tau``; ``[n]`` or ``[N, n]``.
 
         Raises
         ------
-        InputError: the mass matrix is singular at one of the states.
+        InputError: the mass matrix is singular at one of the states; friction that depends on the load locks
+        the arm, so that no accelerations, or many, fit the torques.
         """
         (positions, speeds, torques), lead = self._read(q, qd, tau)
         try:
             rest = torques - self.bias(positions, speeds)
-            result: Floats = np.linalg.solve(self.mass_matrix(positions), rest[..., None]).astype(np.float64)
+            result = _solve(self.mass_matrix(positions), rest)
+            if self._drives.feels_load:
+                result = self._implicit(positions, speeds, torques, result)
         except np.linalg.LinAlgError:
             raise InputError(
                 f"{self.robot.name}: the mass matrix is singular",
@@ -121,7 +138,48 @@ class Reference:
             )
         return [array.reshape(-1, self.robot.n) for array in read], shape[:-1]
 
-    def _torque(self, q: Floats, qd: Floats, qdd: Floats, gravity: Floats) -> Floats:
+    def _implicit(self, q: Floats, qd: Floats, tau: Floats, qdd: Floats) -> Floats:
+        """Accelerations whose torques are ``tau``, from the guess ``qdd``; all ``[N, n]``.
+
+        Newton's method with differences for slopes, which halves a step that does not bring it nearer.
+        """
+        bias = self._torque(q, qd, np.zeros_like(q))
+        yardstick = np.abs(tau).max(1) + np.abs(bias).max(1)
+        left = self._torque(q, qd, qdd) - tau
+        for _ in range(_ROUNDS):
+            slopes = np.empty((*q.shape, self.robot.n))
+            for j in range(self.robot.n):
+                moved = qdd.copy()
+                moved[:, j] += 1e-6 * (1 + np.abs(qdd[:, j]))
+                change = self._torque(q, qd, moved) - tau - left
+                slopes[:, :, j] = change / (moved - qdd)[:, j, None]
+            step = -_solve(slopes, left)
+            near = np.abs(left).max(1) <= _ENOUGH * yardstick
+            gone = near.copy()
+            for halvings in range(_HALVINGS):
+                tried = np.where(gone[:, None], qdd, qdd + step * 0.5**halvings)
+                then = self._torque(q, qd, tried) - tau
+                nearer = ~gone & (np.linalg.norm(then, axis=1) < np.linalg.norm(left, axis=1))
+                qdd, left = np.where(nearer[:, None], tried, qdd), np.where(nearer[:, None], then, left)
+                gone |= nearer
+                if gone.all():
+                    break
+            if (gone == near).all():
+                break
+        lost = int(np.sum(np.abs(left).max(1) > _TOO_MUCH * yardstick))
+        if lost:
+            raise InputError(
+                f"{self.robot.name}: no accelerations fit the torques",
+                found=f"{lost} of {len(q)} states where friction that depends on the load locks the arm",
+                remedy="lower mu or the radius of its bearings, or raise the efficiency of its gears",
+            )
+        return qdd
+
+    def _torque(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
+        """Torques of the rigid arm and of its drives over states ``[N, n]``."""
+        return self._drives.torque(q, qd, qdd, self._rigid(q, qd, qdd, self._gravity))
+
+    def _rigid(self, q: Floats, qd: Floats, qdd: Floats, gravity: Floats) -> Reactions:
         """Newton-Euler over states ``[N, n]``; the comments give Craig's equations."""
         count, z = len(q), np.array([0.0, 0.0, 1.0])
         w = np.zeros((count, 3))  # angular velocity, in the link's own frame
@@ -140,25 +198,28 @@ class Reference:
                 wd = wd + _cross(w, speed) + rate  # 6.46
                 w = w + speed  # 6.45
                 v = carried
-            at_com = v + _cross(wd, body.com) + _cross(w, _cross(w, body.com))  # 6.48
-            forces.append(body.mass * at_com)  # 6.49
-            moments.append(wd @ body.inertia.T + _cross(w, w @ body.inertia.T))  # 6.50
+            force, moment = np.zeros((count, 3)), np.zeros((count, 3))
+            for solid in body.solids:
+                at_com = v + _cross(wd, solid.com) + _cross(w, _cross(w, solid.com))  # 6.48
+                F = solid.mass * at_com  # 6.49
+                N = wd @ solid.inertia.T + _cross(w, w @ solid.inertia.T)  # 6.50
+                force, moment = force + F, moment + N + _cross(solid.com, F)
+            forces.append(force)
+            moments.append(moment)
             turns.append(R)
             arms.append(p)
-        tau = np.empty_like(q)
+        made = Reactions(np.empty_like(q), np.empty((*q.shape, 3)), np.empty((*q.shape, 3)))
         f = np.zeros((count, 3))  # what link i+1 takes from link i, in frame i
         n = np.zeros((count, 3))
         for i in reversed(range(len(self._bodies))):
             body = self._bodies[i]
-            n = moments[i] + n + _cross(body.com, forces[i])  # 6.52
+            n = moments[i] + n  # 6.52, moments about the frame's origin
             f = forces[i] + f  # 6.51
-            tau[:, i] = (f if body.prismatic else n)[:, 2]  # 6.53
-            if self._at_motor:
-                way = np.sign(qd[:, i]) if self._rest is None else np.tanh(qd[:, i] / self._rest)
-                tau[:, i] += body.motor * qdd[:, i] + body.viscous * qd[:, i] + body.coulomb * way
+            made.f[:, i], made.n[:, i] = f, n
+            made.tau[:, i] = (f if body.prismatic else n)[:, 2]  # 6.53
             f = _apply(turns[i], f)
             n = _apply(turns[i], n) + _cross(arms[i], f)
-        return tau
+        return made
 
 
 def _transform(body: _Body, q: Floats) -> tuple[Floats, Floats]:
@@ -195,24 +256,37 @@ def _cross(x: Floats, y: Floats) -> Floats:
     )
 
 
-def _body(link: Link, parameters: Parameters) -> _Body:
+def _solve(matrix: Floats, vector: Floats) -> Floats:
+    result: Floats = np.linalg.solve(matrix, vector[..., None])[..., 0].astype(np.float64)
+    return result
+
+
+def _solid(mass: Any, com: Any, i: Inertia, parameters: Parameters) -> _Solid:
     def real(value: Any) -> float:
         return rounded(number(value, parameters))
 
-    joint, i = link.joint, link.inertia
     tensor = [[i.xx, i.xy, i.xz], [i.xy, i.yy, i.yz], [i.xz, i.yz, i.zz]]
+    return _Solid(
+        mass=real(mass),
+        com=np.array([real(x) for x in com]),
+        inertia=np.array([[real(x) for x in row] for row in tensor]),
+    )
+
+
+def _load(entry: EffectEntry, parameters: Parameters) -> _Solid:
+    inertia = entry["inertia"] if "inertia" in entry else Inertia()
+    return _solid(entry["mass"], entry["com"], inertia, parameters)
+
+
+def _body(link: Link, loads: list[_Solid], parameters: Parameters) -> _Body:
+    joint = link.joint
     return _Body(
         prismatic=joint.kind == "prismatic",
         ca=float(joint.alpha.cos),
         sa=float(joint.alpha.sin),
-        a=real(joint.a),
-        d=real(joint.d),
+        a=rounded(number(joint.a, parameters)),
+        d=rounded(number(joint.d, parameters)),
         ct=float(joint.theta.cos),
         st=float(joint.theta.sin),
-        mass=real(link.mass),
-        com=np.array([real(x) for x in link.com]),
-        inertia=np.array([[real(x) for x in row] for row in tensor]),
-        motor=real(joint.motor_inertia),
-        viscous=real(joint.viscous),
-        coulomb=real(joint.coulomb),
+        solids=(_solid(link.mass, link.com, link.inertia, parameters), *loads),
     )

@@ -13,8 +13,9 @@ from typing import Any
 from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
 from robodyn.dynamics.closed_form.polynomial import Polynomial, Ring, Terms, terms_of
 from robodyn.dynamics.functions import exact, turned
-from robodyn.dynamics.joints import is_zero, smoothed_sign
+from robodyn.dynamics.joints import smoothed_sign
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.effects.scalars import is_zero
 from robodyn.ir.evaluate import turn
 from robodyn.ir.graph import Graph
 from robodyn.robot.model import Robot
@@ -197,7 +198,7 @@ def values(graph: Graph, robot: Robot, at: Coordinates, leaves: Sequence[Leaf]) 
         elif kind == "x":
             nodes.append(q[of] + exact(at.shifts[of]))
         elif kind == "sgn":
-            nodes.append(smoothed_sign(qd[of], arm.rest_velocity))
+            nodes.append(smoothed_sign(qd[of], arm.rest_velocity, arm.dead_band))
         else:
             nodes.append((qd if kind == "qd" else qdd)[of])
     return nodes

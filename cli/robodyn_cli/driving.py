@@ -1,0 +1,242 @@
+"""From the options of ``simulate`` to what drives the robot."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from robodyn_cli.common import load_robot, talk
+from robodyn_cli.simulate_options import Asked, exactly, spread
+
+if TYPE_CHECKING:
+    from robodyn.robot import Robot
+    from robodyn.simulate.plant import Plant
+    from robodyn.simulate.simulation import Drive, Follow
+    from robodyn.simulate.trajectories import Trajectory
+
+#: How long a run is [s] where nothing says it: of --to and --line, and of all else.
+MOVE, RUN = 2.0, 10.0
+_CONTROL_RATE = 1000.0
+_HARMONICS = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Driven:
+    """A robot ready to go: compiled, and what drives it for how long [s]; ``said`` is that in words."""
+
+    plant: Plant
+    drive: Drive | None
+    duration: float
+    said: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def reference(self) -> Trajectory | None:
+        """The motion that is followed."""
+        return getattr(self.drive, "trajectory", None)
+
+
+def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
+    """What ``asked`` says drives ``robot``, whose run-time parameters are ``values``.
+
+    Raises
+    ------
+    InputError: an option or a file does not fit the robot.
+    ToolError: no C compiler.
+    """
+    from robodyn.simulate.plant import build_plant
+
+    if asked.drive is None:
+        return Driven(build_plant(robot), None, asked.duration or RUN, {"kind": "free"})
+    if asked.drive == "torque":
+        return _torques(robot, asked)
+    motion = _motion(robot, asked, values)
+    duration = asked.duration if asked.duration is not None else motion.duration
+    if asked.drive == "trajectory" and duration > motion.duration * (1 + 1e-9):
+        talk(f"robodyn: note: the motion ends at {motion.duration:g} s; its last row stays")
+    _warn_of_limits(robot, motion)
+    model = None if asked.model is None else _model(robot, asked.model)
+    law = (asked.controller or "pd").replace("-", "_")
+    plant = build_plant(robot, model=model)
+    follow = _controller(plant, asked, motion, law, model, values)
+    said = {
+        "kind": "follow",
+        "trajectory": motion.describe(),
+        "controller": law,
+        "control_rate": 1 / follow.period,
+        "model": None if model is None else model.name,
+    }
+    if asked.trajectory is not None:
+        said["sha256"] = _hash(asked.trajectory)
+    if law != "feedforward":
+        said.update(kp=follow.kp, kd=follow.kd)
+    return Driven(plant, follow, duration, said)
+
+
+def _torques(robot: Robot, asked: Asked) -> Driven:
+    from robodyn.errors import InputError
+    from robodyn.simulate.plant import build_plant
+    from robodyn.simulate.simulation import Torques
+    from robodyn.simulate.torque_file import read_torques
+
+    assert asked.torque is not None
+    table, period = read_torques(asked.torque, robot.n)
+    end = (len(table) - 1) * period if len(table) > 1 else 0.0
+    if asked.duration is None and len(table) == 1:
+        raise InputError("one row of torques does not say for how long", remedy="give --duration S")
+    duration = asked.duration if asked.duration is not None else end
+    if len(table) > 1 and duration > end * (1 + 1e-9):
+        talk(f"robodyn: note: the torques end at {end:g} s; their last row stays")
+    drive = Torques(table, period if math.isfinite(period) else duration, asked.linear)
+    said = {
+        "kind": "torque",
+        "file": Path(asked.torque).name,
+        "sha256": _hash(asked.torque),
+        "linear": asked.linear,
+    }
+    return Driven(build_plant(robot), drive, duration, said)
+
+
+def _controller(
+    plant: Plant, asked: Asked, motion: Trajectory, law: str, model: Robot | None, values: Mapping[str, float]
+) -> Follow:
+    from robodyn.simulate.gains import default_gains
+    from robodyn.simulate.simulation import Follow
+
+    robot = plant.robot
+    period = _control_period(asked)
+    kp: Any = 0.0
+    kd: Any = 0.0
+    if law != "feedforward":
+        own_kp, own_kd = default_gains(plant.system, motion, law, period, values)
+        kp = own_kp.tolist() if asked.kp is None else spread("--kp", asked.kp, robot.n, robot.name)
+        kd = own_kd.tolist() if asked.kd is None else spread("--kd", asked.kd, robot.n, robot.name)
+    return Follow(motion, law, kp=kp, kd=kd, period=period, model=model)  # type: ignore[arg-type]
+
+
+def _model(robot: Robot, spec: str) -> Robot:
+    """What the controller takes ``robot`` for."""
+    from robodyn.errors import InputError
+
+    model = load_robot(spec)
+    strange = [name for name in model.parameters if name not in robot.parameters]
+    if model.n != robot.n or strange:
+        raise InputError(
+            f"--model does not fit {robot.name}",
+            found=f"{model.n} joints, run-time parameters {', '.join(model.parameters) or 'none'}",
+            expected=f"{robot.n} joints, run-time parameters among {', '.join(robot.parameters) or 'none'}",
+        )
+    return model
+
+
+def _control_period(asked: Asked) -> float:
+    return 1 / (asked.control_rate if asked.control_rate is not None else _CONTROL_RATE)
+
+
+def _warn_of_limits(robot: Robot, motion: Trajectory) -> None:
+    from robodyn.simulate.limits import outside
+
+    for text in outside(robot, motion):
+        talk(f"robodyn: warning: {text}")
+
+
+# --- motions ----------------------------------------------------------------------------------------------
+
+
+def _motion(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Trajectory:
+    """The motion to follow."""
+    if asked.drive == "trajectory":
+        from robodyn.simulate.trajectories import from_file
+
+        assert asked.trajectory is not None
+        return from_file(asked.trajectory, robot.n)
+    if asked.drive == "excite":
+        return _excitation(robot, asked)
+    start = asked.start if asked.start is not None else (0.0,) * robot.n
+    duration = asked.duration if asked.duration is not None else MOVE
+    if asked.drive == "to":
+        return _straight(robot, asked, start, duration)
+    return _line(robot, asked, start, duration, values)
+
+
+def _straight(robot: Robot, asked: Asked, start: tuple[float, ...], duration: float) -> Trajectory:
+    import numpy as np
+
+    from robodyn.simulate.trajectories import quintic, trapezoid
+
+    end = exactly("--to", asked.to, robot.n, robot.name)
+    assert end is not None
+    period = _control_period(asked)
+    way = np.abs(np.subtract(end, start))
+    if asked.profile != "trapezoid" or not way.any():
+        return quintic(start, end, duration, period=period)
+    # A quarter of the time to speed up, a quarter to slow down; joints that stay have no pace of their own.
+    fastest = np.where(way > 0, way, way.max()) / (0.75 * duration)
+    return trapezoid(start, end, fastest, fastest / (0.25 * duration), period=period)
+
+
+def _line(
+    robot: Robot, asked: Asked, start: tuple[float, ...], duration: float, values: Mapping[str, float]
+) -> Trajectory:
+    from robodyn.errors import InputError
+    from robodyn.simulate.kinematics import Kinematics
+    from robodyn.simulate.trajectories import line
+
+    assert asked.line is not None
+    point = asked.point if asked.point is not None else (0.0, 0.0, 0.0)
+    if len(point) != 3:
+        raise InputError("--point is not a point", found=f"{len(point)} numbers", expected="x,y,z in m")
+    link = asked.link if asked.link is not None else min(robot.n, 6)
+    kinematics = Kinematics(robot, values, point, link)
+    place, turn = kinematics.pose(start)
+    return line(
+        kinematics,
+        asked.line[0] if len(asked.line) == 2 else place,
+        asked.line[-1],
+        duration,
+        asked.profile or "quintic",  # type: ignore[arg-type]  # checked by click
+        rotation=turn if link == 6 else None,
+        start=start,
+        period=_control_period(asked),
+    )
+
+
+def _excitation(robot: Robot, asked: Asked) -> Trajectory:
+    from robodyn.simulate.limits import ASSUMED, with_limits
+    from robodyn.simulate.trajectories import fourier
+
+    limited, filled = with_limits(robot)
+    if filled:
+        kinds = sorted({robot.links[i - 1].joint.kind for i in filled}, reverse=True)
+        words = []
+        for kind in kinds:
+            low, high = ASSUMED[kind].position or (0, 0)
+            v, a, unit = (
+                ASSUMED[kind].velocity,
+                ASSUMED[kind].acceleration,
+                "m" if kind == "prismatic" else "rad",
+            )
+            words.append(
+                f"{float(low):.3g} to {float(high):.3g} {unit}, {v} {unit}/s, {a} {unit}/s^2 ({kind})"
+            )
+        joints = ", ".join(map(str, filled))
+        talk(f"robodyn: note: {robot.name} lacks limits of joint {joints}; taken: {'; '.join(words)}")
+    frequency = asked.base_frequency
+    if frequency is None:
+        frequency = 1 / (asked.duration if asked.duration is not None else RUN)
+    duration = asked.duration if asked.duration is not None else 1 / frequency
+    return fourier(
+        limited,
+        frequency,
+        asked.harmonics if asked.harmonics is not None else _HARMONICS,
+        asked.seed,
+        periods=max(1, math.ceil(duration * frequency * (1 - 1e-12))),
+        period=_control_period(asked),
+    )
+
+
+def _hash(path: str) -> str:
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()

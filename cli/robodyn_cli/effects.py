@@ -1,0 +1,35 @@
+"""``robodyn effects``: what a rigid arm may lack."""
+
+from __future__ import annotations
+
+import click
+
+from robodyn_cli.common import echo_json, json_option
+
+
+@click.command()
+@click.argument("id", metavar="[ID]", required=False)
+@click.option("--markdown", is_flag=True, help="Print the whole page, as docs/effects.md has it.")
+@click.option("--latex", is_flag=True, help="Print the equations as LaTeX.")
+@json_option
+def command(id: str | None, markdown: bool, latex: bool, as_json: bool) -> None:
+    """List the effects that a robot may have, or tell all of one."""
+    from robodyn.effects.catalogue import CATALOGUE, effect
+    from robodyn.errors import InputError
+    from robodyn.report import effects as report
+
+    if markdown + latex + as_json > 1:
+        raise InputError("one form at a time", expected="--markdown, --latex or --json")
+    chosen = CATALOGUE if id is None else {id: effect(id)}
+    if as_json:
+        found = [report.data(each) for each in chosen.values()]
+        echo_json(found if id is None else found[0])
+    elif latex:
+        click.echo(report.latex(chosen), nl=False)
+    elif markdown or id is not None:
+        click.echo(report.page(chosen), nl=False)
+    else:
+        width = max(map(len, chosen))
+        for each in chosen.values():
+            keys = ", ".join(p.name for p in each.parameters)
+            click.echo(f"{each.id:{width}}  {each.title}: {keys}")

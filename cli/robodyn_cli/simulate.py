@@ -1,0 +1,300 @@
+"""``robodyn simulate``: a robot with all its effects, moved through time."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import click
+
+from robodyn_cli import progress
+from robodyn_cli.common import (
+    echo_json,
+    json_option,
+    load_robot,
+    output_folder,
+    printable,
+    robot_argument,
+    talk,
+    write_files,
+)
+from robodyn_cli.simulate_options import Asked, exactly, simulation_options, spread, whole
+
+if TYPE_CHECKING:
+    from robodyn.robot import Robot
+    from robodyn.simulate.log import Log
+    from robodyn.simulate.sensors import Sensors
+    from robodyn.simulate.simulation import Simulation
+    from robodyn_cli.driving import Driven
+
+_LOGS: Final = (".csv", ".parquet", ".pq")
+_PICTURES: Final = (".svg", ".png")
+#: Largest logs: samples times joints.
+_LARGEST: Final = 50_000_000
+#: From so many seconds on a run is shown on a terminal.
+_LONG: Final = 1.0
+#: The share by which energies may be off without a word.
+_BALANCED: Final = 1e-3
+
+
+@click.command()
+@robot_argument
+@click.option("-o", "--output", metavar="LOG", help="A .csv, a .parquet, or - (CSV).  [default: NAME.csv]")
+@simulation_options
+@click.option("--picture", metavar="FILE", help="Positions, velocities and torques as an .svg or .png.")
+@click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers.")
+@json_option
+def command(
+    robot: str, output: str | None, picture: str | None, strict: bool, as_json: bool, **given: Any
+) -> None:
+    """Move a robot with all its effects through time, and write the log.
+
+    One of --torque, --trajectory, --to, --line and --excite drives it; without any of them the motors do
+    nothing. The log has the columns t, q1.., qd1.., qdd1.., tau1.. in SI units as the robot's sensors show
+    them, and beside it LOG.json says where it comes from. Printed are the energy balance and, joint by
+    joint, what the motion was. The same command gives the same bytes.
+    """
+    asked = Asked(**given)
+    asked.check()
+    described = load_robot(robot, strict=strict)
+    target = _target(described, output)
+    drawn = None if picture is None else _picture_file(picture)
+    if target is None and as_json:
+        from robodyn.errors import InputError
+
+        raise InputError("--json and -o - both print on stdout", remedy="leave one of them out")
+    _spare_inputs([target, drawn], [robot, asked.torque, asked.trajectory, asked.model])
+    n, name = described.n, described.name
+    exactly("--from", asked.start, n, name)
+    exactly("--speed", asked.speed, n, name)
+    values = _parameters(described, asked)
+    sensors = _sensors(described, asked)
+    run, what = _run(described, asked, values)
+    log = _log(run, sensors, asked, what, robot)
+    from robodyn.report.run import doubts, to_text
+
+    files: dict[str, str | bytes] = {}
+    if target is not None:
+        files.update(log.files(str(target)))
+    if drawn is not None:
+        from robodyn.report.motion import motion_picture
+
+        files[str(drawn)] = motion_picture(described, log, drawn.suffix[1:].lower(), what.reference)
+    write_files(Path(), files)
+    found = _summary(run, log, asked, what, list(files))
+    if target is None:
+        click.echo(log.csv(), nl=False)
+    if as_json:
+        echo_json(found)
+    else:
+        for line in to_text(found):
+            click.echo(line, err=target is None)
+    for text in doubts(run, _BALANCED):
+        talk(f"robodyn: warning: {text}")
+
+
+# --- before the run ---------------------------------------------------------------------------------------
+
+
+def _target(robot: Robot, output: str | None) -> Path | None:
+    """Where the log goes; None: to stdout."""
+    from robodyn.errors import InputError
+
+    if output == "-":
+        return None
+    path = Path(f"{robot.name}.csv") if output is None else output_folder(output)
+    if path.suffix.lower() not in _LOGS:
+        raise InputError(
+            "the log has no name by which its kind is known",
+            found=printable(path),
+            expected=f"an ending {', '.join(_LOGS)}, or -",
+        )
+    return path
+
+
+def _picture_file(text: str) -> Path:
+    from robodyn.errors import InputError
+
+    path = Path(text)
+    if path.suffix.lower() not in _PICTURES:
+        raise InputError(
+            "the picture is an SVG or a PNG", found=repr(text), expected="an ending .svg or .png"
+        )
+    return path
+
+
+def _spare_inputs(outputs: list[Path | None], inputs: list[str | None]) -> None:
+    """Refuse to write over what is read."""
+    from robodyn.errors import InputError
+
+    for output in outputs:
+        for source in inputs:
+            if output is None or source is None or not (output.exists() and Path(source).exists()):
+                continue
+            if output.samefile(source):
+                raise InputError(
+                    f"{printable(output)} would be written over, and it is read",
+                    remedy="another name with -o",
+                )
+
+
+def _parameters(robot: Robot, asked: Asked) -> dict[str, float]:
+    """Values of the run-time parameters."""
+    from robodyn.errors import InputError
+
+    values = dict(asked.param)
+    twice = [name for name, _ in asked.param if [other for other, _ in asked.param].count(name) > 1]
+    missing = [name for name in robot.parameters if name not in values]
+    unknown = [name for name in values if name not in robot.parameters]
+    if not (twice or missing or unknown):
+        return values
+    if twice:
+        found, remedy = f"{twice[0]} twice", "leave one of the two out"
+    elif missing:
+        found, remedy = f"no {', '.join(missing)}", " ".join(f"--param {name}=VALUE" for name in missing)
+    else:
+        found, remedy = ", ".join(unknown), "leave it out"
+    raise InputError(
+        f"the values of {robot.name}'s run-time parameters do not fit",
+        found=found,
+        expected=", ".join(robot.parameters) or "none: it has no run-time parameters",
+        remedy=remedy,
+    )
+
+
+def _sensors(robot: Robot, asked: Asked) -> Sensors:
+    from robodyn.simulate.sensors import Sensors, resolution_of
+
+    n, name = robot.n, robot.name
+    resolution = (0.0,) * n
+    if asked.position_resolution is not None:
+        resolution = spread("--position-resolution", asked.position_resolution, n, name)
+    elif asked.encoder_bits is not None:
+        linear = [i for i, link in enumerate(robot.links) if link.joint.kind == "prismatic"]
+        bits = spread("--encoder-bits", asked.encoder_bits, n, name)
+        resolution = tuple(
+            0.0 if i in linear else resolution_of(whole(number)) for i, number in enumerate(bits)
+        )
+        if linear:
+            talk(
+                "robodyn: note: --encoder-bits leaves prismatic joints "
+                f"({', '.join(str(i + 1) for i in linear)}) exact; "
+                "--position-resolution takes a step for each joint"
+            )
+    return Sensors(
+        position_resolution=resolution,
+        position_noise=spread("--position-noise", asked.position_noise, n, name),
+        velocity=asked.velocity,  # type: ignore[arg-type]  # checked by click
+        acceleration=asked.acceleration,  # type: ignore[arg-type]
+        cutoff=asked.cutoff,
+        torque_resolution=spread("--torque-resolution", asked.torque_resolution, n, name),
+        torque_noise=spread("--torque-noise", asked.torque_noise, n, name),
+    )
+
+
+# --- the run ----------------------------------------------------------------------------------------------
+
+
+def _run(robot: Robot, asked: Asked, values: Mapping[str, float]) -> tuple[Simulation, Driven]:
+    from robodyn.errors import InputError
+    from robodyn.simulate.simulation import simulate
+    from robodyn_cli.driving import driven
+
+    what = driven(robot, asked, values)
+    samples = what.duration * asked.rate
+    for words, count, unit in (
+        ("a log", samples, "samples"),
+        ("a run", what.duration / asked.fixed_step, "steps"),
+    ):
+        if count * robot.n > _LARGEST:
+            raise InputError(
+                f"{words} of {count:.3g} {unit} is too long",
+                expected=f"at most {_LARGEST // robot.n} of {robot.n} joints",
+                remedy="a shorter --duration, a lower --rate or a longer --step",
+            )
+    if samples < 1 - 1e-9:
+        raise InputError(
+            "the log would have one sample",
+            found=f"{what.duration:g} s at {asked.rate:g} Hz",
+            remedy="a higher --rate",
+        )
+    begun = time.monotonic()
+    with progress.line() as shown:
+
+        def tell(reached: float) -> None:
+            if time.monotonic() - begun > _LONG:
+                shown.tell(f"robodyn: {robot.name}: {reached:.3f} of {what.duration:g} s")
+
+        run = simulate(
+            robot,
+            what.drive,
+            start=asked.start if asked.drive != "line" else None,
+            speed=asked.speed,
+            duration=what.duration,
+            sample_period=1 / asked.rate,
+            method=asked.solver,  # type: ignore[arg-type]  # checked by click
+            step=asked.fixed_step,
+            rtol=asked.rtol if asked.rtol is not None else 1e-8,
+            atol=asked.atol if asked.atol is not None else 1e-10,
+            parameters=values,
+            plant=what.plant,
+            progress=tell,
+        )
+    return run, what
+
+
+def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: str) -> Log:
+    """What the sensors show, with all that is to be said of where it comes from."""
+    from dataclasses import replace
+
+    from robodyn.robot import bundled_text
+    from robodyn.simulate.log import provenance
+
+    robot = run.plant.robot
+    options: dict[str, Any] = {
+        "drive": what.said,
+        "from": run.q[0],
+        "speed": run.qd[0],
+        "duration": what.duration,
+        "rate": asked.rate,
+        "parameters": run.parameters,
+    }
+    if asked.solver == "adaptive":
+        options["rtol"] = asked.rtol if asked.rtol is not None else 1e-8
+        options["atol"] = asked.atol if asked.atol is not None else 1e-10
+    path = Path(spec)
+    return replace(
+        run.log(sensors, seed=asked.seed),
+        provenance=provenance(
+            robot,
+            yaml=path.read_bytes() if path.is_file() else bundled_text(spec),
+            options=options,
+            sensors=sensors.describe(),
+            seed=asked.seed,
+            solver=asked.solver,
+            step=asked.fixed_step,
+            energy=run.balance().to_dict(),
+        ),
+    )
+
+
+# --- after the run ----------------------------------------------------------------------------------------
+
+
+def _summary(run: Simulation, log: Log, asked: Asked, what: Driven, files: list[str]) -> dict[str, Any]:
+    """The run as ``--json`` prints it."""
+    from robodyn.report.run import joint_rows
+
+    return {
+        "robot": run.plant.robot.name,
+        "files": files,
+        "duration": what.duration,
+        "samples": log.samples,
+        "rate": asked.rate,
+        "drive": {key: value for key, value in what.said.items() if key != "trajectory"},
+        "solver": {"method": asked.solver, **run.record.counters},
+        "energy": run.balance().to_dict(),
+        "joints": joint_rows(run, what.reference),
+    }

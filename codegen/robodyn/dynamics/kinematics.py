@@ -1,0 +1,118 @@
+"""Forward kinematics, the geometric Jacobian and its time derivative, over any scalar.
+
+Source: Craig, Introduction to Robotics, 3.6 (frames), 5.6 to 5.8 (velocities, Jacobian); the rate of the
+Jacobian differentiates its columns, axes and lever arms turning with the links that carry them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, Motion
+from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
+
+#: Rows of scalars.
+Matrix = list[list[Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A link's frame in the base: its origin [m] and its unit axes, the columns of the rotation."""
+
+    origin: Vector
+    x: Vector
+    y: Vector
+    z: Vector
+
+    def rotation(self) -> tuple[Vector, Vector, Vector]:
+        """Rows of the rotation [3, 3] that takes vectors of the frame into the base."""
+        x, y, z = self.x, self.y, self.z
+        return (x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2])
+
+    def place(self, point: Vector) -> Vector:
+        """``point`` [m] of the frame, seen from the base [m]."""
+        return plus(self.origin, self.turned(point))
+
+    def turned(self, u: Vector) -> Vector:
+        """A vector of the frame along the base's axes."""
+        return plus(scaled(u[0], self.x), scaled(u[1], self.y), scaled(u[2], self.z))
+
+
+#: The base itself.
+BASE = Frame(ZERO, (1, 0, 0), (0, 1, 0), (0, 0, 1))
+
+
+def frames(arm: Arm, motion: Motion) -> list[Frame]:
+    """Frames of the links [n] of ``arm`` where ``motion`` has it."""
+    found = []
+    last = BASE
+    for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
+        x = last.x
+        y = plus(scaled(body.cos_alpha, last.y), scaled(body.sin_alpha, last.z))
+        z = _minus(scaled(body.cos_alpha, last.z), scaled(body.sin_alpha, last.y))
+        origin = plus(last.origin, scaled(body.a, x), scaled(d, z))
+        last = Frame(origin, plus(scaled(c, x), scaled(s, y)), _minus(scaled(c, y), scaled(s, x)), z)
+        found.append(last)
+    return found
+
+
+def jacobian(arm: Arm, placed: Sequence[Frame], point: Vector = ZERO, link: int | None = None) -> Matrix:
+    """Geometric Jacobian [6, n] of ``point`` [m] in the frame of ``link`` (1..n, by default the last).
+
+    Column j is, along the base's axes, the point's velocity and the link's angular velocity at a unit rate of
+    joint j: three linear rows, then three angular ones. ``placed`` are the links' :func:`frames`.
+    """
+    last = len(placed) if link is None else link
+    tip = placed[last - 1].place(point)
+    linear: list[Vector] = []
+    angular: list[Vector] = []
+    for body, frame in zip(arm.bodies[:last], placed, strict=False):
+        linear.append(cross(frame.z, _minus(tip, frame.origin)) if body.revolute else frame.z)
+        angular.append(frame.z if body.revolute else ZERO)
+    return _matrix(linear, angular, len(placed))
+
+
+def jacobian_rate(
+    arm: Arm, placed: Sequence[Frame], qd: Sequence[Any], point: Vector = ZERO, link: int | None = None
+) -> Matrix:
+    """Time derivative [6, n] of :func:`jacobian` at the joint rates ``qd`` [n] (rad/s or m/s)."""
+    last = len(placed) if link is None else link
+    tip = placed[last - 1].place(point)
+    w: Vector = ZERO
+    v: Vector = ZERO
+    before = BASE
+    carriers = []  # angular velocity of the link before joint j, velocity of the origin of frame j
+    for body, frame, rate in zip(arm.bodies[:last], placed, qd, strict=False):
+        v = plus(v, cross(w, _minus(frame.origin, before.origin)))
+        around = w
+        if body.revolute:
+            w = plus(w, scaled(rate, frame.z))
+        else:
+            v = plus(v, scaled(rate, frame.z))
+        carriers.append((around, v))
+        before = frame
+    tip_velocity = plus(v, cross(w, _minus(tip, before.origin)))
+    linear: list[Vector] = []
+    angular: list[Vector] = []
+    for body, frame, (around, velocity) in zip(arm.bodies[:last], placed, carriers, strict=False):
+        axis_rate = cross(around, frame.z)
+        if body.revolute:
+            lever, lever_rate = _minus(tip, frame.origin), _minus(tip_velocity, velocity)
+            linear.append(plus(cross(axis_rate, lever), cross(frame.z, lever_rate)))
+            angular.append(axis_rate)
+        else:
+            linear.append(axis_rate)
+            angular.append(ZERO)
+    return _matrix(linear, angular, len(placed))
+
+
+def _matrix(linear: Sequence[Vector], angular: Sequence[Vector], n: int) -> Matrix:
+    """Columns as rows [6, n]; joints beyond the link do not move it."""
+    still = [0] * (n - len(linear))
+    return [[u[axis] for u in half] + still for half in (linear, angular) for axis in range(3)]
+
+
+def _minus(u: Vector, v: Vector) -> Vector:
+    return u[0] - v[0], u[1] - v[1], u[2] - v[2]

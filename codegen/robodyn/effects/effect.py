@@ -1,0 +1,170 @@
+"""What an effect is: parameters, equation, where it acts, how it shows, what it is mistaken for.
+
+An effect is defined once. Its equation is a function of numbers of any kind (:mod:`.scalars`): emitted as C,
+simulated, fitted, typeset.
+
+A joint's drive, from the link to the motor, is where most effects act; each adds something::
+
+    tau   = torque of the rigid arm on the joint (n_z, at a prismatic joint f_z)
+    tau  += LINK effects     (spring)                        link side, q and qd of the link
+    tau  += BEARING effects  (load-dependent friction)       link side, with the forces in the joint
+    (COUPLER effects: between link and motor lies a spring or play; else they move alike)
+    tau  += GEAR effects     (transmission loss)             with the torque that the gear passes on
+    tau  += rotor inertia times acceleration, MOTOR effects  motor side
+
+All are reflected to the joint's side of the gear.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Literal
+
+#: What a parameter is: a number, three numbers, an efficiency (number or table), an inertia tensor, one of
+#: some words, or the number of another joint.
+ParameterKind = Literal["number", "vector", "efficiency", "inertia", "choice", "joint", "text"]
+Sign = Literal["any", "nonnegative", "positive", "share"]
+#: Where in the drive an effect acts; "sensor": on what is measured; "rigid": it changes the rigid arm;
+#: "outside": it is reported and simulated, and in no kernel.
+Place = Literal["link", "bearing", "coupler", "gear", "motor", "pair", "sensor", "rigid", "outside"]
+Level = Literal["joint", "pair", "robot"]
+Values = Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One parameter. ``unit`` and ``linear_unit`` are for revolute and prismatic joints. ``default`` None: it
+    must be given; ``optional``: it may be left out, and then is not there. ``names``: the name of a run-time
+    parameter may stand for it."""
+
+    name: str
+    doc: str
+    unit: str = ""
+    linear_unit: str | None = None
+    kind: ParameterKind = "number"
+    sign: Sign = "any"
+    default: Fraction | str | None = None
+    optional: bool = False
+    names: bool = False
+    choices: tuple[str, ...] = ()
+    symbol: str = ""
+
+    @property
+    def required(self) -> bool:
+        """Whether an entry must have it."""
+        return self.default is None and not self.optional
+
+    def unit_at(self, *, revolute: bool) -> str:
+        """Its unit at a revolute or a prismatic joint."""
+        return self.unit if revolute or self.linear_unit is None else self.linear_unit
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """What an equation may read at a joint, over any scalar.
+
+    ``q, qd, qdd``: position, velocity and acceleration on its side of the drive [rad or m, per second];
+    ``direction``: sgn(qd), by whatever rule holds near rest; ``tau``: the torque that has come so far [N m or
+    N]; ``f`` [3] (N) and ``n`` [3] (N m): force and moment of the rigid arm through the joint, about the
+    origin and along the axes of the link's frame, z the joint's. ``revolute``: the kind of joint.
+    """
+
+    revolute: bool
+    q: Any = 0
+    qd: Any = 0
+    qdd: Any = 0
+    direction: Any = 0
+    tau: Any = 0
+    f: tuple[Any, Any, Any] = (0, 0, 0)
+    n: tuple[Any, Any, Any] = (0, 0, 0)
+
+
+#: The torque that an effect adds, of its parameters and its site.
+Equation = Callable[[Values, Site], Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Memory:
+    """The states of an effect that remembers: how many, and how they move on.
+
+    ``step(p, site, state, dt)``: the states after ``dt`` of steady motion, and the torque at its end;
+    ``rates(p, site, state)``: their time derivatives; ``torque(p, site, state)``: the torque at a state.
+    Over any scalar.
+    """
+
+    names: tuple[str, ...]
+    step: Callable[[Values, Site, tuple[Any, ...], Any], tuple[tuple[Any, ...], Any]]
+    rates: Callable[[Values, Site, tuple[Any, ...]], tuple[Any, ...]]
+    torque: Callable[[Values, Site, tuple[Any, ...]], Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Coupler:
+    """What lies between link and motor, as a spring: ``twist`` (motor less link) of the torque that it
+    passes on at rest, and the ``torque`` of twist and its rate; the two are each other's inverse.
+    ``lag`` of the parameters and that torque: the time [s] with which damping lets the twist follow."""
+
+    twist: Callable[[Values, Any], Any]
+    torque: Callable[[Values, Any, Any], Any]
+    lag: Callable[[Values, Any], Any]
+    energy: Callable[[Values, Any], Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """What is wrong with the values of an entry: at which parameter, what, what was expected, what to do."""
+
+    parameter: str
+    what: str
+    expected: str
+    remedy: str
+
+
+def _no_fault(values: Values, revolute: bool) -> Fault | None:
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """One entry of the catalogue.
+
+    ``equation`` gives the torque of an effect of the drive; of one with ``memory`` or ``coupler``, what it
+    comes to in steady motion; ``potential`` is the energy [J] over position of a torque that has one.
+    ``linear`` are the parameters that it is linear in, ``dissipative`` says that it never feeds energy in.
+    ``signature`` says how a log shows it, ``rivals`` what else may look like it, ``separates`` what to record
+    to tell them apart.
+    """
+
+    id: str
+    title: str
+    level: Level
+    place: Place
+    parameters: tuple[Parameter, ...]
+    latex: str
+    doc: str
+    signature: str
+    rivals: tuple[str, ...]
+    separates: str
+    source: str
+    equation: Equation | None = None
+    memory: Memory | None = None
+    coupler: Coupler | None = None
+    potential: Callable[[Values, Any], Any] | None = None
+    check: Callable[[Values, bool], Fault | None] = _no_fault
+    linear: tuple[str, ...] = ()
+    dissipative: bool = False
+    needs_load: bool = False
+
+    @property
+    def kind(self) -> str:
+        """``algebraic``, ``state``, ``sensor``, ``rigid`` or ``outside``: how it enters kernels."""
+        if self.memory is not None or self.coupler is not None:
+            return "state"
+        return {"sensor": "sensor", "rigid": "rigid", "outside": "outside"}.get(self.place, "algebraic")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the parameters."""
+        return tuple(p.name for p in self.parameters)

@@ -1,0 +1,192 @@
+"""Friction that depends on the velocity alone, and the friction that remembers."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from robodyn.effects.effect import Effect, Fault, Memory, Parameter, Site, Values
+from robodyn.effects.scalars import exponential, magnitude, power, sign
+
+TORQUE, FORCE = "N m", "N"
+
+
+def level(name: str, doc: str, symbol: str, **more: Any) -> Parameter:
+    """A parameter that is a torque of friction: not negative."""
+    return Parameter(name, doc, TORQUE, FORCE, sign="nonnegative", symbol=symbol, **{"names": True, **more})
+
+
+VISCOUS = Effect(
+    id="viscous_friction",
+    title="Viscous friction",
+    level="joint",
+    place="motor",
+    parameters=(
+        Parameter(
+            "coefficient",
+            "Torque by speed.",
+            "N m s/rad",
+            "N s/m",
+            sign="nonnegative",
+            names=True,
+            symbol="F_v",
+        ),
+    ),
+    latex=r"\tau = F_v \dot q",
+    doc="Torque in proportion to the speed: grease, oil, back-EMF. Also written `friction: {viscous: ...}`.",
+    signature="a straight line through zero over the joint's velocity, nothing at rest",
+    rivals=("coulomb_friction", "transmission_loss"),
+    separates="three speed levels or more, in both directions",
+    source="Stokes 1851; Craig, Introduction to Robotics, section 6.9",
+    equation=lambda p, at: p["coefficient"] * at.qd,
+    linear=("coefficient",),
+    dissipative=True,
+)
+
+COULOMB = Effect(
+    id="coulomb_friction",
+    title="Coulomb friction",
+    level="joint",
+    place="motor",
+    parameters=(level("level", "Torque that opposes motion, whatever the speed.", "F_c"),),
+    latex=r"\tau = F_c \operatorname{sgn}\dot q",
+    doc="A torque of constant size against the motion. Also written `friction: {coulomb: ...}`.",
+    signature="a step where the velocity reverses, flat otherwise",
+    rivals=("viscous_friction", "stribeck_friction", "load_dependent_friction", "asymmetric_friction"),
+    separates="reversals, slow and fast segments, and more than one pose",
+    source="Coulomb 1785",
+    equation=lambda p, at: p["level"] * at.direction,
+    linear=("level",),
+    dissipative=True,
+)
+
+
+def _asymmetric(p: Values, at: Site) -> Any:
+    # With a smoothed direction both halves fade together, so that no energy is fed in between.
+    forward, backward = p["positive"], p["negative"]
+    even = (forward - backward) / 2
+    return (forward + backward) / 2 * at.direction + even * (at.direction * at.direction)
+
+
+ASYMMETRIC = Effect(
+    id="asymmetric_friction",
+    title="Coulomb friction that differs by direction",
+    level="joint",
+    place="motor",
+    parameters=(
+        level("positive", "Level in the positive direction.", "F_c^+"),
+        level("negative", "Level in the negative direction, as a size.", "F_c^-"),
+    ),
+    latex=r"\tau = \begin{cases} F_c^+ & \dot q > 0 \\ -F_c^- & \dot q < 0 \end{cases}",
+    doc="A level of its own for either direction of motion.",
+    signature="a step at reversals whose middle is not zero",
+    rivals=("coulomb_friction", "torque_bias"),
+    separates="standstill with brakes on and drive off, or a repeat with the torque sensor zeroed: while the "
+    "joint moves it is exactly Coulomb friction and a bias",
+    source="Armstrong-Helouvry, Dupont and Canudas de Wit 1994",
+    equation=_asymmetric,
+    linear=("positive", "negative"),
+    dissipative=True,
+)
+
+
+def _stribeck(p: Values, at: Site) -> Any:
+    ratio = at.qd / p["velocity"]
+    exponent = p["exponent"]
+    bent = ratio * ratio if exponent == 2 else power(magnitude(ratio), exponent)
+    return (p["level"] + (p["static"] - p["level"]) * exponential(-bent)) * at.direction
+
+
+def _stribeck_fault(p: Values, revolute: bool) -> Fault | None:
+    low, high = p["level"], p["static"]
+    if isinstance(low, Fraction) and isinstance(high, Fraction) and high < low:
+        return Fault(
+            "static",
+            "is below the Coulomb level",
+            f"level = {float(low)!r} or more",
+            "exchange the two, or use coulomb_friction",
+        )
+    return None
+
+
+STRIBECK = Effect(
+    id="stribeck_friction",
+    title="Stribeck friction",
+    level="joint",
+    place="motor",
+    parameters=(
+        level("level", "Coulomb level, reached at high speed.", "F_c"),
+        level("static", "Level at the onset of motion.", "F_s"),
+        Parameter(
+            "velocity", "Speed over which the rise fades.", "rad/s", "m/s", sign="positive", names=True,
+            symbol="v_s",
+        ),
+        Parameter(
+            "exponent", "Shape of the fading.", "1", sign="positive", default=Fraction(2), symbol=r"\delta"
+        ),
+    ),
+    latex=r"\tau = \left[F_c + (F_s - F_c)\,e^{-|\dot q/v_s|^\delta}\right]\operatorname{sgn}\dot q",
+    doc="Coulomb friction that is larger near rest. Carries its own Coulomb level.",
+    signature="more than Coulomb friction at a few times v_s and below, at that level above",
+    rivals=("coulomb_friction", "presliding_hysteresis"),
+    separates="constant speeds from a fifth to five times v_s; a twentieth of the samples below v_s",
+    source="Bo and Pavelescu 1982",
+    equation=_stribeck,
+    check=_stribeck_fault,
+    linear=("level", "static"),
+    dissipative=True,
+)  # fmt: skip
+
+
+def _bristle_rate(p: Values, at: Site, state: tuple[Any, ...]) -> tuple[Any, ...]:
+    (z,) = state
+    return (at.qd - p["stiffness"] * magnitude(at.qd) / p["level"] * z,)
+
+
+def _bristle_torque(p: Values, at: Site, state: tuple[Any, ...]) -> Any:
+    (z,) = state
+    (rate,) = _bristle_rate(p, at, state)
+    return p["stiffness"] * z + p["damping"] * rate
+
+
+def _bristle_step(p: Values, at: Site, state: tuple[Any, ...], dt: Any) -> tuple[tuple[Any, ...], Any]:
+    # Exact for a velocity that is constant over dt: stable for any dt, however stiff the bristles.
+    (z,) = state
+    left = exponential(-(p["stiffness"] * magnitude(at.qd) / p["level"] * dt))
+    full = p["level"] / p["stiffness"] * sign(at.qd)
+    moved = (full + (z - full) * left,)
+    return moved, _bristle_torque(p, at, moved)
+
+
+PRESLIDING = Effect(
+    id="presliding_hysteresis",
+    title="Presliding hysteresis (LuGre)",
+    level="joint",
+    place="motor",
+    parameters=(
+        Parameter(
+            "stiffness", "Stiffness of the contact before it slides.", "N m/rad", "N/m", sign="positive",
+            names=True, symbol=r"\sigma_0",
+        ),
+        Parameter(
+            "level", "Coulomb level, reached when it slides.", TORQUE, FORCE, sign="positive", names=True,
+            symbol="F_c",
+        ),
+        Parameter(
+            "damping", "Damping of the contact.", "N m s/rad", "N s/m", sign="nonnegative",
+            default=Fraction(0), names=True, symbol=r"\sigma_1",
+        ),
+    ),
+    latex=r"\dot z = \dot q - \frac{\sigma_0 |\dot q|}{F_c} z, \qquad \tau = \sigma_0 z + \sigma_1 \dot z",
+    doc="The contact is a spring until it slides: friction depends on the way since the last reversal. "
+    "State z [rad or m] is how far it is bent; begun at z = 0 it never feeds energy in.",
+    signature="after a reversal the torque follows the distance, not the velocity; a loop over position",
+    rivals=("coulomb_friction", "stribeck_friction", "backlash", "joint_elasticity"),
+    separates="reversals of several amplitudes below level/stiffness",
+    source="Canudas de Wit, Olsson, Astrom and Lischinsky 1995; Dahl 1968 without damping",
+    equation=lambda p, at: p["level"] * at.direction,
+    memory=Memory(("z",), _bristle_step, _bristle_rate, _bristle_torque),
+    dissipative=True,
+)  # fmt: skip
+
+EFFECTS = (VISCOUS, COULOMB, ASYMMETRIC, STRIBECK, PRESLIDING)

@@ -1,0 +1,39 @@
+"""Programs as static C functions of doubles, for code that is compiled and thrown away."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from robodyn.emit.spelling import c_spelling
+from robodyn.emit.statements import statements
+from robodyn.ir.program import Program
+
+
+def static_function(
+    name: str, inputs: Sequence[str], outputs: Mapping[str, str], program: Program, parameters: Sequence[str]
+) -> str:
+    """``static void name(const double *inputs..., double *outputs..., const double *p)``.
+
+    ``outputs`` gives for each output of ``program`` the name of the argument; run-time ``parameters`` are
+    elements of ``p``, in that order.
+    """
+    place = {parameter: k for k, parameter in enumerate(parameters)}
+    spelling = c_spelling(single=False, parameters="")
+    # Names of the description never reach this C: a parameter is a place in p.
+    spelling = type(spelling)(
+        literal=spelling.literal,
+        element=spelling.element,
+        member=lambda parameter: f"p[{place[parameter]}]",
+        functions=spelling.functions,
+        single=False,
+        continuation="",
+    )
+    body = statements(program)
+    arguments = [f"const double *{array}" for array in inputs]
+    arguments += [f"double *{array}" for array in outputs.values()]
+    lines = [f"static void {name}({', '.join(arguments)}, const double *p)", "{"]
+    lines += [f"    const double {s.name} = {spelling.text(s.expression)};" for s in body.statements]
+    for array, elements in body.outputs:
+        lines += [f"    {outputs[array]}[{i}] = {spelling.text(x)};" for i, x in enumerate(elements)]
+    lines += [f"    (void){array};" for array in (*inputs, *outputs.values(), "p")]
+    return "\n".join([*lines, "}"]) + "\n"

@@ -1,0 +1,104 @@
+"""Derivatives of nodes by inputs, as nodes of the same graph: forward mode, exact."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from robodyn.ir.graph import Graph, Node, Scalar, needed
+from robodyn.ir.program import Input
+
+#: Added to a root in a denominator: where a sum of squares is zero, so is the derivative of its root taken.
+_TINY = Fraction(1, 10**150)
+
+
+def jacobian(graph: Graph, outputs: Sequence[Scalar], inputs: Sequence[Input]) -> list[list[Scalar]]:
+    """``d outputs_i / d inputs_j`` as rows [i][j].
+
+    Where ``|x|`` and ``sgn x`` have no derivative, that of ``|x|`` is 0, and that of ``sgn x`` is 0
+    everywhere.
+
+    Raises
+    ------
+    ValueError: an exponent of ``pow`` depends on an input.
+    """
+    order = needed(graph, [("", list(outputs))])
+    columns = [_tangents(graph, order, x) for x in inputs]
+    return [
+        [
+            tangents.get(value.position, 0) * value.sign if isinstance(value, Node) else 0
+            for tangents in columns
+        ]
+        for value in outputs
+    ]
+
+
+def _tangents(graph: Graph, order: Sequence[int], by: Input) -> dict[int, Scalar]:
+    """The derivatives of positions that depend on ``by``; others are left out."""
+    found: dict[int, Any] = {}
+    for position in order:
+        key = graph.keys[position]
+        tangent = _tangent(graph, position, key, by, found)
+        if not isinstance(tangent, Node) and tangent == 0:
+            continue
+        found[position] = tangent
+    return found
+
+
+def _tangent(graph: Graph, position: int, key: tuple[Any, ...], by: Input, known: dict[int, Any]) -> Any:
+    op = key[0]
+    if op == "input":
+        return 1 if key[1] == by else 0
+    if op == "const":
+        return 0
+
+    def at(p: int) -> Node:
+        return Node(graph, p, 1)
+
+    def slope(p: int) -> Any:
+        return known.get(p, 0)
+
+    value = at(position)
+    if op == "add":
+        return slope(key[1]) + key[2] * slope(key[3])
+    if op == "scale":
+        return key[1] * slope(key[2])
+    if op == "mul":
+        return slope(key[1]) * at(key[2]) + at(key[1]) * slope(key[2])
+    inner = slope(key[1])
+    if op == "div":
+        below = slope(key[2])
+        above = inner - value * below
+        return graph.div(above, at(key[2]))
+    if op == "pow":
+        if key[3] in known:
+            raise ValueError("an exponent depends on an input")
+        if not isinstance(inner, Node) and inner == 0:
+            return 0
+        base, exponent = key[2] * at(key[1]), _number(graph, key[3], key[4])
+        return exponent * graph.pow(base, exponent - 1) * (key[2] * inner)
+    if not isinstance(inner, Node) and inner == 0:
+        return 0
+    outer: Any
+    if op == "sin":
+        outer = graph.cos(at(key[1]))
+    elif op == "cos":
+        outer = -graph.sin(at(key[1]))
+    elif op == "sqrt":
+        return graph.div(key[2] * inner, 2 * value + _TINY)
+    elif op == "tanh":
+        outer = 1 - value * value
+    elif op == "abs":
+        outer = graph.sign(at(key[1]))
+    elif op == "exp":
+        outer = key[2] * value
+    else:
+        return 0  # sgn
+    return outer * inner
+
+
+def _number(graph: Graph, position: int, sign: int) -> Any:
+    """A constant as itself, else its node."""
+    key = graph.keys[position]
+    return sign * key[1] if key[0] == "const" else Node(graph, position, sign)

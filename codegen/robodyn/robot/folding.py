@@ -1,0 +1,149 @@
+"""Effects that only change numbers which a rigid arm has anyway.
+
+They go into those numbers and leave no entry: friction that is also written as ``friction``, rotor inertia,
+errors of a link's inertial parameters, the tilt of the base. So equal arms are equal, however written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from fractions import Fraction
+
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot import numbers
+from robodyn.robot.effects import AXES, Written
+from robodyn.robot.fields import Section
+from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
+from robodyn.robot.values import Value, angle
+
+# What lies between the link and the motor's torque: not in a torque behind the gear.
+_BEFORE_THE_GEAR = frozenset({"gear", "motor", "pair", "coupler"})
+_SHORTHAND = {"viscous_friction": "viscous", "coulomb_friction": "coulomb"}
+_INTO_LINKS = frozenset({*_SHORTHAND, "rotor_inertia", "inertial_error"})
+
+
+def into_link(
+    link: Link, friction: Section | None, found: Iterable[Written]
+) -> tuple[Link, tuple[Written, ...]]:
+    """The link with those effects that are numbers of it, and the others; ``friction`` is its shorthand.
+
+    Raises
+    ------
+    InputError: friction is stated twice, or the mass would be negative or a number beyond double.
+    """
+    kept = []
+    for written in found:
+        part = written.section
+        if written.effect not in _INTO_LINKS:
+            kept.append(written)
+            continue
+        key = _SHORTHAND.get(written.effect)
+        if friction and key in friction.values:
+            part.source.fail(
+                part.node,
+                f"{part.label} stands beside 'friction: {{{key}: ...}}', which is the same",
+                remedy="delete one of the two",
+            )
+        link = folded_link(link, [written.entry])
+        if isinstance(link.mass, Fraction) and link.mass < 0:
+            part.source.fail(
+                part.values["delta_mass"],
+                f"{part.path('delta_mass')} makes the link's mass negative",
+                found=f"{numbers.brief(link.mass)} kg",
+                expected="0 kg or more in all",
+            )
+        try:
+            for value in (link.mass, *link.com, *_entries(link.inertia), link.joint.motor_inertia):
+                numbers.rounded(value)
+        except OverflowError:
+            part.source.fail(
+                part.node, f"{part.label}: a sum is beyond double", expected="numbers well below 1e308"
+            )
+    return link, tuple(kept)
+
+
+def into_robot(robot: Robot, found: Iterable[Written]) -> Robot:
+    """``robot`` with the effects ``found``, base to tip, then those of the whole robot.
+
+    Raises
+    ------
+    InputError: an effect of all joints stands at one of them too, or gravity would be beyond double.
+    """
+    found = tuple(found)
+    at_joints = {written.effect for written in found if written.entry.joint is not None}
+    for written in found:
+        part = written.section
+        if written.entry.joint is None and written.effect in at_joints:
+            part.source.fail(
+                part.node,
+                f"{part.label} stands at a joint too",
+                expected="one for all joints, or one at each",
+                remedy="delete it here or there",
+            )
+    behind = next((one for one in found if CATALOGUE[one.effect].place in _BEFORE_THE_GEAR), None)
+    if behind and robot.torque_side == "link":
+        behind.section.source.note(
+            behind.section.node,
+            f"{behind.section.label} acts before the gear, and is not in a torque behind it (torque_side)",
+            "delete it, or take torque_side: motor",
+        )
+    try:
+        return folded(replace(robot, effects=tuple(written.entry for written in found)))
+    except OverflowError:
+        part = next(written.section for written in found if written.effect == "base_tilt")
+        part.source.fail(
+            part.node, "the tilted gravity is beyond double", expected="numbers well below 1e308"
+        )
+
+
+def folded(robot: Robot) -> Robot:
+    """``robot`` without those entries that only change numbers which it has anyway: they are in its links and
+    in gravity. A tilt by other than right angles leaves gravity rounded to double.
+
+    Raises
+    ------
+    OverflowError: gravity grows beyond double.
+    """
+    links = tuple(folded_link(link, robot.effects_at(i)) for i, link in enumerate(robot.links, 1))
+    gravity = robot.gravity
+    for entry in robot.effects:
+        if entry.effect == "base_tilt":
+            gravity = _tilted(gravity, entry)
+    kept = tuple(one for one in robot.effects if one.effect not in _INTO_LINKS and one.effect != "base_tilt")
+    return replace(robot, links=links, gravity=gravity, effects=kept)
+
+
+def folded_link(link: Link, entries: Iterable[EffectEntry]) -> Link:
+    """``link`` with those of the ``entries`` at its joint that are numbers of it."""
+    for entry in entries:
+        joint, inertia = link.joint, link.inertia
+        if entry.effect == "viscous_friction":
+            link = replace(link, joint=replace(joint, viscous=joint.viscous + entry["coefficient"]))
+        elif entry.effect == "coulomb_friction":
+            link = replace(link, joint=replace(joint, coulomb=joint.coulomb + entry["level"]))
+        elif entry.effect == "rotor_inertia":
+            link = replace(link, joint=replace(joint, motor_inertia=joint.motor_inertia + entry["inertia"]))
+        elif entry.effect == "inertial_error":
+            x, y, z = (c + entry[f"delta_com_{axis}"] for c, axis in zip(link.com, "xyz", strict=True))
+            sums = (c + entry[f"delta_{axes}"] for c, axes in zip(_entries(inertia), AXES, strict=True))
+            link = replace(link, mass=link.mass + entry["delta_mass"], com=(x, y, z), inertia=Inertia(*sums))
+    return link
+
+
+def _entries(inertia: Inertia) -> tuple[Value, ...]:
+    return tuple(getattr(inertia, axes) for axes in AXES)
+
+
+def _tilted(
+    gravity: tuple[Fraction, Fraction, Fraction], entry: EffectEntry
+) -> tuple[Fraction, Fraction, Fraction]:
+    """``R_y(tilt_y) R_x(tilt_x) gravity``."""
+    x, y, z = gravity
+    one, other = angle(entry["tilt_x"]), angle(entry["tilt_y"])
+    y, z = one.cos * y - one.sin * z, one.sin * y + one.cos * z
+    x, z = other.cos * x + other.sin * z, other.cos * z - other.sin * x
+    if None not in (one.quarter, other.quarter):
+        return x, y, z
+    # Elsewhere cosines are good to 1e-30 only, and their digits are of no use.
+    return tuple(map(numbers.shortest, map(float, (x, y, z))))  # type: ignore[return-value]

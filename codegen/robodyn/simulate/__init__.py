@@ -1,0 +1,1 @@
+"""Motions, controllers, integration and sensors: what stands in for the arm and its log."""

@@ -1,0 +1,296 @@
+"""The simulation engine of the folder ``c``, compiled together with the functions of a mechanical system.
+
+::
+
+    engine = build_engine({"arm.h": ..., "arm.c": ...}, glue)
+    record = engine.run(y, v, z, control=Control.pd(...), duration=2.0, sample_period=1e-3)
+    record.y, record.v, record.a, record.applied, record.status
+
+``glue`` is C text: macros for the sizes, and the static functions by which the engine calls the system; see
+``c/system.h``. It may include the headers among the files. :class:`~robodyn.simulate.control.Control` says
+what drives the motors, :class:`~robodyn.simulate.run.Record` what comes back. A run of no duration gives the
+acceleration and the directions of the dry friction at its start.
+
+Two methods: ``rk4`` of fixed steps ends a step where an element of dry friction comes to rest, and lets go of
+one that sticks where a step starts; ``adaptive`` (Dormand and Prince 5(4)) ends its steps on both.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files as resources
+from pathlib import Path, PurePosixPath
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from robodyn.build.cache import Cache, content_key
+from robodyn.build.compiler import C_FLAGS, find_c
+from robodyn.errors import InputError, ToolError
+from robodyn.simulate.control import LINEAR_TABLE, Control
+from robodyn.simulate.run import STATUSES, Record
+
+Floats = NDArray[np.float64]
+Method = Literal["rk4", "adaptive"]
+
+_COUNTERS = ("steps", "rejected", "evaluations", "events", "iterations")
+_METHODS = ("rk4", "adaptive")
+_CHUNK = 0.05  # s between two looks at what Python has to do
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """A compiled system of ``n`` coordinates, ``elements`` of dry friction, ``states``, ``parameters``."""
+
+    ffi: Any
+    library: Any
+    path: Path
+    n: int
+    elements: int
+    states: int
+    parameters: int
+    conserved: bool
+    model: bool
+
+    def run(
+        self,
+        y: ArrayLike,
+        v: ArrayLike,
+        z: ArrayLike = (),
+        *,
+        duration: float,
+        sample_period: float,
+        control: Control | None = None,
+        method: Method = "rk4",
+        step: float | None = None,
+        rtol: float = 1e-8,
+        atol: float = 1e-10,
+        breaks: Sequence[float] = (),
+        parameters: ArrayLike = (),
+        progress: Callable[[float], object] | None = None,
+        max_steps: int = 50_000_000,
+    ) -> Record:
+        """Simulate from ``y`` [n], ``v`` [n], ``z`` [states] at t = 0.
+
+        ``step`` [s] is the length of the fixed steps (default: ``sample_period``), or the longest of the
+        adaptive ones (default: ten times that): while everything is stuck, nothing else keeps them short.
+        ``rtol`` and ``atol`` are the adaptive method's, of y, v and z alike. ``breaks`` [s] are the times at
+        which the system's external forces jump. ``progress`` is called every now and then with the time
+        reached. The last sample is the last that ``duration`` has room for. No control is no torque. Ctrl-C
+        ends the run with the status "interrupted" and keeps what there is.
+
+        Raises
+        ------
+        InputError: an array of the wrong shape or with a number that is not finite, a period that is not
+            positive.
+        Exception: what the control's callback or ``progress`` raises.
+        """
+        plan = control if control is not None else Control.none()
+        self._check(plan, method)
+        for name, value in (("duration", duration), ("sample_period", sample_period), ("step", step)):
+            if value is not None and not (0 < value < math.inf or (name == "duration" and value == 0)):
+                raise InputError(f"{name} is not a time", found=f"{value}", expected="a positive number")
+        new = self.ffi.new
+        kept: list[Any] = []
+
+        def pointer(values: Floats) -> Any:
+            kept.append(values)
+            return self.ffi.from_buffer("double[]", values)
+
+        asked = new("settings *")
+        asked.method = _METHODS.index(method)
+        asked.step = step if step is not None else sample_period * (1 if method == "rk4" else 10)
+        asked.rtol, asked.atol = rtol, atol
+        asked.duration, asked.sample_period, asked.max_steps = duration, sample_period, max_steps
+        asked.y, asked.v = pointer(_read("y", y, self.n)), pointer(_read("v", v, self.n))
+        asked.z = pointer(_read("z", z, self.states))
+        asked.parameters = pointer(_read("parameters", parameters, self.parameters))
+        times = np.sort(_read("breaks", breaks, len(breaks)))
+        asked.breaks, asked.break_count = pointer(times), len(times)
+        motors = plan.motors
+        asked.control, asked.motors, asked.period = plan.kind, motors, min(plan.period, 1e300)
+        for name in ("place", "seen"):
+            places = new("int[]", list(getattr(plan, name)))
+            kept.append(places)
+            setattr(asked, name, places)
+        asked.rows = plan.rows
+        for name in ("torque", "q", "qd", "qdd", "kp", "kd"):
+            setattr(asked, name, pointer(getattr(plan, name)))
+        asked.limit = self.ffi.NULL if plan.limit is None else pointer(plan.limit)
+        raised: list[BaseException] = []
+        if plan.callback is not None:
+            call = self._callback(plan, raised)
+            kept.append(call)
+            asked.callback = call
+        samples = math.floor(duration / sample_period + 1e-9) + 1
+        width = 1 + 3 * self.n + self.states + self.elements + 2 * motors + 2
+        rows = np.empty((samples, width))
+        asked.record = pointer(rows)
+        made = self.library.run_new(asked)
+        if made == self.ffi.NULL:
+            raise MemoryError
+        state = self.ffi.gc(made, self.library.run_free)
+        status = self._advance(state, samples, progress)
+        if raised and not isinstance(raised[0], KeyboardInterrupt):
+            raise raised[0]
+        return self._record(state, rows, motors, status)
+
+    def model_torques(self, q: Floats, qd: Floats, qdd: Floats, parameters: ArrayLike = ()) -> Floats:
+        """Torques [K, motors] of the system's model (N m or N) along ``q, qd, qdd`` [K, motors].
+
+        Raises
+        ------
+        InputError: the system was compiled without a model.
+        """
+        arrays = [np.ascontiguousarray(x, np.float64) for x in (q, qd, qdd)]
+        tau = np.empty_like(arrays[0])
+        view = [self.ffi.from_buffer("double[]", x) for x in (*arrays, tau)]
+        values = _read("parameters", parameters, self.parameters)
+        rows, motors = arrays[0].shape
+        if self.library.model_torques(rows, *view, motors, self.ffi.from_buffer("double[]", values)):
+            raise InputError("this system was compiled without a model")
+        return tau
+
+    def _advance(self, state: Any, samples: int, progress: Callable[[float], object] | None) -> int:
+        """Run in parts of about the same time; the status."""
+        library, part = self.library, 100
+        try:
+            while library.run_recorded(state) < samples:
+                begun = time.perf_counter()
+                status = int(library.run_advance(state, part))
+                if status:
+                    return status
+                if progress is not None:
+                    progress(library.run_time(state))
+                spent = time.perf_counter() - begun
+                part = max(1, min(2 * part if spent < _CHUNK else part // 2, 1 << 24))
+        except KeyboardInterrupt:
+            return STATUSES.index("interrupted")
+        return 0
+
+    def _callback(self, plan: Control, raised: list[BaseException]) -> Any:
+        function, motors = plan.callback, plan.motors
+        assert function is not None
+
+        def called(t: float, q: Any, qd: Any, tau: Any) -> int:
+            seen = [np.array(self.ffi.unpack(values, motors)) for values in (q, qd)]
+            result = np.asarray(function(t, *seen), dtype=np.float64)
+            if result.shape != (motors,):
+                raise InputError(
+                    "the control's callback gave an array of the wrong shape",
+                    found=f"{list(result.shape)}",
+                    expected=f"[{motors}]",
+                )
+            self.ffi.memmove(tau, result.tobytes(), 8 * motors)
+            return 0
+
+        def failed(kind: object, error: BaseException, trace: object) -> int:
+            raised.append(error)
+            return 1
+
+        kind = "int(double, const double *, const double *, double *)"
+        return self.ffi.callback(kind, called, error=1, onerror=failed)
+
+    def _record(self, state: Any, rows: Floats, motors: int, status: int) -> Record:
+        count = int(self.library.run_recorded(state))
+        widths = [1, self.n, self.n, self.n, self.states, self.elements, motors, motors, 1, 1]
+        columns = np.split(rows[:count], np.cumsum(widths)[:-1], axis=1)
+        t, *middle, work, loss = [np.ascontiguousarray(part) for part in columns]
+        y, v, a, z, s, command, applied = middle
+        end = float(self.library.run_time(state))
+        counted = {name: int(self.library.run_counter(state, k)) for k, name in enumerate(_COUNTERS)}
+        return Record(
+            t.ravel(), y, v, a, z, s, command, applied, work.ravel(), loss.ravel(),
+            STATUSES[status], end, counted,
+        )  # fmt: skip
+
+    def _check(self, plan: Control, method: str) -> None:
+        if method not in _METHODS:
+            raise InputError("there is no such method", found=repr(method), expected=" or ".join(_METHODS))
+        if plan.motors > self.n or any(k >= self.n for k in (*plan.place, *plan.seen)):
+            raise InputError(
+                "the control has motors that the system does not",
+                found=f"coordinates {max((*plan.place, *plan.seen)) + 1}, {plan.motors} motors",
+                expected=f"at most {self.n}",
+            )
+        if plan.model and not self.model:
+            raise InputError("this system was compiled without a model for computed torque")
+        if plan.kind == LINEAR_TABLE and plan.rows > 1 and not math.isfinite(plan.period):
+            raise InputError("a table between whose rows is interpolated needs a period")
+
+
+def build_engine(
+    files: Mapping[str, str],
+    glue: str,
+    *,
+    cc: str | None = None,
+    flags: Sequence[str] = C_FLAGS,
+    cache: Path | None = None,
+) -> Engine:
+    """Compile the engine with ``glue``, C text, and with the C sources among ``files`` (path: text).
+
+    The glue may include the headers among ``files`` by their paths. Found in the cache if it is there.
+
+    Raises
+    ------
+    InputError: a file has an impossible path.
+    ToolError: no C compiler, or it refuses.
+    """
+    import cffi
+
+    home = resources("robodyn.simulate").joinpath("c")
+    own = {
+        f"engine/{item.name}": item.read_text(encoding="utf-8")
+        for item in home.iterdir()
+        if item.name.endswith((".c", ".h"))
+    }
+    texts = {**files, **own, "engine_glue.h": glue}
+    for name in files:
+        pure = PurePosixPath(name)
+        if pure.is_absolute() or ".." in pure.parts or name in own or name == "engine_glue.h":
+            raise InputError(
+                "a file of the system has an impossible path", found=repr(name), expected="one of its own"
+            )
+    compiler = find_c(cc)
+    sources = ["engine/engine.c", *(path for path in files if path.endswith(".c"))]
+
+    def build(folder: Path) -> str:
+        for path, text in texts.items():
+            target = folder / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text, encoding="utf-8", newline="\n")
+        made = [compiler.compile(path, flags=(*flags, "-I."), folder=folder) for path in sources]
+        compiler.link(made, "engine.so", flags=tuple(flags), folder=folder, extension=False)
+        return "engine.so"
+
+    key = content_key(["engine", texts, compiler.command, compiler.identity, *flags])
+    try:
+        path = Cache(cache).fetch(key, build)
+    except OSError as error:
+        raise ToolError(
+            "the compiled engine cannot be stored",
+            found=f"{error.filename}: {error.strerror or error}",
+            remedy="set ROBODYN_CACHE to a folder that can be written",
+        ) from None
+    ffi = cffi.FFI()
+    declared = own["engine/settings.h"].partition("start here */")[2].partition("/* declarations")[0]
+    ffi.cdef(declared)
+    library: Any = ffi.dlopen(str(path))
+    n, elements, states, parameters, conserved, model = (int(library.engine_size(k)) for k in range(6))
+    return Engine(ffi, library, path, n, elements, states, parameters, bool(conserved), bool(model))
+
+
+def _read(name: str, values: ArrayLike, length: int) -> Floats:
+    try:
+        array = np.array(values, dtype=np.float64).reshape(-1)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} is not an array of numbers", found=str(error)) from None
+    if len(array) != length:
+        raise InputError(f"{name} has the wrong length", found=f"{len(array)}", expected=f"{length}")
+    if not np.isfinite(array).all():
+        raise InputError(f"{name} has a number that is not finite", found=f"{array.tolist()}")
+    return array

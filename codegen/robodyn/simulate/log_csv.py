@@ -1,0 +1,214 @@
+"""Logs as comma-separated text: shortest numbers that read back as themselves, read in bounded memory.
+
+Reading goes by blocks of whole lines. A block is parsed at once by numpy; only where that fails is it gone
+through cell by cell, for the place of what is wrong.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError, Place
+from robodyn.robot.names import shown
+from robodyn.simulate.log_columns import Layout, layout_of, number_of
+from robodyn.simulate.shortest import table_text
+
+Floats = NDArray[np.float64]
+
+#: Largest header, and largest line of a log [bytes].
+LINE = 1 << 20
+#: How much is read at once [bytes].
+BLOCK = 1 << 21
+#: Rows that are written at once.
+ROWS = 1 << 11
+
+_COMMA, _NEWLINE = b",\n"
+
+
+# --- writing ----------------------------------------------------------------------------------------------
+
+
+def write_csv(names: Sequence[str], columns: Sequence[Floats]) -> str:
+    """The text of a log: the header, and a line a sample; ``columns`` are ``[K]`` each.
+
+    Every number is the shortest that reads back as the same double.
+    """
+    parts = [",".join(names).encode() + b"\n"]
+    for start in range(0, len(columns[0]), ROWS):
+        parts.append(table_text(np.column_stack([column[start : start + ROWS] for column in columns])))
+    return b"".join(parts).decode()
+
+
+# --- reading ----------------------------------------------------------------------------------------------
+
+
+def read_csv(path: Path, file: str, n: int | None) -> tuple[Layout, dict[str, Floats]]:
+    """The layout of the log at ``path``, and its groups: ``t`` [K, 1], the others [K, n].
+
+    ``file`` is what messages call it. Blank lines are skipped; NaN and infinity are numbers.
+
+    Raises
+    ------
+    InputError: not such a log, with the line and column of what is wrong.
+    OSError: the file cannot be read.
+    """
+    with path.open("rb") as source:
+        layout = layout_of(_header(source, file), n, Place(file, 1))
+        size = path.stat().st_size - source.tell()
+        tables = {group: np.empty((0, len(at))) for group, at in layout.groups.items()}
+        samples, line = 0, 2
+        for block in _blocks(source, file):
+            rows = _parse(block, layout, Place(file, line))
+            line += block.count(b"\n")
+            end = samples + len(rows)
+            if end > len(tables["t"]):
+                # As many as the file has at this rate; lines that grow shorter may call for more.
+                room = max(end, int(1.02 * len(rows) * size / len(block)) + 16, len(tables["t"]) * 5 // 4)
+                for table in tables.values():
+                    table.resize((room, table.shape[1]), refcheck=False)
+            start = 0
+            for table in tables.values():
+                table[samples:end] = rows[:, start : start + table.shape[1]]
+                start += table.shape[1]
+            samples = end
+    if not samples:
+        raise InputError(
+            "the log has no samples", where=Place(file), found="the header only", expected="a line a sample"
+        )
+    for table in tables.values():
+        table.resize((samples, table.shape[1]), refcheck=False)
+    return layout, tables
+
+
+def _header(source: BinaryIO, file: str) -> list[str]:
+    data = source.readline(LINE + 1)
+    if not data:
+        raise InputError("the file is empty", where=Place(file), expected="a log: t,q1..qn,tau1..taun")
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise InputError(
+            "the file is not UTF-8 text", where=Place(file, 1, 1), found="UTF-16", remedy="save it as UTF-8"
+        )
+    if data.startswith(b"PAR1"):
+        raise InputError(
+            "the file is not text",
+            where=Place(file),
+            found="Parquet",
+            remedy="give it the ending .parquet",
+        )
+    if len(data) > LINE:
+        raise _too_long(Place(file, 1))
+    names = _decode(data, Place(file, 1)).removeprefix("\ufeff").split(",")
+    return [name.strip().removeprefix('"').removesuffix('"') for name in names]
+
+
+def _too_long(where: Place) -> InputError:
+    return InputError(
+        "the line is too long", where=where, found="more than 1 MiB", expected="a log: a line a sample"
+    )
+
+
+def _decode(data: bytes, where: Place) -> str:
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        column = len(data[: error.start].decode("utf-8", "replace")) + (where.column or 1)
+        raise InputError(
+            "the file is not UTF-8 text",
+            where=Place(where.file, where.line, column),
+            found=f"byte 0x{data[error.start]:02x}",
+            remedy="save it as UTF-8",
+        ) from None
+
+
+def _blocks(source: BinaryIO, file: str) -> Iterator[bytes]:
+    """The rest of the file in pieces of whole lines; the last line may lack its end."""
+    rest, line = b"", 2
+    while piece := source.read(BLOCK):
+        cut = piece.rfind(b"\n") + 1
+        if cut:
+            block = rest + piece[:cut]
+            yield block
+            line += block.count(b"\n")
+            rest = piece[cut:]
+        else:
+            rest += piece
+        if len(rest) > LINE:
+            raise _too_long(Place(file, line))
+    if rest:
+        yield rest
+
+
+def _parse(block: bytes, layout: Layout, where: Place) -> Floats:
+    """The wanted cells of the lines of ``block``, ``[rows, columns]``; ``where`` is its first line."""
+    text = block.replace(b"\r\n", b"\n") if b"\r" in block else block
+    text = text if text.endswith(b"\n") else text + b"\n"
+    if text.startswith(b"\n") or b"\n\n" in text:
+        text = b"".join(line + b"\n" for line in text.split(b"\n") if line)
+    marks = np.frombuffer(text, np.uint8)
+    marks = marks[(marks == _COMMA) | (marks == _NEWLINE)]
+    if marks.size and marks.size % layout.width == 0:
+        grid = marks.reshape(-1, layout.width)
+        if (grid[:, :-1] == _COMMA).all() and (grid[:, -1] == _NEWLINE).all():
+            columns = None if layout.wanted == tuple(range(layout.width)) else layout.wanted
+            stream = io.StringIO(text.decode("ascii", "replace"))
+            try:
+                rows: Floats = np.loadtxt(stream, delimiter=",", comments=None, usecols=columns, ndmin=2)
+                return rows
+            except ValueError:
+                pass  # the search below says where
+    return _search(block, layout, where)
+
+
+def _search(block: bytes, layout: Layout, where: Place) -> Floats:
+    """As :func:`_parse`, cell by cell; stops at the first that is wrong."""
+    assert where.line is not None
+    lines = block.split(b"\n")
+    rows = []
+    for line, data in enumerate(lines, where.line):
+        if not data.strip():
+            continue
+        cells = data.split(b",")
+        if len(cells) != layout.width:
+            last = line == where.line + len(lines) - 1
+            raise InputError(
+                "the line has another number of cells than the header",
+                where=Place(where.file, line),
+                found=str(len(cells)),
+                expected=str(layout.width),
+                remedy="the file was cut off there: delete its last line" if last else _line_remedy(data),
+            )
+        row = []
+        for position in layout.wanted:
+            value = number_of(cells[position])
+            if value is None:
+                raise _wrong_cell(cells, position, Place(where.file, line))
+            row.append(value)
+        rows.append(row)
+    return np.array(rows, dtype=np.float64).reshape(len(rows), len(layout.wanted))
+
+
+def _line_remedy(line: bytes) -> str | None:
+    if b";" in line:
+        return "separate the columns by commas, not semicolons (and write decimals with a point)"
+    return "an extra column must not have commas in it" if b'"' in line else None
+
+
+def _wrong_cell(cells: Sequence[bytes], position: int, line: Place) -> InputError:
+    before = sum(len(cell.decode("utf-8", "replace")) + 1 for cell in cells[:position])
+    cell = cells[position]
+    space = len(cell) - len(cell.lstrip()) if cell.strip() else 0
+    where = Place(line.file, line.line, before + space + 1)
+    found = shown(_decode(cell.strip(), where)) if cell.strip() else "nothing"
+    return InputError(
+        "the cell is not a number",
+        where=where,
+        found=found,
+        expected="a number such as -0.125 or 1e-3",
+        remedy="where there is no value, write nan",
+    )

@@ -1,0 +1,133 @@
+"""A robot compiled for simulation: the system's programs as C, together with the engine."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from robodyn.emit.static import static_function
+from robodyn.errors import InputError
+from robodyn.generation import Options, maker
+from robodyn.ir.program import Program
+from robodyn.robot.model import EffectEntry, Robot
+from robodyn.simulate.engine import Engine, build_engine
+from robodyn.simulate.system import System, system_of
+
+#: Arguments of the programs, in the order of the engine's functions; outputs by the engine's names.
+_ARGUMENTS = {
+    "mass": ("y",),
+    "bias": ("y", "v", "s", "z"),
+    "force": ("y", "v", "a", "s", "z"),
+    "jacobian": ("y", "v", "a", "s", "z"),
+    "rates": ("y", "v", "z"),
+    "conserved": ("y", "v"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Plant:
+    """A robot ready to be simulated; ``model`` is what controllers take it for."""
+
+    robot: Robot
+    system: System
+    engine: Engine
+    model: Robot
+
+
+def build_plant(
+    robot: Robot,
+    *,
+    model: Robot | None = None,
+    options: Options | None = None,
+    energy: bool = True,
+    cc: str | None = None,
+    cache: Path | None = None,
+) -> Plant:
+    """``robot`` compiled with the engine.
+
+    ``model`` is what controllers take the robot for (default: the robot itself, effects
+    that remember at their steady values); ``energy`` integrates work and loss along.
+
+    Raises
+    ------
+    InputError: the robot cannot be simulated, or ``model`` does not fit.
+    ToolError: no C compiler.
+    """
+    system = system_of(robot, options)
+    glue = _glue(system, _model(model or robot, robot, options), energy=energy)
+    return Plant(robot, system, build_engine({}, glue, cc=cc, cache=cache), model or robot)
+
+
+def _model(model: Robot, robot: Robot, options: Options | None) -> tuple[Program, Mapping[str, int]]:
+    if model.n != robot.n or not set(model.parameters) <= set(robot.parameters):
+        raise InputError(
+            "the controller's model does not fit the robot",
+            found=f"{model.name}: {model.n} joints, run-time parameters "
+            f"{', '.join(model.parameters) or 'none'}",
+            expected=f"{robot.n} joints, run-time parameters among {', '.join(robot.parameters) or 'none'}",
+        )
+    program = maker(steady(model), options or Options()).program("inverse_dynamics")
+    return program, {name: k for k, name in enumerate(robot.parameters)}
+
+
+def steady(model: Robot) -> Robot:
+    """``model`` without memory: bristles slide, couplers are rigid."""
+    kept: list[EffectEntry] = []
+    for entry in model.effects:
+        if entry.effect == "presliding_hysteresis":
+            kept.append(EffectEntry("coulomb_friction", entry.joint, (("level", entry["level"]),)))
+        elif entry.effect not in ("joint_elasticity", "backlash"):
+            kept.append(entry)
+    return replace(model, effects=tuple(kept))
+
+
+def _glue(system: System, model: tuple[Program, Mapping[str, int]], *, energy: bool) -> str:
+    n, elements = system.coordinates, len(system.elements)
+    lines = [
+        f"/* The system of {system.robot.name}. */",
+        "#include <math.h>",
+        f"#define SYSTEM_N {n}",
+        f"#define SYSTEM_ELEMENTS {elements}",
+        f"#define SYSTEM_STATES {len(system.states)}",
+        f"#define SYSTEM_PARAMETERS {len(system.parameters)}",
+        f"#define SYSTEM_AFFINE {int(system.affine)}",
+        f"#define SYSTEM_CONSERVED {int(energy)}",
+        f"#define SYSTEM_EXTERNAL {int(bool(system.contacts))}",
+        "#define SYSTEM_MODEL 1",
+    ]
+    if elements:
+        rows = ", ".join("{" + ", ".join(repr(float(x)) for x in e.row) + "}" for e in system.elements)
+        lines.append(f"static const double system_w[{elements}][{n}] = {{{rows}}};")
+    for name, program in system.programs.items():
+        if name == "conserved" and not energy:
+            continue
+        inputs = _ARGUMENTS.get(name, ("y",))
+        ((output, _),) = program.outputs
+        lines.append(static_function(f"system_{name}", inputs, {output: output}, program, system.parameters))
+    program, _ = model
+    lines.append(
+        static_function("system_model", ("q", "qd", "qdd"), {"tau": "tau"}, program, system.parameters)
+    )
+    if system.contacts:
+        lines += _external(system)
+    return "\n".join(lines) + "\n"
+
+
+def _external(system: System) -> list[str]:
+    n = system.coordinates
+    lines = [
+        "static void system_external(double t, const double *y, double *f, const double *p)",
+        "{",
+        f"    double one[{n}];",
+        f"    for (int i = 0; i < {n}; ++i) f[i] = 0.0;",
+    ]
+    for k, entry in enumerate(system.contacts):
+        start, end = (repr(entry.number(name)) for name in ("start", "end"))
+        lines += [
+            f"    if (t >= {start} && t < {end}) {{",
+            f"        system_contact_{k}(y, one, p);",
+            f"        for (int i = 0; i < {n}; ++i) f[i] += one[i];",
+            "    }",
+        ]
+    return [*lines, "}"]

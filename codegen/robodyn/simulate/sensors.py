@@ -1,0 +1,255 @@
+"""What sensors make of the true signals: encoders, rates taken from them, and the torque channel.
+
+The torque channel acts in this order: delay (of the true torque), gain, bias, noise, saturation of the
+sensor, quantisation. The encoder: offset, noise, quantisation. Delay, gain, bias, saturation and offset are
+effects of the robot (:mod:`robodyn.effects.sensors`); they act on what a model predicts as on what is
+simulated.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError
+from robodyn.robot.model import EffectEntry
+from robodyn.simulate.differences import difference, low_pass
+from robodyn.simulate.log import Log
+
+Floats = NDArray[np.float64]
+#: One number for all joints, or one for each.
+PerJoint = float | tuple[float, ...]
+Rate = Literal["true", "difference", "filtered", "none"]
+Parameters = Mapping[str, float]
+
+_RATES = ("true", "difference", "filtered", "none")
+_POSITION, _TORQUE = 0, 1
+
+
+@dataclass(frozen=True, slots=True)
+class Sensors:
+    """The sensors of an arm; by default they show the truth.
+
+    ``position_resolution`` and ``position_noise`` (standard deviation) [rad or m]; ``torque_resolution`` and
+    ``torque_noise`` [N m or N]; 0 for none; for all joints, or a number each.
+
+    ``velocity``: ``true``; the ``difference`` to the sample before, of the measured position; that,
+    ``filtered`` by a Butterworth low-pass of ``order`` 1 or 2 with its -3 dB at ``cutoff`` [Hz], which looks
+    only back; or ``none``. ``acceleration`` is the same of the measured velocity (of the difference, where
+    the velocity is not recorded). The first difference stands for the sample before it too.
+
+    Raises
+    ------
+    InputError: a size is negative or not finite, or the filter lacks its cutoff.
+    """
+
+    position_resolution: PerJoint = 0.0
+    position_noise: PerJoint = 0.0
+    velocity: Rate = "true"
+    acceleration: Rate = "true"
+    cutoff: float | None = None
+    order: int = 2
+    torque_resolution: PerJoint = 0.0
+    torque_noise: PerJoint = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("position_resolution", "position_noise", "torque_resolution", "torque_noise"):
+            for value in np.atleast_1d(getattr(self, name)):
+                if not (math.isfinite(value) and value >= 0):
+                    raise InputError(f"{name} is not a size", found=str(value), expected="0 or more")
+        for name in ("velocity", "acceleration"):
+            if getattr(self, name) not in _RATES:
+                raise InputError(
+                    f"unknown kind of {name}", found=repr(getattr(self, name)), expected=", ".join(_RATES)
+                )
+        if self.order not in (1, 2):
+            raise InputError("the low-pass has no such order", found=str(self.order), expected="1 or 2")
+        if "filtered" in (self.velocity, self.acceleration) and self.cutoff is None:
+            raise InputError("the low-pass has no cutoff", expected="cutoff [Hz]")
+
+    def describe(self) -> dict[str, Any]:
+        """Its options, for the provenance of a log."""
+        return asdict(self)
+
+
+def resolution_of(bits: int) -> float:
+    """The step [rad] of an encoder of that many bits a turn.
+
+    Raises
+    ------
+    InputError: not 1 to 64 bits.
+    """
+    if not 1 <= bits <= 64:
+        raise InputError("an encoder has no so many bits", found=str(bits), expected="1 to 64 bits a turn")
+    return math.tau / float(2**bits)
+
+
+def measure(
+    true: Log,
+    sensors: Sensors,
+    effects: Sequence[EffectEntry] = (),
+    *,
+    seed: int = 0,
+    parameters: Parameters | None = None,
+) -> Log:
+    """The log that the sensors make of the ``true`` signals; times and provenance stay.
+
+    Where the drive clips the torque, the true torque is the command, for that is what the log has. Each joint
+    has random numbers of its own for position and for torque: they depend on ``seed`` and joint alone.
+
+    Raises
+    ------
+    InputError: the options do not fit the log, or ``true`` lacks a rate that is to be shown as it is.
+    """
+    n = true.n
+    position = measured_position(true.q, effects, parameters)
+    position = position + _noise(sensors.position_noise, "position_noise", true, seed, _POSITION)
+    position = _quantised(position, _sizes(sensors.position_resolution, "position_resolution", n))
+    rate = _rate("velocity", sensors.velocity, true.t, position, true.qd, sensors)
+    # Where the velocity is not in the log, the acceleration still comes of the position.
+    base = (
+        rate if rate is not None or sensors.acceleration in ("true", "none") else difference(true.t, position)
+    )
+    second = _rate("acceleration", sensors.acceleration, true.t, base, true.qdd, sensors)
+    torque = _amplified(true.tau, true.t, effects, parameters)
+    torque = torque + _noise(sensors.torque_noise, "torque_noise", true, seed, _TORQUE)
+    torque = _clipped(torque, effects, parameters)
+    torque = _quantised(torque, _sizes(sensors.torque_resolution, "torque_resolution", n))
+    return replace(true, q=position, qd=rate, qdd=second, tau=torque)
+
+
+def measured_torque(
+    tau: Floats, t: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None = None
+) -> Floats:
+    """What the torque channel shows of ``tau`` [K, n] (N m or N) at the times ``t`` [K] (s).
+
+    Several entries at a joint, and those of the whole robot, add up: delays and biases are summed, gains
+    multiply, the least limit holds. A delayed torque lies on the line between its samples, and before the
+    first has the first's value. Other effects, and a saturation of the drive, are passed over.
+
+    Raises
+    ------
+    InputError: an entry names a joint that is not there; or there is a delay and ``t`` does not increase.
+    """
+    return _clipped(_amplified(np.asarray(tau, float), t, effects, parameters), effects, parameters)
+
+
+def measured_position(
+    q: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None = None
+) -> Floats:
+    """What the encoders show of the positions ``q`` [K, n] (rad or m): the true ones and their offsets.
+
+    Raises
+    ------
+    InputError: an entry names a joint that is not there.
+    """
+    position = np.array(q, dtype=np.float64)
+    for entry, joints in _entries("encoder_offset", effects, position.shape[1]):
+        position[:, joints] += entry.number("offset", parameters)
+    return position
+
+
+# --- the torque channel -----------------------------------------------------------------------------------
+
+
+def _amplified(
+    tau: Floats, t: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None
+) -> Floats:
+    """Delay, gain and bias."""
+    n = tau.shape[1]
+    delays = np.zeros(n)
+    for entry, joints in _entries("time_delay", effects, n):
+        delays[joints] += entry.number("delay", parameters)
+    torque = np.array(tau, dtype=np.float64)
+    if delays.any() and not (np.diff(t) > 0).all():
+        raise InputError(
+            "a torque cannot be delayed where the times do not increase", expected="t increasing"
+        )
+    for j in np.flatnonzero(delays):
+        torque[:, j] = np.interp(t - delays[j], t, tau[:, j])
+    for entry, joints in _entries("torque_gain", effects, n):
+        torque[:, joints] *= 1 + entry.number("gain", parameters)
+    for entry, joints in _entries("torque_bias", effects, n):
+        torque[:, joints] += entry.number("bias", parameters)
+    return torque
+
+
+def _clipped(tau: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None) -> Floats:
+    """Saturation of the sensors."""
+    limits = np.full(tau.shape[1], np.inf)
+    for entry, joints in _entries("torque_saturation", effects, tau.shape[1]):
+        if entry.text("clips") == "sensor":
+            limits[joints] = np.minimum(limits[joints], entry.number("limit", parameters))
+    return np.clip(tau, -limits, limits)
+
+
+def _entries(effect: str, effects: Sequence[EffectEntry], n: int) -> list[tuple[EffectEntry, slice]]:
+    """The entries of ``effect``, each with the joints it is at."""
+    found = []
+    for entry in effects:
+        if entry.effect != effect:
+            continue
+        if entry.joint is not None and not 1 <= entry.joint <= n:
+            raise InputError(
+                f"{effect}: there is no such joint", found=str(entry.joint), expected=f"a joint of 1 to {n}"
+            )
+        found.append((entry, slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)))
+    return found
+
+
+# --- rates ------------------------------------------------------------------------------------------------
+
+
+def _rate(
+    name: str, kind: Rate, t: Floats, below: Floats | None, true: Floats | None, sensors: Sensors
+) -> Floats | None:
+    """The rate called ``name`` as the log has it; ``below`` is what it is the rate of."""
+    if kind == "none":
+        return None
+    if kind == "true":
+        if true is None:
+            raise InputError(
+                f"there is no true {name} to show",
+                remedy=f"choose difference, filtered or none for the {name}",
+            )
+        return true
+    assert below is not None
+    slope = difference(t, below)
+    return slope if kind == "difference" else low_pass(t, slope, sensors.cutoff or 0.0, sensors.order)
+
+
+# --- noise and steps --------------------------------------------------------------------------------------
+
+
+def _sizes(value: PerJoint, name: str, n: int) -> Floats:
+    sizes = np.atleast_1d(np.asarray(value, dtype=np.float64))
+    if np.ndim(value) and sizes.shape != (n,):
+        raise InputError(
+            f"{name} does not fit the joints", found=str(len(sizes)), expected=f"1 or {n} numbers"
+        )
+    return np.broadcast_to(sizes, (n,))
+
+
+def _noise(value: PerJoint, name: str, true: Log, seed: int, channel: int) -> Floats:
+    """Gaussian noise [K, n]; the numbers of a joint are those of no other, whatever noise these have."""
+    if seed < 0:
+        raise InputError("a seed is a number of 0 or more", found=str(seed))
+    noise = np.zeros_like(true.q)
+    for j, size in enumerate(_sizes(value, name, true.n)):
+        if size:
+            stream = np.random.SeedSequence(seed, spawn_key=(channel, j))
+            noise[:, j] = size * np.random.default_rng(stream).standard_normal(true.samples)
+    return noise
+
+
+def _quantised(x: Floats, steps: Floats) -> Floats:
+    """The nearest whole multiples of the ``steps`` [n]; 0 leaves a column as it is."""
+    result = np.array(x)
+    for j in np.flatnonzero(steps):
+        result[:, j] = steps[j] * np.rint(x[:, j] / steps[j])
+    return result

@@ -1,0 +1,219 @@
+"""Straight lines of a point, with joint rates from the Jacobian and its rate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from robodyn.errors import InputError
+from robodyn.simulate.inverse_kinematics import InverseKinematics
+from robodyn.simulate.kinematics import Kinematics
+from robodyn.simulate.trajectories.profiles import Profile, ProfileName, profile_of
+from robodyn.simulate.trajectories.spline import hermite
+from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, joint_vector, sample_times
+
+Floats = NDArray[np.float64]
+#: Positions [K, 3 or 6] (rad or m) of the led joints along a path [K, 3] (m), continuous.
+Solver = Callable[[Floats], Floats]
+
+#: Below this share of the largest singular value of the Jacobian the smallest counts as none.
+SINGULAR = 1e-4
+_MISSED = 1e-8  # [m, rad] by which a solver's joints may be off
+_MET = 1e-8  # [m, rad] from where one more step of Newton's method is enough
+_NEWTON = 10
+
+
+def line(
+    kinematics: Kinematics,
+    start_point: ArrayLike,
+    end_point: ArrayLike,
+    duration: float,
+    profile: ProfileName = "quintic",
+    *,
+    solver: Solver | None = None,
+    rotation: ArrayLike | None = None,
+    start: ArrayLike | None = None,
+    period: float = PERIOD,
+    singular: float = SINGULAR,
+) -> Trajectory:
+    """The point of ``kinematics`` along the straight line from ``start_point`` to ``end_point`` [3] (m).
+
+    The point alone is led by the three joints up to its link; with ``rotation`` [3, 3], which the link then
+    keeps, by six. Joints beyond stay where ``start`` [n] has them. Positions of the led joints come from
+    ``solver`` (the closed form of a PUMA, say) or numerically, beginning at ``start`` (0 by default); rates
+    are ``J^-1 xd`` and ``J^-1 (xdd - Jd qd)``. ``profile``: at rest at both ends (quintic; trapezoid, whose
+    acceleration jumps), or constant speed throughout.
+
+    Raises
+    ------
+    InputError: the line is not within reach, or passes a singular place (smallest singular value of the
+        Jacobian not above ``singular`` times the largest); the led joints are not as many as the conditions;
+        the solver does not meet the line.
+    """
+    a, b = _point("start", start_point), _point("end", end_point)
+    rows = 3 if rotation is None else 6
+    led = kinematics.link
+    if led != rows:
+        raise InputError(
+            f"{kinematics.robot.name}: the line does not fix the joints up to link {led}",
+            found=f"{led} joints",
+            expected=f"{rows}",
+            remedy="a point is led by three joints, a point and a rotation by six; choose another link",
+        )
+    turn = None if rotation is None else np.asarray(rotation, dtype=np.float64)
+    robot = kinematics.robot
+    begin = np.zeros(robot.n) if start is None else joint_vector("the start", start, robot.n)
+    solve = solver or _numerical(kinematics, turn, begin)
+    along = profile_of(profile, float(duration))
+    t = sample_times(duration, period, beyond=profile != "constant")
+    way = _Line(kinematics, (a, b), turn, along)
+    q = way.solved(t, solve, begin)
+    way.regular(t, q, singular)
+    q = way.refined(t, q)
+    samples = (t, q, *way.rates(t, q))
+    provenance: dict[str, Any] = {
+        "kind": "line",
+        "start": a.tolist(),
+        "end": b.tolist(),
+        "time": float(duration),
+        "profile": profile,
+        "point": list(kinematics.point),
+        "link": led,
+    }
+    if turn is not None:
+        provenance["rotation"] = turn.tolist()
+    return Trajectory(*samples, provenance, partial(_between, way, samples))
+
+
+@dataclass(frozen=True, slots=True)
+class _Line:
+    """A line of a point, from the first to the second of ``ends`` [3] (m), and the rotation that is kept."""
+
+    kinematics: Kinematics
+    ends: tuple[Floats, Floats]
+    rotation: Floats | None
+    profile: Profile
+
+    def path(self, t: Floats) -> Floats:
+        """The point [K, 3] (m) at ``t`` [K] (s)."""
+        start, end = self.ends
+        path: Floats = start + self.profile(t)[0][:, None] * (end - start)
+        return path
+
+    def solved(self, t: Floats, solve: Solver, begin: Floats) -> Floats:
+        """Joint positions [K, n], those of the joints that are not led from ``begin`` [n]."""
+        path = self.path(t)
+        m = self.kinematics.link
+        led = np.asarray(solve(path), dtype=np.float64)
+        if led.shape != (len(t), m):
+            raise InputError(
+                "the solver's joints have the wrong shape",
+                found=str(list(led.shape)),
+                expected=str([len(t), m]),
+            )
+        q = np.hstack([led, np.broadcast_to(begin[m:], (len(t), self.kinematics.robot.n - m))])
+        missed = np.abs(self.missing(t, q)).max(axis=1)
+        if missed.max() > _MISSED:
+            k = int(np.argmax(missed))
+            raise InputError(
+                "the solver's joints do not meet the line",
+                found=f"{missed[k]:.3g} off at {_place(path[k])}",
+                expected=f"at most {_MISSED:g} (m and rad)",
+                remedy="do the solver and the kinematics speak of the same point?",
+            )
+        return q
+
+    def refined(self, t: Floats, q: Floats) -> Floats:
+        """``q`` [K, n] brought onto the line by Newton's method, from nearby."""
+        q = q.copy()
+        m = self.kinematics.link
+        for _ in range(_NEWTON):
+            missing = self.missing(t, q)
+            q[:, :m] += np.linalg.solve(self._led(self.kinematics.jacobian(q)), missing[..., None])[..., 0]
+            if np.abs(missing).max() < _MET:
+                break
+        return q
+
+    def missing(self, t: Floats, q: Floats) -> Floats:
+        """What is missing to the line: [K, 3] (m), with a rotation [K, 6] (and rad, if little)."""
+        position, rotation = self.kinematics.pose(q)
+        off: Floats = self.path(t) - position
+        if self.rotation is None:
+            return off
+        turn = self.rotation @ np.swapaxes(rotation, 1, 2)
+        sines = [turn[:, j, i] - turn[:, i, j] for i, j in ((1, 2), (2, 0), (0, 1))]
+        return np.hstack([off, np.stack(sines, axis=1) / 2])
+
+    def rates(self, t: Floats, q: Floats) -> tuple[Floats, Floats]:
+        """Joint velocities and accelerations [K, n]."""
+        _, rate, rate_rate = self.profile(t)
+        m = self.kinematics.link
+        ahead = self.ends[1] - self.ends[0]
+        J = self._led(self.kinematics.jacobian(q))
+        xd, xdd = np.zeros((2, len(t), m))
+        xd[:, :3], xdd[:, :3] = rate[:, None] * ahead, rate_rate[:, None] * ahead
+        qd, qdd = np.zeros_like(q), np.zeros_like(q)
+        qd[:, :m] = np.linalg.solve(J, xd[..., None])[..., 0]
+        Jd = self._led(self.kinematics.jacobian_rate(q, qd))
+        rest = xdd[..., None] - Jd @ qd[:, :m, None]
+        qdd[:, :m] = np.linalg.solve(J, rest)[..., 0]
+        return qd, qdd
+
+    def regular(self, t: Floats, q: Floats, singular: float) -> None:
+        """Refuses the first singular place, one between two samples as well."""
+        J = self._led(self.kinematics.jacobian(q))
+        sizes = np.linalg.svd(J, compute_uv=False)
+        bad = sizes[:, -1] <= singular * sizes[:, 0]
+        turned = np.sign(np.linalg.det(J))
+        bad[1:] |= turned[1:] * turned[:-1] < 0
+        if bad.any():
+            k = int(np.argmax(bad))
+            raise InputError(
+                f"{self.kinematics.robot.name}: the line passes a singular place",
+                found=f"{_place(self.path(t)[k])} at {t[k]:.6g} s, smallest singular value of the Jacobian "
+                f"{sizes[k, -1] / sizes[k, 0]:.2g} times the largest",
+                expected=f"more than {singular:g} times, all the way",
+                remedy="lead the line past it",
+            )
+
+    def _led(self, J: Floats) -> Floats:
+        """The square part of Jacobians [K, 6, n] that belongs to the conditions and the led joints."""
+        m = self.kinematics.link
+        return J[:, :m, :m]
+
+
+def _between(
+    way: _Line, samples: tuple[Floats, Floats, Floats, Floats], t: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """The law of a line that is known at ``samples``: near them, so on their branch."""
+    q = way.refined(t, hermite(*samples, t)[0])
+    return q, *way.rates(t, q)
+
+
+def _numerical(kinematics: Kinematics, rotation: Floats | None, start: Floats) -> Solver:
+    """Numerical inverse kinematics of the led joints."""
+    search = InverseKinematics(kinematics)
+
+    def solve(path: Floats) -> Floats:
+        rotations = None if rotation is None else np.broadcast_to(rotation, (len(path), 3, 3))
+        return search.along(path, rotations, start)[:, : kinematics.link]
+
+    return solve
+
+
+def _point(name: str, value: ArrayLike) -> Floats:
+    point = np.asarray(value, dtype=np.float64)
+    if point.shape != (3,) or not np.isfinite(point).all():
+        raise InputError(
+            f"the {name} of the line is not a point", found=str(point.tolist()), expected="[x, y, z] in m"
+        )
+    return point
+
+
+def _place(point: Floats) -> str:
+    return "[" + ", ".join(f"{x:.6g}" for x in point) + "]"

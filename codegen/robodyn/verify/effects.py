@@ -1,0 +1,268 @@
+"""Effects by their printed equations, in double precision: what the catalogue's are compared with.
+
+Written from the sources that the catalogue names, case by case, where the catalogue has one formula for all
+cases. Nothing here is shared with :mod:`robodyn.effects`, which kernels are made of.
+
+What remembers enters by its steady form: presliding by its level, elastic joints and play as rigid joints;
+its steps stand in :mod:`robodyn.verify.memories`. Sensors and contacts are in no torque. What the reader of
+a description resolves (rotor inertia, base tilt, errors of inertial parameters) is not looked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.robot.model import EffectEntry, Robot
+from robodyn.robot.values import Affine
+from robodyn.verify.numbers import Parameters, number, real
+
+Floats = NDArray[np.float64]
+#: Parameters of an effect by name: floats, words, knots, numbers of joints.
+Settings = Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """Many states of one joint.
+
+    ``q, qd, qdd`` ``[N]``: its motion [rad or m, per second]; ``way`` ``[N]``: the direction of it; ``tau``
+    ``[N]``: the torque that has come so far [N m or N]; ``f, n`` ``[N, 3]``: force [N] and moment [N m] that
+    the joint of a rigid arm passes to the link, about the origin and along the axes of the link's frame.
+    """
+
+    q: Floats
+    qd: Floats
+    qdd: Floats
+    way: Floats
+    tau: Floats
+    f: Floats
+    n: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Reactions:
+    """What the rigid arm takes from its joints: ``tau`` ``[N, n]``; ``f`` and ``n`` ``[N, n, 3]``, in each
+    link's frame."""
+
+    tau: Floats
+    f: Floats
+    n: Floats
+
+
+def settings(entry: EffectEntry, parameters: Parameters) -> dict[str, Any]:
+    """The parameters of ``entry`` with floats for exact numbers and run-time names."""
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, (Fraction, Affine)):
+            return real(number(value, parameters))
+        return tuple(plain(x) for x in value) if isinstance(value, tuple) else value
+
+    return {name: plain(value) for name, value in entry.settings}
+
+
+def direction(speed: Floats, rest_velocity: float | None, dead_band: float | None) -> Floats:
+    """sgn of ``speed``, 0 at 0; smoothed over ``rest_velocity``; 0 for speeds within ``dead_band``."""
+    if rest_velocity is not None:
+        return np.tanh(speed / rest_velocity)
+    if dead_band is not None:
+        return np.where(np.abs(speed) < dead_band, 0.0, np.sign(speed))
+    return np.sign(speed)
+
+
+def added_torque(effect: str, p: Settings, at: State) -> Floats:
+    """What the effect of that id adds to the torque of a joint, ``[N]`` [N m or N]; of motors that drive two
+    joints, the motor's torque. 0 for effects that are in no torque."""
+    match effect:
+        case "viscous_friction":
+            return np.asarray(p["coefficient"] * at.qd)
+        case "coulomb_friction" | "presliding_hysteresis":
+            return np.asarray(p["level"] * at.way)
+        case "asymmetric_friction":
+            return _between(at.way, -p["negative"], 0.0, p["positive"])
+        case "stribeck_friction":
+            fading = np.exp(-np.power(np.abs(at.qd) / p["velocity"], p["exponent"]))
+            return np.asarray((p["static"] * fading + p["level"] * (1 - fading)) * at.way)
+        case "spring":
+            way = at.q - p["rest"]
+            return np.asarray(p["stiffness"] * way + p["cubic"] * way**3)
+        case "torque_ripple":
+            return np.asarray(p["amplitude"] * np.sin(p["cycles_per_rev"] * at.q + p["phase"]))
+        case "motor_coupling":
+            return np.asarray(p["inertia"] * at.qdd + p["viscous"] * at.qd + p["coulomb"] * at.way)
+        case "load_dependent_friction":
+            return np.asarray(_normal_forces(p, at) * at.way)
+        case "transmission_loss":
+            return _loss(p, at)
+    return np.zeros_like(at.q)
+
+
+def _between(way: Floats, backward: Any, still: Any, forward: Any) -> Floats:
+    """Forward or backward torque; for directions in between, the parabola through the three."""
+    parabola = still * (1 - way) * (1 + way) + forward * way * (way + 1) / 2 + backward * way * (way - 1) / 2
+    return np.asarray(np.where(way == 1, forward, np.where(way == -1, backward, parabola)))
+
+
+def _normal_forces(p: Settings, at: State) -> Floats:
+    """Friction of a bearing in motion, ``[N]``: its coefficient times what presses on it."""
+    grip = p["mu_r"] if "mu_r" in p else p["mu"] * p.get("radius", 1.0)
+    match p["bearing"]:
+        case "torque":
+            load = np.abs(at.tau)
+        case "thrust":
+            load = np.abs(at.f[:, 2])
+        case "journal" if "span" in p:
+            one, other = two_supports(p["span"], at.f, at.n, mirrored=p.get("variant") == "printed")
+            load = np.hypot(one[:, 0], one[:, 1]) + np.hypot(other[:, 0], other[:, 1])
+        case "linear":
+            load = np.sum(np.abs(two_supports(p["span"], at.f, at.n)), axis=(0, 2))
+        case _:
+            load = np.hypot(at.f[:, 0], at.f[:, 1])
+    return np.asarray(grip * load)
+
+
+def two_supports(span: float, f: Floats, n: Floats, *, mirrored: bool = False) -> tuple[Floats, Floats]:
+    """Forces ``[N, 2]`` [N] along x and y of supports at z = span/2 and -span/2 that make up ``f`` and ``n``
+    ``[N, 3]``; ``mirrored``: with the sign of n_x that Eq 3.3 of the thesis has in print."""
+    z = span / 2
+    balance = np.array(
+        [
+            [1.0, 0.0, 1.0, 0.0],  # f_x
+            [0.0, 1.0, 0.0, 1.0],  # f_y
+            [0.0, -z, 0.0, z],  # n_x = -z F_y
+            [z, 0.0, -z, 0.0],  # n_y = z F_x
+        ]
+    )
+    n_x = -n[:, 0] if mirrored else n[:, 0]
+    loads = np.stack([f[:, 0], f[:, 1], n_x, n[:, 1]])
+    found = np.linalg.solve(balance, loads).T
+    return found[:, :2], found[:, 2:]
+
+
+def _loss(p: Settings, at: State) -> Floats:
+    """Table 3.2 by its cases, less the torque that goes in at rest."""
+    eta: Any = p["efficiency"]
+    if isinstance(eta, tuple):
+        eta = efficiency(np.abs(at.tau) / p["rated_torque"], eta, p["interpolation"])
+    drives, brakes = at.tau / eta, at.tau * eta
+    forward = np.where(at.tau > 0, drives, brakes) + p["breakaway"]
+    backward = np.where(at.tau < 0, drives, brakes) - p["breakaway"]
+    return np.asarray(_between(at.way, backward, at.tau, forward) - at.tau)
+
+
+def efficiency(load: Floats, knots: tuple[tuple[float, float], ...], interpolation: str) -> Floats:
+    """Efficiency ``[N]`` at load fractions ``[N]``; level beyond the outer knots."""
+    x, y = np.array(knots).T
+    if interpolation == "linear" or len(x) <= 2:
+        return np.asarray(np.interp(load, x, y))
+    k = np.clip(np.searchsorted(x, load, side="right") - 1, 0, len(x) - 2)
+    width, slopes = x[k + 1] - x[k], _slopes_at_knots(x, y)
+    t = (np.clip(load, x[0], x[-1]) - x[k]) / width
+    rise = t * t * (3 - 2 * t)
+    start, end = t * (1 - t) ** 2, t * t * (t - 1)
+    return np.asarray(y[k] * (1 - rise) + y[k + 1] * rise + width * (slopes[k] * start + slopes[k + 1] * end))
+
+
+def _slopes_at_knots(x: Floats, y: Floats) -> Floats:
+    """Slopes of the monotone cubic: Fritsch and Butland's mean inside; at the ends that of a parabola through
+    three knots, held back (Moler, Numerical Computing with MATLAB, section 3.6)."""
+    h = np.diff(x)
+    d = np.diff(y) / h
+    slopes = np.zeros_like(x)
+    for k in range(1, len(x) - 1):
+        if d[k - 1] * d[k] > 0:
+            before, after = 2 * h[k] + h[k - 1], h[k] + 2 * h[k - 1]
+            slopes[k] = 3 * (h[k - 1] + h[k]) / (before / d[k - 1] + after / d[k])
+    for end, near, far in ((0, 0, 1), (-1, -1, -2)):
+        slope = d[near] + h[near] * (d[near] - d[far]) / (h[near] + h[far])
+        if np.sign(slope) != np.sign(d[near]):
+            slope = 0.0
+        elif np.sign(d[near]) != np.sign(d[far]) and abs(slope) > abs(3 * d[near]):
+            slope = 3 * d[near]
+        slopes[end] = slope
+    return slopes
+
+
+_BEARINGS = ("load_dependent_friction",)
+_GEARS = ("transmission_loss",)
+_MOTORS = (
+    "viscous_friction",
+    "coulomb_friction",
+    "asymmetric_friction",
+    "stribeck_friction",
+    "presliding_hysteresis",
+    "torque_ripple",
+)
+
+
+class Drives:
+    """The drives of ``robot``, joint by joint, from the links to the motors, at given parameters."""
+
+    def __init__(self, robot: Robot, parameters: Parameters) -> None:
+        self._n = robot.n
+        self._at_motor = robot.torque_side == "motor"
+        self._rest = None if robot.rest_velocity is None else float(robot.rest_velocity)
+        self._band = None if robot.dead_band is None else float(robot.dead_band)
+        self._entries = [(e.effect, e.joint, settings(e, parameters)) for e in robot.effects]
+        joints = [link.joint for link in robot.links]
+        self._rotor, self._viscous, self._coulomb = (
+            np.array([real(number(getattr(joint, name), parameters)) for joint in joints])
+            for name in ("motor_inertia", "viscous", "coulomb")
+        )
+
+    @property
+    def feels_load(self) -> bool:
+        """Whether a torque of friction depends on the arm's, and so on accelerations."""
+        kinds = (*_BEARINGS, *_GEARS) if self._at_motor else _BEARINGS
+        return any(effect in kinds for effect, _, _ in self._entries)
+
+    def inertia(self) -> Floats:
+        """What motors add to the mass matrix, ``[n, n]`` [kg m^2 or kg]."""
+        total = np.diag(self._rotor)
+        for j, k, p in self._pairs():
+            row = np.zeros(self._n)
+            row[j], row[k] = 1.0, p["ratio"]
+            total = total + p["inertia"] * np.outer(row, row)
+        return total if self._at_motor else np.zeros_like(total)
+
+    def torque(self, q: Floats, qd: Floats, qdd: Floats, rigid: Reactions) -> Floats:
+        """Torques ``[N, n]`` of states ``[N, n]``: of motors or, where asked for, behind bearings."""
+        way = direction(qd, self._rest, self._band)
+        tau = rigid.tau.copy()
+        for i in range(self._n):
+            at = State(q[:, i], qd[:, i], qdd[:, i], way[:, i], tau[:, i], rigid.f[:, i], rigid.n[:, i])
+            at = replace(at, tau=at.tau + self._sum(("spring",), i, at))
+            at = replace(at, tau=at.tau + self._sum(_BEARINGS, i, at))
+            if self._at_motor:
+                at = replace(at, tau=at.tau + self._sum(_GEARS, i, at))
+                own = self._rotor[i] * at.qdd + self._viscous[i] * at.qd + self._coulomb[i] * at.way
+                at = replace(at, tau=at.tau + own + self._sum(_MOTORS, i, at))
+            tau[:, i] = at.tau
+        for j, k, p in self._pairs():
+            speed, rate = qd[:, j] + p["ratio"] * qd[:, k], qdd[:, j] + p["ratio"] * qdd[:, k]
+            turned = direction(speed, self._rest, self._band)
+            none = np.zeros_like(rigid.f[:, j])
+            shared = added_torque("motor_coupling", p, State(speed, speed, rate, turned, speed, none, none))
+            tau[:, j] += shared
+            tau[:, k] += p["ratio"] * shared
+        return tau
+
+    def _sum(self, kinds: tuple[str, ...], joint: int, at: State) -> Floats:
+        """What the effects of those kinds at ``joint`` (from 0) add, each at the same torque."""
+        total = np.zeros_like(at.q)
+        for effect, where, p in self._entries:
+            if effect in kinds and where == joint + 1:
+                total = total + added_torque(effect, p, at)
+        return total
+
+    def _pairs(self) -> list[tuple[int, int, dict[str, Any]]]:
+        """Motors that drive two joints: the joints (from 0) and the parameters."""
+        if not self._at_motor:
+            return []
+        found = [(joint, p) for effect, joint, p in self._entries if effect == "motor_coupling"]
+        return [(joint - 1, p["with"] - 1, p) for joint, p in found if joint is not None]

@@ -1,0 +1,80 @@
+"""Inverse dynamics of drives that remember, a step at a time, in double precision over many states.
+
+Written from the order of a drive (:mod:`robodyn.effects.effect`) on top of :class:`.Reference`,
+:class:`.Drives` and :mod:`.memories`: the torque behind the bearings is that of a robot whose torques are the
+links', the motor's side is a drive without link.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from robodyn.robot.model import EffectEntry, Robot
+from robodyn.verify.effects import Drives, Floats, Reactions, settings
+from robodyn.verify.memories import Twist, bristle_step, twist_step
+from robodyn.verify.numbers import Parameters, filled
+from robodyn.verify.reference import Reference
+
+_COUPLERS = ("joint_elasticity", "backlash")
+_BRISTLES = "presliding_hysteresis"
+_LINK_SIDE = ("spring", "load_dependent_friction", "payload")
+
+
+class Stepping:
+    """The inverse dynamics of ``robot`` with its memory; states are in the order of the kernel's.
+
+    Raises
+    ------
+    InputError: a run-time parameter has no value.
+    """
+
+    def __init__(self, robot: Robot, parameters: Parameters | None = None) -> None:
+        values = filled(robot, parameters)
+        self._n = robot.n
+        link = tuple(e for e in robot.effects if e.effect in _LINK_SIDE)
+        motor = tuple(e for e in robot.effects if e.effect not in (*_LINK_SIDE, *_COUPLERS, _BRISTLES))
+        self._links = Reference(replace(robot, torque_side="link", effects=link), values)
+        self._motors = Drives(replace(robot, effects=motor), values)
+        self._memories: list[tuple[EffectEntry, slice]] = []
+        k = 0
+        for i in range(1, robot.n + 1):
+            entries = [e for e in robot.effects_at(i) if e.effect in (*_COUPLERS, _BRISTLES)]
+            for entry in sorted(entries, key=lambda e: e.effect == _BRISTLES):
+                count = 1 if entry.effect == _BRISTLES else 3
+                self._memories.append((entry, slice(k, k + count)))
+                k += count
+        self.states = k
+        self._settings = {id(entry): settings(entry, values) for entry, _ in self._memories}
+
+    def step(self, q: Floats, qd: Floats, qdd: Floats, state: Floats, dt: float) -> tuple[Floats, Floats]:
+        """Torques ``[N, n]`` [N m or N] and the states ``[N, states]`` after ``dt`` [s]."""
+        link = [q.copy(), qd.copy(), qdd.copy()]
+        couplers = [(e, part) for e, part in self._memories if e.effect in _COUPLERS]
+        for entry, part in couplers:
+            if entry.text("encoder") == "motor":
+                for array, back in zip(link, state[:, part].T, strict=True):
+                    array[:, entry.joint - 1] -= back  # type: ignore[operator]  # at a joint
+        passed = self._links.inverse_dynamics(*link)
+        moved, after = [q.copy(), qd.copy(), qdd.copy()], state.copy()
+        for entry, part in couplers:
+            assert entry.joint is not None
+            i = entry.joint - 1
+            found = twist_step(
+                entry.effect, self._settings[id(entry)], passed[:, i], Twist(*state[:, part].T), dt
+            )
+            after[:, part] = np.stack([found.way, found.rate, found.acceleration], axis=1)
+            if entry.text("encoder") == "link":
+                for array, ahead in zip(moved, after[:, part].T, strict=True):
+                    array[:, i] += ahead
+        nothing = np.zeros((len(q), self._n, 3))
+        tau = self._motors.torque(moved[0], moved[1], moved[2], Reactions(passed, nothing, nothing))
+        for entry, part in self._memories:
+            if entry.effect == _BRISTLES:
+                assert entry.joint is not None
+                i = entry.joint - 1
+                z, torque = bristle_step(self._settings[id(entry)], moved[1][:, i], state[:, part.start], dt)
+                after[:, part.start] = z
+                tau[:, i] += torque
+        return tau, after

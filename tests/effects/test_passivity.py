@@ -1,0 +1,253 @@
+"""What must lose energy loses it, in every direction of motion, and friction is what its sources say."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+import robodyn
+from effects.cases import CASES, COUPLERS, Case, draw, entry, floats
+from robodyn.effects import thesis_friction as thesis
+from robodyn.effects.catalogue import CATALOGUE, effect
+from robodyn.effects.effect import Memory, Site
+from robodyn.verify import Reference
+from robodyn.verify.effects import direction, two_supports
+
+DIRECTIONS = {"sharp": (None, None), "smooth": (0.4, None), "dead band": (None, 0.5)}
+DISSIPATIVE = [name for name, case in CASES.items() if case.effect.dissipative]
+
+
+def places(rng: np.random.Generator, way: str, count: int = 400) -> Site:
+    """Random sites as one of arrays, in motion and at rest; the direction follows the velocity."""
+    qd = rng.uniform(-3, 3, count)
+    qd[:10] = 0.0
+    tau = rng.uniform(-5, 5, count)
+    tau[10:20] = 0.0
+    f, n = rng.uniform(-50, 50, (2, 3, count))
+    q, qdd = rng.uniform(-3, 3, (2, count))
+    return Site(True, q, qd, qdd, direction(qd, *DIRECTIONS[way]), tau, tuple(f), tuple(n))  # type: ignore[arg-type]
+
+
+def added(case: Case, values: Any, at: Site) -> Any:
+    equation = case.effect.equation
+    assert equation is not None
+    return equation(values, at)
+
+
+def test_all_of_them_are_here() -> None:
+    found = {CASES[name].id for name in DISSIPATIVE}
+    assert found == {id for id, each in CATALOGUE.items() if each.dissipative}
+
+
+@pytest.mark.parametrize("way", DIRECTIONS)
+@pytest.mark.parametrize("name", DISSIPATIVE)
+def test_power_is_never_given_back(name: str, way: str) -> None:
+    case, rng = CASES[name], random.Random(name)
+    for seed in range(10):
+        values = floats(draw(case, rng))
+        if "inertia" in values:
+            values["inertia"] = 0.0  # what an inertia takes it gives back
+        at = places(np.random.default_rng(seed), way)
+        torque = added(case, values, at)
+        power = torque * at.qd
+        assert power.min() >= 0
+        assert power.max() > 0
+        # Friction opposes motion: the motor's torque has the sign of the velocity, wherever there is some.
+        assert (torque[at.direction * torque != 0] * at.qd[at.direction * torque != 0] > 0).all()
+        still = added(case, values, replace(at, qd=0 * at.qd, direction=0 * at.qd))
+        np.testing.assert_array_equal(still, 0 * at.qd)
+
+
+def test_springs_and_ripple_are_not_friction() -> None:
+    for name in ("spring", "ripple", "rotor"):
+        at = places(np.random.default_rng(1), "sharp")
+        assert (added(CASES[name], floats(draw(CASES[name], random.Random(2))), at) * at.qd).min() < 0
+
+
+@pytest.mark.parametrize("way", DIRECTIONS)
+@pytest.mark.parametrize("side", ["motor", "link"])
+def test_an_arm_with_all_of_them_loses_energy(way: str, side: Any) -> None:
+    puma = robodyn.load("puma560", warn=lambda _: None)
+    bare = replace(puma, torque_side=side, rest_velocity=None, effects=())
+    if way == "smooth":
+        bare = replace(bare, rest_velocity=Fraction(2, 5))
+    if way == "dead band":
+        bare = replace(bare, dead_band=Fraction(1, 2))
+    still = tuple(
+        replace(link, joint=replace(link.joint, viscous=Fraction(0), coulomb=Fraction(0)))
+        for link in bare.links
+    )
+    rng, entries = random.Random(7), []
+    for i, name in enumerate(DISSIPATIVE):
+        case, joint = CASES[name], i % 6 + 1
+        if case.revolute:
+            given = draw(case, rng)
+            if case.id == "motor_coupling":
+                joint, given["with"], given["inertia"] = 5, 6, Fraction(0)
+            entries.append(entry(case.id, joint, **given))
+    q, qd, qdd = np.random.default_rng(8).uniform(-3, 3, (3, 200, 6))
+    ideal = Reference(replace(bare, links=still)).inverse_dynamics(q, qd, qdd)
+    lossy = Reference(replace(bare, effects=tuple(entries))).inverse_dynamics(q, qd, qdd)
+    lost = np.sum((lossy - ideal) * qd, axis=1)
+    assert lost.min() > 0
+
+
+# --- the transmission -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("torque", [Fraction(7, 2), Fraction(-7, 2)])
+def test_the_four_quadrants(torque: Fraction, sense: int) -> None:
+    """Table 3.2, exactly."""
+    case, eta, breakaway = CASES["efficiency"], Fraction(3, 5), Fraction(1, 4)
+    p = {"efficiency": eta, "breakaway": breakaway, "interpolation": "linear"}
+    at = Site(True, qd=Fraction(sense), direction=Fraction(sense), tau=torque)
+    law = thesis.driving if torque * sense > 0 else thesis.braking
+    assert torque + added(case, p, at) == law(torque, eta, breakaway, sense)
+    assert (
+        law(torque, eta, breakaway, sense)
+        == (torque / eta if torque * sense > 0 else torque * eta) + breakaway * sense
+    )
+
+
+@pytest.mark.parametrize("name", ["efficiency", "efficiencies, linear", "efficiencies, cubic"])
+def test_the_loss_over_torque_and_over_direction(name: str) -> None:
+    """Continuous in the torque in motion; over rest a jump of twice the breakaway and the loss both ways."""
+    case = CASES[name]
+    p = floats(draw(case, random.Random(name)))
+    for sense in (1.0, -1.0):
+        at = Site(True, qd=sense, direction=sense)
+        below, above = (added(case, p, replace(at, tau=tau)) for tau in (-1e-9, 1e-9))
+        assert above == pytest.approx(below, abs=1e-8)
+        assert above == pytest.approx(sense * p["breakaway"], abs=1e-8)
+    for tau in (-6.0, -0.4, 0.2, 3.0):
+        up, rest, down = (added(case, p, Site(True, qd=s, direction=s, tau=tau)) for s in (1.0, 0.0, -1.0))
+        eta = p["efficiency"]
+        if isinstance(eta, tuple):
+            knots = {x * p["rated_torque"]: y for x, y in eta}
+            tau = np.copysign(sorted(knots)[2], tau)
+            eta = knots[abs(tau)]
+            up, rest, down = (
+                added(case, p, Site(True, qd=s, direction=s, tau=tau)) for s in (1.0, 0.0, -1.0)
+            )
+        assert rest == 0
+        assert up - down == pytest.approx(2 * p["breakaway"] + abs(tau) * (1 / eta - eta), rel=1e-12)
+
+
+# --- bearings ---------------------------------------------------------------------------------------------
+
+
+def test_the_journals_carry_what_the_joint_carries() -> None:
+    """The supports' forces and moments add up, and the torque of friction is theirs."""
+    rng = np.random.default_rng(4)
+    for _ in range(20):
+        f, n = rng.uniform(-50, 50, (2, 30, 3))
+        p = {
+            "bearing": "journal",
+            "mu": rng.uniform(0, 1),
+            "radius": rng.uniform(0, 1),
+            "span": rng.uniform(0.02, 2),
+        }
+        forces = [np.pad(x, ((0, 0), (0, 1))) for x in two_supports(p["span"], f, n)]
+        arms = [np.array([0, 0, z]) for z in (p["span"] / 2, -p["span"] / 2)]
+        np.testing.assert_allclose(sum(forces)[:, :2], f[:, :2], rtol=0, atol=1e-10)
+        moments = sum(np.cross(arm, force) for arm, force in zip(arms, forces, strict=True))
+        np.testing.assert_allclose(moments[:, :2], n[:, :2], rtol=0, atol=1e-10)
+        expected = p["mu"] * p["radius"] * sum(np.linalg.norm(force, axis=1) for force in forces)
+        at = Site(True, direction=1.0, f=tuple(f.T), n=tuple(n.T))  # type: ignore[arg-type]
+        np.testing.assert_allclose(added(CASES["journal"], p, at), expected, rtol=1e-12)
+        # The printed sign is right only where f_x n_y or f_y n_x is 0; then friction without it has no n.
+        printed = added(CASES["journal"], {**p, "variant": "printed"}, at)
+        assert (np.abs(printed - expected) > 1e-9 * expected).all()
+        for zero in ((0, None), (1, None), (None, 0), (None, 1)):
+            at = Site(True, direction=1.0, f=_without(f, zero[0]), n=_without(n, zero[1]))
+            same = added(CASES["journal"], {**p, "variant": "printed"}, at)
+            np.testing.assert_allclose(same, added(CASES["journal"], p, at), rtol=1e-12)
+
+
+def _without(x: Any, axis: int | None) -> Any:
+    return tuple(0 * row if k == axis else row for k, row in enumerate(x.T))
+
+
+# --- what remembers ---------------------------------------------------------------------------------------
+
+
+def bristles() -> Memory:
+    memory = effect("presliding_hysteresis").memory
+    assert memory is not None
+    return memory
+
+
+def dissipated(p: Any, v: Any, z: Any) -> Any:
+    """Power in, less the rate of the storage function stiffness z^2 / 2."""
+    at = Site(True, qd=v)
+    (rate,) = bristles().rates(p, at, (z,))
+    return bristles().torque(p, at, (z,)) * v - p["stiffness"] * z * rate
+
+
+def test_bristles_lose_energy() -> None:
+    """At any bend up to 4 level/damping of speed; at any speed while they are bent as far as they slide."""
+    rng = np.random.default_rng(6)
+    for _ in range(20):
+        p = dict(zip(("stiffness", "level", "damping"), rng.uniform(0.1, 9, 3), strict=True))
+        slides, bound = p["level"] / p["stiffness"], 4 * p["level"] / p["damping"]
+        v, z = rng.uniform(-bound, bound, 500), slides * rng.uniform(-20, 20, 500)
+        size = p["level"] * np.abs(v).max()
+        assert dissipated(p, v, z).min() >= -1e-12 * size
+        v, z = 100 * bound * rng.uniform(-1, 1, 500), slides * rng.uniform(-1, 1, 500)
+        assert dissipated(p, v, z).min() >= 0
+        # Both bounds are sharp: bent twice as far, and faster.
+        assert dissipated(p, 0.99 * bound, 2 * slides) > 0 > dissipated(p, 1.01 * bound, 2 * slides)
+
+
+def test_bristles_bend_no_further_than_they_slide() -> None:
+    rng = np.random.default_rng(7)
+    p = {"stiffness": 300.0, "level": 2.0, "damping": 0.7}
+    z: Any = np.zeros(50)
+    for _ in range(300):
+        (z,), torque = bristles().step(p, Site(True, qd=rng.uniform(-2, 2, 50)), (z,), 1e-3)
+        assert np.abs(z).max() <= (1 + 1e-15) * p["level"] / p["stiffness"]
+        assert np.isfinite(torque).all()
+
+
+def test_a_loop_of_bristles() -> None:
+    """Back and forth far beyond the bend, friction takes 4 level times the amplitude, nearly; within a small
+    share of it they are a spring."""
+    p = {"stiffness": 2000.0, "level": 2.0, "damping": 0.0}
+    work = {}
+    for amplitude in (1.0, 1e-5):
+        z, dt, lost, before = (0.0,), 1e-3, 0.0, 0.0
+        for k in range(2000):
+            if k == 1000:
+                lost = 0.0
+            v = amplitude * 2 * np.pi * np.cos(2 * np.pi * (k + 0.5) * dt)
+            z, torque = bristles().step(p, Site(True, qd=v), z, dt)
+            lost, before = lost + (torque + before) / 2 * v * dt, torque
+        work[amplitude] = lost / (4 * p["level"] * amplitude)
+    assert work[1.0] == pytest.approx(1, abs=5e-3)
+    assert 0 < work[1e-5] < 1e-2
+
+
+@pytest.mark.parametrize("name", COUPLERS)
+def test_couplers_store_and_lose(name: str) -> None:
+    """The torque is the slope of an energy that is never negative, plus damping that takes power."""
+    case, rng = COUPLERS[name], random.Random(name)
+    coupler = case.effect.coupler
+    assert coupler is not None
+    x, rate = np.linspace(-0.5, 0.5, 41), np.linspace(-2, 2, 41)
+    for _ in range(10):
+        p = floats(draw(case, rng))
+        h = 1e-5
+        energy, slope = coupler.energy(p, x), (coupler.energy(p, x + h) - coupler.energy(p, x - h)) / (2 * h)
+        assert energy.min() >= -1e-15
+        assert coupler.energy(p, np.zeros(1))[0] == 0
+        still = coupler.torque(p, x, 0.0)
+        np.testing.assert_allclose(slope, still, rtol=0, atol=1e-6 * np.abs(still).max())
+        assert (still * x >= 0).all()
+        lost = (coupler.torque(p, x, rate) - still) * rate
+        np.testing.assert_allclose(lost, p["damping"] * rate**2, rtol=0, atol=1e-12)

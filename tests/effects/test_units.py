@@ -1,0 +1,129 @@
+"""Units: the same thing measured in other units gives the same torque in other units."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from effects.cases import CASES, COUPLERS, Case, draw, floats, mapped, site
+from robodyn.effects.effect import Effect, Site
+
+_UNITS = {"N": {"kg": 1, "m": 1, "s": -2}, "kg": {"kg": 1}, "m": {"m": 1}, "s": {"s": 1}, "rad": {"rad": 1}}
+_SCALES = {"kg": 4.0, "m": 16.0, "s": 0.25, "rad": 64.0}
+#: Where the angle is in a sine, or an inertia makes a torque of its acceleration, rad is 1.
+_ANGLE_IS_A_NUMBER = {"torque_ripple", "rotor_inertia"}
+
+
+def factor(unit: str, scales: dict[str, float]) -> float:
+    """What the number before ``unit`` becomes in units that are smaller by ``scales``."""
+    total = 1.0
+    for part, sense in zip(unit.split("/"), (1, -1), strict=False):
+        for token in part.split():
+            base, _, power = token.partition("^")
+            for name, exponent in {} if base == "1" else _UNITS[base].items():
+                total *= scales[name] ** (exponent * int(power or 1) * sense)
+    return total
+
+
+def in_smaller_units(
+    found: Effect, values: dict[str, Any], at: Site
+) -> tuple[dict[str, Any], Site, dict[str, float]]:
+    number = found.id in _ANGLE_IS_A_NUMBER or values.get("inertia", 0) != 0
+    scales = _SCALES | ({"rad": 1.0} if number else {})
+    units = {p.name: p.unit_at(revolute=at.revolute) for p in found.parameters if p.kind == "number"}
+    scaled = {k: v * factor(units[k], scales) if k in units else v for k, v in values.items()}
+    way, force = ("rad", "N m") if at.revolute else ("m", "N")
+    position, moment = factor(way, scales), factor("N m", scales)
+    moved = replace(
+        at,
+        q=at.q * position,
+        qd=at.qd * position / scales["s"],
+        qdd=at.qdd * position / scales["s"] ** 2,
+        tau=at.tau * factor(force, scales),
+        f=tuple(x * factor("N", scales) for x in at.f),
+        n=tuple(x * moment for x in at.n),
+    )
+    return scaled, moved, scales
+
+
+def units_fit(case: Case, found: Effect, revolute: bool, rng: random.Random) -> bool:
+    """Whether the numbers of the same thing in other units give the number of the same torque."""
+    assert found.equation is not None
+    values, at = floats(draw(case, rng)), mapped(site(rng, revolute=revolute), float)
+    if case.id == "motor_coupling" and rng.random() < 0.5:
+        values["inertia"] = 0.0
+    scaled, moved, scales = in_smaller_units(found, values, at)
+    expected = found.equation(values, at) * factor("N m" if revolute else "N", scales)
+    return bool(found.equation(scaled, moved) == pytest.approx(expected, rel=1e-12))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_units(name: str) -> None:
+    case, rng = CASES[name], random.Random(name)
+    for revolute in (True, False):
+        if case.revolute if revolute else case.prismatic:
+            assert all(units_fit(case, case.effect, revolute, rng) for _ in range(5))
+
+
+#: A level curve has no load, steady motion no bend, and the motor of two joints turns as they told it.
+_UNSEEN = {
+    ("efficiencies, one", "rated_torque"),
+    ("presliding", "stiffness"),
+    ("presliding", "damping"),
+    ("coupling", "ratio"),
+}
+
+
+def test_a_wrong_unit_is_seen() -> None:
+    """Any unit but one of the equation's own, put in the place of it."""
+    rng = random.Random(5)
+    for name, case in CASES.items():
+        for i, parameter in enumerate(case.effect.parameters):
+            if parameter.kind != "number" or parameter.name not in draw(case, rng):
+                continue
+            if (name, parameter.name) in _UNSEEN:
+                continue
+            wrong = replace(parameter, unit=f"kg {parameter.unit}".replace("kg 1", "kg"), linear_unit=None)
+            parameters = (*case.effect.parameters[:i], wrong, *case.effect.parameters[i + 1 :])
+            changed = replace(case.effect, parameters=parameters)
+            tries = [units_fit(case, changed, case.revolute, rng) for _ in range(8)]
+            assert not all(tries), f"{name}: {parameter.name}"
+
+
+@pytest.mark.parametrize("name", COUPLERS)
+@pytest.mark.parametrize("revolute", [True, False])
+def test_units_of_couplers(name: str, revolute: bool) -> None:
+    case, rng = COUPLERS[name], random.Random(name)
+    found = case.effect
+    assert found.coupler is not None
+    values, at = floats(draw(case, rng)), mapped(site(rng, revolute=revolute), float)
+    p, moved, scales = in_smaller_units(found, values, at)
+    way, force = (factor(unit, scales) for unit in (("rad", "N m") if revolute else ("m", "N")))
+    for scaled, plain, unit in (
+        (found.coupler.twist(p, moved.tau), found.coupler.twist(values, at.tau), way),
+        (found.coupler.torque(p, moved.q, moved.qd), found.coupler.torque(values, at.q, at.qd), force),
+        (found.coupler.energy(p, moved.q), found.coupler.energy(values, at.q), force * way),
+        (found.coupler.lag(p, moved.tau), found.coupler.lag(values, at.tau), scales["s"]),
+    ):
+        assert scaled == pytest.approx(plain * unit, rel=1e-12)
+
+
+@pytest.mark.parametrize("revolute", [True, False])
+def test_units_of_the_memory(revolute: bool) -> None:
+    case, rng = CASES["presliding"], random.Random(2)
+    found = case.effect
+    assert found.memory is not None
+    for z in (0.3, -0.02):
+        values, at = floats(draw(case, rng)), mapped(site(rng, revolute=revolute), float)
+        p, moved, scales = in_smaller_units(found, values, at)
+        way, force = (factor(unit, scales) for unit in (("rad", "N m") if revolute else ("m", "N")))
+        ((after,), torque), ((scaled,), more) = (
+            found.memory.step(*given)
+            for given in ((values, at, (z,), 0.1), (p, moved, (z * way,), 0.1 * scales["s"]))
+        )
+        assert (scaled, more) == pytest.approx((after * way, torque * force), rel=1e-12)
+        (rate,), (faster,) = found.memory.rates(values, at, (z,)), found.memory.rates(p, moved, (z * way,))
+        assert faster == pytest.approx(rate * way / scales["s"], rel=1e-12)
