@@ -4,8 +4,9 @@
 
 ROBOT (default: puma560 with viscous and Coulomb friction at every joint, which sticks and slips; and the same
 with friction in bearings and gears that feels the load) follows a Fourier excitation under a PD controller at
-1 kHz with Runge-Kutta steps of 1 ms, energy balance included; beside it MuJoCo, where it is installed, with the
-same arm, damping and dry friction, its RK4 at the same step, let go. CPU time of one core, the median of RUNS, all in one run of this program; Python's share is what is not spent inside the compiled engine. With
+1 kHz with Runge-Kutta steps of 1 ms, energy balance included; beside it MuJoCo, where it is installed, with
+the same arm, damping and dry friction, its RK4 at the same step, let go. CPU time of one core, the median of
+RUNS, all in one run of this program; Python's share is what is not spent inside the compiled engine. With
 ``--check`` the exit code is 1 below 100 times real time, or where Python takes half or more.
 """
 

@@ -53,9 +53,10 @@ class Stepping:
         link = [q.copy(), qd.copy(), qdd.copy()]
         couplers = [(e, part) for e, part in self._memories if e.effect in _COUPLERS]
         for entry, part in couplers:
+            assert entry.joint is not None
             if entry.text("encoder") == "motor":
                 for array, back in zip(link, state[:, part].T, strict=True):
-                    array[:, entry.joint - 1] -= back  # type: ignore[operator]  # at a joint
+                    array[:, entry.joint - 1] -= back
         passed = self._links.inverse_dynamics(*link)
         moved, after = [q.copy(), qd.copy(), qdd.copy()], state.copy()
         for entry, part in couplers:
