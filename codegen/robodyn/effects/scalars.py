@@ -108,7 +108,7 @@ def clamped(x: Any, low: Any, high: Any) -> Any:
 
 def is_zero(value: Any) -> bool:
     """Whether ``value`` is the number zero (a node, an expression or an array is not)."""
-    if isinstance(value, Node) or hasattr(value, "free_symbols") or getattr(value, "shape", ()):
+    if isinstance(value, Node) or hasattr(value, "free_symbols") or getattr(value, "shape", None):
         return False
     return bool(value == 0)
 
