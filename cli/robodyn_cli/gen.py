@@ -104,12 +104,7 @@ def command(
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")
     files = made.files(languages)
     if latex:
-        from robodyn.dynamics.functions import Choice
-        from robodyn.dynamics.through_sympy import symbolic
-
-        files[f"{described.name}.tex"] = symbolic(
-            described, choice=Choice(formulation, regroup=False)
-        ).latex()
+        files[f"{described.name}.tex"] = _typeset(described, formulation)
     if check:
         different = compare_files(folder, files)
         if different:
@@ -187,6 +182,20 @@ def _told(robot: Robot) -> Callable[[str], None] | None:
     if robot.n < _MANY or not sys.stderr.isatty():
         return None
     return lambda function: talk(f"robodyn: {function} of {robot.n} joints ...")
+
+
+def _typeset(robot: Robot, formulation: str) -> str:
+    """The recursion as LaTeX; of a robot with effects that of the rigid arm beneath, and this is said."""
+    from robodyn.dynamics.drive import has_drive_effects, rigid_part
+    from robodyn.dynamics.functions import Choice
+    from robodyn.dynamics.through_sympy import symbolic
+
+    choice = Choice(formulation, regroup=False)
+    if not has_drive_effects(robot):
+        return symbolic(robot, choice=choice).latex()
+    said = "the rigid arm alone; robodyn effects --latex has the equations of effects"
+    talk(f"robodyn: note: {robot.name}.tex is {said}")
+    return f"% {said}\n{symbolic(rigid_part(robot), choice=choice).latex()}"
 
 
 def _same_bits(made: Generated, one: Any, other: Any) -> bool:

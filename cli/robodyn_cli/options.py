@@ -90,8 +90,22 @@ def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
     if fold_rotor:
         from robodyn.robot import fold_rotor as fold
 
+        _refuse_drives(found)
         found = fold(found)
     return found
+
+
+def _refuse_drives(robot: Robot) -> None:
+    """Rotors behind gears and springs cannot be folded into links."""
+    if robot.effects:
+        from robodyn.dynamics.drive import has_drive_effects
+        from robodyn.errors import InputError
+
+        if has_drive_effects(robot):
+            raise InputError(
+                f"{robot.name} has effects between links and motors, and --fold-rotor knows of none",
+                remedy="leave out --fold-rotor, or the effects",
+            )
 
 
 def listed(text: str) -> tuple[str, ...]:

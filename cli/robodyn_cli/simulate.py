@@ -91,7 +91,7 @@ def command(
     else:
         for line in to_text(found):
             click.echo(line, err=target is None)
-    for text in doubts(run, _BALANCED):
+    for text in doubts(run, _BALANCED, what.reference):
         talk(f"robodyn: warning: {text}")
 
 

@@ -84,13 +84,14 @@ def command(
 def _exactly(made: Generated) -> dict[str, bool]:
     from robodyn.dynamics.equality import equals_recursion
 
-    try:
-        return {
-            interface.function: equals_recursion(made.unit.robot, interface.function, program)
-            for interface, program in made.unit.functions
-        }
-    except ValueError:  # tanh, roots and their like have no exact values
-        return {}
+    robot = made.unit.robot
+    smooth = robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links)
+    if smooth or any(entry.effect != "payload" for entry in robot.effects):
+        return {}  # tanh, roots and their like have no exact values
+    return {
+        interface.function: equals_recursion(robot, interface.function, program)
+        for interface, program in made.unit.functions
+    }
 
 
 class _Bar:

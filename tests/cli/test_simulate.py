@@ -53,13 +53,15 @@ links:
     effects: [{effect: joint_elasticity, stiffness: 1e4, damping: 2}]
 """
 
+SOFT = ELASTIC.replace("name: elastic", "name: soft").replace("1e4, damping: 2", "k, damping: d")
+
 
 @pytest.fixture(autouse=True)
 def elsewhere(
     tmp_path: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
 ) -> Path:
     """Every test works in a folder of its own with the robots; what is compiled is shared."""
-    for text in (SLIDE, PENDULUM, STICKY, WEAK, ELASTIC):
+    for text in (SLIDE, PENDULUM, STICKY, WEAK, ELASTIC, SOFT):
         (tmp_path / f"{text.split()[1]}.yaml").write_text(text)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("ROBODYN_CACHE", str(tmp_path_factory.getbasetemp() / "robodyn-cache"))
@@ -416,6 +418,8 @@ MOTION = "--to 0.1 --param m=2"
         ),
         (f"slide.yaml {MOTION} --model stanford_3dof", "--model does not fit slide; found 3 joints"),
         ("weak.yaml --to 0.1 --model slide.yaml", "run-time parameters m; expected 1 joints, run-time"),
+        ("soft.yaml --param k=0 --param d=1", "joint_elasticity: stiffness is out of bounds; found 0 by"),
+        ("soft.yaml --param k=1 --param d=-1", "joint_elasticity: damping is out of bounds; found -1 by"),
         (f"slide.yaml {MOTION} --model nobody", "nobody: there is neither"),
         (f"slide.yaml {MOTION} --seed -1", "'--seed'"),
         (f"slide.yaml {MOTION} -o log.txt", "found log.txt; expected an ending .csv"),

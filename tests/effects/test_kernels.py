@@ -125,7 +125,7 @@ def test_effects_that_remember_step_as_the_definition_steps() -> None:
         state = rng.uniform(-1, 1, len(names)) * 1e-3
         before, dt = state.copy(), float(rng.choice([0.0, 1e-3, 0.05]))
         tau = made.inverse_dynamics(q[k], qd[k], qdd[k], params=values, state=state, dt=dt)
-        expected = run(plain, values, q=q[k], qd=qd[k], qdd=qdd[k], state=before, dt=dt)
+        expected = run(plain, values, q=q[k], qd=qd[k], qdd=qdd[k], state=before, dt=[dt])
         scale = max(1.0, float(np.abs(expected["tau"]).max()))
         close(tau, expected["tau"], scale)
         close(state, expected["state"], max(1.0, float(np.abs(expected["state"]).max())))

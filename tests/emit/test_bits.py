@@ -95,7 +95,7 @@ def steps(kernel: Any, interface: Any, program: Any, inputs: Any, numbers: dict[
         rows = {array: x[max(k, 0)] for array, x in inputs.items() if array != "tau"}
         state = {Input(array, i): float(v) for array, x in rows.items() for i, v in enumerate(x)}
         state |= {Input("state", i): float(v) for i, v in enumerate(memory)}
-        state |= {Input("dt", None): DT if k >= 0 else 0.0}
+        state |= {Input("dt", 0): DT if k >= 0 else 0.0}
         state |= {Input(parameter, None): v for parameter, v in numbers.items()}
         tau = kernel.inverse_dynamics(*rows.values(), params=numbers, state=memory, dt=DT if k >= 0 else 0.0)
         expected = evaluate(program, state)

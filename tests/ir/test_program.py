@@ -349,11 +349,12 @@ def test_fingerprints_of_functions_without_theorems() -> None:
     assert len({a, minus_a, b, minus_b, c, d}) == 6
 
 
-@pytest.mark.parametrize("op", ["tanh", "sign"])
-def test_an_odd_function_is_zero_at_zero(op: str) -> None:
+@pytest.mark.parametrize("op", ["tanh", "sign", "abs", "sqrt", "exp", "pow"])
+def test_a_function_has_its_own_value_at_zero(op: str) -> None:
     """``fold`` may find that its argument is 0, and must then not be taken for a wrong pass."""
-    made = Program((Operation("sub", (X, X)), Operation(op, (0,))), (("t", (1,)),))
-    assert fingerprint(made, 1, circle_point) == (0,)
+    args = (0, Fraction(3, 2)) if op == "pow" else (0,)
+    made = Program((Operation("sub", (X, X)), Operation(op, args)), (("t", (1,)),))
+    assert fingerprint(made, 1, circle_point) == (int(op == "exp"),)
 
 
 def test_a_parameter_is_not_the_joint_variable_that_is_called_like_it() -> None:

@@ -15,7 +15,7 @@ from records.made import TOOL, arm, bundled
 from robodyn.records import bundled_records, identity
 from robodyn.records.record import header
 from robodyn.robot import Robot, bundled_names
-from robodyn.robot.model import Comparison, Inertia, Joint, Limits, Link
+from robodyn.robot.model import Comparison, EffectEntry, Inertia, Joint, Limits, Link
 from robodyn.robot.values import Affine, angle, parameter, quarter_turns
 
 BASE = arm(TOOL)
@@ -45,6 +45,11 @@ CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
     (Robot, "gravity"): (replace(BASE, gravity=(SMALL, BASE.gravity[1], BASE.gravity[2])), True),
     (Robot, "torque_side"): (replace(BASE, torque_side="link"), True),
     (Robot, "rest_velocity"): (replace(BASE, rest_velocity=Fraction(1, 1000)), True),
+    (Robot, "dead_band"): (replace(BASE, dead_band=Fraction(1, 1000)), True),
+    (Robot, "effects"): (
+        replace(BASE, effects=(EffectEntry("torque_ripple", 1, (("amplitude", Fraction(1)),)),)),
+        True,
+    ),
     (Link, "name"): (with_link(replace(LINK, name="other")), False),
     (Link, "confidence"): (with_link(replace(LINK, confidence=Fraction(1, 50))), False),
     (Link, "joint"): (with_joint(kind="prismatic"), True),

@@ -12,7 +12,8 @@ import pytest
 
 import robodyn
 from effects.cases import CASES, draw, entry, floats
-from robodyn.dynamics.drive import TwistState, layer_of, next_twist
+from robodyn.dynamics.coupling import TwistState, next_twist
+from robodyn.dynamics.drive import layer_of
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Site
 from robodyn.verify.memories import Twist, bristle_step, twist, twist_step, twist_torque

@@ -104,7 +104,7 @@ class Function:
     def _state(self, state: Array | None, dt: float | None) -> Array:
         """The memory of the effects: a new one, or ``state`` itself."""
         names = self.signature.states
-        if dt is None or not dt >= 0:
+        if dt is None or not 0 <= dt < math.inf:
             raise InputError(
                 f"{self.where} remembers, and needs the time between states",
                 found=f"dt = {dt}",

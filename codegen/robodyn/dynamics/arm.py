@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.vectors import Vector
-from robodyn.effects.scalars import is_zero
+from robodyn.effects.scalars import cosine, is_zero, sine
 from robodyn.ir.program import Label
 from robodyn.robot.model import Inertia, Robot
 from robodyn.robot.values import Affine, Angle, Value
@@ -90,6 +90,18 @@ class JointAngle:
 Trigonometry = Callable[[JointAngle], tuple[Any, Any]]
 
 
+def trigonometry_at(q: Sequence[Any]) -> Trigonometry:
+    """Cosines and sines at the joint variables ``q`` [n], floats or arrays of many states."""
+
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        total = sum(sign * q[joint] for joint, sign in angle.terms)
+        c, s = cosine(total), sine(total)
+        c0, s0 = float(angle.offset.cos), float(angle.offset.sin)
+        return c0 * c - s0 * s, c0 * s + s0 * c
+
+    return trigonometry
+
+
 @dataclass(frozen=True, slots=True)
 class Motion:
     """A state of the arm, joint by joint: ``c, s`` [n] of the rotation about z (offsets included),
@@ -166,14 +178,14 @@ def _vector(scalar: Callable[[Value], Any], values: Sequence[Value]) -> Vector:
 def _loaded(body: Body, loads: Sequence[tuple[Any, Vector, Symmetric]]) -> Body:
     """``body`` with others fixed to it: masses, centres of mass and inertias about them, in its frame."""
     parts = [(body.mass, body.com, body.inertia), *loads]
-    mass = sum((m for m, _, _ in parts[1:]), start=parts[0][0])
-    if is_zero(mass):
-        return body
-    # Integers divide to floats, and floats are not exact.
-    share = 1 / (Fraction(mass) if isinstance(mass, int) else mass)
-    x, y, z = (
-        sum((m * c[k] for m, c, _ in parts[1:]), start=body.mass * body.com[k]) * share for k in range(3)
-    )
+    heavy = [(m, c) for m, c, _ in parts if not is_zero(m)]
+    mass = sum(m for m, _ in heavy)
+    if len(heavy) < 2:  # nothing to divide by, not even a run-time mass that may be 0
+        x, y, z = heavy[0][1] if heavy else body.com
+    else:
+        # Integers divide to floats, and floats are not exact.
+        share = 1 / (Fraction(mass) if isinstance(mass, int) else mass)
+        x, y, z = (sum(m * c[k] for m, c in heavy) * share for k in range(3))
     entries = [0, 0, 0, 0, 0, 0]
     for m, c, inertia in parts:
         r = (c[0] - x, c[1] - y, c[2] - z)

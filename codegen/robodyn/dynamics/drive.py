@@ -13,8 +13,8 @@ from typing import Any
 
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.effects.catalogue import CATALOGUE
-from robodyn.effects.effect import Coupler, Effect, Memory, Site
-from robodyn.effects.scalars import exponential, is_zero, sign
+from robodyn.effects.effect import Effect, Site
+from robodyn.effects.scalars import is_zero
 from robodyn.robot.model import EffectEntry, Inertia, Robot
 from robodyn.robot.values import ZERO, Affine
 
@@ -285,74 +285,3 @@ def directions(robot: Robot, qd: Sequence[Any], number: Callable[[Fraction], Any
     rest = None if robot.rest_velocity is None else number(robot.rest_velocity)
     band = None if robot.dead_band is None else number(robot.dead_band)
     return [0 if is_zero(v) else smoothed_sign(v, rest, band) for v in qd]
-
-
-def drive_torques(
-    robot: Robot, layer: Layer, loads: Loads, rates: Rates, number: Callable[[Fraction], Any]
-) -> list[Any]:
-    """Torques [n] of the motors where link and motor move alike and nothing is remembered."""
-    pairs = directions(robot, [combined(pair, rates.qd) for pair in layer.pairs], number)
-    return at_motors(layer, passed_on(layer, loads, rates), rates, pairs)
-
-
-# --- with a past ------------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True, slots=True)
-class TwistState:
-    """How far a motor is ahead of its link [rad or m], and the first and second rates of that."""
-
-    twist: Any
-    rate: Any
-    acceleration: Any
-
-
-def link_rates(layer: Layer, measured: Rates, states: Mapping[int, TwistState]) -> Rates:
-    """The links' motion where encoders may sit on the motors: what is measured less the twist of before."""
-    q, qd, qdd = list(measured.q), list(measured.qd), list(measured.qdd)
-    for i, drive in enumerate(layer.joints):
-        if drive.coupler is not None and drive.coupler.values["encoder"] == "motor":
-            state = states[i]
-            q[i], qd[i], qdd[i] = q[i] - state.twist, qd[i] - state.rate, qdd[i] - state.acceleration
-    return Rates(q, qd, qdd, measured.direction)
-
-
-def next_twist(drive: JointDrive, passed: Any, before: TwistState, dt: Any) -> TwistState:
-    """The twist ``dt`` later under the torque ``passed`` on; ``dt`` 0 sets it to rest.
-
-    Rates are differences over ``dt``; damping lets the twist follow its value at rest exponentially.
-    """
-    assert drive.coupler is not None
-    coupler = coupler_of(drive.coupler)
-    values = drive.coupler.values
-    moving = sign(dt)
-    per_second = moving / (dt + (1 - moving))
-    twist = coupler.twist(values, passed)
-    lag = coupler.lag(values, passed)
-    if not is_zero(lag):
-        twist = twist + (before.twist - twist) * (exponential(-(dt / lag)) * moving)
-    rate = (twist - before.twist) * per_second
-    acceleration = (rate - before.rate) * per_second * moving
-    return TwistState(twist, rate, acceleration)
-
-
-def motor_rates(layer: Layer, measured: Rates, states: Mapping[int, TwistState]) -> Rates:
-    """The motors' motion: the links' and the twist."""
-    q, qd, qdd = list(measured.q), list(measured.qd), list(measured.qdd)
-    for i, drive in enumerate(layer.joints):
-        if drive.coupler is not None and drive.coupler.values["encoder"] == "link":
-            state = states[i]
-            q[i], qd[i], qdd[i] = q[i] + state.twist, qd[i] + state.rate, qdd[i] + state.acceleration
-    return Rates(q, qd, qdd, measured.direction)
-
-
-def coupler_of(acting: Acting) -> Coupler:
-    """The coupler of an effect that is one."""
-    assert acting.effect.coupler is not None
-    return acting.effect.coupler
-
-
-def memory_of(acting: Acting) -> Memory:
-    """The memory of an effect that has one."""
-    assert acting.effect.memory is not None
-    return acting.effect.memory

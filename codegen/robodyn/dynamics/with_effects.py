@@ -8,19 +8,15 @@ from typing import Any
 
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
 from robodyn.dynamics.compose import composed_forward_dynamics
+from robodyn.dynamics.coupling import TwistState, link_rates, memory_of, motor_rates, next_twist
 from robodyn.dynamics.drive import (
     Layer,
     Loads,
     Rates,
-    TwistState,
     at_motors,
     combined,
     directions,
     layer_of,
-    link_rates,
-    memory_of,
-    motor_rates,
-    next_twist,
     passed_on,
     rigid_part,
 )
@@ -38,8 +34,8 @@ from robodyn.robot.model import Robot
 REACTIONS = {"newton_euler": newton_euler, "modified_newton_euler": modified_newton_euler}
 
 
-def _as_is(x: Any) -> Any:
-    # A Fraction stays one even where it is whole: integers divide to floats.
+def as_is(x: Any) -> Any:
+    """``x``: a Fraction stays one even where it is whole, for integers divide to floats."""
     return x
 
 
@@ -58,7 +54,7 @@ class _Motion:
 
 def needs_reactions(robot: Robot) -> bool:
     """Whether bearings of ``robot`` feel force and moment, which regrouped links do not show."""
-    return bool(layer_of(robot, _as_is, lambda _: 1).needs_reactions)
+    return bool(layer_of(robot, as_is, lambda _: 1).needs_reactions)
 
 
 def with_effects(
@@ -72,7 +68,7 @@ def with_effects(
     InputError: ``rigid`` is None, and ``formulation`` has no forces in joints.
     """
     graph = Graph()
-    layer = layer_of(robot, _as_is, graph.input)
+    layer = layer_of(robot, as_is, graph.input)
     if function == "mass_matrix":
         assert rigid is not None
         return lower(graph, [("M", _mass_matrix(layer, graph.replay(rigid), robot.n))])
@@ -102,19 +98,19 @@ def outputs(
 ) -> tuple[list[Any], list[Any]]:
     """Motor torques [n] and the states after the step, if the function ``remembers``."""
     twists, memories = _given_states(layer, graph) if remembers else ({}, {})
-    measured = Rates(motion.q, motion.qd, motion.qdd, directions(robot, motion.qd, _as_is))
+    measured = Rates(motion.q, motion.qd, motion.qdd, directions(robot, motion.qd, as_is))
     link, moved = measured, measured
     if twists:
         link = link_rates(layer, measured, twists)
-        link = Rates(link.q, link.qd, link.qdd, directions(robot, link.qd, _as_is))
+        link = Rates(link.q, link.qd, link.qdd, directions(robot, link.qd, as_is))
     loads = rigid_loads(robot, layer, graph, link, rigid, formulation)
     passed = passed_on(layer, loads, link)
     states: list[Any] = []
-    dt = graph.input("dt") if twists or memories else 0
+    dt = graph.input("dt", 0) if twists or memories else 0
     after = {i: next_twist(layer.joints[i], passed[i], twist, dt) for i, twist in twists.items()}
     if after:
         moved = motor_rates(layer, measured, after)
-        moved = Rates(moved.q, moved.qd, moved.qdd, directions(robot, moved.qd, _as_is))
+        moved = Rates(moved.q, moved.qd, moved.qdd, directions(robot, moved.qd, as_is))
     remembered: dict[int, list[Any]] = {}
     for i, drive in enumerate(layer.joints):
         if i in after:
@@ -124,7 +120,7 @@ def outputs(
             new, torque = memory_of(acting).step(acting.values, at, tuple(state), dt)
             states += new
             remembered.setdefault(i, []).append(torque)
-    pairs = directions(robot, [combined(pair, moved.qd) for pair in layer.pairs], _as_is)
+    pairs = directions(robot, [combined(pair, moved.qd) for pair in layer.pairs], as_is)
     tau = at_motors(layer, passed, moved, pairs, remembered if remembers else None)
     return [graph.label(x, Label(i, "tau", "")) for i, x in enumerate(tau, 1)], states
 
@@ -206,7 +202,7 @@ def forward_dynamics(robot: Robot, bias: Program, mass_matrix: Program) -> Progr
     ------
     ImplicitDynamics: friction depends on the load.
     """
-    if not layer_of(robot, _as_is, lambda _: 1).is_affine:
+    if not layer_of(robot, as_is, lambda _: 1).is_affine:
         raise ImplicitDynamics(
             f"{robot.name} has no forward dynamics in closed form",
             found="friction that depends on the load, and so on the accelerations",

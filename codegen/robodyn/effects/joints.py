@@ -59,7 +59,7 @@ _ENCODER = Parameter(
 )
 
 
-def _share(p: Values, tau: Any) -> Any:
+def _lag(p: Values, tau: Any) -> Any:
     return p["damping"] / p["stiffness"]
 
 
@@ -86,7 +86,7 @@ ELASTICITY = Effect(
     coupler=Coupler(
         twist=lambda p, tau: tau / p["stiffness"],
         torque=lambda p, twist, rate: p["stiffness"] * twist + p["damping"] * rate,
-        lag=_share,
+        lag=_lag,
         energy=lambda p, twist: p["stiffness"] * twist * twist / 2,
     ),
 )  # fmt: skip

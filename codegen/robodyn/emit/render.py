@@ -144,7 +144,7 @@ def _head(unit: Unit, language: str) -> list[str]:
     if _states(unit):
         say(
             f"inverse_dynamics remembers: {robot.name}_state begins at zero and a call with dt = 0; then "
-            "call it at every sample, dt [s] after the one before."
+            "call it at every sample, dt > 0 [s] after the one before."
         )
     if unit.sc:
         say("sc, the sines and cosines that the functions read:")

@@ -127,22 +127,21 @@ def nearest_float(value: Fraction) -> float:
     return float(rounded if value > 0 else -rounded)
 
 
-def c_spelling(*, single: bool, parameters: str = "p->", states: Sequence[str] = ()) -> Spelling:
+def c_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
     """C99, also valid C++. ``states`` are the members of ``state``, where a function has one; it has ``dt``
     then."""
 
     def element(array: str, i: int) -> str:
+        if array == "dt":
+            return array
         return f"state->{states[i]}" if array == "state" else f"{array}[{i}]"
-
-    def member(name: str) -> str:
-        return name if states and name == "dt" else parameters + name
 
     f = "f" if single else ""
     zero, one = (f"0.0{f}", f"1.0{f}")
     return Spelling(
         literal=lambda digits: digits + f,
         element=element,
-        member=member,
+        member=lambda name: f"p->{name}",
         functions={
             "sin": lambda x: f"sin{f}({x})",
             "cos": lambda x: f"cos{f}({x})",
@@ -162,15 +161,14 @@ def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
     """Fortran 2008, free form; the kind of all reals is ``rk``; ``states`` as in C."""
 
     def element(array: str, i: int) -> str:
+        if array == "dt":
+            return array
         return f"state%{states[i]}" if array == "state" else f"{array}({i + 1})"
-
-    def member(name: str) -> str:
-        return name if states and name == "dt" else f"p%{name}"
 
     return Spelling(
         literal=lambda digits: digits + "_rk",
         element=element,
-        member=member,
+        member=lambda name: f"p%{name}",
         functions={
             "sin": lambda x: f"sin({x})",
             "cos": lambda x: f"cos({x})",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from robodyn.emit.spelling import c_spelling
 from robodyn.emit.statements import statements
@@ -18,16 +19,8 @@ def static_function(
     elements of ``p``, in that order.
     """
     place = {parameter: k for k, parameter in enumerate(parameters)}
-    spelling = c_spelling(single=False, parameters="")
     # Names of the description never reach this C: a parameter is a place in p.
-    spelling = type(spelling)(
-        literal=spelling.literal,
-        element=spelling.element,
-        member=lambda parameter: f"p[{place[parameter]}]",
-        functions=spelling.functions,
-        single=False,
-        continuation="",
-    )
+    spelling = replace(c_spelling(single=False), member=lambda parameter: f"p[{place[parameter]}]")
     body = statements(program)
     arguments = [f"const double *{array}" for array in inputs]
     arguments += [f"double *{array}" for array in outputs.values()]

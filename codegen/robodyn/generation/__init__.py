@@ -133,12 +133,13 @@ def generate(
 def maker(robot: Robot, options: Options, pruning: Callable[[str], None] | None = None) -> Drafts | Layered:
     """What makes the programs of ``robot``: the recursion, or the recursion beneath its effects."""
     if robot.effects:
-        from robodyn.dynamics.drive import has_drive_effects
+        from robodyn.dynamics.drive import has_drive_effects, rigid_part
 
         if has_drive_effects(robot):
             from robodyn.generation.layered import Layered
 
             return Layered(robot, options)
+        robot = rigid_part(robot)  # what sensors do is in no kernel, and no reason to miss a record
     return Drafts(robot, options, pruning)
 
 

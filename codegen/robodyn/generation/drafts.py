@@ -104,7 +104,7 @@ class Drafts:
             try:
                 self._after_passes[function] = run(draft, passes)
             except ZeroDivisionError:  # a pivot that is zero as a function
-                raise self._singular() from None
+                raise self.singular() from None
         return self._after_passes[function]
 
     def _clearly_better(self, function: str, found: Program) -> bool:
@@ -172,10 +172,11 @@ class Drafts:
             try:
                 self._drafts[function] = self._build(function)
             except ZeroDivisionError:
-                raise self._singular() from None
+                raise self.singular() from None
         return self._drafts[function]
 
-    def _singular(self) -> SingularArm:
+    def singular(self) -> SingularArm:
+        """The error of an arm in which a joint moves without inertia."""
         return SingularArm(
             f"{self.robot.name} has no forward dynamics",
             found="a joint that moves without inertia: the mass matrix is singular in every pose",

@@ -57,9 +57,11 @@ class Layered:
 
     def _made(self, function: str) -> Program:
         if function == "forward_dynamics":
-            draft = forward_dynamics(self.robot, self.program("bias"), self.program("mass_matrix"))
-            self.rigid.draft("forward_dynamics")  # an arm that has none says so
-            return run(draft, FRESH)
+            parts = self.program("bias"), self.program("mass_matrix")
+            try:
+                return run(forward_dynamics(self.robot, *parts), FRESH)
+            except ZeroDivisionError:  # a pivot that is zero as a function
+                raise self.rigid.singular() from None
         inside = self._reactions and function in _MOVING
         rigid = None if inside else self.rigid.best(function)
         formulation = self.options.formulation

@@ -175,7 +175,7 @@ def fingerprint(
     and a hundred times faster, so that every pass can be checked on every run. Angles are exponents in
     the circle group, so that sines of sums obey the addition theorems; a sine of anything but
     multiples of inputs, sqrt, exp, pow, tanh, sign and abs are random functions (tanh and sign odd, abs
-    even). :class:`ZeroDivisionError` where a divisor is zero as a function.
+    even) with their own values at zero. :class:`ZeroDivisionError` where a divisor is zero as a function.
     """
 
     def random(name: str) -> int:
@@ -244,11 +244,12 @@ def fingerprint(
         elif op == "neg":
             x = -x
         elif op in ("sqrt", "exp"):
-            x = random(f"{op} {x % PRIME}")
+            x = random(f"{op} {x % PRIME}") if x % PRIME else int(op == "exp")
         elif op == "pow":
-            x = random(f"pow {x % PRIME} {value(args[1]) % PRIME}")
+            x = random(f"pow {x % PRIME} {value(args[1]) % PRIME}") if x % PRIME else 0
         elif op in ("abs", "cos"):
-            x = random(f"{op} {min(x % PRIME, -x % PRIME)}")
+            y = min(x % PRIME, -x % PRIME)
+            x = random(f"{op} {y}") if y else int(op == "cos")
         else:
             y = min(x % PRIME, -x % PRIME)
             x = random(f"{op} {y}") * (1 if y == x else -1) if y else 0

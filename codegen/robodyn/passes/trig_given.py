@@ -22,10 +22,15 @@ def given_layout(programs: Sequence[Program]) -> tuple[Given, ...]:
     found: set[Given] = set()
     for program in programs:
         for op, args, _ in program.operations:
-            if op in ("sin", "cos") and is_angle(program, args[0]):
+            if op in ("sin", "cos") and _of_positions(program, args[0]):
                 found.add((op, *angle_form(program, args[0])))
         found.update(("q", ((x, 1),), Fraction(0)) for x in _displacements(program))
     return tuple(sorted(found, key=lambda g: (g[0] == "q", g[1], g[2], g[0])))
+
+
+def _of_positions(program: Program, operand: Operand) -> bool:
+    """Whether ``operand`` is an angle that the caller knows: what a kernel remembers is not his."""
+    return is_angle(program, operand) and all(x.array == "q" for x, _ in angle_form(program, operand)[0])
 
 
 def _displacements(program: Program) -> list[Input]:
@@ -40,7 +45,7 @@ def _displacements(program: Program) -> list[Input]:
         elif isinstance(operand, int) and operand not in seen:
             seen.add(operand)
             operation = program.operations[operand]
-            if operation.op not in ("sin", "cos") or not is_angle(program, operation.args[0]):
+            if operation.op not in ("sin", "cos") or not _of_positions(program, operation.args[0]):
                 stack.extend(operation.args)
     return list(found)
 
@@ -59,7 +64,7 @@ def trig_given(program: Program, layout: Sequence[Given]) -> Program:
         return operand
 
     for op, args, label in program.operations:
-        if op in ("sin", "cos") and is_angle(program, args[0]):
+        if op in ("sin", "cos") and _of_positions(program, args[0]):
             values.append(place[(op, *angle_form(program, args[0]))])
             continue
         operations.append(Operation(op, tuple(map(moved, args)), label))

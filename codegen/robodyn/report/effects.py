@@ -61,7 +61,7 @@ simulator lets joints stick and break away), `smooth: {velocity: v}` (tanh of ve
 def page(ids: Iterable[str] = CATALOGUE) -> str:
     """The page of all effects, or of ``ids``, in Markdown."""
     chosen = [CATALOGUE[id] for id in ids]
-    index = "".join(f"- [`{e.id}`](#{e.id}): {e.title.lower()}\n" for e in chosen)
+    index = "".join(f"- [`{e.id}`](#{e.id}): {e.title}\n" for e in chosen)
     head = _HEAD + index + "\n" if len(chosen) > 1 else ""
     return head + "\n".join(map(section, chosen))
 

@@ -12,6 +12,8 @@ from robodyn.simulate.trajectories.trajectory import Trajectory
 
 #: Energies below this share of what is stored, or below as many J, are rounding.
 _ROUNDING = 1e-12
+#: A joint that is to stand still may be so far off [rad or m].
+_NOTHING = 0.02
 _HEADS = ("joint", "lowest", "highest", "peak speed", "peak torque", "rms torque", "stuck", "peak error")
 
 
@@ -99,10 +101,18 @@ def repr_of(path: str) -> str:
     return path if path.isprintable() else ascii(path)
 
 
-def doubts(run: Simulation, balanced: float) -> list[str]:
-    """What about ``run`` a reader should know: energies off by more than the share ``balanced``, drives at
-    their limits, torques above what the description allows."""
+def doubts(run: Simulation, balanced: float, reference: Trajectory | None = None) -> list[str]:
+    """What about ``run`` a reader should know: energies off by more than the share ``balanced``, joints that
+    run away from their ``reference``, drives at their limits, torques above what the description allows."""
     found = []
+    if reference is not None:
+        way = np.ptp(reference.q, axis=0)
+        for j, row in enumerate(joint_rows(run, reference)):
+            if row["peak_error"] > max(float(way[j]), _NOTHING):
+                found.append(
+                    f"joint {j + 1} is up to {row['peak_error']:.3g} away from its reference, which moves by "
+                    f"{way[j]:.3g}: the controller does not hold it; give --kp and --kd"
+                )
     balance = run.balance()
     rounding = _ROUNDING * max(1.0, float(np.abs(balance.kinetic + balance.potential).max()))
     if balance.error > balanced and float(np.abs(balance.residual).max()) > rounding:

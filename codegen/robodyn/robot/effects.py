@@ -16,6 +16,8 @@ from robodyn.robot.keys import EFFECTS, INERTIA, KNOTS, Key
 from robodyn.robot.model import EffectEntry, Inertia, JointKind, Setting
 from robodyn.robot.values import ZERO
 
+#: How far apart load fractions of an efficiency are: closer ones are a jump, and lose digits.
+_APART = Fraction(1, 10**6)
 # What may stand more than once at a joint, and what may stand for all joints in the robot's list.
 _SEVERAL = frozenset({"torque_ripple", "load_dependent_friction", "external_contact"})
 _OF_ALL = frozenset({"time_delay", "torque_gain"})
@@ -52,6 +54,14 @@ class EntrySection(Section):
                     f"{path} is an unsorted table: load fractions must rise",
                     found=f"{numbers.brief(load)} after {numbers.brief(knots[-1][0])}",
                     remedy="sort the knots by load",
+                )
+            if knots and load < knots[-1][0] + _APART:
+                self.source.fail(
+                    knot.items[0],
+                    f"{path}: two knots are too close",
+                    found=f"{numbers.brief(load)} after {numbers.brief(knots[-1][0])}",
+                    expected=f"load fractions at least {float(_APART)!r} apart",
+                    remedy="leave one of them out",
                 )
             knots.append((load, self._constant(knot.items[1], key, f"{of}: efficiency")))
         return tuple(knots)

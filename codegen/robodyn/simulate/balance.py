@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.drive import combined, coupler_of, layer_of, rigid_part
+from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
+from robodyn.dynamics.coupling import coupler_of
+from robodyn.dynamics.drive import combined, layer_of, rigid_part
 from robodyn.dynamics.energy import energies
 from robodyn.simulate.system import System
 
@@ -65,13 +65,7 @@ def stored_energy(
     arm = build_arm(rigid_part(robot, bare=True), float, parameters.__getitem__)
     q, qd = list(y[:, :n].T), list(v[:, :n].T)
 
-    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-        total = sum(sign * q[joint] for joint, sign in angle.terms)
-        c, s = np.cos(total), np.sin(total)
-        cosine, sine = float(angle.offset.cos), float(angle.offset.sin)
-        return cosine * c - sine * s, cosine * s + sine * c
-
-    kinetic, potential = energies(arm, build_motion(arm, q, qd, [0.0] * n, trigonometry, float))
+    kinetic, potential = energies(arm, build_motion(arm, q, qd, [0.0] * n, trigonometry_at(q), float))
     layer = layer_of(robot, float, parameters.__getitem__, bare=True)
     motors = [y[:, k] for k in system.motors]
     speeds = [v[:, k] for k in system.motors]

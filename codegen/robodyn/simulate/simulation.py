@@ -15,9 +15,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
 from robodyn.generation import Options
 from robodyn.robot.model import Robot
+from robodyn.robot.values import Affine
 from robodyn.simulate.balance import Balance, stored_energy
 from robodyn.simulate.control import Callback, Control
 from robodyn.simulate.engine import Method
@@ -27,11 +29,14 @@ from robodyn.simulate.run import Record
 from robodyn.simulate.sensors import Sensors, measure
 from robodyn.simulate.start import start_state
 from robodyn.simulate.trajectories.trajectory import Trajectory
+from robodyn.verify.numbers import number, real
 
 Floats = NDArray[np.float64]
 Law = Literal["feedforward", "pd", "computed_torque"]
 LAWS = ("feedforward", "pd", "computed_torque")
 PERIOD = 1e-3
+#: Steps that a run may take, and so many more a second: an arm that needs more has run away, or is too stiff.
+_STEPS = 1_000_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -179,8 +184,12 @@ def simulate(
     model = drive.model if isinstance(drive, Follow) else None
     plant = plant or build_plant(robot, model=model, options=options, cache=cache)
     total = _duration(drive, duration)
-    if model is not None and plant.model != model:
-        raise InputError("the plant was built for another model of the controller", expected=model.name)
+    if plant.robot != robot or plant.model != (model or robot):
+        raise InputError(
+            "the plant was built for another robot, or another model of the controller",
+            found=f"{plant.robot.name}, modelled as {plant.model.name}",
+            expected=f"{robot.name}, modelled as {(model or robot).name}",
+        )
     q0, v0 = _start(robot, drive, start, speed)
     y, v, z = start_state(plant.system, q0, v0, values)
     control = _control(plant, drive, values)
@@ -198,6 +207,7 @@ def simulate(
         breaks=plant.system.breaks,
         parameters=[values[name] for name in robot.parameters],
         progress=progress,
+        max_steps=_STEPS + int(_STEPS * total),
     )
     if record.status == "interrupted":
         raise KeyboardInterrupt
@@ -206,7 +216,11 @@ def simulate(
             f"{robot.name}: the simulation ended at t = {record.time:.6g} s",
             found=record.status,
             expected="a state that stays finite",
-            remedy="a shorter --step, --solver adaptive, or a gentler controller",
+            remedy=(
+                "a gentler controller, or less stiff springs, contacts and dampers"
+                if method == "adaptive"
+                else "a shorter --step, --solver adaptive, or a gentler controller"
+            ),
         )
     return Simulation(plant, record, values)
 
@@ -221,7 +235,18 @@ def _values(robot: Robot, parameters: Mapping[str, float] | None) -> dict[str, f
             found=", ".join([f"no {name}" for name in missing] + [f"unknown {name}" for name in unknown]),
             expected=", ".join(robot.parameters) or "none",
         )
-    return {name: float(given[name]) for name in robot.parameters}
+    values = {name: float(given[name]) for name in robot.parameters}
+    for entry in robot.effects:
+        for name, setting in entry.settings:
+            sign = next(p.sign for p in CATALOGUE[entry.effect].parameters if p.name == name)
+            value = real(number(setting, values)) if isinstance(setting, Affine) else 1.0
+            if (sign == "nonnegative" and value < 0) or (sign == "positive" and value <= 0):
+                raise InputError(
+                    f"{robot.name}: {entry.effect}: {name} is out of bounds",
+                    found=f"{value:g} by the run-time parameters",
+                    expected="0 or more" if sign == "nonnegative" else "more than 0",
+                )
+    return values
 
 
 def _duration(drive: Drive | None, duration: float | None) -> float:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.drive import Loads, Rates, coupler_of, layer_of, passed_on, rigid_part
+from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
+from robodyn.dynamics.coupling import coupler_of
+from robodyn.dynamics.drive import Loads, Rates, layer_of, passed_on, rigid_part
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.simulate.system import System
 
@@ -42,14 +42,8 @@ def _held(system: System, q: list[float], parameters: Mapping[str, float]) -> li
     robot = system.robot
     arm = build_arm(rigid_part(robot, bare=True), float, parameters.__getitem__)
 
-    def trigonometry(angle: JointAngle) -> tuple[float, float]:
-        total = sum(sign * q[joint] for joint, sign in angle.terms)
-        c, s = math.cos(total), math.sin(total)
-        cosine, sine = float(angle.offset.cos), float(angle.offset.sin)
-        return cosine * c - sine * s, cosine * s + sine * c
-
     zeros = [0.0] * robot.n
-    tau = newton_euler(arm, build_motion(arm, q, zeros, zeros, trigonometry, float))
+    tau = newton_euler(arm, build_motion(arm, q, zeros, zeros, trigonometry_at(q), float))
     layer = layer_of(robot, float, parameters.__getitem__, bare=True)
     none = dict.fromkeys(range(robot.n), (0, 0, 0))
     loads = Loads(tau, none, none)

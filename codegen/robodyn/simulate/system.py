@@ -7,32 +7,29 @@ they follow from the velocities.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
 from robodyn.dynamics.costing import exact
+from robodyn.dynamics.coupling import coupler_of, memory_of
 from robodyn.dynamics.drive import (
     Acting,
     Layer,
     Rates,
     at_motors,
     combined,
-    coupler_of,
     directions,
     layer_of,
-    memory_of,
     passed_on,
     rigid_part,
 )
 from robodyn.dynamics.functions import turned
 from robodyn.dynamics.kinematics import frames, jacobian
-from robodyn.dynamics.with_effects import rigid_loads
+from robodyn.dynamics.with_effects import as_is, rigid_loads
 from robodyn.effects.effect import Site
 from robodyn.effects.scalars import is_zero
-from robodyn.errors import InputError
 from robodyn.generation.drafts import Drafts
 from robodyn.generation.options import Options
 from robodyn.ir.derivative import jacobian as derivatives
@@ -40,17 +37,7 @@ from robodyn.ir.graph import Graph, Scalar, lower
 from robodyn.ir.program import Input, Program
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import EffectEntry, Robot
-
-#: Effects whose torque changes sign with the velocity and is there at the slowest motion.
-_DRY = ("coulomb_friction", "asymmetric_friction", "stribeck_friction")
-
-
-@dataclass(frozen=True, slots=True)
-class Element:
-    """Something with dry friction: its velocity is ``row`` [coordinates] times those of the coordinates."""
-
-    what: str
-    row: tuple[Fraction, ...]
+from robodyn.simulate.shape import Element, check_shape, elements_of, without_losses
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,19 +79,19 @@ class _Builder:
         self.exact_rest = robot.rest_velocity is None and robot.dead_band is None
         self.rigid_robot = rigid_part(robot, bare=True)
         self.drafts = Drafts(self.rigid_robot, options)
-        shape = layer_of(robot, _as_is, lambda _: Fraction(1), bare=True)
+        shape = layer_of(robot, as_is, lambda _: Fraction(1), bare=True)
         self.coupled = tuple(i for i, drive in enumerate(shape.joints) if drive.coupler is not None)
         self.size = self.n + len(self.coupled)
         self.reactions = bool(shape.needs_reactions)
         self.affine = shape.is_affine
-        self.elements = _elements(shape, self.coupled, self.size) if self.exact_rest else ()
+        self.elements = elements_of(shape, self.coupled, self.size) if self.exact_rest else ()
         self.states = tuple(
             f"{name}{i}"
             for i, drive in enumerate(shape.joints, 1)
             for acting in drive.memories
             for name in memory_of(acting).names
         )
-        _check(robot, shape)
+        check_shape(robot, shape)
 
     def motor(self, joint: int) -> int:
         """The coordinate of the motor of ``joint``."""
@@ -149,7 +136,7 @@ class _Builder:
         if lossless:
             return [0] * self.n, [0] * self.n, [0] * len(pairs)
         if not self.exact_rest:
-            link, motor, pair = (directions(self.robot, x, _as_is) for x in (v[: self.n], motors, pairs))
+            link, motor, pair = (directions(self.robot, x, as_is) for x in (v[: self.n], motors, pairs))
             return link, motor, pair
         place = {element.what: k for k, element in enumerate(self.elements)}
 
@@ -198,7 +185,7 @@ class _Builder:
 
     def _fresh(self) -> tuple[Graph, Layer]:
         graph = Graph()
-        layer = layer_of(self.robot, _as_is, graph.input, bare=True)
+        layer = layer_of(self.robot, as_is, graph.input, bare=True)
         return graph, layer
 
     def _v(self, graph: Graph) -> list[Any]:
@@ -207,7 +194,7 @@ class _Builder:
     def _bias(self, *, lossless: bool = False) -> Program:
         graph, layer = self._fresh()
         if lossless:
-            layer = _without_losses(layer)
+            layer = without_losses(layer)
         h = self.force(graph, layer, self._v(graph), [0] * self.size, lossless=lossless)
         return lower(graph, [("h", h)])
 
@@ -295,67 +282,3 @@ def system_of(robot: Robot, options: Options | None = None) -> System:
     InputError: a coordinate would move without inertia, or the torque is the link's.
     """
     return _Builder(robot, options or Options()).system()
-
-
-def _as_is(x: Any) -> Any:
-    return x
-
-
-def _elements(layer: Layer, coupled: Sequence[int], size: int) -> tuple[Element, ...]:
-    n = len(layer.joints)
-
-    def unit(k: int) -> tuple[Fraction, ...]:
-        return tuple(Fraction(int(j == k)) for j in range(size))
-
-    found: list[Element] = []
-    for i, drive in enumerate(layer.joints):
-        dry = any(acting.effect.id in _DRY for acting in drive.motor) or not is_zero(drive.coulomb)
-        at_motor, at_link = bool(drive.gear) or dry, bool(drive.bearing)
-        if i in coupled:
-            if at_link:
-                found.append(Element(f"link {i + 1}", unit(i)))
-            if at_motor:
-                found.append(Element(f"motor {i + 1}", unit(n + list(coupled).index(i))))
-        elif at_link or at_motor:
-            found.append(Element(f"joint {i + 1}", unit(i)))
-    for k, pair in enumerate(layer.pairs, 1):
-        if not is_zero(pair.acting.values["coulomb"]):
-            row = [Fraction(0)] * size
-            for joint, x in ((pair.one, Fraction(1)), (pair.other, Fraction(pair.ratio))):
-                row[n + list(coupled).index(joint) if joint in coupled else joint] = x
-            found.append(Element(f"pair {k}", tuple(row)))
-    return tuple(found)
-
-
-def _without_losses(layer: Layer) -> Layer:
-    """What of the drives conserves energy: springs, ripple (a wave over position), couplers undamped."""
-    from dataclasses import replace
-
-    joints = []
-    for drive in layer.joints:
-        coupler = drive.coupler
-        if coupler is not None:
-            coupler = Acting(coupler.effect, {**coupler.values, "damping": 0})
-        kept = tuple(acting for acting in drive.motor if acting.effect.id == "torque_ripple")
-        joints.append(replace(drive, bearing=(), gear=(), motor=kept, viscous=0, coulomb=0, coupler=coupler))
-    pairs = tuple(
-        replace(pair, acting=Acting(pair.acting.effect, {**pair.acting.values, "viscous": 0, "coulomb": 0}))
-        for pair in layer.pairs
-    )
-    return Layer(tuple(joints), pairs)
-
-
-def _check(robot: Robot, layer: Layer) -> None:
-    if robot.torque_side == "link":
-        raise InputError(
-            f"{robot.name} cannot be simulated: its torques act behind the gear",
-            found="torque_side: link",
-            remedy="describe the motors (torque_side: motor)",
-        )
-    for i, drive in enumerate(layer.joints, 1):
-        if drive.coupler is not None and is_zero(drive.rotor):
-            raise InputError(
-                f"joint {i} of {robot.name} has {drive.coupler.effect.id} and a motor without inertia",
-                expected="motor_inertia above 0 at that joint",
-                remedy=f"give link {i} its motor_inertia",
-            )

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.counts.printed import TABLE_3_4, TABLE_3_5
-from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
+from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir.program import Label
 from robodyn.report.case_arm import D4_BRANCH, FOREARM, Led, led, led_at
@@ -106,14 +106,6 @@ def reactions(robot: Robot, q: Floats, qd: Floats, qdd: Floats) -> tuple[Floats,
     none: dict[str, float] = {}
     arm = build_arm(robot, real, none.__getitem__)
 
-    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-        total = sum(sign * q[:, joint] for joint, sign in angle.terms)
-        cosine, sine = float(angle.offset.cos), float(angle.offset.sin)
-        return (
-            cosine * np.cos(total) - sine * np.sin(total),
-            cosine * np.sin(total) + sine * np.cos(total),
-        )
-
     f = np.zeros((*q.shape, 3))
 
     def mark(value: Any, label: Label) -> Any:
@@ -121,7 +113,7 @@ def reactions(robot: Robot, q: Floats, qd: Floats, qdd: Floats) -> tuple[Floats,
             f[:, label.link - 1, "xyz".index(label.axis)] = value
         return value
 
-    motion = build_motion(arm, list(q.T), list(qd.T), list(qdd.T), trigonometry, real)
+    motion = build_motion(arm, list(q.T), list(qd.T), list(qdd.T), trigonometry_at(list(q.T)), real)
     tau = newton_euler(arm, motion, mark)
     return np.stack([np.broadcast_to(x, len(q)) for x in tau], axis=1), f
 
