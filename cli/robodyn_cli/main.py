@@ -26,6 +26,12 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
         "robodyn_cli.simulate",
         "Move a robot with all its effects through time, and write the log.",
     ),
+    "diagnose": (
+        "robodyn_cli.diagnose",
+        "Find what a model lacks to explain logs, name it, add it, and prove that the gap shrank.",
+    ),
+    "hide": ("robodyn_cli.hide", "Hide effects in simulated logs, and seal the answer: a blind test."),
+    "excite": ("robodyn_cli.excite", "Design a motion inside the limits that tells effects apart."),
     "verify": ("robodyn_cli.verify", "Set the compiled kernels against independent references."),
     "case-study": ("robodyn_cli.case_study", "Run the thesis's case study of friction (chapter 3) anew."),
     "effects": ("robodyn_cli.effects", "List the effects that a robot may have, or tell all of one."),

@@ -89,7 +89,7 @@ static double residual(run *r, const double *x, const double *a, const double *m
 static int newton(run *r, const double *x) {
     double rest[N], d[N], a[N], dmu[E1], mu[E1], more[E1], size, terms = 0;
     double left = residual(r, x, r->a, r->mu, rest, &size);
-    int rows = r->stuck.rows;
+    int rows = r->stuck.rows, kept = 0; /* the factors of the last iteration do as long as they bring it nearer */
     for (int k = 0; k < MOST_ITERATIONS; k++) {
         double most = 0;
         int apart = 0;
@@ -102,15 +102,17 @@ static int newton(run *r, const double *x) {
         if (left != left) return 0;
         if (k > 0 && !apart && left <= 1e-13 * (size > terms ? size : terms)) return 1;
         r->counter[ITERATIONS]++;
-        system_jacobian(x, x + V, r->a, r->s, x + Z, r->M[0], r->is.parameters);
-        terms = 0;
-        for (int i = 0; i < N; i++) {
-            double sum = 0;
-            for (int j = 0; j < N; j++) sum += fabs(r->M[i][j] * r->a[j]);
-            if (sum > terms) terms = sum;
+        if (!kept) {
+            system_jacobian(x, x + V, r->a, r->s, x + Z, r->M[0], r->is.parameters);
+            terms = 0;
+            for (int i = 0; i < N; i++) {
+                double sum = 0;
+                for (int j = 0; j < N; j++) sum += fabs(r->M[i][j] * r->a[j]);
+                if (sum > terms) terms = sum;
+            }
+            if (!lu_factor(N, N, r->M[0], r->pivot) || !meet(r)) return 0;
         }
         if (size > terms) terms = size;
-        if (!lu_factor(N, N, r->M[0], r->pivot) || !meet(r)) return 0;
         if (!apart && left <= 1e-13 * terms) return 1;
         for (int i = 0; i < N; i++) d[i] = -rest[i];
         solve(r, d);
@@ -124,7 +126,13 @@ static int newton(run *r, const double *x) {
             if (least < 0 || now < least) least = now, best = part;
             part = halving == MOST_HALVINGS ? best : part / 2;
         }
+        if (kept && !(now < left)) { /* not these factors: here with new ones */
+            kept = 0;
+            left = residual(r, x, r->a, r->mu, rest, &size);
+            continue;
+        }
         if (!apart && now >= left && left <= 1e-10 * terms) return 1;
+        kept = now < 0.1 * left && part == 1;
         memcpy(r->a, a, sizeof a);
         memcpy(r->mu, mu, sizeof(double) * (size_t)rows);
         left = now;

@@ -1,0 +1,195 @@
+"""``robodyn diagnose``: from logs to what a model lacks, the better model, its kernels and a report."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import click
+
+from robodyn.errors import InputError
+from robodyn_cli import progress
+from robodyn_cli.common import json_option, load_robot, printable, robot_argument, talk, write_files
+from robodyn_cli.simulate_options import Parameter
+
+if TYPE_CHECKING:
+    from robodyn.diagnose.result import Diagnosis
+    from robodyn.robot import Robot
+
+#: The exit code of a diagnosis that found something and cannot name it.
+UNEXPLAINED: Final = 4
+_DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html", "kernels"
+
+
+@click.command()
+@robot_argument
+@click.argument("logs", metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
+@click.option("--validate", metavar="V.csv", help="A log that is not fitted: the proof.")
+@click.option("--out", required=True, metavar="DIR", help="Where to write.")
+@click.option("--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Of the robot.")
+@click.option("--no-kernels", is_flag=True, help="Write no C and Fortran of the amended model.")
+@click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers.")
+@json_option
+def command(
+    robot: str,
+    logs: tuple[str, ...],
+    validate: str | None,
+    out: str,
+    param: tuple[tuple[str, float], ...],
+    no_kernels: bool,
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Find what a model lacks to explain logs, name it, add it, and prove that the gap shrank.
+
+    Logs (.csv or .parquet) have the columns t, q1.., tau1.., and qd1.., qdd1.. if there are any, in SI units.
+    DIR gets diagnosis.json, model.yaml (the description with what was missing), report.html (one page that
+    needs no network) and kernels/. The same input gives the same files. Exit code 4 says that something is
+    there that no effect of the catalogue explains.
+    """
+    folder = _folder(out)
+    sources = [*logs, *([] if validate is None else [validate])]
+    _spare_inputs(folder, [robot, *sources])
+    described = load_robot(robot, strict=strict)
+    values = _parameters(described, param)
+    found = _diagnosed(described, robot, logs, validate, values)
+    validated = validate is not None
+    text = json.dumps(_finite(found.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    from robodyn.report.diagnosis import page
+
+    files: dict[str, str | bytes] = {
+        _DATA: text,
+        _MODEL: found.model_text,
+        _REPORT: page(found, validated=validated),
+    }
+    if not no_kernels:
+        files.update(_kernels(found))
+    elif (folder / _KERNELS).exists():
+        talk(f"robodyn: note: {printable(folder / _KERNELS)} is of an earlier run")
+    write_files(folder, files)
+    if as_json:
+        click.echo(text, nl=False)
+    else:
+        from robodyn.report.diagnosis_text import summary
+
+        for line in summary(found, printable(folder / _REPORT), validated=validated):
+            click.echo(line)
+    if found.verdict == "unexplained":
+        raise click.exceptions.Exit(UNEXPLAINED)
+
+
+# --- before the diagnosis ---------------------------------------------------------------------------------
+
+
+def _folder(text: str) -> Path:
+    """The folder of ``--out``, there or not yet."""
+    if not text:
+        raise InputError(
+            "the place given with --out has an empty name", remedy="write --out . for this folder"
+        )
+    folder = Path(text)
+    if folder.exists() and not folder.is_dir():
+        raise InputError(
+            f"cannot write into {printable(folder)}", found="a file", remedy="another name with --out"
+        )
+    return folder
+
+
+def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
+    """Refuse to write over what is read, as a second run on its own model would."""
+    for output in (folder / name for name in (_DATA, _MODEL, _REPORT)):
+        for source in inputs:
+            if output.exists() and Path(source).exists() and output.samefile(source):
+                raise InputError(
+                    f"{printable(output)} would be written over, and it is read",
+                    remedy="another folder with --out",
+                )
+
+
+def _parameters(robot: Robot, given: Sequence[tuple[str, float]]) -> dict[str, float] | None:
+    """Values of the run-time parameters; None for a robot that has none."""
+    values = dict(given)
+    missing = [name for name in robot.parameters if name not in values]
+    unknown = [name for name in values if name not in robot.parameters]
+    if len(values) < len(given):
+        names = [name for name, _ in given]
+        found = f"{next(name for name in names if names.count(name) > 1)} twice"
+        remedy = "leave one of the two out"
+    elif missing:
+        found, remedy = f"no {', '.join(missing)}", " ".join(f"--param {name}=VALUE" for name in missing)
+    elif unknown:
+        found, remedy = ", ".join(unknown), "leave it out"
+    else:
+        return values or None
+    raise InputError(
+        f"the values of {robot.name}'s run-time parameters do not fit",
+        found=found,
+        expected=", ".join(robot.parameters) or "none: it has no run-time parameters",
+        remedy=remedy,
+    )
+
+
+# --- the diagnosis ----------------------------------------------------------------------------------------
+
+
+def _diagnosed(
+    robot: Robot,
+    spec: str,
+    logs: Sequence[str],
+    validate: str | None,
+    values: Mapping[str, float] | None,
+) -> Diagnosis:
+    from robodyn.diagnose.run import diagnose
+    from robodyn.simulate.log import read_log
+
+    paths = [*logs, *([] if validate is None else [validate])]
+    with progress.line() as shown:
+        read, hashes = [], []
+        for path in paths:
+            shown.tell(f"robodyn: reading {printable(path)}")
+            read.append(read_log(path, robot.n))
+            with Path(path).open("rb") as file:
+                hashes.append(hashlib.file_digest(file, "sha256").hexdigest())
+        for k, path in enumerate(paths):
+            if hashes[k] in hashes[:k]:
+                shown.clear()
+                first = printable(paths[hashes.index(hashes[k])])
+                talk(f"robodyn: warning: {printable(path)} is the same as {first}: it proves nothing")
+        return diagnose(
+            robot,
+            read[: len(logs)],
+            None if validate is None else read[-1],
+            text=_text(spec),
+            names=[printable(Path(path).name) for path in paths],
+            hashes=hashes,
+            parameters=values,
+            progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
+        )
+
+
+def _text(spec: str) -> str:
+    """The description of the robot ``spec`` as it stands in its file."""
+    from robodyn.robot import bundled_text
+
+    path = Path(spec)
+    return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
+
+
+def _kernels(found: Diagnosis) -> dict[str, str]:
+    """C and Fortran of the amended model, by their places in the folder."""
+    from robodyn.generation import generate
+
+    return {f"{_KERNELS}/{name}": text for name, text in generate(found.model).files().items()}
+
+
+def _finite(value: Any) -> Any:
+    """``value`` of what JSON has: what is no number, such as the error of what cannot be known, is null."""
+    if isinstance(value, Mapping):
+        return {key: _finite(each) for key, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(each) for each in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,0 +1,143 @@
+"""``robodyn excite``: a motion that tells effects apart."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from robodyn_cli import progress
+from robodyn_cli.common import (
+    echo_json,
+    json_option,
+    load_robot,
+    output_folder,
+    printable,
+    robot_argument,
+    talk,
+    write_files,
+)
+from robodyn_cli.hide import placed
+from robodyn_cli.simulate_options import POSITIVE
+
+if TYPE_CHECKING:
+    from robodyn.diagnose.excite import Design, Told
+    from robodyn.simulate.trajectories import Trajectory
+
+#: From so small a separation on two effects are the same to a log.
+_NONE = 0.02
+_LARGEST = 5_000_000  # samples times joints
+
+
+@click.command()
+@robot_argument
+@click.option("--tell", metavar="A,B[@JOINT]", help="Effects to tell apart.  [default: the whole library]")
+@click.option("--duration", type=POSITIVE, default=10.0, metavar="S", help="[default: 10]")
+@click.option(
+    "--harmonics", type=click.IntRange(2, 50), default=5, metavar="N", show_default=True, help="Of the sum."
+)
+@click.option("--rate", type=POSITIVE, default=100.0, metavar="HZ", help="Of the file.  [default: 100]")
+@click.option(
+    "--seed", type=click.IntRange(0), default=0, metavar="S", show_default=True, help="Of the tries."
+)
+@click.option(
+    "--tries", type=click.IntRange(1, 10_000), default=20, metavar="N", show_default=True, help="Motions."
+)
+@click.option("-o", "--output", metavar="TRAJ.csv", required=True, help="Where to write; - for stdout.")
+@json_option
+def command(robot: str, tell: str | None, output: str, as_json: bool, rate: float, **given: Any) -> None:
+    """Design a motion inside the limits that tells effects apart.
+
+    Of several random periodic motions the one is written on which the torques of the effects of --tell differ
+    most, whatever their parameters and whatever the arm's own numbers may explain within their confidence.
+    A joint that stands at one of them is that of all; without one every joint counts. Without --tell the
+    whole library is to be told apart. The file has t, q.., qd.. and qdd.., as simulate --trajectory
+    and hide --trajectory take it.
+    """
+    from robodyn.diagnose.excite import design
+    from robodyn.errors import InputError
+
+    described = load_robot(robot)
+    if output == "-" and as_json:
+        raise InputError("--json and -o - both print on stdout", remedy="leave one of them out")
+    samples = given["duration"] * rate
+    if not 20 <= samples <= _LARGEST / described.n:
+        raise InputError(
+            "the motion would have too few or too many samples",
+            found=f"{given['duration']:g} s at {rate:g} Hz",
+            expected=f"20 to {_LARGEST // described.n}",
+        )
+    with progress.line() as shown:
+        found = design(
+            described,
+            _told(tell),
+            period=1 / rate,
+            progress=lambda k: shown.tell(f"robodyn: {described.name}: {k} of {given['tries']} motions"),
+            **given,
+        )
+    text = _csv(found.trajectory)
+    files: list[str] = []
+    if output == "-":
+        click.echo(text, nl=False)
+    else:
+        files = [str(path) for path in write_files(Path(), {str(output_folder(output)): text})]
+    if as_json:
+        echo_json(_summary(found, files))
+        return
+    for line in _lines(found, files):
+        click.echo(line, err=output == "-")
+    if found.tell and found.separation < _NONE:
+        talk(f"robodyn: warning: no motion tells {found.pair} apart; see what else there is to record")
+
+
+def _told(text: str | None) -> list[Told]:
+    """Effects and joints; one joint that is named is that of all effects of joints."""
+    from robodyn.effects.catalogue import effect
+
+    if text is None:
+        return []
+    pairs = [placed(part) for part in text.split(",")]
+    joints = {joint for _, joint in pairs if joint is not None}
+    if len(joints) != 1:
+        return pairs
+    (one,) = joints
+    return [(id, one if effect(id).level != "robot" else joint) for id, joint in pairs]
+
+
+def _csv(motion: Trajectory) -> str:
+    from robodyn.simulate.log_csv import write_csv
+
+    kinds = (("q", motion.q), ("qd", motion.qd), ("qdd", motion.qdd))
+    names = [f"{kind}{i + 1}" for kind, _ in kinds for i in range(motion.n)]
+    columns = [values[:, i] for _, values in kinds for i in range(motion.n)]
+    return write_csv(["t", *names], [motion.t, *columns])
+
+
+def _summary(found: Design, files: list[str]) -> dict[str, Any]:
+    return {
+        "files": files,
+        "tell": [{"effect": id, "joint": joint} for id, joint in found.tell],
+        "separation": found.separation,
+        "typical": found.typical,
+        "worst": found.pair,
+        "tries": found.tries,
+        "experiments": found.experiments,
+        "motion": found.trajectory.describe(),
+    }
+
+
+def _lines(found: Design, files: list[str]) -> list[str]:
+    from math import asin, degrees
+
+    motion = found.trajectory
+    lines = [f"{printable(file)}: {motion.duration:g} s, {len(motion)} samples" for file in files]
+    if not found.tell:
+        lines.append(
+            f"independence of the whole library: {found.separation:.3g}, typically {found.typical:.3g}"
+        )
+        return lines
+    best, typical = (degrees(asin(min(x, 1.0))) for x in (found.separation, found.typical))
+    lines.append(f"{found.pair}: {best:.1f} degrees apart, on a typical motion {typical:.1f}")
+    lines += [f"to tell {id}: {text}" for id, text in found.experiments.items()]
+    return lines

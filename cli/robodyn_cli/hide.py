@@ -1,0 +1,280 @@
+"""``robodyn hide``: a blind test of ``robodyn diagnose`` on one's own arm."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from robodyn_cli import progress
+from robodyn_cli.common import echo_json, json_option, load_robot, output_folder, printable, talk, write_files
+from robodyn_cli.simulate_options import POSITIVE, SIZE
+
+if TYPE_CHECKING:
+    from robodyn.diagnose.amend import Amendment
+    from robodyn.diagnose.hide import Blind, Setup
+    from robodyn.diagnose.seal import Score
+    from robodyn.simulate.trajectories import Trajectory
+
+_ANSWER = "answer.sealed"
+_LARGEST = 50_000_000  # samples times joints, as of simulate
+_OF_HIDING = ("effects", "random", "trajectories", "output")
+
+
+@click.command()
+@click.argument("robot", metavar="[ROBOT]", required=False)
+@click.option(
+    "--effect",
+    "effects",
+    multiple=True,
+    metavar="ID[@JOINT][:K=V,...]",
+    help="To hide; what is left out is drawn.",
+)
+@click.option("--random", type=click.IntRange(0, 20), metavar="N", help="So many more, drawn.  [default: 1]")
+@click.option("--seed", type=click.IntRange(0), metavar="S", default=0, show_default=True, help="Of all.")
+@click.option("--duration", type=POSITIVE, default=10.0, metavar="S", help="Of each log.  [default: 10]")
+@click.option("--rate", type=POSITIVE, default=1000.0, metavar="HZ", help="Of the logs.  [default: 1000]")
+@click.option(
+    "--trajectory", "trajectories", multiple=True, metavar="FILE.csv", help="Own motion; twice: validation."
+)
+@click.option(
+    "--noise", type=POSITIVE, default=0.015, metavar="SHARE", help="Of the RMS torque.  [default: 0.015]"
+)
+@click.option("--ratio", type=POSITIVE, default=4.0, metavar="R", help="Drawn gap over noise.  [default: 4]")
+@click.option("--encoder-bits", type=SIZE, default=20.0, metavar="B", help="A turn; 0: exact.  [default: 20]")
+@click.option("-o", "--output", metavar="DIR", help="Where to write.")
+@click.option("--open", "opened", metavar="FILE", help="Print a sealed answer, and do nothing else.")
+@click.option("--score", nargs=2, metavar="DIR DIAGNOSIS", help="Set a diagnosis.json beside DIR's answer.")
+@json_option
+def command(
+    robot: str | None, opened: str | None, score: tuple[str, str] | None, as_json: bool, **given: Any
+) -> None:
+    """Hide effects in simulated logs, and seal the answer: a blind test.
+
+    ROBOT is taken as it is for the model; the arm that moves has effects besides, those of --effect and drawn
+    ones. DIR gets given.yaml (the model), train.csv, validate.csv and answer.sealed. Diagnose them, then let
+    --score say how it went. Effects without all their parameters are made to show --ratio times
+    the noise where they show best. --random 0 alone hides nothing: does diagnose see ghosts?
+    """
+    from robodyn.errors import InputError
+
+    _one_of(robot, opened, score, given)
+    if opened is not None:
+        click.echo(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
+        return
+    if score is not None:
+        _scored(Path(score[0]), Path(score[1]), as_json=as_json)
+        return
+    assert robot is not None
+    if given["output"] is None:
+        raise InputError("there is no place to write to", remedy="give -o DIR")
+    folder = output_folder(given["output"])
+    for file in given["trajectories"]:
+        for name in ("train.csv", "validate.csv"):
+            there = (folder / name).exists() and Path(file).exists()
+            if there and (folder / name).samefile(file):
+                raise InputError(
+                    f"{printable(folder / name)} would be written over, and it is read",
+                    remedy="another folder with -o",
+                )
+    made = _hidden(robot, given)
+    files = made.files()
+    write_files(folder, files)
+    _tell(made, folder, list(files), [*given["effects"]], as_json=as_json)
+
+
+def _one_of(robot: str | None, opened: str | None, score: object, given: dict[str, Any]) -> None:
+    """Either hide, or open, or score."""
+    from robodyn.errors import InputError
+
+    asked = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
+    hiding = [name for name in _OF_HIDING if given[name] not in (None, ())]
+    if len(asked) == 2 or (asked and (robot is not None or hiding)):
+        other = asked[1] if len(asked) == 2 else "ROBOT" if robot is not None else "options of hiding"
+        raise InputError(f"{asked[0]} stands alone", found=other, remedy="leave one of the two out")
+    if not asked and robot is None:
+        raise InputError("no robot is named", remedy="name one: robodyn hide ROBOT -o DIR")
+
+
+# --- hiding -----------------------------------------------------------------------------------------------
+
+
+def _hidden(spec: str, given: dict[str, Any]) -> Blind:
+    from robodyn.diagnose.hide import hide
+    from robodyn.robot import bundled_text
+
+    robot = load_robot(spec)
+    wanted = [_parsed(text) for text in given["effects"]]
+    count = given["random"] if given["random"] is not None else int(not wanted)
+    motions = _motions(given["trajectories"], robot.n)
+    path = Path(spec)
+    text = path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
+    with progress.line() as shown:
+        return hide(
+            robot,
+            wanted,
+            random=count,
+            setup=_setup(given, robot.n, max((motion.duration for motion in motions), default=0.0)),
+            motions=motions,
+            text=text,
+            progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
+        )
+
+
+def _setup(given: dict[str, Any], n: int, longest: float) -> Setup:
+    from robodyn.diagnose.hide import Setup
+    from robodyn.errors import InputError
+    from robodyn_cli.simulate_options import whole
+
+    longest = max(longest, given["duration"])
+    if not 50 <= longest * given["rate"] * n <= _LARGEST:
+        raise InputError(
+            "the logs would be too long or too short",
+            found=f"{longest:g} s at {given['rate']:g} Hz",
+            expected=f"50 to {_LARGEST} numbers of all joints together",
+        )
+    bits = whole(given["encoder_bits"])
+    names = ("duration", "rate", "noise", "ratio", "seed")
+    return Setup(encoder_bits=bits or None, **{name: given[name] for name in names})
+
+
+def _motions(files: Sequence[str], n: int) -> list[Trajectory]:
+    from robodyn.errors import InputError
+    from robodyn.simulate.trajectories import from_file
+
+    if len(files) > 2:
+        raise InputError(
+            "too many trajectories", found=str(len(files)), expected="that of train.csv, that of validate.csv"
+        )
+    return [from_file(file, n) for file in files]
+
+
+def _parsed(text: str) -> Amendment:
+    """``ID[@JOINT][:key=value,...]``."""
+    from robodyn.diagnose.amend import Amendment
+    from robodyn.effects.catalogue import effect
+    from robodyn.errors import InputError
+    from robodyn.robot.numbers import number
+
+    place, _, rest = text.partition(":")
+    id, joint = placed(place)
+    known = effect(id)
+    words = {p.name for p in known.parameters if p.kind in ("choice", "text")}
+    values: dict[str, float | str] = {}
+    for part in rest.split(",") if rest.strip() else []:
+        name, equals, value = (piece.strip() for piece in part.partition("="))
+        if not equals or not name or name in values:
+            raise InputError(
+                f"--effect {id}: {part.strip()!r} is not one more key=value", expected="such as level=2.5"
+            )
+        values[name] = value if name in words else float(number(value))
+    return Amendment(id, joint, values)
+
+
+def placed(text: str) -> tuple[str, int | None]:
+    """``ID[@JOINT]``.
+
+    Raises
+    ------
+    InputError: it is not.
+    """
+    from robodyn.errors import InputError
+
+    id, at, joint = (part.strip() for part in text.partition("@"))
+    if at and not (joint.isascii() and joint.isdecimal() and 0 < len(joint) < 9):
+        raise InputError(f"{text!r} names no joint", expected="ID@JOINT, such as coulomb_friction@2")
+    return id, int(joint) if at else None
+
+
+def _tell(made: Blind, folder: Path, files: list[str], named: list[str], *, as_json: bool) -> None:
+    """What was written, without the answer."""
+    if as_json:
+        echo_json(
+            {
+                "robot": made.given.name,
+                "folder": str(folder),
+                "files": files,
+                "hidden": len(made.effects),
+                "noise": made.noise.tolist(),
+            }
+        )
+    else:
+        at = printable(folder)
+        count = len(made.effects)
+        what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
+        click.echo(f"{made.given.name}: {what} hidden in {at}: {', '.join(files)}")
+        click.echo(
+            f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv --out {at}/found"
+        )
+        click.echo(f"robodyn hide --score {at} {at}/found/diagnosis.json")
+    if named and made.ratio < 1:
+        talk(f"robodyn: note: what is hidden shows {made.ratio:.2g} times the noise: nobody can find that")
+
+
+# --- the answer -------------------------------------------------------------------------------------------
+
+
+def _answer(path: Path) -> dict[str, Any]:
+    from robodyn.diagnose.seal import open_seal
+
+    return open_seal(_text(path), printable(path))
+
+
+def _text(path: Path) -> str:
+    from robodyn.errors import InputError, Place
+
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else "it is not text"
+        raise InputError(
+            "the file cannot be read", where=Place(printable(path)), found=reason.lower()
+        ) from None
+
+
+def _scored(folder: Path, file: Path, *, as_json: bool) -> None:
+    from robodyn.diagnose.seal import score
+    from robodyn.errors import InputError, Place
+
+    answer = _answer(folder / _ANSWER)
+    try:
+        diagnosis = json.loads(_text(file))
+    except ValueError as error:
+        raise InputError("this is not JSON", where=Place(printable(file)), found=str(error)) from None
+    found = score(answer, diagnosis)
+    if not found.same:
+        talk("robodyn: warning: the diagnosis is of other logs than this test's")
+    if as_json:
+        echo_json(found.to_dict())
+    else:
+        for line in _lines(found, folder):
+            click.echo(line)
+    if found.result in ("wrong", "missed"):
+        raise click.exceptions.Exit(1)
+
+
+def _lines(found: Score, folder: Path) -> list[str]:
+    lines = []
+    for claim in found.claims:
+        lines.append(f"{claim.name}: {claim.status}")
+        for name, true in (claim.truth or {}).items():
+            said = claim.parameters.get(name)
+            if isinstance(said, dict) and isinstance(said.get("value"), (int, float)):
+                error = said.get("stderr")
+                band = f" +- {error:.2g}" if isinstance(error, (int, float)) else ""
+                lines.append(
+                    f"  {name}: {said['value']:.4g}{band} {said.get('unit', '')}, in truth {true:.4g}"
+                )
+    if found.missed:
+        lines.append(
+            f"{found.missed} of {found.hidden} hidden missed "
+            f"(robodyn hide --open {printable(folder / _ANSWER)} tells which)"
+        )
+    if found.closed is not None and found.hidden:
+        lines.append(f"{found.closed:.0%} of the gap on the validation log is closed")
+    empty = "right: nothing was hidden, and nothing is claimed"
+    lines.append(empty if not found.hidden and found.result == "right" else f"in all: {found.result}")
+    return lines

@@ -1,0 +1,158 @@
+"""Least squares over a log: candidates beside a nuisance, judged on parts of the log that were left out.
+
+Rows are samples of filtered torques, weighted by joint. The rigid arm's own numbers may be off by what the
+description says (``confidence``): they are a nuisance with a Gaussian prior, fitted along and never named
+here."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+BLOCKS = 10
+_FREE = 1e-9  # prior precision of what may be anything
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Problem:
+    """What is to be explained, in parts of the log [BLOCKS].
+
+    ``rest`` [N, n] and known columns ``A`` [N, n, p], both in standard deviations ``sigma`` [n] of the
+    noise; ``prior`` [p] precisions; ``parts`` their slices; ``grams`` [BLOCKS, p, p], ``rights`` [BLOCKS,
+    p]; ``thin``: how many neighbouring samples say the same; ``nuisance``: how many of the columns are
+    nuisance."""
+
+    rest: Floats
+    A: Floats
+    prior: Floats
+    sigma: Floats
+    parts: tuple[slice, ...]
+    grams: Floats
+    rights: Floats
+    thin: float
+    nuisance: int
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return int(self.rest.shape[1])
+
+    @property
+    def independent(self) -> float:
+        """Number of samples that say something of their own."""
+        return len(self.rest) / self.thin
+
+    def with_columns(self, rows: tuple[int, ...], columns: Floats) -> Problem:
+        """The problem with more known columns [N, rows, c], in N m or N, fitted freely."""
+        wide = np.zeros((*self.rest.shape, columns.shape[2]))
+        wide[:, list(rows)] = columns / self.sigma[list(rows)][None, :, None]
+        A = np.concatenate([self.A, wide], axis=2)
+        grams, rights = _grams(A, self.rest, self.parts)
+        prior = np.concatenate([self.prior, np.full(columns.shape[2], _FREE)])
+        return replace(self, A=A, prior=prior, grams=grams, rights=rights)
+
+
+def without(p: Problem, mask: NDArray[np.bool_]) -> Problem:
+    """The problem without the rows of ``mask`` [N], which say nothing any more."""
+    kept = ~mask
+    rest, A = p.rest * kept[:, None], p.A * kept[:, None, None]
+    grams, rights = _grams(A, rest, p.parts)
+    return replace(p, rest=rest, A=A, grams=grams, rights=rights)
+
+
+def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
+    """The problem with a column [N, rows] taken off, in N m or N."""
+    at = list(rows)
+    rest = p.rest.copy()
+    rest[:, at] -= column / p.sigma[at]
+    grams, rights = _grams(p.A, rest, p.parts)
+    return replace(p, rest=rest, grams=grams, rights=rights)
+
+
+def problem(rest: Floats, Y: Floats, sigma: Floats, thin: float) -> Problem:
+    """The problem of the residual ``rest`` [N, n] and the nuisance ``Y`` [N, n, p], a unit of each column
+    being a standard deviation of its prior."""
+    edges = np.linspace(0, len(rest), BLOCKS + 1).astype(int)
+    parts = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
+    A, b = Y / sigma[None, :, None], rest / sigma
+    grams, rights = _grams(A, b, parts)
+    prior = np.full(Y.shape[2], thin)
+    return Problem(b, A, prior, sigma, parts, grams, rights, thin, Y.shape[2])
+
+
+def _grams(A: Floats, b: Floats, parts: tuple[slice, ...]) -> tuple[Floats, Floats]:
+    flat = [(A[part].reshape(-1, A.shape[2]), b[part].reshape(-1)) for part in parts]
+    return np.stack([a.T @ a for a, _ in flat]), np.stack([a.T @ y for a, y in flat])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fit:
+    """``x`` [c]: coefficients of the columns tried, ``cov`` [c, c]; ``known`` [p] those of the problem's own;
+    ``held`` [BLOCKS, n]: mean squares left in parts that the fit had not seen, in units of the noise;
+    ``strain``: how far the nuisance had to go, in units of log-likelihood."""
+
+    x: Floats
+    cov: Floats
+    known: Floats
+    held: Floats
+    strain: float
+
+
+def fitted(
+    p: Problem, rows: tuple[int, ...] = (), columns: Floats | None = None, signs: tuple[int, ...] = ()
+) -> Fit:
+    """The problem with the columns [N, rows, c] tried; ``signs`` +1 keeps a coefficient from being
+    negative."""
+    at = list(rows)
+    c = 0 if columns is None else columns.shape[2]
+    X = np.zeros((len(p.rest), 0, 0)) if columns is None else columns / p.sigma[at][None, :, None]
+    size = np.sqrt(np.mean(X**2, axis=(0, 1))) if c else np.zeros(0)
+    size = np.where(size > 0, size, 1.0)
+    X = X / size if c else X
+    P = p.A.shape[2]
+    grams = np.zeros((BLOCKS, P + c, P + c))
+    rights = np.zeros((BLOCKS, P + c))
+    grams[:, :P, :P], rights[:, :P] = p.grams, p.rights
+    if c:
+        for k, part in enumerate(p.parts):
+            x = X[part].reshape(-1, c)
+            y = p.A[part][:, at].reshape(-1, P)
+            grams[k, P:, P:] = x.T @ x
+            grams[k, P:, :P] = x.T @ y
+            grams[k, :P, P:] = grams[k, P:, :P].T
+            rights[k, P:] = x.T @ p.rest[part][:, at].reshape(-1)
+    prior = np.concatenate([p.prior, np.full(c, _FREE)])
+    G, g = grams.sum(axis=0), rights.sum(axis=0)
+    systems = np.concatenate([(G - grams) + np.diag(prior), (G + np.diag(prior))[None]])
+    right = np.concatenate([g - rights, g[None]])
+    solutions = np.linalg.solve(systems, right[:, :, None])[:, :, 0]
+    for k in range(BLOCKS + 1):
+        solutions[k] = _signed(systems[k], right[k], solutions[k], P, signs)
+    held = np.empty((BLOCKS, p.n))
+    for k, part in enumerate(p.parts):
+        left = p.rest[part] - p.A[part] @ solutions[k, :P]
+        if c:
+            left[:, at] -= X[part] @ solutions[k, P:]
+        held[k] = np.mean(left**2, axis=0)
+    whole = solutions[-1]
+    spread = p.thin * np.linalg.inv(systems[-1])[P:, P:] * max(float(held.mean()), 1e-300)
+    strain = float(np.sum(whole[: p.nuisance] ** 2)) / 2
+    return Fit(whole[P:] / size, spread / np.outer(size, size) if c else spread, whole[:P], held, strain)
+
+
+def _signed(system: Floats, right: Floats, x: Floats, P: int, signs: tuple[int, ...]) -> Floats:
+    """The solution without the columns that come out negative and may not."""
+    free = np.ones(len(x), bool)
+    for _ in range(len(signs)):
+        wrong = [P + i for i, sign in enumerate(signs) if sign > 0 and x[P + i] < 0]
+        if not wrong:
+            break
+        free[min(wrong, key=lambda i: x[i])] = False
+        x = np.zeros(len(x))
+        x[free] = np.linalg.solve(system[np.ix_(free, free)], right[free])
+    return x

@@ -1,0 +1,98 @@
+"""What the data gate says: flags with the places they are about, and refusals."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError, Place
+
+Floats = NDArray[np.float64]
+Rows = NDArray[np.intp]
+
+#: More spans than these are counted and not listed.
+MOST_SPANS = 100
+_CHUNK = 1 << 18
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Rows ``first`` to ``last`` of a log, counted from 1 without the header, ``start`` to ``end`` [s]."""
+
+    first: int
+    last: int
+    start: float
+    end: float
+
+    def __str__(self) -> str:
+        if self.first == self.last:
+            return f"row {self.first} (t = {self.start:.6g} s)"
+        return f"rows {self.first} to {self.last} (t = {self.start:.6g} to {self.end:.6g} s)"
+
+
+@dataclass(frozen=True, slots=True)
+class Flag:
+    """Something to know of a log that can be used: ``kind`` is a word for programs, ``where`` the columns,
+    ``text`` says it; ``joints`` count from 1, none where it is about all of them."""
+
+    kind: str
+    where: str
+    spans: tuple[Span, ...]
+    text: str
+    joints: tuple[int, ...] = ()
+
+    def __str__(self) -> str:
+        shown = [str(span) for span in self.spans[:3]]
+        more = [f"{len(self.spans) - 3} more"] if len(self.spans) > 3 else []
+        return ", ".join([f"{self.where}: {self.text}", *shown, *more])
+
+
+def spans_of(rows: Sequence[int] | Rows, t: Floats) -> tuple[Span, ...]:
+    """The ``rows`` (from 0, rising) of a log with the times ``t`` [K] (s), runs of them as one span."""
+    index = np.asarray(rows, dtype=np.intp)
+    if not len(index):
+        return ()
+    cuts = np.flatnonzero(np.diff(index) > 1)[: MOST_SPANS - 1] + 1
+    # Beyond the last span that is listed nothing is.
+    begins = [0, *cuts.tolist()]
+    ends = [*cuts.tolist(), len(index)]
+    if len(cuts) == MOST_SPANS - 1:
+        later = np.flatnonzero(np.diff(index[cuts[-1] :]) > 1)
+        if len(later):
+            ends[-1] = int(cuts[-1] + later[0] + 1)
+    return tuple(span(int(index[a]), int(index[b - 1]), t) for a, b in zip(begins, ends, strict=True))
+
+
+def span(first: int, last: int, t: Floats) -> Span:
+    """The rows ``first`` to ``last`` (from 0)."""
+    return Span(first + 1, last + 1, float(t[first]), float(t[last]))
+
+
+def refuse(source: str | None, what: str, **more: Any) -> NoReturn:
+    """Refuse the log that is called ``source``.
+
+    Raises
+    ------
+    InputError: always.
+    """
+    raise InputError(what, where=None if source is None else Place(source), **more)
+
+
+def named(group: str, joints: Sequence[int]) -> str:
+    """The columns of ``group`` of the ``joints`` (from 1): ``q1, q3``."""
+    return ", ".join(f"{group}{j}" for j in joints)
+
+
+def count(number: int, thing: str = "row") -> str:
+    """So many of a ``thing``: ``1 row``, ``2 rows``."""
+    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
+
+
+def chunks(samples: int) -> Iterator[slice]:
+    """``samples`` rows in pieces, so that what is made of one is small beside a log."""
+    for start in range(0, samples, _CHUNK):
+        yield slice(start, min(start + _CHUNK, samples))

@@ -1,0 +1,70 @@
+"""What a model says that a log should show: its compiled kernel along the log, and its sensors."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.build import Kernel
+from robodyn.diagnose.gate import Gate
+from robodyn.diagnose.signals import Signals, knee, low_pass
+from robodyn.robot.model import Robot
+from robodyn.simulate.log import Log
+from robodyn.simulate.sensors import measured_torque
+
+Floats = NDArray[np.float64]
+
+
+@lru_cache(maxsize=8)
+def kernel_of(robot: Robot) -> Kernel:
+    """The compiled inverse dynamics of ``robot``, quickly generated."""
+    from robodyn.build.robot_kernel import compile as compile_kernel
+
+    return compile_kernel(robot, functions=["inverse_dynamics"], optimize="fast", mode="abi")
+
+
+def offsets(robot: Robot) -> Floats:
+    """Encoder offsets [n] of the model: measured less true."""
+    found = np.zeros(robot.n)
+    for entry in robot.effects:
+        if entry.effect == "encoder_offset" and entry.joint is not None:
+            found[entry.joint - 1] += entry.number("offset")
+    return found
+
+
+def model_torque(robot: Robot, t: Floats, q: Floats, qd: Floats, qdd: Floats) -> Floats:
+    """What the torque channel of ``robot`` shows [K, n] along measured positions, evenly sampled."""
+    kernel = kernel_of(robot)
+    more: dict[str, Any] = {}
+    if kernel.signatures["inverse_dynamics"].states:
+        more["dt"] = float(t[1] - t[0])
+    tau = kernel.inverse_dynamics(q - offsets(robot), qd, qdd, **more)
+    return measured_torque(tau, t, robot.effects)
+
+
+def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
+    """Times, filtered positions and their rates of an even part of a log."""
+    t, q = log.t[part], log.q[part]
+    period = float((t[-1] - t[0]) / (len(t) - 1))
+    smooth = low_pass(q, 1 / period, knee(q, 1 / period))
+    qd = np.gradient(smooth, period, axis=0)
+    return t, smooth, qd, np.gradient(qd, period, axis=0)
+
+
+def predicted(robot: Robot, gate: Gate) -> Floats:
+    """The torques [K, n] that ``robot`` predicts along a log."""
+    found = np.zeros_like(gate.log.tau)
+    for part in gate.segments:
+        found[part] = model_torque(robot, *smooth_motion(gate.log, part))
+    return found
+
+
+def signals_seen(gate: Gate) -> Signals:
+    """The whole log's motion, for pictures."""
+    parts = [smooth_motion(gate.log, part) for part in gate.segments]
+    t, q, qd, qdd = (np.concatenate([part[k] for part in parts]) for k in range(4))
+    count = len(t)
+    return Signals(t, q, qd, qdd, gate.log.tau[:count], 1.0, 1, 0)

@@ -1,0 +1,141 @@
+"""What a diagnosis says: verdict, findings, the gap before and after, and the evidence for the report."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.robot.model import Robot
+
+Floats = NDArray[np.float64]
+Verdict = Literal["missing_effect", "consistent", "unexplained"]
+#: A finding of this confidence is a claim.
+CLAIM = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """A parameter of a finding: what is added to the model that was given, SI."""
+
+    value: float | str
+    stderr: float | None
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Rival:
+    """Another candidate for a finding's place: ``gain`` in units of log-likelihood on parts of the log that
+    were not fitted, beside that of the finding."""
+
+    effect: str
+    joint: int | None
+    gain: float
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """An effect that the model lacks. ``where`` says which part of the motion shows it, ``experiment`` what
+    to record to tell it from ``confounded_with``; ``gain``, ``t`` and ``rivals`` are the evidence for the
+    name."""
+
+    effect: str
+    joint: int | None
+    parameters: Mapping[str, Estimate]
+    confidence: float
+    confounded_with: tuple[str, ...]
+    where: str
+    experiment: str | None
+    gain: float
+    t: float
+    rivals: tuple[Rival, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``diagnosis.json`` has it."""
+        return {
+            "effect": self.effect,
+            "joint": self.joint,
+            "parameters": {
+                name: {"value": p.value, "stderr": p.stderr, "unit": p.unit.replace(" ", "*")}
+                for name, p in self.parameters.items()
+            },
+            "confidence": self.confidence,
+            "confounded_with": list(self.confounded_with),
+            "where": self.where,
+            "experiment": self.experiment,
+        }
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Series:
+    """A log as the report draws it, [K, n] thinned: torque as logged, and what the model leaves of it
+    ``before`` and ``after`` the findings; positions, velocities, accelerations and ``load`` (rigid torque);
+    ``times`` [K]."""
+
+    name: str
+    times: Floats
+    q: Floats
+    qd: Floats
+    qdd: Floats
+    load: Floats
+    tau: Floats
+    before: Floats
+    after: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Gap:
+    """RMS [n] of logged torque less the model's, over all samples but 2 % at either end."""
+
+    train_before: Floats
+    train_after: Floats
+    validate_before: Floats
+    validate_after: Floats
+    noise_floor: Floats
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``diagnosis.json`` has it."""
+        return {
+            "train": {"before": self.train_before.tolist(), "after": self.train_after.tolist()},
+            "validate": {"before": self.validate_before.tolist(), "after": self.validate_after.tolist()},
+            "noise_floor": self.noise_floor.tolist(),
+        }
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Diagnosis:
+    """The whole: ``robot`` as given, ``model`` amended and ``model_text`` its description, ``diff`` between
+    the two texts; ``flags``: what the data gate said, a line each; ``left``: share of structure that nothing
+    explains, per joint; ``words``: remarks for people; ``operations``: of the inverse dynamics before and
+    after."""
+
+    verdict: Verdict
+    findings: tuple[Finding, ...]
+    gap: Gap
+    robot: Robot
+    model: Robot
+    model_text: str
+    diff: str
+    flags: tuple[str, ...]
+    left: Floats
+    words: tuple[str, ...]
+    logs: tuple[Mapping[str, str], ...]
+    series: tuple[Series, ...] = ()
+    operations: tuple[int, int] = (0, 0)
+    extra: Mapping[str, Any] = field(default_factory=dict)
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``diagnosis.json`` has it."""
+        return {
+            "verdict": self.verdict,
+            "findings": [finding.to_dict() for finding in self.findings],
+            "gap": self.gap.to_dict(),
+            "unexplained_share": self.left.tolist(),
+            "remarks": list(self.words),
+            "flags": list(self.flags),
+            "logs": [dict(log) for log in self.logs],
+            "operations": {"before": self.operations[0], "after": self.operations[1]},
+        }

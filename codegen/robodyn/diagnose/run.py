@@ -1,0 +1,353 @@
+"""The whole diagnosis: gate, signals, selection, names, amendment, proof."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.amend import Amendment, amended, amended_text, difference
+from robodyn.diagnose.candidates import Candidate
+from robodyn.diagnose.gate import Gate, inspect
+from robodyn.diagnose.predict import predicted, signals_seen
+from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
+from robodyn.diagnose.rigid import Model
+from robodyn.diagnose.selection import Named, Selection, raw_noise, select, what_matters
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot.model import Robot
+from robodyn.simulate.log import Log
+
+Floats = NDArray[np.float64]
+
+#: Passes: after the first the model is amended and looked at again.
+_PASSES = 3
+#: Share of a joint's mean square that its findings must explain, where what is left stands out of the noise.
+_EXPLAINED, _STANDS_OUT = 0.8, 3.0
+_END = 0.02
+#: What a log that was not fitted must fall to, in squares over the noise; the confidence of names taken back.
+_NEARER, _WITHDRAWN = 0.98, 0.3
+_DRAWN = 3000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Found:
+    """A finding in the making: its evidence, and all that is added for it."""
+
+    named: Named
+    parameters: dict[str, float | str]
+    errors: dict[str, float]
+    first: Selection
+
+
+def diagnose(
+    robot: Robot,
+    logs: Sequence[Log],
+    validate: Log | None = None,
+    *,
+    text: str | None = None,
+    names: Sequence[str] = (),
+    hashes: Sequence[str] = (),
+    parameters: Mapping[str, float] | None = None,
+    progress: Callable[[str], object] | None = None,
+) -> Diagnosis:
+    """What ``robot`` lacks to explain ``logs``; ``validate`` is a log that is not fitted.
+
+    ``text`` is the robot's description, to be amended; ``names`` and ``hashes`` are those of the logs, the
+    validation's last.
+
+    Raises
+    ------
+    InputError: a log cannot be used, or the robot has run-time parameters without values.
+    """
+    from robodyn.robot.writer import to_yaml
+
+    tell = progress or (lambda _: None)
+    robot = _numbers(robot, parameters)
+    tell("looking at the logs")
+    gates = [inspect(log, robot, source=_name(names, k)) for k, log in enumerate(logs)]
+    pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
+    model, found = robot, dict[tuple[str, int | None], _Found]()
+    last: Selection | None = None
+    for _ in range(_PASSES):
+        tell("fitting " + ("the catalogue" if not found else "what is left"))
+        last = select(model, pieces, progress=lambda name: tell(f"found {name}"))
+        if not last.found:
+            break
+        fresh = _taken(last, found, hashes[0] if hashes else "log")
+        if not fresh:
+            break
+        model = amended(model, fresh)
+    assert last is not None
+    tell("proving it")
+    first = next(iter(found.values())).first if found else last
+    checked = [_doubted(one, first, last) for one in found.values()]
+    findings = tuple(sorted((_finding(one, sure) for one, sure in checked), key=lambda f: -f.gain))
+    left = _left(last)
+    verdict = _verdict(findings, last, left)
+    seen = inspect(validate, robot, source=_name(names, len(logs))) if validate is not None else gates[-1]
+    gap = _gap(robot, model if verdict == "missing_effect" else robot, gates, seen)
+    if verdict == "missing_effect" and not _shrank(gap, findings):  # what does not hold is taken back
+        verdict = "unexplained"
+        findings = tuple(replace(f, confidence=_WITHDRAWN) for f in findings)
+        gap = _gap(robot, robot, gates, seen)
+    if verdict != "missing_effect":
+        model = robot
+    amendments = [
+        Amendment(f.effect, f.joint, {k: p.value for k, p in f.parameters.items()}) for f in findings
+    ]
+    old = text if text is not None and parameters is None else to_yaml(robot)
+    new = old
+    if verdict == "missing_effect":
+        note = f"robodyn diagnose: {', '.join(hashes[: len(logs)]) or 'a log'}"
+        new = (
+            amended_text(old, robot, amendments, dict.fromkeys(range(len(amendments)), note))
+            if parameters is None
+            else to_yaml(model)
+        )
+    described = tuple(
+        {"name": _name(names, k) or f"log {k + 1}", "sha256": hashes[k] if k < len(hashes) else ""}
+        for k in range(len(logs) + (validate is not None))
+    )
+    return Diagnosis(
+        verdict, findings, gap, robot, model, new, difference(old, new),
+        tuple(str(f) for gate in gates for f in gate.flags), left, _words(verdict, findings, last), described,
+        (_series("train", robot, model, gates[0]), _series("validate", robot, model, seen)),
+        (_operations(robot), _operations(model)),
+    )  # fmt: skip
+
+
+def _numbers(robot: Robot, parameters: Mapping[str, float] | None) -> Robot:
+    """``robot`` with its run-time parameters at their values."""
+    from robodyn.errors import InputError
+
+    if not robot.parameters:
+        return robot
+    missing = [name for name in robot.parameters if name not in (parameters or {})]
+    if missing:
+        raise InputError(
+            f"{robot.name} has run-time parameters without values",
+            found=f"no {', '.join(missing)}",
+            expected="their values in this log",
+            remedy=" ".join(f"--param {name}=VALUE" for name in missing),
+        )
+    from robodyn.robot.numbers import number
+    from robodyn.robot.reader import read_text
+    from robodyn.robot.writer import to_yaml
+
+    return _filled(
+        robot, {k: number(repr(float(v))) for k, v in (parameters or {}).items()}, read_text, to_yaml
+    )
+
+
+def _filled(robot: Robot, values: Mapping[str, Any], read: Any, write: Any) -> Robot:
+    import re
+
+    text = write(robot)
+    for name in sorted(values, key=len, reverse=True):
+        text = re.sub(rf"\b{name}\b", f"({float(values[name])!r})", text)
+    filled: Robot = read(text, robot.name, warn=lambda _: None)
+    return filled
+
+
+def _name(names: Sequence[str], k: int) -> str | None:
+    return names[k] if k < len(names) else None
+
+
+def _piece(log: Log, part: slice) -> Log:
+    if part == slice(0, log.samples):
+        return log
+    cut = [None if x is None else x[part] for x in (log.t, log.q, log.qd, log.qdd, log.tau)]
+    return Log(*cut)  # type: ignore[arg-type]
+
+
+def _taken(step: Selection, found: dict[tuple[str, int | None], _Found], digest: str) -> list[Amendment]:
+    """Amendments of a step's findings; they join those of the same effect and place."""
+    made = []
+    for named in step.found:
+        candidate = named.trial.candidate
+        values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
+        if candidate.effect == "external_contact":
+            values["log"] = digest
+        key = (candidate.effect, candidate.joint)
+        made.append(Amendment(candidate.effect, candidate.joint, values))
+        if key in found:
+            before = found[key]
+            linear = CATALOGUE[candidate.effect].linear
+            joined = dict(before.parameters)
+            for name, value in values.items():
+                both = isinstance(value, float) and isinstance(joined.get(name), float)
+                joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
+            found[key] = replace(before, parameters=joined)
+        else:
+            found[key] = _Found(named, values, errors, step)
+    return made
+
+
+def estimates(
+    candidate: Candidate, x: Floats, stderr: Floats, model: Model
+) -> tuple[dict[str, float | str], dict[str, float]]:
+    """The catalogue's parameters of the coefficients, and their standard errors."""
+    read = candidate.read if candidate.effect != "inertial_error" else lambda v: _deltas(candidate, v, model)
+    values = read(x)
+    errors: dict[str, float] = {}
+    for name, value in values.items():
+        if isinstance(value, str):
+            continue
+        square = 0.0
+        for i in range(len(x)):
+            moved = x.copy()
+            moved[i] += stderr[i]
+            other = read(moved)[name]
+            square += (float(other) - value) ** 2
+        errors[name] = float(np.sqrt(square))
+    return values, errors
+
+
+def _deltas(candidate: Candidate, x: Floats, model: Model) -> dict[str, float | str]:
+    """Changes of a link's numbers, of changes of its standard parameters."""
+    assert candidate.joint is not None
+    old = model.standard_parameters()[candidate.joint - 1]
+    before, after = _physical(old), _physical(old + x)
+    names = ("mass", "com_x", "com_y", "com_z", "xx", "yy", "zz", "xy", "xz", "yz")
+    return {f"delta_{name}": float(b - a) for name, a, b in zip(names, before, after, strict=True)}
+
+
+def _physical(phi: Floats) -> Floats:
+    """Mass, centre of mass, inertia about it."""
+    m = phi[0]
+    c = phi[1:4] / m if m > 0 else np.zeros(3)
+    shift = m * (c @ c * np.eye(3) - np.outer(c, c))
+    upper = [shift[a, b] for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+    return np.concatenate([[m], c, phi[4:] - upper])
+
+
+def _share(first: Selection, last: Selection, rows: Sequence[int]) -> tuple[float, float]:
+    """Of the joints' mean square what is explained; how far what is left stands out of the noise."""
+    before, after = first.first.held.mean(axis=0), last.last.held.mean(axis=0)
+    j = max(rows, key=lambda row: before[row] - after[row])
+    return 1 - float(after[j] / max(before[j], 1e-300)), float(last.residue[j])
+
+
+def _doubted(one: _Found, first: Selection, last: Selection) -> tuple[_Found, bool]:
+    """Whether what is left at the joints of a finding lets its name stand."""
+    share, stands_out = _share(first, last, one.named.trial.candidate.rows)
+    left = _left(last)
+    rows = list(one.named.trial.candidate.rows)
+    return one, not (share < _EXPLAINED and stands_out > _STANDS_OUT and left[rows].max() > 1)
+
+
+def _left(last: Selection) -> Floats:
+    """What is left [n], by its middle, in what would matter."""
+    rms = np.sqrt(np.maximum(last.residue**2 - 1, 0)) * last.start.sigma
+    return np.asarray(rms / what_matters(last.context.signals))
+
+
+def _shrank(gap: Gap, findings: Sequence[Finding]) -> bool:
+    """Whether the model is nearer to a log that it was not fitted to, a contact apart."""
+    if all(f.effect == "external_contact" for f in findings):
+        return True
+    floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
+    before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
+    return after < _NEARER * before
+
+
+def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verdict:
+    if any(f.confidence >= 0.5 for f in findings):
+        return "missing_effect"
+    stands_out = last.residue > _STANDS_OUT
+    return "unexplained" if findings or bool(np.any(stands_out & (left > 1.5))) else "consistent"
+
+
+def _finding(one: _Found, sure: bool) -> Finding:
+    candidate, trial = one.named.trial.candidate, one.named.trial
+    entry = CATALOGUE[candidate.effect]
+    revolute = (
+        candidate.joint is None
+        or one.first.context.model.robot.links[candidate.joint - 1].joint.kind == "revolute"
+    )
+    parameters = {
+        name: Estimate(value, one.errors.get(name), _unit(candidate.effect, name, revolute))
+        for name, value in one.parameters.items()
+    }
+    before = one.first.first.held.mean(axis=0)
+    j = max(candidate.rows, key=lambda row: before[row])
+    place = f"joint {candidate.joint}" if candidate.joint else "the whole robot"
+    where = f"{place}: {entry.signature}; seen best at joint {j + 1}"
+    experiment = None
+    if one.named.rivals:
+        experiment = f"to tell it from {', '.join(one.named.rivals)}: {entry.separates}"
+    rivals = tuple(
+        Rival(t.candidate.effect, t.candidate.joint, t.gain) for t in _strongest(one.named, candidate)
+    )
+    confidence = one.named.confidence if sure else _WITHDRAWN
+    return Finding(
+        candidate.effect, candidate.joint, parameters, round(confidence, 2), one.named.rivals, where,
+        experiment, trial.gain, trial.t, rivals,
+    )  # fmt: skip
+
+
+def _strongest(named: Named, candidate: Candidate) -> list[Any]:
+    seen: set[tuple[str, int | None]] = {(candidate.effect, candidate.joint)}
+    found = []
+    for one in named.beside:
+        key = (one.candidate.effect, one.candidate.joint)
+        if key in seen or not set(one.candidate.rows) & set(candidate.rows):
+            continue
+        seen.add(key)
+        found.append(one)
+        if len(found) == 5:
+            break
+    return found
+
+
+def _unit(effect: str, name: str, revolute: bool) -> str:
+    for parameter in CATALOGUE[effect].parameters:
+        if parameter.name == name:
+            return parameter.unit_at(revolute=revolute)
+    return "m" if name.startswith("com_") else "kg m^2"
+
+
+def _words(verdict: Verdict, findings: Sequence[Finding], last: Selection) -> tuple[str, ...]:
+    found = []
+    if verdict == "unexplained":
+        worst = int(np.argmax(_left(last)))
+        found.append(f"something moves joint {worst + 1} that no effect of the catalogue explains")
+    if verdict == "consistent":
+        found.append("nothing is worth adding to this model")
+    return tuple(found)
+
+
+def _operations(robot: Robot) -> int:
+    from robodyn.counts import count
+    from robodyn.generation import program
+
+    return count(program(robot, "inverse_dynamics")).total
+
+
+def _gap(robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
+    def rms(of: Robot, which: Sequence[Gate]) -> Floats:
+        squares, count = np.zeros(robot.n), 0
+        for gate in which:
+            rest = gate.log.tau - predicted(of, gate)
+            edge = int(_END * len(rest))
+            kept = rest[edge : len(rest) - edge]
+            squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
+        return np.sqrt(squares / count)
+
+    noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
+    return Gap(rms(robot, gates), rms(model, gates), rms(robot, [seen]), rms(model, [seen]), noise)
+
+
+def _series(name: str, robot: Robot, model: Robot, gate: Gate) -> Series:
+    s = signals_seen(gate)
+    before, after = (gate.log.tau - predicted(r, gate) for r in (robot, model))
+    load = Model(robot).evaluate(s.q, s.qd, s.qdd).rigid if robot.n else s.q
+    step = max(1, len(gate.log.t) // _DRAWN)
+    parts = (gate.log.t, s.q, s.qd, s.qdd, load, gate.log.tau, before, after)
+    return Series(name, *(x[::step] for x in parts))
+
+
+__all__ = ["diagnose", "estimates", "raw_noise"]

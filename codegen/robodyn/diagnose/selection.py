@@ -1,0 +1,344 @@
+"""Which effects are worth adding: one after another, each judged on parts of the log that it was not fitted
+to.
+
+A step takes, of all candidates that pass, the one that explains most; those that explain as much are its
+rivals, and of them the simplest is named. It passes where (i) the gain is there in nearly all parts of the
+log (paired over parts), (ii) it is more than chance would give over the whole library, (iii) what it
+explains at some joint matters beside the noise of the torque channel and the torque itself.
+
+The rigid arm's own numbers compete: what they explain within their confidence costs little, beyond it as
+much as its prior says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.candidates import Candidate, Context, again, candidates, context_of
+from robodyn.diagnose.contact import Contact, contact_in
+from robodyn.diagnose.fit import BLOCKS, Fit, Problem, fitted, less, problem, without
+from robodyn.diagnose.rigid import Model
+from robodyn.diagnose.signals import Signals, signals_of
+from robodyn.robot.model import Robot
+from robodyn.simulate.log import Log
+
+Floats = NDArray[np.float64]
+
+#: Least paired t over the parts of the log, and most effects.
+_T, _MOST = 3.0, 6
+#: What an effect must explain at some joint: shares of the raw noise and of the torque (RMS).
+_OF_NOISE, _OF_TORQUE = 0.3, 0.004
+#: How far beyond their confidence the arm's own numbers would have to be, in units of log-likelihood.
+_RELIEF = 20.0
+#: Of the ten numbers of a body about four are seen in most motions.
+_BODY = 4
+#: A limit has one number and a force three: so much less it may explain.
+_CLIPPED = 0.15
+#: Rivals: within so many standard errors of the best, or so small a share of its gain.
+_TIE, _LOSS = 2.0, 0.02
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trial:
+    """A candidate beside what was chosen before: its columns [N, rows, c], the fit, the ``gain`` in units of
+    log-likelihood, its ``t`` over the parts, the RMS that it explains at its best joint, as a share of what
+    would matter."""
+
+    candidate: Candidate
+    columns: Floats
+    fit: Fit
+    gain: float
+    t: float
+    matters: float
+    per_part: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Named:
+    """An effect that was found, ids of what explains as much, and the trials ``beside`` it, best first."""
+
+    trial: Trial
+    rivals: tuple[str, ...]
+    confidence: float
+    x: Floats
+    stderr: Floats
+    beside: tuple[Trial, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Selection:
+    """What was found in a log; ``first`` and ``last`` fits; all trials of the first step, best first;
+    ``residue`` [n]: what is left in units of the noise, by its middle, so that short bursts (joints that
+    stick at reversals) do not count."""
+
+    context: Context
+    start: Problem
+    found: tuple[Named, ...]
+    first: Fit
+    last: Fit
+    trials: tuple[Trial, ...]
+    residue: Floats
+
+
+def start_of(contexts: Sequence[Context]) -> Problem:
+    """The filtered residual of the model, and the nuisance of its rigid numbers."""
+    model, s = contexts[0].model, contexts[0].signals
+    phi = model.standard_parameters()
+    scale = np.zeros_like(phi)
+    for k, link in enumerate(model.robot.links):
+        confidence = float(link.confidence)
+        size = np.abs(phi[k])
+        floor = np.concatenate([[0.0], np.full(3, 0.02 * size[0]), np.full(6, 0.1 * size[4:7].max())])
+        scale[k] = confidence * np.maximum(size, floor)
+    rests, nuisances = [], []
+    for c in contexts:
+        rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
+        Y = c.model.regressor(c.slow.q, c.slow.qd, c.slow.qdd)
+        flat = (Y * scale).reshape(len(Y), model.n, -1)
+        nuisances.append(c.slow.thinned(c.slow.filtered(flat)))
+    Y = np.concatenate(nuisances)
+    Y = Y[:, :, np.abs(Y).max(axis=(0, 1)) > 0]
+    thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
+    return problem(np.concatenate(rests), Y, passed_noise(s), thin)
+
+
+def raw_noise(s: Signals) -> Floats:
+    """Standard deviations [n] of the torque channel's noise, from second differences."""
+    second = np.diff(s.tau, 2, axis=0)
+    found: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
+    return found
+
+
+def passed_noise(s: Signals) -> Floats:
+    """As far as the filter lets it pass."""
+    floor = 1e-4 * np.sqrt(np.mean(s.tau**2, axis=0))
+    passed = raw_noise(s) * np.sqrt(min(1.0, 2 * s.cutoff * s.period))
+    return np.asarray(np.maximum(passed, np.maximum(floor, 1e-9)))
+
+
+def what_matters(s: Signals) -> Floats:
+    """RMS [n] that an effect must explain at a joint to be worth a name."""
+    found: Floats = np.maximum(_OF_NOISE * raw_noise(s), _OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
+    return found
+
+
+def select(
+    robot: Robot,
+    logs: Log | Sequence[Log],
+    *,
+    progress: Callable[[str], object] | None = None,
+    cutoff: float | None = None,
+) -> Selection:
+    """What ``robot`` lacks to explain ``logs``, each evenly sampled; parts too short to be filtered are
+    left."""
+    pieces = [logs] if isinstance(logs, Log) else list(logs)
+    pieces.sort(key=lambda log: -log.samples)
+    seen = signals_of(pieces[0], cutoff=cutoff)
+    context = context_of(Model(robot), seen)
+    contexts = [context]
+    for log in pieces[1:]:
+        if log.samples * seen.period > 20 / seen.cutoff:
+            more = signals_of(log, cutoff=seen.cutoff)
+            contexts.append(context_of(context.model, more, context.hints))
+    start = now = start_of(contexts)
+    least = what_matters(seen) / start.sigma
+    made = zip(*(candidates(each) for each in contexts), strict=True)
+    library = [
+        (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
+        for each in made
+    ]
+    found: list[Named] = []
+    trials: list[Trial] = []
+    touched = contact_in(context, start) if len(contexts) == 1 else None
+    if touched is not None and _clipped_there(start, touched, library):
+        touched = None
+    if touched is not None:
+        start = now = without(start, touched.mask)
+    first = current = fitted(start)
+    while len(found) < _MOST:
+        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in found}
+        tried = [
+            trial(now, current, c, columns, least)
+            for c, columns in library
+            if (c.effect, c.joint) not in taken
+        ]
+        tried.sort(key=lambda one: -one.gain)
+        if not found:
+            trials = tried
+        best = _best(now, current, tried, least, contexts)
+        if best is None:
+            break
+        one, rivals, confidence = best
+        found.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
+        if one.candidate.local:
+            now = less(now, one.candidate.rows, one.columns[:, :, 0])
+        else:
+            now = now.with_columns(one.candidate.rows, one.columns)
+        current = fitted(now)
+        if progress is not None:
+            progress(one.candidate.name)
+    estimated = _estimated(now, current, found)
+    if touched is not None:
+        estimated = (*estimated, _named_contact(touched, first))
+    left = np.abs(now.rest - now.A @ current.known)
+    residue = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
+    return Selection(context, start, estimated, first, current, tuple(trials), residue)
+
+
+def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
+    """Whether a torque that is cut off explains the burst as well as a force does."""
+    b = start.rest[touched.mask]
+    for candidate, columns in library:
+        if candidate.effect == "torque_saturation":
+            left = b.copy()
+            rows = list(candidate.rows)
+            left[:, rows] -= columns[touched.mask][:, :, 0] / start.sigma[rows]
+            if 1 - float(np.sum(left**2) / np.sum(b**2)) > touched.explained - _CLIPPED:
+                return True
+    return False
+
+
+def _named_contact(touched: Contact, first: Fit) -> Named:
+    """A contact as a finding: judged in its window, not on parts of the log."""
+    gain = 100.0 * touched.explained
+    fit = Fit(touched.x, np.diag(touched.stderr**2), first.known, first.held, 0.0)
+    one = Trial(touched.candidate, touched.columns, fit, gain, np.inf, np.inf, np.full(BLOCKS, gain))
+    return Named(one, (), 0.9, touched.x, touched.stderr)
+
+
+def _estimated(now: Problem, last: Fit, found: Sequence[Named]) -> tuple[Named, ...]:
+    """The effects with their coefficients in the fit of all together."""
+    done = []
+    at = now.nuisance
+    spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
+    spread = spread * max(float(last.held.mean()), 1e-300)
+    for one in found:
+        if one.trial.candidate.local:
+            done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
+            continue
+        wide = one.trial.columns.shape[2]
+        x = last.known[at : at + wide]
+        error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
+        done.append(Named(one.trial, one.rivals, one.confidence, x, error, one.beside))
+        at += wide
+    return tuple(done)
+
+
+def prepared(context: Context, candidate: Candidate) -> Floats:
+    """The candidate's columns, filtered and thinned like the torque."""
+    signals = context.slow if candidate.coarse else context.signals
+    return signals.thinned(signals.filtered(candidate.columns))
+
+
+def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, least: Floats) -> Trial:
+    """The candidate beside what was chosen before."""
+    if candidate.local:  # parts of the log without it say nothing of its size, which is known: 1
+        fit = replace(fitted(less(now, candidate.rows, columns[:, :, 0])), x=np.ones(1), cov=np.zeros((1, 1)))
+    else:
+        fit = fitted(now, candidate.rows, columns, candidate.signs)
+    weight = now.independent / BLOCKS / 2
+    floor = np.maximum(fit.held.mean(axis=0), 1.0)
+    per_part = weight * ((current.held - fit.held) / floor).sum(axis=1)
+    relief = current.strain - fit.strain
+    gain = float(per_part.sum()) + relief
+    error = float(per_part.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
+    rows = list(candidate.rows)
+    explained = np.sqrt(np.mean((columns @ fit.x) ** 2, axis=0)) / now.sigma[rows]
+    matters = float(np.max(explained / least[rows]))
+    t = float(per_part.mean()) / error
+    if relief > max(
+        0.5 * gain, _RELIEF
+    ):  # the residual is small either way: the arm's numbers would be wrong
+        t = max(t, _T)
+    return Trial(candidate, columns, fit, gain, t, matters, per_part)
+
+
+def _best(
+    now: Problem, current: Fit, tried: Sequence[Trial], least: Floats, contexts: Sequence[Context]
+) -> tuple[Trial, tuple[str, ...], float] | None:
+    N = now.independent
+
+    def passes(one: Trial) -> bool:
+        c = one.candidate
+        enough = (min(len(c.signs), _BODY) + len(c.given) + 3) * np.log(N) / 2
+        better = int(np.sum(one.per_part > 0))
+        steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
+        steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * enough)
+        if c.local:
+            steady = one.t >= 1 and one.gain > 3 * enough
+        return bool(
+            steady and one.matters >= 1 and one.gain > enough and np.any(one.fit.x) and c.feasible(one.fit.x)
+        )
+
+    good = [one for one in tried if passes(one)]
+    if not good:
+        return None
+    # Of each effect at each place the best of its grid, made better there.
+    best: dict[tuple[str, int | None], Trial] = {}
+    for one in good:
+        best.setdefault((one.candidate.effect, one.candidate.joint), one)
+    top = max(one.gain for one in best.values())
+    for key, one in best.items():
+        if one.candidate.given and one.gain > 0.5 * top:
+            best[key] = _refined(now, current, one, least, contexts)
+    ranked = sorted(best.values(), key=lambda one: -one.gain)
+    winner = ranked[0]
+    ties = [one for one in ranked[1:] if _tied(winner, one)]
+    simplest = min([winner, *ties], key=lambda one: (one.candidate.order, -one.gain))
+    others = [one for one in [winner, *ties] if one is not simplest]
+    names = [one.candidate.effect for one in others if not _contains(one.candidate, simplest.candidate)]
+    rivals = tuple(dict.fromkeys(name for name in names if name != simplest.candidate.effect))
+    confidence = 0.95 if not rivals else max(0.5, 0.9 / (1 + 0.3 * len(rivals)))
+    return simplest, rivals, confidence
+
+
+#: What has what as a special case: a tie with it says nothing.
+_CONTAINS = {
+    "asymmetric_friction": ("coulomb_friction",),
+    "stribeck_friction": ("coulomb_friction",),
+    "transmission_loss": ("coulomb_friction",),
+    "spring": ("torque_bias",),
+    "motor_coupling": ("rotor_inertia", "viscous_friction", "coulomb_friction"),
+}
+
+
+def _contains(wide: Candidate, narrow: Candidate) -> bool:
+    return wide.joint == narrow.joint and narrow.effect in _CONTAINS.get(wide.effect, ())
+
+
+def _tied(winner: Trial, other: Trial) -> bool:
+    """Whether ``other`` explains what ``winner`` does, as far as the log can tell."""
+    if not set(winner.candidate.rows) & set(other.candidate.rows) or other.gain < 0.5 * winner.gain:
+        return False
+    if other.gain > (1 - _LOSS) * winner.gain:
+        return True
+    worse = winner.per_part - other.per_part
+    error = float(worse.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
+    return bool(winner.gain - other.gain < _TIE * error * BLOCKS)
+
+
+def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
+    """The candidate with its nonlinear values improved, one factor at a time."""
+    spread = 1.5 if one.candidate.effect != "torque_ripple" else 1.002
+    for _ in range(5):
+        better = one
+        candidate = one.candidate
+        for name, value in candidate.given.items():
+            for factor in (1 / spread, spread):
+                value_tried = value * factor
+                if name == "efficiency":
+                    value_tried = 1 - (1 - value) * factor
+                    if not 0.05 < value_tried < 0.995:
+                        continue
+                made = [again(c, candidate, {**candidate.given, name: value_tried}) for c in contexts]
+                columns = [prepared(c, one) for c, one in zip(contexts, made, strict=True)]
+                once = trial(now, current, made[0], np.concatenate(columns), least)
+                if once.gain > better.gain:
+                    better = once
+        if better is one:
+            spread = spread**0.5
+        one = better
+    return one

@@ -1,0 +1,111 @@
+"""From a log to signals that a model can be held to: filtered positions, their rates, and one filter for all.
+
+Source: Gautier 1997 (parallel filtering: what is compared goes through the same zero-phase filter).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.simulate.log import Log
+
+Floats = NDArray[np.float64]
+
+#: Lowest and highest cutoff [Hz], the latter as a share of the sampling rate.
+_LOWEST, _HIGHEST = 6.0, 0.2
+#: No higher than this [Hz]: steps of friction reach far up, and what is worth naming shows below.
+_ENOUGH = 15.0
+_ORDER = 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Signals:
+    """A log's motion and torque: ``t`` [K] in s, even; ``q, qd, qdd`` [K, n] of filtered positions; ``tau``
+    [K, n] as logged; ``cutoff`` [Hz] of the filter of :meth:`filtered`; ``every``: what :meth:`thinned`
+    keeps, but for ``edge`` samples at either end."""
+
+    t: Floats
+    q: Floats
+    qd: Floats
+    qdd: Floats
+    tau: Floats
+    cutoff: float
+    every: int
+    edge: int
+
+    @property
+    def period(self) -> float:
+        """Time between samples [s]."""
+        return float(self.t[1] - self.t[0])
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return int(self.q.shape[1])
+
+    def filtered(self, x: Floats, cutoff: float | None = None) -> Floats:
+        """``x`` [K, ...] through the zero-phase low-pass."""
+        return low_pass(x, 1 / self.period, cutoff or self.cutoff)
+
+    def thinned(self, x: Floats) -> Floats:
+        """Of ``x`` [K, ...], filtered, as many samples as its band needs, without the filter's ends."""
+        return x[self.edge : len(x) - self.edge : self.every]
+
+    def coarse(self) -> Signals:
+        """The same at a rate that still carries what the filter passes: for columns that are smooth."""
+        step = max(1, self.every // 2)
+        if step == 1:
+            return self
+        arrays = (self.t, self.q, self.qd, self.qdd, self.filtered(self.tau))
+        t, q, qd, qdd, tau = (x[::step] for x in arrays)
+        return Signals(t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step)
+
+
+def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
+    """Signals of an evenly sampled log."""
+    t = log.t
+    period = float((t[-1] - t[0]) / (len(t) - 1))
+    rate = 1 / period
+    chosen = cutoff or knee(log.q, rate)
+    smooth = low_pass(log.q, rate, chosen)
+    qd = np.gradient(smooth, period, axis=0)
+    qdd = np.gradient(qd, period, axis=0)
+    every = max(1, 2 * int(rate / (8 * chosen)))
+    edge = every * max(1, round(min(1.5 / chosen * rate, len(t) / 20) / every))
+    # So many samples that coarse signals have the same places.
+    count = (len(t) - 1) // every * every + 1
+    t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
+    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge)
+
+
+def low_pass(x: Floats, rate: float, cutoff: float) -> Floats:
+    """A Butterworth filter of order 4, run forth and back over the first axis; no filter above the band."""
+    from scipy.signal import butter, sosfiltfilt
+
+    if cutoff >= 0.45 * rate or len(x) < 30:
+        return x
+    sos = butter(_ORDER, cutoff, fs=rate, output="sos")
+    found: Floats = sosfiltfilt(sos, x, axis=0)
+    return found
+
+
+def knee(q: Floats, rate: float) -> float:
+    """Cutoff [Hz] above what moves: three times the highest frequency that stands out of the noise."""
+    highest = _LOWEST
+    window = np.hanning(len(q))
+    frequencies = np.fft.rfftfreq(len(q), 1 / rate)
+    for x in q.T:
+        line = np.linspace(x[0], x[-1], len(x))
+        power = np.abs(np.fft.rfft((x - line) * window)) ** 2
+        floor = np.median(power[len(power) // 2 :]) + 1e-30 * power.max()
+        above = np.nonzero(power > 1e3 * floor)[0]
+        if len(above):
+            # What carries the motion, not the last line that peeps out.
+            share = np.cumsum(power[1:] * frequencies[1:] ** 4)
+            if share[-1] > 0:
+                carried = frequencies[1:][np.searchsorted(share, 0.99 * share[-1])]
+                highest = max(highest, min(float(frequencies[above[-1]]), 3 * float(carried)))
+    return float(min(max(_LOWEST, 2.5 * highest), _ENOUGH, _HIGHEST * rate))

@@ -1,0 +1,284 @@
+"""Blind tests: logs of an arm that has effects which the model given for it lacks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from diagnose.hidden.arms import bare, perturbed, rubbing
+from diagnose.hidden.model import Solid, Tool
+from diagnose.hidden.motion import Drive, Run, felt_inertia, inverse, reference, run
+from diagnose.hidden.now import Scale, width_of
+from peers.numbers import Array, number
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot.effects import default_of
+from robodyn.robot.folding import folded
+from robodyn.robot.model import EffectEntry, Limits, Robot
+from robodyn.simulate.log import Log
+from robodyn.simulate.trajectories.fourier import fourier
+from robodyn.simulate.trajectories.trajectory import Law
+
+__all__ = ["Hidden", "Truth", "effect", "hidden_log", "outsider"]
+
+STEP = 2.5e-4
+#: Closed loop of the controllers [rad/s].
+_BANDWIDTH = 50.0
+_HARMONICS = 5
+#: A torque channel is no quieter than one of this share of the arm's largest RMS torque.
+_QUIET = 0.05
+
+Motion = Literal["full", "one_way", "narrow"]
+Rates = Literal["none", "velocity", "both"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Truth:
+    """What is hidden: ``robot`` with its ``effects``; ``noise`` [n]: standard deviation of the torque's;
+    ``gap`` [n]: RMS of what the model lacks, were it exact otherwise; ``ratio`` [n]: gap over noise;
+    ``clean``: the training log without noise, quantisation, with rates and with what sensors do."""
+
+    robot: Robot
+    effects: tuple[EffectEntry, ...]
+    noise: Array
+    gap: Array
+    ratio: Array
+    clean: Log
+
+
+class Hidden(NamedTuple):
+    """A blind test: the model that is given, a log to fit, another to validate, and the answer."""
+
+    given: Robot
+    train: Log
+    validate: Log
+    truth: Truth
+
+
+def effect(id: str, joint: int | None = None, /, **settings: Any) -> EffectEntry:
+    """An entry of the catalogue's effect ``id``; what is left out is at its default."""
+    defaults = {p.name: default_of(p) for p in CATALOGUE[id].parameters}
+    values = {name: value for name, value in defaults.items() if value is not None}
+    values.update({name: _exact(given) for name, given in settings.items()})
+    return EffectEntry(id, joint, tuple(values.items()))
+
+
+def outsider(id: str, joint: int | None = None, /, **settings: Any) -> EffectEntry:
+    """An entry that no catalogue knows: ``swinging_tool``, ``random_offset`` (``level``, ``dwell``) or
+    ``acceleration_friction`` (``coefficient``)."""
+    return EffectEntry(id, joint, tuple((name, _exact(given)) for name, given in settings.items()))
+
+
+def _exact(given: Any) -> Any:
+    if isinstance(given, tuple):
+        return tuple(map(_exact, given))
+    return Fraction(repr(float(f"{given:.9g}"))) if isinstance(given, float) else given
+
+
+def hidden_log(
+    arm: str,
+    effects: Sequence[EffectEntry],
+    *,
+    seed: int,
+    duration: float = 10.0,
+    rate: float = 1000.0,
+    noise_share: float = 0.01,
+    ratio: float | None = None,
+    encoder_bits: int | None = 20,
+    rates: Rates | bool = "none",
+    friction: bool = False,
+    inertia_error: float = 0.0,
+    motion: Motion = "full",
+    validation: bool = True,
+    step: float = STEP,
+) -> Hidden:
+    """Logs of ``arm`` (a name of :data:`~diagnose.hidden.arms.ARMS`) with the hidden ``effects``.
+
+    The noise of the torques is ``noise_share`` of each joint's RMS torque (of a
+    weak joint's, of a twentieth of the strongest's); with a ``ratio`` it is scaled for
+    all joints, so that the gap of the joint where it shows best is that many times its noise. ``friction``:
+    the arm has viscous and Coulomb friction that the given model knows. ``inertia_error``: masses, centres
+    and inertias of the given model are off by that share. Trajectories follow from ``seed``; ``motion`` may
+    be poor on purpose. Without ``validation`` the second log is the first.
+    """
+    known = rubbing(bare(arm)) if friction else bare(arm)
+    true = folded(replace(known, effects=tuple(effects)))
+    given = perturbed(known, inertia_error, seed) if inertia_error else known
+    every = max(1, round(1 / (rate * step)))
+    train, scale = _measured(
+        true, known, _law(known, 2 * seed, duration, motion), duration, every, step, seed
+    )
+    gap = np.sqrt(np.mean(_lacking(known, train, scale) ** 2, axis=0))
+    size = np.sqrt(np.mean(train.tau**2, axis=0))
+    noise = noise_share * np.maximum(size, _QUIET * size.max())
+    if ratio is not None:
+        noise = noise * float((gap / noise).max()) / ratio
+    second = train
+    if validation:
+        law = _law(known, 2 * seed + 1, duration, motion)
+        second, _ = _measured(true, known, law, duration, every, step, seed + 1)
+    kind: Rates = ("both" if rates else "none") if isinstance(rates, bool) else rates
+    logs = [
+        _noisy(log, true, noise, encoder_bits, kind, np.random.default_rng((seed, which)))
+        for which, log in enumerate((train, second))
+    ]
+    return Hidden(given, logs[0], logs[1], Truth(true, tuple(effects), noise, gap, gap / noise, train))
+
+
+def _law(robot: Robot, seed: int, duration: float, motion: Motion) -> Law:
+    """The law of a motion at rest in the beginning, of about 0.1 Hz and its harmonics."""
+    periods = max(1, round(0.1 * duration))
+    frequency = periods / duration
+    if motion == "one_way":
+        return _one_way(robot, seed, duration)
+    if motion == "narrow":
+        near = tuple(
+            replace(link, joint=replace(link.joint, limits=_narrow(link.joint.limits)))
+            for link in robot.links
+        )
+        robot = replace(robot, links=near)
+    law = fourier(robot, frequency, _HARMONICS, seed, periods=periods, share=0.9).law
+    assert law is not None
+    return law
+
+
+def _narrow(limits: Limits) -> Limits:
+    assert limits.position is not None
+    low, high = limits.position
+    return replace(
+        limits, position=(low + (high - low) * Fraction(48, 100), high - (high - low) * Fraction(48, 100))
+    )
+
+
+def _one_way(robot: Robot, seed: int, duration: float) -> Law:
+    """Every joint goes from one side to the other, never back, with a ripple on its speed."""
+    rng = np.random.default_rng((seed, 11))
+    bounds = [link.joint.limits.position for link in robot.links]
+    low, high = np.array([[float(x) for x in pair] for pair in bounds if pair]).T
+    start, way = 0.9 * low + 0.1 * high, 0.8 * (high - low) * 0.6
+    if rng.random() < 0.5:
+        start, way = high - 0.1 * (high - low), -way
+    k = rng.integers(2, 6, robot.n)
+    phase = rng.uniform(0, 2 * np.pi, robot.n)
+
+    def law(t: Array) -> tuple[Array, Array, Array]:
+        # Speed sin^2 of half the time's angle times (1 + 0.6 sin): never negative, integrated numerically.
+        x = t[:, None] / duration
+        speed = np.sin(np.pi * x) ** 2 * (1 + 0.6 * np.sin(2 * np.pi * k * x + phase))
+        h = t[1] - t[0]
+        travel = np.vstack([np.zeros((1, robot.n)), np.cumsum((speed[1:] + speed[:-1]) / 2, axis=0)]) * h
+        factor = way / travel[-1]
+        return start + travel * factor, speed * factor, np.gradient(speed, h, axis=0) * factor
+
+    return law
+
+
+def _measured(
+    true: Robot, known: Robot, law: Law, duration: float, every: int, step: float, seed: int
+) -> tuple[Log, Scale]:
+    """The noiseless log: what the sensors that are not noisy show."""
+    t, q, qd, qdd = reference(law, duration, step)
+    coarse = slice(None, None, max(1, round(2e-3 / step)))
+    ahead = inverse(replace(known, effects=()), q[coarse], qd[coarse], qdd[coarse])
+    ahead_of = np.column_stack([np.interp(t, t[coarse], column) for column in ahead.T])
+    diagonal, least = felt_inertia(
+        replace(true, effects=tuple(e for e in true.effects if e.effect == "payload")), q
+    )
+    elastic = {e.joint for e in true.effects if e.effect in ("joint_elasticity", "backlash")}
+    bandwidth = np.array([_BANDWIDTH / (2 if j + 1 in elastic else 1) for j in range(true.n)])
+    drive = Drive(
+        q, qd, ahead_of, bandwidth**2 * diagonal, 1.4 * bandwidth * diagonal,
+        _at_joints(true, "encoder_offset", "offset", 0.0), _clip(true, "drive"),
+    )  # fmt: skip
+    rotors = np.array([number(link.joint.motor_inertia) for link in true.links])
+    felt = np.array([rotors[j] if j + 1 in elastic else least[j] for j in range(true.n)])
+    scale = Scale(step, felt, duration, seed)
+    made = run(true, drive, scale, every, _tool(true))
+    return _shown(true, made), scale
+
+
+def _tool(robot: Robot) -> Tool | None:
+    for entry in robot.effects:
+        if entry.effect == "swinging_tool":
+            mass, length = entry.number("mass"), entry.number("length")
+            slim = mass * 0.03**2
+            return Tool(Solid(mass, np.array([0.0, 0.0, length]), slim * np.eye(3)), (1.0, 0.0, 0.0), 0.02)
+    return None
+
+
+def _shown(robot: Robot, made: Run) -> Log:
+    tau = made.tau.copy()
+    for entry in robot.effects:
+        if entry.effect == "time_delay":
+            joints = range(robot.n) if entry.joint is None else [entry.joint - 1]
+            for j in joints:
+                tau[:, j] = np.interp(made.t - entry.number("delay"), made.t, made.tau[:, j])
+    tau = tau * (1 + _at_joints(robot, "torque_gain", "gain", 0.0)) + _at_joints(
+        robot, "torque_bias", "bias", 0.0
+    )
+    q = made.q + _at_joints(robot, "encoder_offset", "offset", 0.0)
+    limit = _clip(robot, "sensor")
+    return Log(made.t, q, made.qd, made.qdd, np.clip(tau, -limit, limit))
+
+
+def _at_joints(robot: Robot, id: str, name: str, none: float) -> Array:
+    """The parameter ``name`` of the effect ``id`` at every joint [n]."""
+    values = np.full(robot.n, none)
+    for entry in robot.effects:
+        if entry.effect == id:
+            values[slice(None) if entry.joint is None else entry.joint - 1] = entry.number(name)
+    return values
+
+
+def _clip(robot: Robot, who: str) -> Array:
+    limits = np.full(robot.n, np.inf)
+    for entry in robot.effects:
+        if entry.effect == "torque_saturation" and entry.text("clips") == who and entry.joint:
+            limits[entry.joint - 1] = entry.number("limit")
+    return limits
+
+
+def _lacking(known: Robot, log: Log, scale: Scale) -> Array:
+    """The gap [K, n] of a noiseless log: torque less that of the arm without the hidden effects, of which the
+    friction is known even where it sticks."""
+    assert log.qd is not None
+    assert log.qdd is not None
+    model = inverse(known, log.q, log.qd, log.qdd)
+    speed = log.qd - log.qdd * (scale.step / 2)  # what friction went by
+    for j, link in enumerate(known.links):
+        viscous, coulomb = number(link.joint.viscous), number(link.joint.coulomb)
+        way = np.clip(speed[:, j] / width_of(scale, j, coulomb), -1, 1)
+        model[:, j] += viscous * speed[:, j] + coulomb * way
+    gap: Array = log.tau - model
+    return gap
+
+
+def _noisy(
+    log: Log, robot: Robot, noise: Array, bits: int | None, rates: Rates, rng: np.random.Generator
+) -> Log:
+    q, limit = log.q, _clip(robot, "sensor")
+    if bits is not None:
+        turn = np.array([2 * np.pi if link.joint.kind == "revolute" else 1.0 for link in robot.links])
+        q = np.round(q / (turn / 2**bits)) * (turn / 2**bits)
+    tau = np.clip(log.tau + noise * rng.standard_normal(q.shape), -limit, limit)
+    return Log(log.t, q, log.qd if rates != "none" else None, log.qdd if rates == "both" else None, tau)
+
+
+def typical(arm: str, seed: int) -> tuple[Array, Array, Array, Array]:
+    """Of the bare arm on the training way of ``seed``, in ten seconds, [n] each: RMS torque, RMS speed, RMS
+    acceleration, and the speed below which a tenth of the time is spent."""
+    robot = bare(arm)
+    _, q, qd, qdd = reference(_law(robot, 2 * seed, 10.0, "full"), 10.0, 0.01)
+    rms = [np.sqrt(np.mean(x**2, axis=0)) for x in (inverse(robot, q, qd, qdd), qd, qdd)]
+    return rms[0], rms[1], rms[2], np.quantile(np.abs(qd), 0.1, axis=0)
+
+
+def peak_and_inertia(arm: str, seed: int) -> tuple[Array, Array]:
+    """Largest torque, and mean of what a joint's spring carries (the mass matrix without the rotor), [n]."""
+    robot = bare(arm)
+    _, q, qd, qdd = reference(_law(robot, 2 * seed, 10.0, "full"), 10.0, 0.01)
+    rotors = np.array([number(link.joint.motor_inertia) for link in robot.links])
+    return np.abs(inverse(robot, q, qd, qdd)).max(axis=0), felt_inertia(robot, q)[0] - rotors

@@ -1,0 +1,63 @@
+"""What is hidden by another engine is named, nothing is named where nothing is, and the gap closes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from diagnose.hidden.cases import Case
+from robodyn.diagnose.rigid import Model
+from robodyn.diagnose.run import diagnose
+from robodyn.diagnose.selection import select
+from robodyn.verify import Reference
+from robodyn_testing.effect_arms import arm
+
+#: Arm, effect, joint, seed, gap over noise.
+CLEAR = (
+    ("puma560_3dof", "viscous_friction", 2, 1, 3.7),
+    ("puma560_3dof", "stribeck_friction", 1, 1, 4.8),
+    ("puma560_3dof", "base_tilt", None, 1, 7.6),
+    ("puma560_3dof", "external_contact", None, 1, 5.0),
+    ("puma560_3dof", "torque_saturation", 2, 1, 5.1),
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "values"), [("rubbing", {"f_s": 5.5, "m_load": 2.8}), ("sliding", {"c_1": 3.25})]
+)
+def test_the_model_on_arrays_is_the_reference(name: str, values: dict[str, float]) -> None:
+    robot = arm(name)
+    q, qd, qdd = np.random.default_rng(0).uniform(-1, 1, (3, 200, robot.n))
+    model = Model(robot, values)
+    found = model.evaluate(q, qd, qdd)
+    expected = Reference(robot, values).inverse_dynamics(q, qd, qdd)
+    np.testing.assert_allclose(found.total, expected, rtol=0, atol=1e-12 * np.abs(expected).max())
+    rigid = np.einsum("knlp,lp->kn", model.regressor(q, qd, qdd), model.standard_parameters())
+    np.testing.assert_allclose(rigid, found.rigid, rtol=0, atol=1e-12 * np.abs(rigid).max())
+
+
+@pytest.mark.parametrize(("arm_name", "effect", "joint", "seed", "ratio"), CLEAR)
+def test_what_is_hidden_is_named_first(
+    arm_name: str, effect: str, joint: int | None, seed: int, ratio: float
+) -> None:
+    hidden = Case(arm_name, ((effect, joint),), seed, ratio).make()
+    found = select(hidden.given, hidden.train).found
+    assert [(one.trial.candidate.effect, one.trial.candidate.joint) for one in found] == [(effect, joint)]
+
+
+def test_nothing_is_named_where_nothing_is_hidden() -> None:
+    hidden = Case("puma560_3dof", (), 3, 1.0, friction=True).make()
+    assert select(hidden.given, hidden.train).found == ()
+
+
+def test_a_diagnosis_closes_the_gap_and_then_says_consistent() -> None:
+    hidden = Case("puma560_3dof", (("coulomb_friction", 3),), 1, 7.6).make()
+    found = diagnose(hidden.given, [hidden.train], hidden.validate)
+    assert found.verdict == "missing_effect"
+    assert [(f.effect, f.joint) for f in found.findings] == [("coulomb_friction", 3)]
+    gap = found.gap
+    removable = gap.validate_before[2] - hidden.truth.noise[2]
+    assert gap.validate_before[2] - gap.validate_after[2] > 0.9 * removable
+    again = diagnose(found.model, [hidden.train], hidden.validate)
+    assert again.verdict == "consistent"
+    assert found.to_dict()["findings"][0]["parameters"]["level"]["unit"] == "N*m"
