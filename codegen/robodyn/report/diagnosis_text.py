@@ -43,7 +43,7 @@ def number(value: float) -> str:
 def with_error(estimate: Estimate, sign: str = "+-") -> str:
     """A parameter with its standard error and unit: the value to the error's second digit."""
     value, error = estimate.value, estimate.stderr
-    unit = f" {estimate.unit}" if estimate.unit else ""
+    unit = f" {estimate.unit}" if estimate.unit not in ("", "1") else ""
     if isinstance(value, str):
         return value
     if error is None:
