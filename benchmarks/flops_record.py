@@ -18,7 +18,7 @@ from pathlib import Path
 
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.generation import Drafts, Options, program
+from robodyn.generation import Options, program
 from robodyn.records import Record, best_record, bundled_records, parse_record
 from robodyn.records.identity import identity
 from robodyn.robot import bundled_names, load
@@ -36,7 +36,7 @@ def recomputed() -> list[Row]:
         for function in ("inverse_dynamics", "gravity", "bias", "mass_matrix"):
             for level in ("fast", "record"):
                 options = Options((function,), optimize=level)  # type: ignore[arg-type]  # one of the two
-                found = count(program(robot, function, options, Drafts(robot, options)))
+                found = count(program(robot, function, options))
                 numbers = (found.mul + found.div, found.add, found.total, found.sincos)
                 rows.append(dict(zip(FIELDS, (name, function, level, *map(str, numbers)), strict=True)))
         print(f"{name}: counted", file=sys.stderr)
