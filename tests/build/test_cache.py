@@ -161,7 +161,7 @@ def test_a_folder_below_one_that_anybody_may_replace_is_not_used(tmp_path: Path)
     assert Cache(above / "cache").reason is None
 
 
-@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="no owners here")
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="missing: os.geteuid; only POSIX has it")
 def test_a_folder_of_another_user_is_not_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     if os.geteuid() == 0:
         os.chown(tmp_path, 12345, -1)

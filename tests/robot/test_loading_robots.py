@@ -97,7 +97,7 @@ def test_a_file_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyP
         load("arm.yaml")
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="POSIX")
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="missing: os.mkfifo; only POSIX has it")
 def test_pipes_and_devices_are_refused_unopened(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "ff")
     for spec in ("ff", "/dev/zero", "/dev/null"):
@@ -105,7 +105,7 @@ def test_pipes_and_devices_are_refused_unopened(tmp_path: Path) -> None:
             load(spec)
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="POSIX")
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="missing: os.mkfifo; only POSIX has it")
 def test_a_file_that_only_calls_itself_regular(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As /proc/kmsg does; without a writer it ends at once, with one it would wait."""
     monkeypatch.setattr("robodyn.robot.bundled.S_ISREG", lambda _: True)

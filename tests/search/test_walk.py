@@ -31,7 +31,7 @@ from robodyn.search.labels import labelled
 from robodyn.search.network import NoWalk
 from robodyn.search.objective import operations_of
 from robodyn.search.walk import CHAIN, FUSED, SUM, TOLERANCE, Walk
-from robodyn_testing import require_tool
+from robodyn_testing import require_module, require_tool
 from robodyn_testing.random_robots import random_states
 from search.arms import SPECIAL, bundled, random_arms
 
@@ -289,7 +289,7 @@ def test_walks_run_side_by_side() -> None:
 
 
 def test_a_walk_gives_its_room_back() -> None:
-    resource = pytest.importorskip("resource")
+    resource = require_module("resource")
     plain = fast(bundled("stanford_3dof"))
 
     def used() -> int:

@@ -15,6 +15,7 @@ from robodyn.errors import InputError
 from robodyn.robot.model import EffectEntry, Inertia, Robot
 from robodyn.robot.values import parameter
 from robodyn.verify import Reference
+from robodyn_testing import require_module
 from robodyn_testing.random_robots import random_robot
 
 PUMA = robodyn.load("puma560", warn=lambda _: None)
@@ -42,7 +43,7 @@ def close(found: Any, expected: Any, rel: float = 1e-12) -> None:
 
 def pinocchio(robot: Robot) -> Any:
     """Pinocchio's model of the rigid arm with its payload, built joint by joint."""
-    pin = pytest.importorskip("pinocchio")
+    pin = require_module("pinocchio")
     from peers.numbers import inertia_tensor
     from peers.pinocchio_peer import pinocchio_model
 

@@ -15,7 +15,7 @@ from robodyn.diagnose.gate import Gate, inspect
 from robodyn.diagnose.predict import predicted, signals_seen
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.rigid import Model
-from robodyn.diagnose.selection import Named, Selection, raw_noise, select, what_matters
+from robodyn.diagnose.selection import Named, Selection, select, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
@@ -348,6 +348,3 @@ def _series(name: str, robot: Robot, model: Robot, gate: Gate) -> Series:
     step = max(1, len(gate.log.t) // _DRAWN)
     parts = (gate.log.t, s.q, s.qd, s.qdd, load, gate.log.tau, before, after)
     return Series(name, *(x[::step] for x in parts))
-
-
-__all__ = ["diagnose", "estimates", "raw_noise"]

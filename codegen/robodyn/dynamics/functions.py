@@ -17,7 +17,7 @@ from robodyn.dynamics.costing import exact as exact
 from robodyn.dynamics.gauge import regrouped_as, with_displacements
 from robodyn.dynamics.mass_matrix import mass_matrix, solve_symmetric
 from robodyn.dynamics.merging import MergingGraph
-from robodyn.dynamics.parallel import chain_turns, chained, single_turns
+from robodyn.dynamics.parallel import chain_turns, single_turns
 from robodyn.dynamics.reading_order import in_reading_order
 from robodyn.dynamics.regroup import lumps_of, regrouped
 from robodyn.dynamics.slide import slid
@@ -158,11 +158,6 @@ def build(robot: Robot, function: str, choice: Choice) -> Program:
         graph, values = in_reading_order(graph, values)
     (result, _), *_ = interface.outputs
     return lower(graph, [(result, values)])
-
-
-def has_chains(robot: Robot) -> bool:
-    """Whether some joint turns about an axis parallel to the one before (see :mod:`.parallel`)."""
-    return any(chained(build_arm(robot, exact, lambda _: 1)))
 
 
 def outputs_of(

@@ -16,7 +16,7 @@ def pictures(study: Study) -> dict[str, str]:
     found = {
         "path.svg": path(study),
         "joints.svg": joints(study),
-        "efficiency.svg": efficiency(study),
+        "efficiency.svg": efficiency(),
         "following.svg": following(study),
     }
     return found | {f"joint-{k}.svg": torques(study, k) for k in _JOINTS}
@@ -103,7 +103,7 @@ def torques(study: Study, joint: int) -> str:
     )
 
 
-def efficiency(study: Study) -> str:
+def efficiency() -> str:
     """The efficiency curve: what Table 3.5 gives away, and what is assumed."""
     knots = [(float(x), float(y)) for x, y in efficiency_curve()]
     known = sorted((float(point.load), float(point.efficiency)) for point in efficiency_points())
