@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.candidates import Candidate, Context
 from robodyn.diagnose.fit import Problem
+from robodyn.diagnose.library import Candidate, Context
 from robodyn.dynamics.kinematics import frames, jacobian
 
 Floats = NDArray[np.float64]

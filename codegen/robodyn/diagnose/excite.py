@@ -15,7 +15,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.candidates import Candidate, Hints, candidates, context_of
+from robodyn.diagnose.library import Candidate, Hints, candidates, context_of
 from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.signals import Signals
 from robodyn.effects.catalogue import CATALOGUE, effect

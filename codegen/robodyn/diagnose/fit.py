@@ -70,8 +70,8 @@ def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
     at = list(rows)
     rest = p.rest.copy()
     rest[:, at] -= column / p.sigma[at]
-    grams, rights = _grams(p.A, rest, p.parts)
-    return replace(p, rest=rest, grams=grams, rights=rights)
+    flat = [(p.A[part].reshape(-1, p.A.shape[2]), rest[part].reshape(-1)) for part in p.parts]
+    return replace(p, rest=rest, rights=np.stack([a.T @ y for a, y in flat]))
 
 
 def problem(rest: Floats, Y: Floats, sigma: Floats, thin: float) -> Problem:

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 
 from robodyn.build import Kernel
 from robodyn.diagnose.gate import Gate
+from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.signals import Signals, knee, low_pass
+from robodyn.diagnose.twist import behind_motors
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 from robodyn.simulate.sensors import measured_torque
@@ -35,14 +37,31 @@ def offsets(robot: Robot) -> Floats:
     return found
 
 
-def model_torque(robot: Robot, t: Floats, q: Floats, qd: Floats, qdd: Floats) -> Floats:
-    """What the torque channel of ``robot`` shows [K, n] along measured positions, evenly sampled."""
+def model_torque(
+    robot: Robot, t: Floats, q: Floats, qd: Floats, qdd: Floats, tau: Floats | None = None
+) -> Floats:
+    """What the torque channel of ``robot`` shows [K, n] along measured positions, evenly sampled. What it
+    showed, ``tau`` [K, n], tells of joints with springs how they were twisted at first."""
+    model = Model(robot)
+    if model.couplers:  # a kernel can only look back
+        found = behind_motors(model, q - offsets(robot), qd, qdd, float(t[1] - t[0]), tau)
+        return measured_torque(found.total, t, robot.effects)
     kernel = kernel_of(robot)
     more: dict[str, Any] = {}
     if kernel.signatures["inverse_dynamics"].states:
         more["dt"] = float(t[1] - t[0])
     tau = kernel.inverse_dynamics(q - offsets(robot), qd, qdd, **more)
     return measured_torque(tau, t, robot.effects)
+
+
+def given_torque(tau: Floats, robot: Robot) -> Floats:
+    """Of commands [K, n], what the drives of ``robot`` gave: no more than their limits."""
+    found = np.array(tau)
+    for entry in robot.effects:
+        if entry.effect == "torque_saturation" and entry.joint and entry.text("clips") == "drive":
+            limit = entry.number("limit")
+            found[:, entry.joint - 1] = np.clip(found[:, entry.joint - 1], -limit, limit)
+    return found
 
 
 def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
@@ -58,8 +77,14 @@ def predicted(robot: Robot, gate: Gate) -> Floats:
     """The torques [K, n] that ``robot`` predicts along a log."""
     found = np.zeros_like(gate.log.tau)
     for part in gate.segments:
-        found[part] = model_torque(robot, *smooth_motion(gate.log, part))
+        found[part] = model_torque(robot, *smooth_motion(gate.log, part), gate.log.tau[part])
     return found
+
+
+def lacking(robot: Robot, gate: Gate) -> Floats:
+    """What ``robot`` does not explain of a log [K, n]: the torque as logged (the command as far as the drive
+    could give it) less the predicted one."""
+    return given_torque(gate.log.tau, robot) - predicted(robot, gate)
 
 
 def signals_seen(gate: Gate) -> Signals:

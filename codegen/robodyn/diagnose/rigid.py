@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion, trigonometry_at
 from robodyn.dynamics.drive import (
+    Acting,
     Layer,
     Loads,
     Rates,
@@ -29,6 +30,8 @@ from robodyn.ir.program import Label
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
+#: Positions, velocities and accelerations [K, n].
+Moved = tuple[Floats, Floats, Floats]
 
 #: Standard inertial parameters of a link, about its frame's origin.
 PARAMETERS = ("m", "mx", "my", "mz", "xx", "yy", "zz", "xy", "xz", "yz")
@@ -58,6 +61,15 @@ class Model:
         self._rest = None if robot.rest_velocity is None else float(robot.rest_velocity)
         self._band = None if robot.dead_band is None else float(robot.dead_band)
 
+    @property
+    def couplers(self) -> dict[int, Acting]:
+        """What lies between motor and link where the encoder is on the motor, by joint (from 0)."""
+        found = {}
+        for j, drive in enumerate(self._layer.joints):
+            if drive.coupler is not None and drive.coupler.values["encoder"] == "motor":
+                found[j] = drive.coupler
+        return found
+
     def motion(self, q: Floats, qd: Floats, qdd: Floats) -> Motion:
         """The rigid arm's motion, over arrays of states."""
         columns = q.T
@@ -70,8 +82,9 @@ class Model:
         """Directions of motion as the robot has them near rest."""
         return np.asarray(smoothed_sign(qd, self._rest, self._band), dtype=np.float64)
 
-    def evaluate(self, q: Floats, qd: Floats, qdd: Floats) -> Evaluated:
-        """The model's torques along a motion."""
+    def evaluate(self, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None) -> Evaluated:
+        """The model's torques along a motion of the links; that of the ``motors`` is the same unless it is
+        given."""
         found: dict[tuple[int, str, str], Any] = {}
 
         def mark(value: Any, label: Label) -> Any:
@@ -99,6 +112,8 @@ class Model:
         way = self.direction(qd)
         rates = Rates(list(q.T), list(qd.T), list(qdd.T), list(way.T))
         passed = passed_on(self._layer, loads, rates)
+        if motors is not None:
+            rates = Rates(*(list(x.T) for x in (*motors, self.direction(motors[1]))))
         pairs = [self.direction(combined(pair, rates.qd)) for pair in self._layer.pairs]
         total = at_motors(self._layer, passed, rates, pairs)
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend import Amendment, amended, amended_text, difference
-from robodyn.diagnose.candidates import Candidate
 from robodyn.diagnose.gate import Gate, inspect
-from robodyn.diagnose.predict import predicted, signals_seen
+from robodyn.diagnose.library import Candidate
+from robodyn.diagnose.predict import lacking, signals_seen
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.selection import Named, Selection, select, what_matters
@@ -23,12 +23,14 @@ from robodyn.simulate.log import Log
 Floats = NDArray[np.float64]
 
 #: Passes: after the first the model is amended and looked at again.
-_PASSES = 3
+_PASSES = 6
 #: Share of a joint's mean square that its findings must explain, where what is left stands out of the noise.
 _EXPLAINED, _STANDS_OUT = 0.8, 3.0
 _END = 0.02
 #: What a log that was not fitted must fall to, in squares over the noise; the confidence of names taken back.
 _NEARER, _WITHDRAWN = 0.98, 0.3
+#: So little of the noise that an effect does not show in a log.
+_UNSEEN = 0.1
 _DRAWN = 3000
 
 
@@ -71,25 +73,27 @@ def diagnose(
     pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
     model, found = robot, dict[tuple[str, int | None], _Found]()
     last: Selection | None = None
+    begun: Selection | None = None
     for _ in range(_PASSES):
         tell("fitting " + ("the catalogue" if not found else "what is left"))
         last = select(model, pieces, progress=lambda name: tell(f"found {name}"))
         if not last.found:
             break
-        fresh = _taken(last, found, hashes[0] if hashes else "log")
-        if not fresh:
+        begun = begun or last
+        if not _taken(last, found, hashes[0] if hashes else "log"):
             break
-        model = amended(model, fresh)
+        _refit(robot, found, begun)
+        model = amended(robot, _amendments(found))
     assert last is not None
     tell("proving it")
-    first = next(iter(found.values())).first if found else last
+    first = begun or last
     checked = [_doubted(one, first, last) for one in found.values()]
     findings = tuple(sorted((_finding(one, sure) for one, sure in checked), key=lambda f: -f.gain))
     left = _left(last)
     verdict = _verdict(findings, last, left)
     seen = inspect(validate, robot, source=_name(names, len(logs))) if validate is not None else gates[-1]
     gap = _gap(robot, model if verdict == "missing_effect" else robot, gates, seen)
-    if verdict == "missing_effect" and not _shrank(gap, findings):  # what does not hold is taken back
+    if verdict == "missing_effect" and not _holds(gap, findings, robot, model, seen):  # is taken back
         verdict = "unexplained"
         findings = tuple(replace(f, confidence=_WITHDRAWN) for f in findings)
         gap = _gap(robot, robot, gates, seen)
@@ -161,6 +165,19 @@ def _piece(log: Log, part: slice) -> Log:
         return log
     cut = [None if x is None else x[part] for x in (log.t, log.q, log.qd, log.qdd, log.tau)]
     return Log(*cut)  # type: ignore[arg-type]
+
+
+def _amendments(found: Mapping[tuple[str, int | None], _Found]) -> list[Amendment]:
+    return [Amendment(effect, joint, one.parameters) for (effect, joint), one in found.items()]
+
+
+def _refit(robot: Robot, found: dict[tuple[str, int | None], _Found], begun: Selection) -> None:
+    """All that was found, fitted together to the logs as they were at first."""
+    from robodyn.diagnose.refine import refined
+
+    better = refined(robot, _amendments(found), begun.contexts, begun.start)
+    for key, one in zip(list(found), better, strict=True):
+        found[key] = replace(found[key], parameters=dict(one.parameters))
 
 
 def _taken(step: Selection, found: dict[tuple[str, int | None], _Found], digest: str) -> list[Amendment]:
@@ -245,13 +262,17 @@ def _left(last: Selection) -> Floats:
     return np.asarray(rms / what_matters(last.context.signals))
 
 
-def _shrank(gap: Gap, findings: Sequence[Finding]) -> bool:
-    """Whether the model is nearer to a log that it was not fitted to, a contact apart."""
+def _holds(gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, seen: Gate) -> bool:
+    """Whether the model is nearer to a log that it was not fitted to, a contact apart; or no farther from
+    one in which nothing shows of what was found."""
     if all(f.effect == "external_contact" for f in findings):
         return True
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
-    return after < _NEARER * before
+    if after < _NEARER * before:
+        return True
+    shown = np.sqrt(np.mean((lacking(robot, seen) - lacking(model, seen)) ** 2, axis=0))
+    return bool(np.all(shown < _UNSEEN * floor))
 
 
 def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verdict:
@@ -331,7 +352,7 @@ def _gap(robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
     def rms(of: Robot, which: Sequence[Gate]) -> Floats:
         squares, count = np.zeros(robot.n), 0
         for gate in which:
-            rest = gate.log.tau - predicted(of, gate)
+            rest = lacking(of, gate)
             edge = int(_END * len(rest))
             kept = rest[edge : len(rest) - edge]
             squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
@@ -343,7 +364,7 @@ def _gap(robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
 
 def _series(name: str, robot: Robot, model: Robot, gate: Gate) -> Series:
     s = signals_seen(gate)
-    before, after = (gate.log.tau - predicted(r, gate) for r in (robot, model))
+    before, after = (lacking(r, gate) for r in (robot, model))
     load = Model(robot).evaluate(s.q, s.qd, s.qdd).rigid if robot.n else s.q
     step = max(1, len(gate.log.t) // _DRAWN)
     parts = (gate.log.t, s.q, s.qd, s.qdd, load, gate.log.tau, before, after)

@@ -17,9 +17,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.candidates import Candidate, Context, again, candidates, context_of
 from robodyn.diagnose.contact import Contact, contact_in
 from robodyn.diagnose.fit import BLOCKS, Fit, Problem, fitted, less, problem, without
+from robodyn.diagnose.library import Candidate, Context, again, candidates, context_of
 from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.signals import Signals, signals_of
 from robodyn.robot.model import Robot
@@ -29,6 +29,11 @@ Floats = NDArray[np.float64]
 
 #: Least paired t over the parts of the log, and most effects.
 _T, _MOST = 3.0, 6
+#: What changes the columns of all others: the model is to be evaluated anew before more is looked for.
+_BENDS = frozenset({
+    "time_delay", "torque_gain", "encoder_offset", "joint_elasticity", "backlash", "torque_saturation",
+    "base_tilt",
+})  # fmt: skip
 #: What an effect must explain at some joint: shares of the raw noise and of the torque (RMS).
 _OF_NOISE, _OF_TORQUE = 0.3, 0.004
 #: How far beyond their confidence the arm's own numbers would have to be, in units of log-likelihood.
@@ -39,6 +44,12 @@ _BODY = 4
 _CLIPPED = 0.15
 #: Rivals: within so many standard errors of the best, or so small a share of its gain.
 _TIE, _LOSS = 2.0, 0.02
+#: Rounds of refining what is not linear, and the factor below which it is fine enough.
+_ROUNDS, _FINE = 12, 1.03
+_SPREADS = {"torque_ripple": (1.002, 1.0001)}
+_DIRECTIONS, _FARTHEST, _REACH = 16, 8.0, {"gap": 0.1, "stiffness": 0.3, "damping": 0.5}
+#: What swings: so many of the best of a grid are refined, if they gain this share of the most.
+_SWINGING, _STARTS, _SOME = ("joint_elasticity", "backlash"), 2, 0.1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,17 +81,22 @@ class Named:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Selection:
-    """What was found in a log; ``first`` and ``last`` fits; all trials of the first step, best first;
-    ``residue`` [n]: what is left in units of the noise, by its middle, so that short bursts (joints that
-    stick at reversals) do not count."""
+    """What was found in the parts of a log; ``first`` and ``last`` fits; all trials of the first step, best
+    first; ``residue`` [n]: what is left in units of the noise, by its middle, so that short bursts (joints
+    that stick at reversals) do not count."""
 
-    context: Context
+    contexts: tuple[Context, ...]
     start: Problem
     found: tuple[Named, ...]
     first: Fit
     last: Fit
     trials: tuple[Trial, ...]
     residue: Floats
+
+    @property
+    def context(self) -> Context:
+        """That of the longest part."""
+        return self.contexts[0]
 
 
 def start_of(contexts: Sequence[Context]) -> Problem:
@@ -173,19 +189,21 @@ def select(
             break
         one, rivals, confidence = best
         found.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
-        if one.candidate.local:
+        if one.candidate.fixed:
             now = less(now, one.candidate.rows, one.columns[:, :, 0])
         else:
             now = now.with_columns(one.candidate.rows, one.columns)
         current = fitted(now)
         if progress is not None:
             progress(one.candidate.name)
+        if one.candidate.effect in _BENDS:
+            break
     estimated = _estimated(now, current, found)
     if touched is not None:
         estimated = (*estimated, _named_contact(touched, first))
     left = np.abs(now.rest - now.A @ current.known)
-    residue = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
-    return Selection(context, start, estimated, first, current, tuple(trials), residue)
+    residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
+    return Selection(tuple(contexts), start, estimated, first, current, tuple(trials), residue)
 
 
 def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
@@ -216,7 +234,7 @@ def _estimated(now: Problem, last: Fit, found: Sequence[Named]) -> tuple[Named, 
     spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
     spread = spread * max(float(last.held.mean()), 1e-300)
     for one in found:
-        if one.trial.candidate.local:
+        if one.trial.candidate.fixed:
             done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
             continue
         wide = one.trial.columns.shape[2]
@@ -235,7 +253,7 @@ def prepared(context: Context, candidate: Candidate) -> Floats:
 
 def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, least: Floats) -> Trial:
     """The candidate beside what was chosen before."""
-    if candidate.local:  # parts of the log without it say nothing of its size, which is known: 1
+    if candidate.fixed:  # its size is known: 1
         fit = replace(fitted(less(now, candidate.rows, columns[:, :, 0])), x=np.ones(1), cov=np.zeros((1, 1)))
     else:
         fit = fitted(now, candidate.rows, columns, candidate.signs)
@@ -259,11 +277,9 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
 def _best(
     now: Problem, current: Fit, tried: Sequence[Trial], least: Floats, contexts: Sequence[Context]
 ) -> tuple[Trial, tuple[str, ...], float] | None:
-    N = now.independent
-
     def passes(one: Trial) -> bool:
         c = one.candidate
-        enough = (min(len(c.signs), _BODY) + len(c.given) + 3) * np.log(N) / 2
+        enough = _enough(now, min(len(c.signs), _BODY) + len(c.given))
         better = int(np.sum(one.per_part > 0))
         steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
         steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * enough)
@@ -273,7 +289,7 @@ def _best(
             steady and one.matters >= 1 and one.gain > enough and np.any(one.fit.x) and c.feasible(one.fit.x)
         )
 
-    good = [one for one in tried if passes(one)]
+    good = [one for one in _near(now, current, tried, least, contexts) if passes(one)]
     if not good:
         return None
     # Of each effect at each place the best of its grid, made better there.
@@ -293,6 +309,28 @@ def _best(
     rivals = tuple(dict.fromkeys(name for name in names if name != simplest.candidate.effect))
     confidence = 0.95 if not rivals else max(0.5, 0.9 / (1 + 0.3 * len(rivals)))
     return simplest, rivals, confidence
+
+
+def _enough(now: Problem, numbers: int) -> float:
+    """The gain that so many free numbers must bring, and the choice of a candidate."""
+    return float((numbers + 3) * np.log(now.independent) / 2)
+
+
+def _near(
+    now: Problem, current: Fit, tried: Sequence[Trial], least: Floats, contexts: Sequence[Context]
+) -> list[Trial]:
+    """The trials, best first, and for what swings the best of its grid refined: a swing a little off is in
+    step for a while and then worse than none."""
+    found, count = list(tried), dict[tuple[str, int | None], int]()
+    least_gain = max(_SOME * max((one.gain for one in tried), default=0.0), _enough(now, 3))
+    for one in tried:
+        key = (one.candidate.effect, one.candidate.joint)
+        if one.candidate.effect not in _SWINGING or not one.candidate.given or one.gain < least_gain:
+            continue
+        count[key] = count.get(key, 0) + 1
+        if count[key] <= _STARTS and sum(count.values()) <= 2 * _STARTS:
+            found.append(_refined(now, current, one, least, contexts))
+    return sorted(found, key=lambda one: -one.gain)
 
 
 #: What has what as a special case: a tie with it says nothing.
@@ -321,24 +359,53 @@ def _tied(winner: Trial, other: Trial) -> bool:
 
 
 def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
-    """The candidate with its nonlinear values improved, one factor at a time."""
-    spread = 1.5 if one.candidate.effect != "torque_ripple" else 1.002
-    for _ in range(5):
+    """The candidate with its nonlinear values improved, one factor at a time; of what swings, all at once in
+    random directions, for it has many optima."""
+
+    def at(values: dict[str, float]) -> Trial:
+        made = [again(c, one.candidate, values) for c in contexts]
+        columns = [prepared(c, each) for c, each in zip(contexts, made, strict=True)]
+        return trial(now, current, made[0], np.concatenate(columns), least)
+
+    if one.candidate.effect in _SWINGING:
+        return _wandered(one, at)
+    spread, fine = _SPREADS.get(one.candidate.effect, (1.5, _FINE))
+    for _ in range(_ROUNDS):
         better = one
-        candidate = one.candidate
-        for name, value in candidate.given.items():
+        given = dict(one.candidate.given)
+        for name, value in given.items():
             for factor in (1 / spread, spread):
-                value_tried = value * factor
+                other = value * factor
                 if name == "efficiency":
-                    value_tried = 1 - (1 - value) * factor
-                    if not 0.05 < value_tried < 0.995:
+                    other = 1 - (1 - value) * factor
+                    if not 0.05 < other < 0.995:
                         continue
-                made = [again(c, candidate, {**candidate.given, name: value_tried}) for c in contexts]
-                columns = [prepared(c, one) for c, one in zip(contexts, made, strict=True)]
-                once = trial(now, current, made[0], np.concatenate(columns), least)
+                once = at({**given, name: other})
                 if once.gain > better.gain:
                     better = once
         if better is one:
             spread = spread**0.5
+            if spread < fine:
+                break
         one = better
+    return one
+
+
+def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
+    """The best of steps in random directions, shorter and shorter."""
+    rng, start = np.random.default_rng(0), one.candidate.given
+    size = np.array([_REACH[name] for name in one.candidate.given])
+    for _ in range(_ROUNDS):
+        given = one.candidate.given
+        steps = np.exp(size * rng.standard_normal((_DIRECTIONS, len(size))))
+        tried = []
+        for row in steps:
+            values = {name: given[name] * float(f) for name, f in zip(given, row, strict=True)}
+            if all(1 / _FARTHEST < x / start[name] < _FARTHEST for name, x in values.items()):
+                tried.append(at(values))
+        if not tried:
+            continue
+        best = max(tried, key=lambda each: each.gain)
+        size = size * (1.0 if best.gain > one.gain else 0.6)
+        one = best if best.gain > one.gain else one
     return one

@@ -6,6 +6,7 @@ Source: Gautier 1997 (parallel filtering: what is compared goes through the same
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,13 +84,19 @@ def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
 
 def low_pass(x: Floats, rate: float, cutoff: float) -> Floats:
     """A Butterworth filter of order 4, run forth and back over the first axis; no filter above the band."""
-    from scipy.signal import butter, sosfiltfilt
+    from scipy.signal import sosfiltfilt
 
     if cutoff >= 0.45 * rate or len(x) < 30:
         return x
-    sos = butter(_ORDER, cutoff, fs=rate, output="sos")
-    found: Floats = sosfiltfilt(sos, x, axis=0)
+    found: Floats = sosfiltfilt(_sections(rate, cutoff), x, axis=0)
     return found
+
+
+@lru_cache(maxsize=32)
+def _sections(rate: float, cutoff: float) -> Floats:
+    from scipy.signal import butter
+
+    return np.asarray(butter(_ORDER, cutoff, fs=rate, output="sos"))
 
 
 def knee(q: Floats, rate: float) -> float:

@@ -50,7 +50,7 @@ def lacking(given: Robot, log: Log) -> Floats:
     assert log.qd is not None
     assert log.qdd is not None
     if any(CATALOGUE[entry.effect].kind == "state" for entry in given.effects):
-        return np.asarray(log.tau - model_torque(given, log.t, log.q, log.qd, log.qdd))
+        return np.asarray(log.tau - model_torque(given, log.t, log.q, log.qd, log.qdd, log.tau))
     tau = Model(given).torque(log.q - offsets(given), log.qd, log.qdd)
     return np.asarray(log.tau - measured_torque(tau, log.t, given.effects))
 

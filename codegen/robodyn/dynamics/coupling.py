@@ -21,13 +21,17 @@ class TwistState:
 
 
 def link_rates(layer: Layer, measured: Rates, states: Mapping[int, TwistState]) -> Rates:
-    """The links' motion where encoders may sit on the motors: what is measured less the twist of before."""
-    q, qd, qdd = list(measured.q), list(measured.qd), list(measured.qdd)
+    """The links' motion where encoders may sit on the motors: places are the measured ones less the twist of
+    before, rates the measured ones.
+
+    Differences of the twist would be a loop: they make the torque of which they are, times the arm's inertia
+    over the stiffness and the square of the step, and that grows without end.
+    """
+    q = list(measured.q)
     for i, drive in enumerate(layer.joints):
         if drive.coupler is not None and drive.coupler.values["encoder"] == "motor":
-            state = states[i]
-            q[i], qd[i], qdd[i] = q[i] - state.twist, qd[i] - state.rate, qdd[i] - state.acceleration
-    return Rates(q, qd, qdd, measured.direction)
+            q[i] = q[i] - states[i].twist
+    return Rates(q, list(measured.qd), list(measured.qdd), measured.direction)
 
 
 def next_twist(drive: JointDrive, passed: Any, before: TwistState, dt: Any) -> TwistState:

@@ -77,7 +77,9 @@ ELASTICITY = Effect(
         _ENCODER,
     ),
     latex=r"\tau_L = K(\theta - q) + D(\dot\theta - \dot q)",
-    doc="A spring between motor (theta, on the joint's side of the gear) and link (q).",
+    doc="A spring between motor (theta, on the joint's side of the gear) and link (q). A kernel that is "
+    "given the motor's motion takes the link's rates to be the motor's, as they are well below the "
+    "resonance; simulation and diagnosis do not.",
     signature="a sag under static load and a lag at high frequency, along with the load and its derivatives",
     rivals=("encoder_offset", "time_delay", "payload", "presliding_hysteresis"),
     separates="a multisine near the resonance; best an encoder on either side",

@@ -55,8 +55,7 @@ class Stepping:
         for entry, part in couplers:
             assert entry.joint is not None
             if entry.text("encoder") == "motor":
-                for array, back in zip(link, state[:, part].T, strict=True):
-                    array[:, entry.joint - 1] -= back
+                link[0][:, entry.joint - 1] -= state[:, part.start]
         passed = self._links.inverse_dynamics(*link)
         moved, after = [q.copy(), qd.copy(), qdd.copy()], state.copy()
         for entry, part in couplers:

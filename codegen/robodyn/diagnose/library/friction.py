@@ -1,0 +1,117 @@
+"""Laws of friction: by direction, by velocity, by the way since a reversal, by load."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.library.candidate import Candidate, Context, column, single, site
+from robodyn.effects.effect import Site
+
+Floats = NDArray[np.float64]
+
+
+#: Grids of what is not linear.
+_STRIBECK = (0.01, 0.02, 0.04, 0.08, 0.15, 0.3)
+_BENDS = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2)  # rad or m: level over stiffness
+_EFFICIENCY = (0.3, 0.45, 0.6, 0.7, 0.8, 0.88, 0.94)
+
+
+def friction(c: Context, j: int) -> Iterator[Candidate]:
+    at = site(c, j)
+    viscous = column("viscous_friction", {"coefficient": 1.0}, at)
+    coulomb = column("coulomb_friction", {"level": 1.0}, at)
+    yield single("viscous_friction", j, [viscous], (1,), lambda x: {"coefficient": float(x[0])}, 1)
+    yield single("coulomb_friction", j, [coulomb], (1,), lambda x: {"level": float(x[0])}, 1)
+    moving = np.abs(at.direction)
+    yield single(
+        "asymmetric_friction", j, [coulomb, moving], (1, 0),
+        lambda x: {"positive": float(x[0] + x[1]), "negative": float(x[0] - x[1])}, 3,
+        feasible=lambda x: bool(abs(x[1]) <= x[0]),
+    )  # fmt: skip
+    top = max(float(c.hints.top[j]), 1e-9)
+    for velocity in _STRIBECK:
+        if velocity < 0.6 * top:
+            yield stribeck(c, j, {"velocity": velocity})
+    for bend in _BENDS:
+        yield bristles(c, j, {"bend": bend})
+
+
+def stribeck(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+    at, velocity = site(c, j), given["velocity"]
+    fixed = {"velocity": velocity, "exponent": 2}
+    rise = column("stribeck_friction", {"level": 0.0, "static": 1.0, **fixed}, at)
+    level = column("stribeck_friction", {"level": 1.0, "static": 1.0, **fixed}, at)
+
+    def read(x: Floats) -> dict[str, float | str]:
+        return {"level": float(x[0]), "static": float(x[0] + x[1]), "velocity": velocity}
+
+    return single(
+        "stribeck_friction",
+        j,
+        [level, rise],
+        (1, 1),
+        read,
+        4,
+        given=given,
+    )
+
+
+def bristles(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+    """Dahl's bristles: the way since reversals, over the bend at which they slide."""
+    bend = given["bend"]
+    bent = _bent(c.signals.q[:, j], bend)
+
+    def read(x: Floats) -> dict[str, float | str]:
+        return {"level": float(x[0]), "stiffness": float(x[0] / bend), "damping": 0.0}
+
+    return single("presliding_hysteresis", j, [bent], (1,), read, 4, given=given)
+
+
+def _bent(q: Floats, bend: float) -> Floats:
+    """Bristles over the bend of sliding [K], along positions ``q``: exact between samples."""
+    way = np.diff(q, prepend=q[0]) / bend
+    left = np.exp(-np.abs(way)).tolist()
+    gone = (np.sign(way) * -np.expm1(-np.abs(way))).tolist()
+    found = []
+    z = 0.0
+    for kept, new in zip(left, gone, strict=True):
+        z = z * kept + new
+        found.append(z)
+    return np.array(found)
+
+
+def loads(c: Context, j: int) -> Iterator[Candidate]:
+    at = site(c, j)
+    kinds = [("torque", "mu", {"mu": 1.0})]
+    if at.revolute:
+        kinds += [("radial", "mu_r", {"mu_r": 1.0}), ("thrust", "mu_r", {"mu_r": 1.0})]
+    else:
+        kinds += [("linear", "mu", {"mu": 1.0, "span": 1.0})]
+    for kind, key, values in kinds:
+        added = column("load_dependent_friction", {"bearing": kind, **values}, at)
+
+        def read(x: Floats, kind: str = kind, key: str = key) -> dict[str, float | str]:
+            more: dict[str, float | str] = {"span": 1.0} if kind == "linear" else {}
+            return {"bearing": kind, key: float(x[0]), **more}
+
+        yield single("load_dependent_friction", j, [added], (1,), read, 2)
+    for efficiency in _EFFICIENCY:
+        yield loss(c, j, {"efficiency": efficiency})
+
+
+def loss(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+    """The loss at a fixed efficiency, with a factor of its own (1 where the efficiency is right), and
+    breakaway."""
+    at, efficiency = site(c, j), given["efficiency"]
+    at = Site(at.revolute, at.q, at.qd, at.qdd, at.direction, c.at.passed[:, j])
+    loss = column("transmission_loss", {"breakaway": 0.0, "efficiency": efficiency}, at)
+    level = column("transmission_loss", {"breakaway": 1.0, "efficiency": 1}, at)
+
+    def read(x: Floats) -> dict[str, float | str]:
+        inverse = 1 + float(x[0]) * (1 / efficiency - 1)
+        return {"efficiency": min(1.0, 1 / inverse), "breakaway": float(max(x[1], 0.0))}
+
+    return single("transmission_loss", j, [loss, level], (1, 1), read, 4, given=given)
