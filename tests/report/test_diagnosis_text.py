@@ -61,17 +61,18 @@ def test_ten_lines_at_most(robot: Robot, count: int, verdict: Verdict) -> None:
     assert lines[-1].startswith("report: out/report.html")
     assert any(line.split()[:2] == ["noise", "floor"] for line in lines)
     if count:
-        assert "6 more; not a claim, confidence 0.40" in lines[1]
+        assert "6 more; a suspicion, 40 % sure" in lines[1]
 
 
 def test_the_lines_say_what_the_page_says(robot: Robot) -> None:
     assert summary(made(robot), "r.html", validated=True) == [
         "missing effect: puma560_3dof lacks Coulomb friction (joint 3).",
-        "1. coulomb_friction, joint 3: level 2.901 +- 0.053 N m; confidence 0.97; or stribeck_friction",
-        "joint           1    2     3  (N m, RMS on the validation log)",
+        "1. coulomb_friction, joint 3: level 2.901 +- 0.053 N m; 97 % sure; or stribeck_friction",
+        "joint           1    2     3  (N m, RMS, validation log)",
         "gap before      5   10    15",
         "gap after    1.25  2.5  3.75",
         "noise floor     1    2     3",
+        "85 % of the removable gap closed; inverse dynamics 80 -> 83 operations (+3)",
         "record next: slow reversals of joint 3",
         "report: r.html; one remark on the data there",
     ]
