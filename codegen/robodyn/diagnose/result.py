@@ -29,12 +29,14 @@ class Estimate:
 @dataclass(frozen=True, slots=True)
 class Rival:
     """Another candidate for a finding's place: ``gain`` in units of log-likelihood on parts of the log that
-    were not fitted, beside that of the finding; ``parts``: the gain in each of those parts."""
+    were not fitted, beside that of the finding; ``parts``: the gain in each of those parts; ``why`` it is not
+    the name, in words."""
 
     effect: str
     joint: int | None
     gain: float
     parts: tuple[float, ...] = ()
+    why: str = ""
 
 
 @dataclass(frozen=True, slots=True)

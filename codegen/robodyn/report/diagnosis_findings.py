@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.diagnose.result import CLAIM, Diagnosis, Estimate, Finding, Series
+from robodyn.diagnose.result import CLAIM, Diagnosis, Estimate, Finding, Rival, Series
 from robodyn.report.diagnosis_charts import Across, over, over_time
 from robodyn.report.diagnosis_frames import Chart, percent
 from robodyn.report.diagnosis_gap import units_at
@@ -130,24 +130,30 @@ def part(share: float) -> str:
 
 
 def _evidence(finding: Finding) -> list[dict[str, Any]]:
-    rows = [
-        (finding.effect, finding.joint, finding.gain),
-        *((r.effect, r.joint, r.gain) for r in finding.rivals),
-    ]
-    top = max((gain for _, _, gain in rows if math.isfinite(gain)), default=0.0)
+    itself = Rival(finding.effect, finding.joint, finding.gain, finding.parts)
+    rows = [itself, *finding.rivals]
+    top = max((row.gain for row in rows if math.isfinite(row.gain)), default=0.0)
     return [
         {
-            "title": title_of(effect),
-            "effect": effect,
-            "place": place_of(joint),
-            "gain": f"{gain:,.0f}" if 1e3 <= abs(gain) < 1e12 else number(gain),
-            "width": part(gain / top if top > 0 else 0.0),
-            "share": f"{100 * gain / top:.0f} %" if top > 0 and math.isfinite(gain) else "n/a",
+            "title": title_of(row.effect),
+            "place": "" if row.joint == finding.joint else place_of(row.joint),
+            "gain": number(row.gain),
+            "width": part(row.gain / top if top > 0 else 0.0),
+            "share": f"{100 * row.gain / top:.0f} %" if top > 0 and math.isfinite(row.gain) else "n/a",
             "is_named": k == 0,
-            "is_open": k > 0 and effect in finding.confounded_with,
+            "is_open": k > 0 and row.effect in finding.confounded_with,
+            "why": "; ".join(text for text in (_ahead(itself, row) if k else "", row.why) if text),
         }
-        for k, (effect, joint, gain) in enumerate(rows)
+        for k, row in enumerate(rows)
     ]
+
+
+def _ahead(itself: Rival, other: Rival) -> str:
+    """In how many parts of the log an effect explains more than a rival."""
+    if not other.parts or len(itself.parts) != len(other.parts):
+        return ""
+    ahead = sum(a > b for a, b in zip(itself.parts, other.parts, strict=True))
+    return f"behind in {ahead} of {len(other.parts)} parts"
 
 
 def _parts(finding: Finding) -> dict[str, Any] | None:
@@ -227,5 +233,6 @@ def next_of(found: Diagnosis) -> list[dict[str, str]]:
             title = (
                 f"{about} or {', '.join(named(r) for r in f.confounded_with)}" if f.confounded_with else about
             )
-            seen.setdefault(f.experiment, {"title": title, "text": f.experiment})
+            text = f"{f.experiment[:1].upper()}{f.experiment[1:]}"
+            seen.setdefault(f.experiment, {"title": title, "text": text})
     return list(seen.values())
