@@ -91,7 +91,7 @@ def test_everything_found_stands_in_it(text: str) -> None:
     words = " ".join(seen.text.split())
     for part in (
         "puma560_3dof lacks Coulomb friction (joint 3).", "2.901 ± 0.053 N m", "97 % sure",
-        "stribeck_friction", "A step where the velocity reverses", "slow reversals of joint 3",
+        "stribeck_friction", "A step where the velocity reverses", "Slow reversals of joint 3",
         "tau2: 3 rows cut off", "a remark", "80 operations before and 83 after (+3, +4 %)", "one.csv",
         "ab" * 32, "2.797 to 3.005",
         "± 3.6 %", "not ruled out", "806 (99 %)", "203 (25 %)",

@@ -52,7 +52,7 @@ def gap(one: Series) -> Gap:
         (lambda q, qd, qdd, load, t: 0.2 * qdd, "acceleration"),
         (lambda q, qd, qdd, load, t: 0.05 * load, "load"),
         (lambda q, qd, qdd, load, t: 0.05 * np.abs(load) * np.sign(qd), "load, each way"),
-        (lambda q, qd, qdd, load, t: 3.0 * ((t > 4) & (t < 5)), "time"),
+        (lambda q, qd, qdd, load, t: 3.0 * ((t > 4) & (t < 5)), "a short time"),
     ],
 )
 def test_the_quantity_that_shows_it(robot: Robot, residual: Callable[..., Floats], quantity: str) -> None:
@@ -68,7 +68,7 @@ def test_the_quantity_that_shows_it(robot: Robot, residual: Callable[..., Floats
 def test_noise_is_shown_by_nothing() -> None:
     one = motion(lambda q, qd, qdd, load, t: 0 * t)
     shown = shown_over(one, 0)
-    assert max(shown) < 0.02
+    assert max(shown) < 0.05
     assert best_of(shown) is None
     assert best_of(()) is None
 
@@ -138,7 +138,7 @@ def test_answers_where_nothing_was_named(robot: Robot) -> None:
         "Joint 2", "7 times what would matter is left there; seen best over the position",
     )  # fmt: skip
     (step,) = advice(found, localised(found), ())
-    assert step["title"] == "Joint 2, seen best over the position"
+    assert step["title"] == "Joint 2: seen best over the position"
 
 
 def test_a_contact_is_no_lack(robot: Robot) -> None:

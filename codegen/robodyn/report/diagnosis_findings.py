@@ -31,9 +31,11 @@ _DRAWN_OVER: Final = {
     **dict.fromkeys(("backlash", "torque_gain", "torque_saturation"), "load"),
     "rotor_inertia": "acceleration",
     "spring": "position",
-    "external_contact": "time",
-    "torque_bias": "time",
+    "external_contact": "a short time",
+    "torque_bias": "constant",
 }
+#: What is drawn over time.
+_IN_TIME: Final = ("a short time", "constant")
 #: Values that mean nothing is there, where it is not zero.
 _NOTHING: Final = {("transmission_loss", "efficiency"): 1.0}
 
@@ -182,8 +184,8 @@ def _picture(found: Diagnosis, finding: Finding, places: Sequence[Localised], wi
     own = _own(series, finding, found, units)
     if own is not None:
         return over(series, j, own, units["tau"], floor, dots=260, wide=True)
-    name = _DRAWN_OVER.get(finding.effect) or places[j].best or "velocity"
-    if name == "time":
+    name = _DRAWN_OVER.get(finding.effect) or places[j].best or "position"
+    if name in _IN_TIME:
         return over_time(series, j, units["tau"], floor, windows)
     return over(series, j, across(series, j, name, units), units["tau"], floor, dots=260, wide=True)
 
@@ -195,7 +197,7 @@ def looks(found: Diagnosis, place: Localised, windows: Any) -> list[Chart]:
     series, j = found.series[0], place.joint - 1
     units, floor = units_at(found, j), float(found.gap.noise_floor[j])
     made = [over_time(series, j, units["tau"], floor, windows)]
-    if place.best not in (None, "time", "constant"):
+    if place.best not in (None, *_IN_TIME):
         what = across(series, j, place.best or "", units)
         made.append(over(series, j, what, units["tau"], floor, dots=260, wide=True))
     return made

@@ -16,9 +16,11 @@ from robodyn.report.diagnosis_text import (
     claims,
     closed,
     is_touched_only,
+    joints_of,
     listed,
     named,
     number,
+    still,
     title_of,
     touched_at,
     worst_joint,
@@ -27,8 +29,8 @@ from robodyn.report.diagnosis_where import Localised, Travel
 
 #: What to record when nothing can be named, by the quantity that shows the residual best.
 _ADVICE: Final = {
-    "time": "The same motion again. What comes back at the same place belongs to the arm; what does not is "
-    "contact, a cable, temperature or the sensor.",
+    "a short time": "The same motion again. What comes back at the same place belongs to the arm; what "
+    "does not is contact, a cable, temperature or the sensor.",
     "direction": "Constant speeds from slow to fast, both ways, one joint at a time.",
     "velocity": "Constant speeds from slow to fast, both ways, one joint at a time.",
     "position": "A slow sweep of the joint through its whole travel and back, at two speeds.",
@@ -41,11 +43,11 @@ _NO_ADVICE: Final = (
     "The same motion again, at the full rate and unfiltered, and some seconds of standstill: what repeats "
     "belongs to the arm, what does not to its surroundings or its sensors."
 )
-_QUANTITY: Final = {
-    "constant": "nothing: it is constant",
-    "direction": "the direction of motion",
-    "time": "time",
-    "load, each way": "the load, each direction of motion apart",
+_CLAUSES: Final = {
+    "constant": "it is constant",
+    "direction": "seen best over the direction of motion",
+    "load, each way": "seen best over the load, each direction of motion apart",
+    "a short time": "most of it is in a short time",
 }
 _SHORT: Final = 120
 #: A joint with so large a share of the excess is told about.
@@ -54,7 +56,12 @@ _LOUD: Final = 0.05
 
 def tiles(found: Diagnosis, validated: bool, places: Sequence[Localised]) -> list[tuple[str, str, str]]:
     """Question, answer, and a remark on it."""
-    made = [_missing(found), _where(found, places), _sure(found), _better(found, validated, places)]
+    made = [
+        _missing(found, validated),
+        _where(found, places),
+        _sure(found),
+        _better(found, validated, places),
+    ]
     old, new = found.operations
     if old or new:
         more = f" ({new - old:+d})" if new != old else ""
@@ -80,7 +87,7 @@ def _worst(found: Diagnosis, validated: bool, places: Sequence[Localised]) -> in
     return max(joints, key=lambda j: float(size[j])) + 1
 
 
-def _missing(found: Diagnosis) -> tuple[str, str, str]:
+def _missing(found: Diagnosis, validated: bool) -> tuple[str, str, str]:
     if found.verdict == "consistent":
         return "What is missing", "Nothing", "no effect is worth adding"
     lacking = claims(found)
@@ -88,18 +95,17 @@ def _missing(found: Diagnosis) -> tuple[str, str, str]:
         return "What is missing", "Nothing", "but something outside touched the arm"
     if found.verdict == "unexplained" or not lacking:
         return "What is missing", "Something", "that no effect of the catalogue explains"
-    first, *others = (title_of(f.effect) for f in lacking)
-    remark = (
-        f"and {listed(list(dict.fromkeys(named(f.effect) for f in lacking[1:])))}"
-        if others
-        else "and nothing else"
-    )
+    first = title_of(lacking[0].effect)
+    others = list(dict.fromkeys(named(f.effect) for f in lacking[1:]))
+    rest = still(found, validated)
+    more = [f"something at {joints_of(rest, found.robot.n)} that this does not explain"] if rest else []
+    remark = f"and {listed([*others, *more])}" if others or more else "and nothing else"
     return "What is missing", first, remark
 
 
 def _where(found: Diagnosis, places: Sequence[Localised]) -> tuple[str, str, str]:
     top = told_about(found, places)
-    over = f"seen best over {_quantity(top.best)}" if top.best else "no single quantity shows it"
+    over = _shown(top.best)
     share = f"{100 * top.share:.0f} % of the excess is at joint {top.joint}"
     if found.verdict == "consistent":
         return "At which joint", "None", "no joint stands out of its noise" if not top.shown else share
@@ -112,15 +118,15 @@ def _where(found: Diagnosis, places: Sequence[Localised]) -> tuple[str, str, str
         return "At which joint", f"Joint {top.joint}", f"{share}; {over}"
     joints = sorted({f.joint for f in claims(found) if f.joint is not None})
     whole = ["the whole robot"] if any(f.joint is None for f in claims(found)) else []
-    listing = listed([f"joint {joints[0]}", *(str(j) for j in joints[1:])]) if joints else ""
-    if len(joints) > 1:
-        listing = listing.replace("joint ", "joints ", 1)
-    answer = listed([part for part in (listing, *whole) if part])
+    answer = listed([*([joints_of(joints)] if joints else []), *whole])
     return "At which joint", answer[:1].upper() + answer[1:], f"{share}; {over}"
 
 
-def _quantity(name: str | None) -> str:
-    return _QUANTITY.get(name or "", f"the {name}")
+def _shown(name: str | None) -> str:
+    """What shows a residual best, as a clause."""
+    if name is None:
+        return "no single quantity shows it"
+    return _CLAUSES.get(name) or f"seen best over the {name}"
 
 
 def _sure(found: Diagnosis) -> tuple[str, str, str]:
@@ -185,15 +191,14 @@ def advice(found: Diagnosis, places: Sequence[Localised], travels: Sequence[Trav
             if place.shown and (place.share > _LOUD or place.left > 1):
                 told.setdefault(place.best or "", []).append(place.joint)
         for best, joints in told.items():
-            over = f", seen best over {_quantity(best)}" if best else ""
-            title = f"Joint{'s' if len(joints) > 1 else ''} {listed([str(j) for j in joints])}{over}"
-            made.append({"title": title, "text": _ADVICE.get(best, _NO_ADVICE)})
+            title = f"{joints_of(joints)}: {_shown(best or None)}"
+            made.append({"title": title[:1].upper() + title[1:], "text": _ADVICE.get(best, _NO_ADVICE)})
     lame = [t for t in travels if t.wants]
     if lame and found.verdict != "missing_effect":
-        lacks: dict[str, list[str]] = {}
+        lacks: dict[str, list[int]] = {}
         for travel in lame:
-            lacks.setdefault(travel.wants, []).append(str(travel.joint))
-        text = "; ".join(f"joint {listed(joints)}: {wants}" for wants, joints in lacks.items())
+            lacks.setdefault(travel.wants, []).append(travel.joint)
+        text = "; ".join(f"{joints_of(joints)}: {wants}" for wants, joints in lacks.items())
         made.append(
             {
                 "title": "More motion",

@@ -21,6 +21,8 @@ _PARAMETERS, _JOINTS = 4, 8
 CONTACT: Final = "external_contact"
 #: An error so many times its value says nothing.
 _UNSEEN: Final = 20.0
+#: A gap so many times the noise is still one.
+_STILL: Final = 1.5
 _PEOPLE: Final = ("Coulomb", "Stribeck")
 VERDICTS: Final = {
     "missing_effect": "missing effect",
@@ -225,6 +227,9 @@ def _better(found: Diagnosis, validated: bool) -> str:
     if is_touched_only(found):
         return "contact is left out of the fit and not added to the model"
     parts = [] if share is None else [f"{100 * share:.0f} % of the removable gap closed"]
+    rest = still(found, validated)
+    if rest:
+        parts.append(f"left beyond the noise at {joints_of(rest, found.robot.n)}")
     old, new = found.operations
     if old or new:
         more = f" -> {new} operations ({new - old:+d})" if old != new else " operations, as before"
@@ -236,6 +241,21 @@ def chosen(found: Diagnosis, validated: bool) -> tuple[Floats, Floats]:
     """RMS [n] before and after, of the log that proves most."""
     gap = found.gap
     return (gap.validate_before, gap.validate_after) if validated else (gap.train_before, gap.train_after)
+
+
+def still(found: Diagnosis, validated: bool) -> list[int]:
+    """Joints (from 1) at which a gap is left that stands out of the noise."""
+    _, after = chosen(found, validated)
+    with np.errstate(all="ignore"):
+        rest = np.nan_to_num(after / found.gap.noise_floor, nan=0.0, posinf=0.0)
+    return (np.flatnonzero(rest > _STILL) + 1).tolist()
+
+
+def joints_of(joints: Sequence[int], n: int | None = None) -> str:
+    """Several joints of ``n`` within a sentence."""
+    if n is not None and len(joints) == n > 2:
+        return "every joint"
+    return f"joint{'s' if len(joints) > 1 else ''} {listed([str(j) for j in joints])}"
 
 
 def units_of(found: Diagnosis) -> str:

@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 
 #: What a residual may follow, the simplest first.
 QUANTITIES: Final = (
-    "constant", "direction", "velocity", "position", "acceleration", "load", "load, each way", "time",
+    "constant", "direction", "velocity", "position", "acceleration", "load", "load, each way", "a short time",
 )  # fmt: skip
 #: A residual so many times the noise floor is looked at; a quantity that is not as simple must show so much
 #: more; below the last figure none shows it.
@@ -24,6 +24,8 @@ STANDS_OUT, _MORE, _SHOWS = 1.15, 0.04, 0.3
 _BINS: Final = 16
 #: Of the fastest motion: below it a joint counts as standing; it turns where it passes it both ways.
 _STILL: Final = 0.02
+#: A short time, as a share of the log.
+_MOMENT: Final = 1 / 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,7 +60,7 @@ def localised(found: Diagnosis) -> list[Localised]:
 
 def shown_over(series: Series, j: int) -> tuple[float, ...]:
     """Share of the mean square at joint ``j`` (from 0) that a curve over each quantity explains, what is
-    constant apart."""
+    constant apart; and that is of a short time."""
     y = series.before[:, j]
     parts = (series.qd, series.q, series.qdd, series.load)
     known = np.isfinite(y) & np.isfinite(series.times)
@@ -72,9 +74,17 @@ def shown_over(series: Series, j: int) -> tuple[float, ...]:
     way = (qd > 0).astype(np.intp)
     places = [
         way, _place(qd), _place(q), _place(qdd), _place(load), 2 * _place(load) + way,
-        _place(series.times[known]),
     ]  # fmt: skip
-    return (float(np.mean(y)) ** 2 / energy, *(_explained(place, y) / energy for place in places))
+    steady = float(np.mean(y)) ** 2 / energy
+    return (steady, *(_explained(place, y) / energy for place in places), _burst(y))
+
+
+def _burst(y: Floats) -> float:
+    """Share of the energy of ``y`` within the loudest short time, beyond what any has."""
+    total = np.concatenate([[0.0], np.cumsum(y**2)])
+    wide = max(1, round(_MOMENT * len(y)))
+    loudest = float((total[wide:] - total[:-wide]).max() / total[-1])
+    return max(0.0, (loudest - _MOMENT) / (1 - _MOMENT))
 
 
 def _place(x: Floats) -> NDArray[np.intp]:
