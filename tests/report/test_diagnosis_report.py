@@ -4,24 +4,23 @@ from __future__ import annotations
 
 import itertools
 import re
-import subprocess
 from dataclasses import replace
-from html import escape
 from html.parser import HTMLParser
-from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from report.made_up import made, series
 from robodyn.diagnose.result import Estimate, Finding, Gap, Rival
 from robodyn.report.diagnosis import MOST_JOINTS, page
 from robodyn.report.diagnosis_text import summary
 from robodyn.robot import Robot, load, read_text
-from robodyn_testing import require_tool
+
+Floats = NDArray[np.float64]
 
 HOSTILE = '<script>alert("1")</script>&amp;\'</title></svg></style>{{ 7 * 7 }}'
-VOID = {"meta", "link", "br"}
+VOID = {"meta", "link", "br", "input"}
 #: Places of a document that something could be fetched or run from.
 ACTIVE = {"script", "iframe", "img", "object", "embed", "form", "base", "audio", "video", "use", "image"}
 
@@ -80,7 +79,7 @@ def test_one_file_that_needs_nothing_else(text: str) -> None:
     assert not {tag for tag, _ in seen.elements} & ACTIVE
     for _, attributes in seen.elements:
         assert not any(name.startswith("on") or name == "src" for name in attributes)
-        assert attributes.get("href", "data:,") == "data:,"
+        assert re.fullmatch(r"data:,|#[a-z]+", attributes.get("href", "data:,"))
     assert not re.search(r"https?:|url\(|@import", text)
     (policy,) = seen.all("meta", **{"http-equiv": "Content-Security-Policy"})
     assert policy["content"].startswith("default-src 'none'")
@@ -91,17 +90,19 @@ def test_everything_found_stands_in_it(text: str) -> None:
     seen = Page(text)
     words = " ".join(seen.text.split())
     for part in (
-        "puma560_3dof lacks Coulomb friction (joint 3).", "2.901 ± 0.053 N m", "97 %", "stribeck_friction",
-        "joint 3: a step where the velocity reverses", "slow reversals of joint 3", "tau2: 3 rows cut off",
-        "a remark", "80 operations before and 83 after (+3)", "one.csv", "ab" * 32, "2.797 to 3.005",
+        "puma560_3dof lacks Coulomb friction (joint 3).", "2.901 ± 0.053 N m", "97 % sure",
+        "stribeck_friction", "A step where the velocity reverses", "Slow reversals of joint 3",
+        "tau2: 3 rows cut off", "a remark", "80 operations before and 83 after (+3, +4 %)", "one.csv",
+        "ab" * 32, "2.797 to 3.005",
+        "± 3.6 %", "not ruled out", "806 (99 %)", "203 (25 %)",
+        "15 → 3.75 N m", "85 % of what can be removed is gone",
     ):  # fmt: skip
         assert part in words, part
     rows = [[" ".join(cell.split()) for cell in row] for row in seen.cells]
-    assert ["3", "12", "3.3", "3", "-72 %"] in rows
-    assert ["3", "15", "3.75", "3", "-75 %"] in rows
+    assert ["3", "12", "3.3", "3", "−72 %"] in rows
+    assert ["3", "15", "3.75", "3", "−75 %"] in rows
     assert ["one.csv", "fitted", "ab" * 32] in rows
     assert ["two.csv", "validation", "cd" * 32] in rows
-    assert ["Stribeck friction (not ruled out)", "joint 3", "806", ""] in rows
     kinds = [
         a["class"] for t, a in seen.elements if t == "span" and a.get("class") in ("added", "gone", "hunk")
     ]
@@ -111,29 +112,42 @@ def test_everything_found_stands_in_it(text: str) -> None:
 def test_who_does_not_see_it_is_told(text: str) -> None:
     seen = Page(text)
     assert seen.all("html", lang="en")
-    assert all(a["aria-label"] for a in seen.all("svg", role="img"))
-    assert len(seen.all("svg")) == len(seen.all("svg", role="img"))
+    told = [a for a in seen.all("svg") if not a.keys() & {"aria-hidden", "viewbox"} and a]
+    assert all(a["role"] == "img" and a["aria-label"] for a in told)
     assert all(a.get("scope") in ("row", "col") for a in seen.all("th"))
-    (bars,) = (a for a in seen.all("svg") if a["aria-label"].startswith("Validation log, not fitted."))
-    assert "joint 3: 15 before, 3.75 after, floor 3" in bars["aria-label"]
+    assert any(
+        a["aria-label"] == "Joint 3: 15 before, 3.75 after, noise floor 3 N m; now 1.25 times the noise"
+        for a in told
+    )
     levels = [int(tag[1]) for tag, _ in seen.elements if re.fullmatch("h[1-6]", tag)]
     assert levels[0] == 1
     assert levels.count(1) == 1
     assert all(b <= a + 1 for a, b in itertools.pairwise(levels))
+    places = {a["href"][1:] for a in seen.all("a")}
+    assert places == {"gap", "findings", "next", "where", "residual", "model", "motion", "data"}
+    assert all(len(seen.all("h2", id=place)) == 1 for place in places)
 
 
-def test_bars_and_intervals_are_to_scale(text: str) -> None:
+def share(place: dict[str, str], key: str) -> float:
+    return float(place[key].removesuffix("%"))
+
+
+def test_marks_bars_and_intervals_are_to_scale(text: str) -> None:
     seen = Page(text)
-    paths = [a["d"] for t, a in seen.elements if t == "path" and a["class"] == "bar before"]
-    heights = [float(re.findall(r"v-([\d.]+)", d)[0]) for d in paths]
-    assert np.allclose(np.array(heights[:3]) / heights[0], [1, 2, 3], atol=0.02)
-    named, first, second = (float(a["width"]) for a in evidence(seen))
+    # 5 times the noise before and 1.25 times after, on the validation log: on a logarithmic scale.
+    (before, *_), (after, *_) = (
+        [share(a, "cx") for a in seen.all("circle", **{"class": css})]
+        for css in ("ring before proof", "disc after proof")
+    )
+    noise = share(next(a for a in seen.all("rect", **{"class": "noise"}) if a["width"] != "14"), "width")
+    assert (before - noise) / (after - noise) == pytest.approx(np.log(5) / np.log(1.25), rel=0.02)
+    named, first, second = (share(a, "width") for a in evidence(seen))
     assert named == 100
     assert (first / named, second / named) == pytest.approx((806.25 / 812.5, 0.25), abs=1e-3)
-    (interval,) = (a for t, a in seen.elements if t == "rect" and a.get("height") == "4")
+    (interval,) = seen.all("rect", **{"class": "reach"})
     # From 0 in the middle to twice the value at the right end.
-    assert float(interval["x"]) == pytest.approx(50 + 25 * (1 - 1.96 * 0.0531 / 2.9012), abs=0.06)
-    assert float(interval["width"]) == pytest.approx(50 * 1.96 * 0.0531 / 2.9012, abs=0.06)
+    assert share(interval, "x") == pytest.approx(50 + 25 * (1 - 1.96 * 0.0531 / 2.9012), abs=0.06)
+    assert share(interval, "width") == pytest.approx(50 * 1.96 * 0.0531 / 2.9012, abs=0.06)
 
 
 def evidence(seen: Page) -> list[dict[str, str]]:
@@ -142,21 +156,31 @@ def evidence(seen: Page) -> list[dict[str, str]]:
     return [seen.elements[k + 2][1] for k in labels]
 
 
+def points(path: str) -> Floats:
+    """The corners of a path, in the box of a chart."""
+    start, _, steps = path.removesuffix("z").partition("l")
+    numbers = [int(x) for x in re.findall(r"-?\d+", start + " " + steps)]
+    return np.cumsum(np.reshape(numbers, (-1, 2)), axis=0)
+
+
 def test_the_residual_is_drawn_where_it_is(robot: Robot) -> None:
     seen = Page(page(made(robot), validated=True))
-    assert len(seen.all("details")) == 6
-    assert len([a for a in seen.all("details") if "open" in a]) == 1
+    logs = seen.all("details", **{"class": "log"})
+    assert [("open" in a) for a in logs] == [True, False]
     charts = [
         a["aria-label"] for a in seen.all("svg", role="img") if a["aria-label"].startswith("Joint 3 over")
     ]
     names = ["time", "velocity", "position", "load", "acceleration"]
-    assert [label.partition(".")[0] for label in charts] == [f"Joint 3 over {name}" for name in names] * 2
-    curves = [k for k, (t, a) in enumerate(seen.elements) if a.get("class") == "mean before"]
-    # Over the velocity of joint 1 the mean is -1 on the left, and 1 on the right.
-    points = np.array(re.findall(r"[ML](\S+) ([^\sLM]+)", seen.elements[curves[0]][1]["d"]), dtype=float)
-    left, right = points[points[:, 0] < 140, 1], points[points[:, 0] > 160, 1]
+    # Once in the card of the finding, and once for either log.
+    assert sorted(label.partition(".")[0] for label in charts) == sorted(
+        f"Joint 3 over {name}" for name in [*names, *names, "velocity"]
+    )
+    curves = [k for k, (t, a) in enumerate(seen.elements) if a.get("class") == "mean before fore"]
+    # Over the velocity the mean is -1 on the left, and 1 on the right.
+    mean = points(seen.elements[curves[0]][1]["d"])
+    left, right = mean[mean[:, 0] < 400, 1], mean[mean[:, 0] > 600, 1]
     assert left.min() > right.max() + 50
-    assert np.ptp(left) < 8
+    assert np.ptp(left) < 20
     for _, a in seen.elements:
         assert not re.search("nan|inf", a.get("d", ""))
 
@@ -188,7 +212,7 @@ def test_nothing_found_and_nothing_known(robot: Robot) -> None:
     seen = Page(page(empty, validated=False))
     assert "explains the logs: nothing is worth adding" in seen.text
     assert "The description stays as it is" in seen.text
-    assert not seen.all("details")
+    assert [a["class"] for a in seen.all("details")] == ["plain"]
     wide = (1500, 3)
     gone = replace(
         series("train", 3), before=np.full(wide, np.nan), after=np.zeros(wide), qd=np.full(wide, np.inf)
@@ -209,50 +233,12 @@ def test_long_arms_and_logs_stay_small() -> None:
     snake = read_text(text)
     found = made(snake, series=(series("train", n, 8000), series("validate", n, 8000)), diff="+x\n" * 100_000)
     html = page(found, validated=True)
-    assert len(html.encode()) < 3_000_000
+    assert len(html.encode()) < 1_500_000
     seen = Page(html)
-    assert len(seen.all("details")) == 2 * MOST_JOINTS
+    assert len(seen.all("figure", **{"class": "strip"})) == 2 * (MOST_JOINTS - 1)
     assert f"{n - MOST_JOINTS} more joints" in seen.text
-    assert "N or N m" in seen.text
+    assert "N m or N" in seen.text
 
 
 def test_the_same_bytes_again(robot: Robot, text: str) -> None:
     assert page(made(robot), validated=True) == text
-
-
-#: A frame as wide as a phone; the title tells how wide the page in it would be, and whether it is drawn.
-FRAME = """\
-<!doctype html><title>not yet</title><iframe width="360" height="700" srcdoc="{}"></iframe>
-<script>onload = () => {{
-  const page = frames[0].document, box = page.querySelector("path.bar.before").getBoundingClientRect();
-  document.title = [page.documentElement.scrollWidth, page.fonts.status, box.height > 20].join(" ");
-}}</script>
-"""
-
-
-@pytest.mark.slow
-def test_a_browser_shows_it_and_complains_of_nothing(robot: Robot, tmp_path: Path) -> None:
-    text = page(made(robot), validated=True)
-    file, frame = tmp_path / "report.html", tmp_path / "frame.html"
-    file.write_text(text, encoding="utf-8")
-    frame.write_text(FRAME.format(escape(text)), encoding="utf-8")
-    shown, complaints = browsed(file)
-    assert "CONSOLE" not in complaints
-    assert [tag for tag, _ in Page(shown).elements] == [tag for tag, _ in Page(text).elements]
-    shown, complaints = browsed(frame)
-    assert "CONSOLE" not in complaints
-    assert "<title>360 loaded true</title>" in shown
-
-
-def browsed(file: Path) -> tuple[str, str]:
-    """The document as a browser holds it, and what that browser says."""
-    flags = """
-        headless no-sandbox disable-gpu disable-quic no-first-run disable-background-networking
-        disable-component-update disable-sync hide-scrollbars enable-logging=stderr dump-dom
-    """
-    options = [f"--{flag}" for flag in (*flags.split(), f"user-data-dir={file.with_suffix('')}")]
-    run = subprocess.run(
-        [require_tool("chromium"), *options, file.as_uri()],
-        capture_output=True, text=True, timeout=60, check=True,
-    )  # fmt: skip
-    return run.stdout, run.stderr

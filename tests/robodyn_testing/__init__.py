@@ -29,6 +29,7 @@ PREFIX: Final = "missing: "
 
 _TOOLS: Final = {
     "cc": "gcc",
+    "chromedriver": "chromium-driver",
     "g++": "g++",
     "nm": "binutils",
 }

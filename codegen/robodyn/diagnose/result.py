@@ -29,18 +29,43 @@ class Estimate:
 @dataclass(frozen=True, slots=True)
 class Rival:
     """Another candidate for a finding's place: ``gain`` in units of log-likelihood on parts of the log that
-    were not fitted, beside that of the finding."""
+    were not fitted, beside that of the finding; ``parts``: the gain in each of those parts; ``why`` it is not
+    the name, in words."""
 
     effect: str
     joint: int | None
     gain: float
+    parts: tuple[float, ...] = ()
+    why: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """A candidate that was not named: its ``gain`` and ``t`` over the parts of the log, and why not."""
+
+    effect: str
+    joint: int | None
+    gain: float
+    t: float
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """A stretch of time, ``start`` to ``end`` [s], that the fit left out or that a flag is about; ``name`` is
+    that of the log's :class:`Series`, ``what`` says in a word or two why."""
+
+    name: str
+    start: float
+    end: float
+    what: str
 
 
 @dataclass(frozen=True, slots=True)
 class Finding:
     """An effect that the model lacks. ``where`` says which part of the motion shows it, ``experiment`` what
     to record to tell it from ``confounded_with``; ``gain``, ``t`` and ``rivals`` are the evidence for the
-    name."""
+    name, ``parts`` the gain in each part of the log that was not fitted."""
 
     effect: str
     joint: int | None
@@ -52,6 +77,7 @@ class Finding:
     gain: float
     t: float
     rivals: tuple[Rival, ...] = ()
+    parts: tuple[float, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """As ``diagnosis.json`` has it."""
@@ -110,7 +136,12 @@ class Diagnosis:
     """The whole: ``robot`` as given, ``model`` amended and ``model_text`` its description, ``diff`` between
     the two texts; ``flags``: what the data gate said, a line each; ``left``: share of structure that nothing
     explains, per joint; ``words``: remarks for people; ``operations``: of the inverse dynamics before and
-    after."""
+    after.
+
+    For the report, and empty where they are not known: ``windows`` of time to shade; ``tried``: the best
+    candidates that were not named; ``detectable`` [n]: the RMS that an effect must explain at a joint to be
+    worth a name; ``counts``: the operations by kind (``mul``, ``add``, ...) before and after. A log of
+    ``logs`` may have ``samples``, ``rate`` and ``duration`` besides ``name`` and ``sha256``."""
 
     verdict: Verdict
     findings: tuple[Finding, ...]
@@ -125,6 +156,10 @@ class Diagnosis:
     logs: tuple[Mapping[str, str], ...]
     series: tuple[Series, ...] = ()
     operations: tuple[int, int] = (0, 0)
+    windows: tuple[Window, ...] = ()
+    tried: tuple[Tried, ...] = ()
+    detectable: Floats | None = None
+    counts: tuple[Mapping[str, int], Mapping[str, int]] | None = None
     extra: Mapping[str, Any] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:

@@ -2,49 +2,45 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
-from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Series
-from robodyn.report.diagnosis_charts import COLUMNS, DOTS, Chart, joint_bars, over, over_time
+from robodyn.diagnose.result import Diagnosis, Series, Window
+from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, told_of
+from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, next_of, part
+from robodyn.report.diagnosis_gap import ladder, tables, units_at
+from robodyn.report.diagnosis_glance import advice, tiles, told_about
 from robodyn.report.diagnosis_text import (
+    CONTACT,
     VERDICTS,
-    claims,
-    closed,
-    experiments,
     headline,
+    is_touched_only,
     number,
     place_of,
     title_of,
-    with_error,
+    units_of,
 )
+from robodyn.report.diagnosis_where import QUANTITIES, Localised, Travel, localised, travelled
 from robodyn.resources import data_dir
 
 if TYPE_CHECKING:
     import jinja2
 
-Floats = NDArray[np.float64]
-
 #: Joints that are drawn at most: those of findings, then those where most is left.
 MOST_JOINTS: Final = 12
 #: Dots and columns of all panels together.
-_DOTS, _COLUMNS = 48_000, 12_000
-_UNITS: Final = {
-    "revolute": {"q": "rad", "qd": "rad/s", "qdd": "rad/s²", "tau": "N m"},
-    "prismatic": {"q": "m", "qd": "m/s", "qdd": "m/s²", "tau": "N"},
-}
-_QUANTITIES: Final = (("velocity", "qd"), ("position", "q"), ("load", "load"), ("acceleration", "qdd"))
-#: Half the width of an interval that holds the value in 95 of 100 cases, in standard errors.
-_HALF: Final = 1.96
-#: An interval is drawn from 0 to this many times the value.
-_REACH: Final = 2.0
-#: Lines of a difference that are shown at most.
-_DIFF_LINES: Final = 2000
+_DOTS, _COLUMNS = 24_000, 10_000
+_OVER: Final = ("velocity", "position", "load", "acceleration")
+#: Lines of a difference, flags and candidates that are shown at most.
+_DIFF_LINES, _FLAGS, _TRIED = 2000, 200, 40
+#: Kinds of operations, as people call them.
+_KINDS: Final = {
+    "mul": "multiplications", "add": "additions", "div": "divisions", "sqrt": "square roots",
+    "neg": "negations", "sincos": "sines and cosines",
+}  # fmt: skip
 
 
 def page(found: Diagnosis, *, validated: bool) -> str:
@@ -54,11 +50,11 @@ def page(found: Diagnosis, *, validated: bool) -> str:
     """
     from importlib.metadata import version
 
-    gap = found.gap
-    before, after = (
-        (gap.validate_before, gap.validate_after) if validated else (gap.train_before, gap.train_after)
-    )
-    share = closed(before, after, gap.noise_floor)
+    places = localised(found)
+    travels = travelled(found.robot, found.series[0]) if found.series else []
+    windows = _windows(found)
+    trained = [window for window in windows if window.name == "train"]
+    asked = next_of(found)
     return _template().render(
         robot=found.robot,
         verdict=found.verdict,
@@ -66,18 +62,26 @@ def page(found: Diagnosis, *, validated: bool) -> str:
         headline=headline(found),
         words=found.words,
         validated=validated,
-        closed=None if share is None or found.verdict != "missing_effect" else f"{100 * share:.0f} %",
-        claims=len(claims(found)),
-        findings=[_finding(finding) for finding in found.findings],
-        experiments=experiments(found),
-        gaps=_gaps(found, validated),
-        floor=[number(x) for x in gap.noise_floor],
-        logs_drawn=_drawn(found, validated),
-        left=_left(found.left),
-        evidence=[_evidence(finding) for finding in found.findings if finding.rivals],
+        tiles=tiles(found, validated, places),
+        findings=cards(found, places, trained),
+        more_findings=max(0, len(found.findings) - MOST_CARDS),
+        looks=looks(found, told_about(found, places), trained) if found.verdict == "unexplained" else [],
+        is_changed=found.verdict == "missing_effect" and not is_touched_only(found),
+        experiments=[*asked, *advice(found, places, travels)],
+        ladder=ladder(found, validated),
+        tables=tables(found, validated),
+        unit=units_of(found),
+        places=[_place(place) for place in places] if any(p.shown for p in places) else [],
+        quantities=QUANTITIES,
+        logs_drawn=_drawn(found, validated, windows),
+        tried=[_tried(one) for one in found.tried[:_TRIED]],
         diff=_diff(found.diff),
         operations=found.operations,
-        flags=found.flags,
+        counts=_counts(found),
+        travels=[_travel(found, travel) for travel in travels],
+        detectable=found.detectable is not None,
+        flags=found.flags[:_FLAGS],
+        more_flags=max(0, len(found.flags) - _FLAGS),
         logs=_logs(found, validated),
         version=version("robodyn"),
     )
@@ -98,167 +102,89 @@ def _template() -> jinja2.Template:
     return environment.get_template("report/diagnosis.html.j2")
 
 
-# --- findings ---------------------------------------------------------------------------------------------
+def _windows(found: Diagnosis) -> list[Window]:
+    """What is shaded: the given windows, else those of contacts that were found."""
+    if found.windows:
+        return list(found.windows)
+    made = []
+    for f in found.findings:
+        start, end = (f.parameters[k].value if k in f.parameters else None for k in ("start", "end"))
+        if f.effect == CONTACT and not isinstance(start, str | None) and not isinstance(end, str | None):
+            made.append(Window("train", start, end, "contact"))
+    return made
 
 
-def _finding(finding: Finding) -> dict[str, Any]:
-    return {
-        "effect": finding.effect,
-        "title": title_of(finding.effect),
-        "place": place_of(finding.joint),
-        "confidence": f"{100 * finding.confidence:.0f} %",
-        "sure": _part(finding.confidence),
-        "is_claim": finding.confidence >= 0.5,
-        "rivals": finding.confounded_with,
-        "where": finding.where,
-        "experiment": finding.experiment,
-        "parameters": [_parameter(name, estimate) for name, estimate in finding.parameters.items()],
-    }
+# --- where ------------------------------------------------------------------------------------------------
 
 
-def _parameter(name: str, estimate: Estimate) -> dict[str, Any]:
-    """A parameter with its interval, which is drawn beside zero: as shares of the value."""
-    value, error = estimate.value, estimate.stderr
-    drawn = None
-    words = ""
-    if isinstance(value, float | int) and error is not None and math.isfinite(value) and math.isfinite(error):
-        low, high = value - _HALF * error, value + _HALF * error
-        words = f"{low:.4g} to {high:.4g}"
-        if value:
-            scale = 100 / (2 * _REACH)
-            half = _HALF * error / abs(value)
-            ends = [
-                max(0.0, min(100.0, scale * (_REACH + math.copysign(1, value) * (1 + way * half))))
-                for way in (-1, 1)
-            ]
-            drawn = {
-                "low": f"{min(ends):.1f}",
-                "width": f"{max(abs(ends[1] - ends[0]), 0.6):.1f}",
-                "value": f"{scale * (_REACH + math.copysign(1, value)):.1f}",
-            }
-    return {
-        "name": name,
-        "text": with_error(estimate, "±").replace("^2", "²"),
-        "words": words,
-        "drawn": drawn,
-    }
-
-
-def _part(share: float) -> str:
-    """A share as the width of a bar, 0 to 100."""
-    return f"{100 * min(max(share, 0.0), 1.0):.1f}" if math.isfinite(share) else "0"
-
-
-def _evidence(finding: Finding) -> dict[str, Any]:
-    rows = [
-        (finding.effect, finding.joint, finding.gain),
-        *((r.effect, r.joint, r.gain) for r in finding.rivals),
+def _place(place: Localised) -> dict[str, Any]:
+    cells = [
+        {"share": f"{100 * x:.0f}", "width": part(x), "is_best": name == place.best}
+        for name, x in zip(QUANTITIES, place.shown, strict=False)
     ]
-    top = max((gain for _, _, gain in rows if math.isfinite(gain)), default=0.0)
     return {
-        "title": title_of(finding.effect),
-        "place": place_of(finding.joint),
-        "rows": [
-            {
-                "title": title_of(effect),
-                "effect": effect,
-                "place": place_of(joint),
-                "gain": f"{gain:,.0f}" if 1e3 <= abs(gain) < 1e12 else number(gain),
-                "width": _part(gain / top if top > 0 else 0.0),
-                "is_named": k == 0,
-                "is_open": k > 0 and effect in finding.confounded_with,
-            }
-            for k, (effect, joint, gain) in enumerate(rows)
-        ],
+        "joint": place.joint,
+        "share": f"{100 * place.share:.0f} %",
+        "width": part(place.share),
+        "cells": cells,
+        "best": place.best,
+        "left": number(place.left),
+        "is_left": place.left > 1,
     }
 
 
-# --- what is left -----------------------------------------------------------------------------------------
+# --- the residual -----------------------------------------------------------------------------------------
 
 
-def _gaps(found: Diagnosis, validated: bool) -> list[dict[str, Any]]:
-    gap = found.gap
-    kinds = {link.joint.kind for link in found.robot.links}
-    unit = " or ".join(sorted(_UNITS[kind]["tau"] for kind in kinds))
-    pairs = [("Logs that were fitted", gap.train_before, gap.train_after)]
-    if validated:
-        pairs.append(("Validation log, not fitted", gap.validate_before, gap.validate_after))
-    return [
-        {
-            "title": title,
-            "unit": unit,
-            "chart": joint_bars(title, before, after, gap.noise_floor, unit),
-            "rows": [
-                {
-                    "joint": j + 1,
-                    "before": number(b),
-                    "after": number(a),
-                    "floor": number(f),
-                    "change": _change(b, a),
-                }
-                for j, (b, a, f) in enumerate(
-                    zip(before.tolist(), after.tolist(), gap.noise_floor.tolist(), strict=True)
-                )
-            ],
-        }
-        for title, before, after in pairs
-    ]
-
-
-def _change(before: float, after: float) -> str:
-    if not before > 0 or not math.isfinite(after / before):
-        return "n/a"
-    percent = round(100 * (after / before - 1))
-    return f"{percent:+d} %" if percent else "0 %"
-
-
-def _left(left: Floats) -> list[dict[str, Any]]:
-    return [{"joint": j + 1, "share": number(x), "width": _part(x)} for j, x in enumerate(left.tolist())]
-
-
-def _drawn(found: Diagnosis, validated: bool) -> list[dict[str, Any]]:
-    """The logs as charts: of each the joints, and which of them are shown at once."""
-    series = found.series if validated else found.series[:1]
+def _drawn(found: Diagnosis, validated: bool, windows: Sequence[Window]) -> list[dict[str, Any]]:
+    """The logs as charts, the one that was not fitted first."""
+    series = [one for one in (found.series[::-1] if validated else found.series[:1]) if len(one.times)]
     named = {f.joint - 1 for f in found.findings if f.joint is not None}
     with np.errstate(all="ignore"):
         size = np.nan_to_num(found.gap.train_before / found.gap.noise_floor, nan=0.0, posinf=0.0)
     by_size = sorted(range(found.robot.n), key=lambda j: (j not in named, -float(size[j]), j))
     joints = sorted(by_size[:MOST_JOINTS])
-    opened = named or set(by_size[:1])
     panels = max(1, 2 * len(joints) * len(series))
-    dots = max(30, min(DOTS, _DOTS // (panels * len(_QUANTITIES))))
+    dots = max(30, min(DOTS, _DOTS // (panels * len(_OVER))))
     columns = max(60, min(COLUMNS, _COLUMNS // panels))
     return [
         {
-            "title": "Validation log" if k else "First log that was fitted",
-            "name": one.name,
+            "title": "Validation log, not fitted" if one.name == "validate" else "First log that was fitted",
+            "is_open": k == 0,
             "left_out": found.robot.n - len(joints),
             "joints": [
-                {
-                    "joint": j + 1,
-                    "is_open": j in opened and k == 0,
-                    "time": over_time(one, j, units["tau"], columns=columns),
-                    "over": _over(one, j, units, dots),
-                }
+                _joint(found, one, j, [w for w in windows if w.name == one.name], dots, columns)
                 for j in joints
-                for units in (_UNITS[found.robot.links[j].joint.kind],)
             ],
+            "shaded": sorted({w.what for w in windows if w.name == one.name}),
         }
         for k, one in enumerate(series)
-        if len(one.times)
     ]
 
 
-def _over(series: Series, j: int, units: dict[str, str], dots: int) -> list[Chart]:
-    found = []
-    for name, key in _QUANTITIES:
-        x: Floats = getattr(series, key)[:, j]
-        unit = units["tau"] if key == "load" else units[key]
-        found.append(over(series, j, name, x, unit, units["tau"], dots=dots))
-    return found
+def _joint(
+    found: Diagnosis, one: Series, j: int, windows: Sequence[Window], dots: int, columns: int
+) -> dict[str, Any]:
+    units, floor = units_at(found, j), float(found.gap.noise_floor[j])
+    return {
+        "joint": j + 1,
+        "told": told_of(one, j, units["tau"]),
+        "time": over_time(one, j, units["tau"], floor, windows, columns=columns),
+        "over": [over(one, j, across(one, j, name, units), units["tau"], floor, dots=dots) for name in _OVER],
+    }
 
 
 # --- the model and the logs -------------------------------------------------------------------------------
+
+
+def _tried(one: Any) -> dict[str, str]:
+    return {
+        "title": title_of(one.effect),
+        "place": place_of(one.joint),
+        "gain": number(one.gain),
+        "t": number(one.t),
+        "reason": one.reason,
+    }
 
 
 def _diff(text: str) -> list[tuple[str, str]]:
@@ -276,6 +202,47 @@ def _kind(line: str) -> str:
     return {"+": "added", "-": "gone"}.get(line[:1], "same")
 
 
+def _counts(found: Diagnosis) -> dict[str, Any]:
+    """Operations before and after: as bars, and by kind where that is known."""
+    old, new = found.operations
+    top = max(old, new, 1)
+    rows = []
+    if found.counts is not None:
+        before, after = found.counts
+        for kind, name in _KINDS.items():
+            a, b = int(before.get(kind, 0)), int(after.get(kind, 0))
+            if a or b:
+                rows.append({"name": name, "before": a, "after": b, "change": f"{b - a:+d}"})
+    return {
+        "before": part(old / top),
+        "after": part(new / top),
+        "change": f"{new - old:+d}",
+        "relative": f"{100 * (new / old - 1):+.0f} %" if old and new != old else "",
+        "rows": rows,
+    }
+
+
+def _travel(found: Diagnosis, travel: Travel) -> dict[str, Any]:
+    units = units_at(found, travel.joint - 1)
+    low, high = travel.limits or (travel.low, travel.high)
+    low, high = min(low, travel.low), max(high, travel.high)
+    wide = (high - low) or 1.0
+    seen = found.detectable
+    return {
+        "joint": travel.joint,
+        "q": f"{number(travel.low)} to {number(travel.high)} {units['q']}",
+        "has_limits": travel.limits is not None,
+        "at": part((travel.low - low) / wide),
+        "width": part((travel.high - travel.low) / wide),
+        "speed": f"{number(travel.speed)} {units['qd']}",
+        "of_top": f"{100 * travel.speed / travel.top:.0f} %" if travel.top else "",
+        "reversals": travel.reversals,
+        "load": f"{number(travel.load[0])} to {number(travel.load[1])} {units['tau']}",
+        "wants": travel.wants,
+        "seen": f"{number(seen[travel.joint - 1])} {units['tau']}" if seen is not None else "",
+    }
+
+
 def _logs(found: Diagnosis, validated: bool) -> Sequence[dict[str, str]]:
     last = len(found.logs) - 1
     return [
@@ -283,6 +250,11 @@ def _logs(found: Diagnosis, validated: bool) -> Sequence[dict[str, str]]:
             "name": log.get("name", ""),
             "sha256": log.get("sha256", ""),
             "use": "validation" if validated and k == last else "fitted",
+            "size": ", ".join(
+                f"{log[key]}{unit}"
+                for key, unit in (("duration", " s"), ("rate", " Hz"), ("samples", " samples"))
+                if key in log
+            ),
         }
         for k, log in enumerate(found.logs)
     ]

@@ -14,9 +14,15 @@ from robodyn.effects.catalogue import CATALOGUE
 
 Floats = NDArray[np.float64]
 
-#: Lines on a terminal, and parameters in one of them.
+#: Lines on a terminal, parameters in one of them, and joints that stand beside each other.
 LINES: Final = 10
-_PARAMETERS: Final = 4
+_PARAMETERS, _JOINTS = 4, 8
+#: The effect that is reported and never added.
+CONTACT: Final = "external_contact"
+#: An error so many times its value says nothing.
+_UNSEEN: Final = 20.0
+#: A gap so many times the noise is still one.
+_STILL: Final = 1.5
 _PEOPLE: Final = ("Coulomb", "Stribeck")
 VERDICTS: Final = {
     "missing_effect": "missing effect",
@@ -37,24 +43,37 @@ def place_of(joint: int | None) -> str:
 
 def number(value: float) -> str:
     """A figure of three digits, if there is one."""
-    return f"{value:.3g}" if math.isfinite(value) else "n/a"
+    if not math.isfinite(value):
+        return "n/a"
+    return f"{value:,.0f}" if 999.5 <= abs(value) < 1e6 else f"{value:.3g}"
 
 
 def with_error(estimate: Estimate, sign: str = "+-") -> str:
-    """A parameter with its standard error and unit: the value to the error's second digit."""
+    """A parameter with its standard error and unit: the value to the error's second digit. What was chosen
+    from a grid has no error, and what the motion does not show has no value."""
     value, error = estimate.value, estimate.stderr
     unit = f" {estimate.unit}" if estimate.unit not in ("", "1") else ""
     if isinstance(value, str):
         return value
-    if error is None:
+    if error is None or error == 0:
         return f"{value:.4g}{unit}"
+    if is_unseen(estimate):
+        return "not seen by this motion"
     if not (math.isfinite(error) and error > 0 and math.isfinite(value)):
         return f"{number(value)} {sign} {number(error)}{unit}"
     tens = math.floor(math.log10(error))
     if not -5 < max(tens, math.floor(math.log10(abs(value) or error))) < 6:
         return f"{value:.3e} {sign} {error:.1e}{unit}"
+    if error < 1e-6 * abs(value):
+        return f"{value:.7g} {sign} {error:.1e}{unit}"
     places = max(0, 1 - tens)
     return f"{value:.{places}f} {sign} {error:.{places}f}{unit}"
+
+
+def is_unseen(estimate: Estimate) -> bool:
+    """Whether the motion says next to nothing of a parameter."""
+    value, error = estimate.value, estimate.stderr
+    return not isinstance(value, str) and error is not None and 0 < abs(value) * _UNSEEN < error < math.inf
 
 
 def claims(found: Diagnosis) -> tuple[Finding, ...]:
@@ -70,14 +89,46 @@ def headline(found: Diagnosis) -> str:
         worst = worst_joint(found.left)
         where = "" if worst is None else f" It shows most at joint {worst}."
         return f"Something is there that no effect of the catalogue explains.{where}"
-    parts = [f"{_named(f.effect)} ({place_of(f.joint)})" for f in claims(found)]
-    listed = (
-        parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}" if parts else "an effect"
-    )
-    return f"{found.robot.name} lacks {listed}."
+    lacking = [f for f in claims(found) if f.effect != CONTACT]
+    touched = [_touched(f) for f in claims(found) if f.effect == CONTACT]
+    if not lacking and touched:
+        return f"{found.robot.name} lacks nothing, but {listed(touched)}."
+    parts = [_at(named(f.effect), place_of(f.joint)) for f in lacking] or ["an effect"]
+    return f"{found.robot.name} lacks {listed(parts)}{'; ' if touched else ''}{listed(touched)}."
 
 
-def _named(effect: str) -> str:
+def _at(name: str, place: str) -> str:
+    return f"{name[:-1]}, {place})" if name.endswith(")") else f"{name} ({place})"
+
+
+def listed(parts: Sequence[str]) -> str:
+    """Several things within a sentence."""
+    return f"{', '.join(parts[:-1])} and {parts[-1]}" if len(parts) > 1 else "".join(parts)
+
+
+def _touched(contact: Finding) -> str:
+    """A contact within a sentence."""
+    place, time = touched_at(contact)
+    return f"something touched {place} {time}".rstrip()
+
+
+def touched_at(contact: Finding) -> tuple[str, str]:
+    """Where and when a contact was; what is not known is left out."""
+    values = {name: p.value for name, p in contact.parameters.items()}
+    link, start, end = (values.get(name) for name in ("link", "start", "end"))
+    place = f"link {link:g}" if isinstance(link, float | int) else "the arm"
+    if isinstance(start, float | int) and isinstance(end, float | int):
+        return place, f"from {start:.2f} to {end:.2f} s"
+    return place, ""
+
+
+def is_touched_only(found: Diagnosis) -> bool:
+    """Whether contact is all that was found."""
+    lacking = claims(found)
+    return bool(lacking) and all(f.effect == CONTACT for f in lacking)
+
+
+def named(effect: str) -> str:
     """An effect within a sentence; people keep their capitals."""
     title = title_of(effect)
     return title if title.startswith(_PEOPLE) else title[:1].lower() + title[1:]
@@ -111,6 +162,9 @@ def summary(found: Diagnosis, report: str, *, validated: bool) -> list[str]:
     there was a log that was not fitted."""
     head = [f"{VERDICTS[found.verdict]}: {headline(found)}"]
     tail = _gap(found, validated)
+    better = _better(found, validated)
+    if better:
+        tail.append(better)
     following = experiments(found)
     if following:
         more = f" (and {len(following) - 1} more)" if len(following) > 1 else ""
@@ -127,40 +181,85 @@ def summary(found: Diagnosis, report: str, *, validated: bool) -> list[str]:
 
 def _line(k: int, finding: Finding) -> str:
     known = list(finding.parameters.items())
-    shown = [f"{name} {with_error(estimate)}" for name, estimate in known[:_PARAMETERS]]
-    if len(known) > _PARAMETERS:
-        shown.append(f"{len(known) - _PARAMETERS} more")
-    sure = "confidence" if finding.confidence >= CLAIM else "not a claim, confidence"
+    shown = [f"{name} {with_error(p)}" for name, p in known if not is_unseen(p)][:_PARAMETERS]
+    if len(known) > len(shown):
+        shown.append(f"{len(known) - len(shown)} more")
+    sure = f"{100 * finding.confidence:.0f} % sure"
+    if finding.confidence < CLAIM:
+        sure = f"a suspicion, {sure}"
     rivals = f"; or {', '.join(finding.confounded_with)}" if finding.confounded_with else ""
-    return (
-        f"{k}. {finding.effect}, {place_of(finding.joint)}: {', '.join(shown) or 'no figures'}; "
-        f"{sure} {finding.confidence:.2f}{rivals}"
-    )
+    figures = ", ".join(shown) or "no figures"
+    return f"{k}. {finding.effect}, {place_of(finding.joint)}: {figures}; {sure}{rivals}"
 
 
 def _gap(found: Diagnosis, validated: bool) -> list[str]:
+    """Before, after and noise by joint, of long arms where most is there."""
     gap = found.gap
-    before, after = (
-        (gap.validate_before, gap.validate_after) if validated else (gap.train_before, gap.train_after)
-    )
-    log = "on the validation log" if validated else "on the logs that were fitted"
-    rows: Sequence[tuple[str, Sequence[str]]] = (
-        ("joint", [str(j + 1) for j in range(found.robot.n)]),
-        ("gap before", [number(x) for x in before]),
-        ("gap after", [number(x) for x in after]),
-        ("noise floor", [number(x) for x in gap.noise_floor]),
-    )
-    widths = [max(len(cells[j]) for _, cells in rows) for j in range(found.robot.n)]
+    before, after = chosen(found, validated)
+    changed = found.verdict == "missing_effect"
+    log = "validation log" if validated else "logs that were fitted"
+    with np.errstate(all="ignore"):
+        size = np.nan_to_num(before / gap.noise_floor, nan=0.0, posinf=0.0)
+    shown = sorted(sorted(range(found.robot.n), key=lambda j: (-float(size[j]), j))[:_JOINTS])
+    rows: list[tuple[str, Sequence[str]]] = [
+        ("joint", [str(j + 1) for j in shown]),
+        ("gap before" if changed else "gap", [number(before[j]) for j in shown]),
+        ("noise floor", [number(gap.noise_floor[j]) for j in shown]),
+    ]
+    if changed:
+        rows.insert(2, ("gap after", [number(after[j]) for j in shown]))
+    widths = [max(len(cells[k]) for _, cells in rows) for k in range(len(shown))]
     lines = [
         f"{name.ljust(11)}  "
         + "  ".join(cell.rjust(width) for cell, width in zip(cells, widths, strict=True))
         for name, cells in rows
     ]
-    lines[0] += f"  ({_units(found)}, RMS {log})"
+    most = f", {_JOINTS} of {found.robot.n} joints" if found.robot.n > _JOINTS else ""
+    lines[0] += f"  ({units_of(found)}, RMS, {log}{most})"
     return lines
 
 
-def _units(found: Diagnosis) -> str:
+def _better(found: Diagnosis, validated: bool) -> str:
+    """How much of the gap is gone, and what the kernel costs; empty where nothing was added."""
+    if found.verdict != "missing_effect":
+        return ""
+    share = closed(*chosen(found, validated), found.gap.noise_floor)
+    if is_touched_only(found):
+        return "contact is left out of the fit and not added to the model"
+    parts = [] if share is None else [f"{100 * share:.0f} % of the removable gap closed"]
+    rest = still(found, validated)
+    if rest:
+        parts.append(f"left beyond the noise at {joints_of(rest, found.robot.n)}")
+    old, new = found.operations
+    if old or new:
+        more = f" -> {new} operations ({new - old:+d})" if old != new else " operations, as before"
+        parts.append(f"inverse dynamics {old}{more}")
+    return "; ".join(parts)
+
+
+def chosen(found: Diagnosis, validated: bool) -> tuple[Floats, Floats]:
+    """RMS [n] before and after, of the log that proves most."""
+    gap = found.gap
+    return (gap.validate_before, gap.validate_after) if validated else (gap.train_before, gap.train_after)
+
+
+def still(found: Diagnosis, validated: bool) -> list[int]:
+    """Joints (from 1) at which a gap is left that stands out of the noise."""
+    _, after = chosen(found, validated)
+    with np.errstate(all="ignore"):
+        rest = np.nan_to_num(after / found.gap.noise_floor, nan=0.0, posinf=0.0)
+    return (np.flatnonzero(rest > _STILL) + 1).tolist()
+
+
+def joints_of(joints: Sequence[int], n: int | None = None) -> str:
+    """Several joints of ``n`` within a sentence."""
+    if n is not None and len(joints) == n > 2:
+        return "every joint"
+    return f"joint{'s' if len(joints) > 1 else ''} {listed([str(j) for j in joints])}"
+
+
+def units_of(found: Diagnosis) -> str:
+    """The unit of the joints' torques."""
     kinds = {link.joint.kind for link in found.robot.links}
     return "N m" if kinds == {"revolute"} else "N" if kinds == {"prismatic"} else "N m or N"
 

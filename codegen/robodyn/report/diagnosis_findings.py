@@ -1,0 +1,240 @@
+"""Findings of a diagnosis as cards: the values and their intervals, a picture, the evidence for the name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+
+from robodyn.diagnose.result import CLAIM, Diagnosis, Estimate, Finding, Rival, Series
+from robodyn.report.diagnosis_charts import Across, over, over_time
+from robodyn.report.diagnosis_frames import Chart, percent
+from robodyn.report.diagnosis_gap import units_at
+from robodyn.report.diagnosis_text import CONTACT, is_unseen, named, number, place_of, title_of, with_error
+from robodyn.report.diagnosis_where import Localised
+
+#: Half the width of an interval that holds the value in 95 of 100 cases, in standard errors.
+HALF: Final = 1.96
+#: An interval is drawn from nothing to this many times the value.
+REACH: Final = 2.0
+#: Cards with pictures, and with values, at most.
+_PICTURES, MOST_CARDS = 8, 40
+#: What an effect is drawn over; others over what shows the residual best.
+_DRAWN_OVER: Final = {
+    **dict.fromkeys(
+        ("viscous_friction", "coulomb_friction", "asymmetric_friction", "stribeck_friction"), "velocity"
+    ),
+    "presliding_hysteresis": "velocity",
+    **dict.fromkeys(("load_dependent_friction", "transmission_loss", "joint_elasticity"), "load, each way"),
+    **dict.fromkeys(("backlash", "torque_gain", "torque_saturation"), "load"),
+    "rotor_inertia": "acceleration",
+    "spring": "position",
+    "external_contact": "a short time",
+    "torque_bias": "constant",
+}
+#: What is drawn over time.
+_IN_TIME: Final = ("a short time", "constant")
+#: Values that mean nothing is there, where it is not zero.
+_NOTHING: Final = {("transmission_loss", "efficiency"): 1.0}
+
+
+def across(series: Series, j: int, name: str, units: dict[str, str]) -> Across:
+    """What the residual of joint ``j`` (from 0) is drawn over, by its name in ``QUANTITIES``."""
+    if name in ("velocity", "direction", "constant"):
+        return Across("velocity", units["qd"], series.qd[:, j])
+    if name.startswith("load"):
+        return Across("load", units["tau"], series.load[:, j], each_way=True)
+    if name == "acceleration":
+        return Across(name, units["qdd"], series.qdd[:, j], each_way=True)
+    return Across("position", units["q"], series.q[:, j], each_way=True)
+
+
+def cards(found: Diagnosis, places: Sequence[Localised], windows: Any) -> list[dict[str, Any]]:
+    """A card for each finding, those that are claims first."""
+    ordered = sorted(found.findings, key=lambda f: f.confidence < CLAIM)
+    return [
+        {
+            "effect": f.effect,
+            "title": title_of(f.effect),
+            "place": place_of(f.joint),
+            "confidence": f"{100 * f.confidence:.0f} %",
+            "sure": part(f.confidence),
+            "is_claim": f.confidence >= CLAIM,
+            "rivals": f.confounded_with,
+            "where": _where(f),
+            "parameters": [
+                _parameter(f.effect, name, p) for name, p in f.parameters.items() if not is_unseen(p)
+            ],
+            "unseen": [name for name, p in f.parameters.items() if is_unseen(p)],
+            "evidence": _evidence(f),
+            "parts": _parts(f),
+            "t": number(f.t),
+            "picture": _picture(found, f, places, windows) if k < _PICTURES else None,
+        }
+        for k, f in enumerate(ordered[:MOST_CARDS])
+    ]
+
+
+def _where(finding: Finding) -> str:
+    """Words of where, without the place, which stands above them."""
+    text = finding.where.removeprefix(f"{place_of(finding.joint)}: ")
+    return text[:1].upper() + text[1:]
+
+
+# --- values -----------------------------------------------------------------------------------------------
+
+
+def _parameter(effect: str, name: str, estimate: Estimate) -> dict[str, Any]:
+    """A parameter with its interval, which is drawn beside what would be nothing: as shares of the value."""
+    value, error = estimate.value, estimate.stderr
+    nothing = _NOTHING.get((effect, name), 0.0)
+    drawn, words, relative = None, "", ""
+    is_known = not isinstance(value, str) and math.isfinite(value) and not is_unseen(estimate)
+    if is_known and error is not None and 0 < error < math.inf and not isinstance(value, str):
+        low, high = value - HALF * error, value + HALF * error
+        digits = max(3, min(7, 2 + math.ceil(math.log10(max(abs(value), error) / error))))
+        words = f"{low:.{digits}g} to {high:.{digits}g}"
+        away = value - nothing
+        if away:
+            relative = (
+                f"± {100 * HALF * error / abs(away):.2g} %"
+                if not nothing and HALF * error < abs(away)
+                else ""
+            )
+            way, half = math.copysign(1, away), HALF * error / abs(away)
+            scale = 100 / (2 * REACH)
+            ends = sorted(min(max(scale * (REACH + way * (1 + s * half)), 0.0), 100.0) for s in (-1, 1))
+            drawn = {
+                "low": percent(ends[0]),
+                "width": percent(max(ends[1] - ends[0], 0.6)),
+                "value": percent(scale * (REACH + way)),
+                "reaches": half >= 1,
+            }
+    return {
+        "name": name,
+        "text": with_error(estimate, "±").replace("^2", "²"),
+        "words": words,
+        "relative": relative,
+        "nothing": f"{nothing:g}",
+        "drawn": drawn,
+        "is_chosen": error == 0 and effect != CONTACT and not isinstance(value, str),
+    }
+
+
+def part(share: float) -> str:
+    """A share as the width of a bar, 0 to 100."""
+    return f"{100 * min(max(share, 0.0), 1.0):.1f}" if math.isfinite(share) else "0"
+
+
+# --- evidence ---------------------------------------------------------------------------------------------
+
+
+def _evidence(finding: Finding) -> list[dict[str, Any]]:
+    itself = Rival(finding.effect, finding.joint, finding.gain, finding.parts)
+    rows = [itself, *finding.rivals]
+    top = max((row.gain for row in rows if math.isfinite(row.gain)), default=0.0)
+    return [
+        {
+            "title": title_of(row.effect),
+            "place": "" if row.joint == finding.joint else place_of(row.joint),
+            "gain": number(row.gain),
+            "width": part(row.gain / top if top > 0 else 0.0),
+            "share": f"{100 * row.gain / top:.0f} %" if top > 0 and math.isfinite(row.gain) else "n/a",
+            "is_named": k == 0,
+            "is_open": k > 0 and row.effect in finding.confounded_with,
+            "why": "; ".join(text for text in (_ahead(itself, row) if k else "", row.why) if text),
+        }
+        for k, row in enumerate(rows)
+    ]
+
+
+def _ahead(itself: Rival, other: Rival) -> str:
+    """In how many parts of the log an effect explains more than a rival."""
+    if not other.parts or len(itself.parts) != len(other.parts):
+        return ""
+    ahead = sum(a > b for a, b in zip(itself.parts, other.parts, strict=True))
+    return f"behind in {ahead} of {len(other.parts)} parts"
+
+
+def _parts(finding: Finding) -> dict[str, Any] | None:
+    """Gains in the parts of the log: how many there are, and in how many the effect helped."""
+    known = [x for x in finding.parts if math.isfinite(x)]
+    if not known:
+        return None
+    top = max(abs(x) for x in known) or 1.0
+    return {
+        "good": sum(x > 0 for x in known),
+        "all": len(known),
+        "bars": [{"height": part(abs(x) / top), "is_good": x > 0} for x in known],
+    }
+
+
+# --- pictures ---------------------------------------------------------------------------------------------
+
+
+def _picture(found: Diagnosis, finding: Finding, places: Sequence[Localised], windows: Any) -> Chart | None:
+    """The residual at the joint that shows a finding best, over what it depends on."""
+    if not found.series or len(found.series[0].times) < 2:
+        return None
+    series = found.series[0]
+    j = (finding.joint or _loudest(places)) - 1
+    units, floor = units_at(found, j), float(found.gap.noise_floor[j])
+    own = _own(series, finding, found, units)
+    if own is not None:
+        return over(series, j, own, units["tau"], floor, dots=260, wide=True)
+    name = _DRAWN_OVER.get(finding.effect) or places[j].best or "position"
+    if name in _IN_TIME:
+        return over_time(series, j, units["tau"], floor, windows)
+    return over(series, j, across(series, j, name, units), units["tau"], floor, dots=260, wide=True)
+
+
+def looks(found: Diagnosis, place: Localised, windows: Any) -> list[Chart]:
+    """What is left at a joint over time, and over what shows it best."""
+    if not found.series or len(found.series[0].times) < 2:
+        return []
+    series, j = found.series[0], place.joint - 1
+    units, floor = units_at(found, j), float(found.gap.noise_floor[j])
+    made = [over_time(series, j, units["tau"], floor, windows)]
+    if place.best not in (None, *_IN_TIME):
+        what = across(series, j, place.best or "", units)
+        made.append(over(series, j, what, units["tau"], floor, dots=260, wide=True))
+    return made
+
+
+def _loudest(places: Sequence[Localised]) -> int:
+    return max(places, key=lambda place: place.share).joint
+
+
+def _own(series: Series, finding: Finding, found: Diagnosis, units: dict[str, str]) -> Across | None:
+    """What one effect alone depends on: the angle within a ripple, the speed of another joint."""
+    if finding.joint is None:
+        return None
+    numbers = {
+        name: float(p.value)
+        for name, p in finding.parameters.items()
+        if not isinstance(p.value, str) and math.isfinite(p.value)
+    }
+    cycles, other = numbers.get("cycles_per_rev", 0.0), numbers.get("with", 0.0)
+    if finding.effect == "torque_ripple" and cycles > 0 and units["q"] == "rad":
+        turns = np.mod(series.q[:, finding.joint - 1] * cycles / (2 * math.pi), 1.0)
+        return Across(f"place in a cycle of 1/{cycles:.4g} turn", "", turns, each_way=True)
+    if finding.effect == "motor_coupling" and 1 <= other <= found.robot.n and other == int(other):
+        k = int(other) - 1
+        return Across(f"velocity of joint {k + 1}", units_at(found, k)["qd"], series.qd[:, k])
+    return None
+
+
+def next_of(found: Diagnosis) -> list[dict[str, str]]:
+    """What to record next: what it settles, and how; each thing once."""
+    seen: dict[str, dict[str, str]] = {}
+    for f in found.findings:
+        if f.experiment:
+            about = f"{title_of(f.effect)} ({place_of(f.joint)})"
+            title = (
+                f"{about} or {', '.join(named(r) for r in f.confounded_with)}" if f.confounded_with else about
+            )
+            text = f"{f.experiment[:1].upper()}{f.experiment[1:]}"
+            seen.setdefault(f.experiment, {"title": title, "text": text})
+    return list(seen.values())

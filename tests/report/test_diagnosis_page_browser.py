@@ -1,0 +1,330 @@
+"""The page of a diagnosis in a real browser: offline, quiet, whole, readable at any width, usable by keys."""
+
+from __future__ import annotations
+
+import itertools
+import json
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from report.made_up import made, series
+from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Tried, Window
+from robodyn.report.diagnosis import page
+from robodyn.robot import Robot, load
+from robodyn_testing import require_module, require_tool
+
+FLAGS = """
+    headless no-sandbox disable-gpu disable-quic no-first-run disable-background-networking
+    disable-component-update disable-sync hide-scrollbars
+""".split()  # noqa: SIM905 (it reads as the list that it is)
+HOSTILE = "<script>alert(1)</script>\"><img src=x onerror='alert(2)'>"
+WIDTHS = (1280, 700, 400, 320)
+
+#: Boxes of what was drawn: text of charts, by chart, and whether each is seen.
+LABELS = """
+const drawn = [...document.querySelectorAll("svg.chart, svg.interval, .scale svg")];
+return drawn.filter(c => c.checkVisibility()).map(c => ({
+  name: (c.getAttribute("aria-label") || "scale").split(".")[0],
+  boxes: [...c.querySelectorAll("text")].filter(t => t.getBoundingClientRect().width > 0).map(t => {
+    const b = t.getBoundingClientRect();
+    return [t.textContent, b.left, b.top, b.right, b.bottom];
+  }),
+}));
+"""
+#: Elements that reach beyond the window, those within a box that scrolls apart.
+OUTSIDE = """
+const wide = document.documentElement.clientWidth;
+return [...document.querySelectorAll("body *")].filter(e => {
+  const b = e.getBoundingClientRect();
+  return b.width > 0 && (b.right > wide + 0.5 || b.left < -0.5) && !e.closest(".scroll, pre.diff, .ink");
+}).map(e => e.outerHTML.slice(0, 120));
+"""
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    """Chromium without a network: whatever it is asked for that is no file would be seen in its log."""
+    webdriver = require_module("selenium.webdriver")
+    options, service = webdriver.ChromeOptions(), require_module("selenium.webdriver.chrome.service")
+    options.binary_location = require_tool("chromium")
+    for flag in (*FLAGS, f"user-data-dir={tmp_path_factory.mktemp('profile')}", "window-size=1280,900"):
+        options.add_argument(f"--{flag}")
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    driver = webdriver.Chrome(options=options, service=service.Service(require_tool("chromedriver")))
+    yield driver
+    driver.quit()
+
+
+def robot() -> Robot:
+    return load("puma560", warn=lambda _: None)
+
+
+def findings() -> tuple[Finding, ...]:
+    """Claims with and without rivals, a contact, and a suspicion."""
+    value = Estimate(2.9012, 0.0531, "N m")
+    rivals = (Rival("stribeck_friction", 3, 806.25), Rival("viscous_friction", 3, 203.125))
+    return (
+        Finding(
+            "coulomb_friction", 3, {"level": value}, 0.97, ("stribeck_friction",), "joint 3: a step",
+            "slow reversals of joint 3", 812.5, 40.0, rivals, (90.0, 80.0, -3.0, 70.0),
+        ),
+        Finding(
+            "transmission_loss", 2,
+            {"efficiency": Estimate(0.95, 0.001, "1"), "breakaway": Estimate(0.1, 0.09, "N m")},
+            0.9, (), "joint 2: two branches", None, 700.0, 30.0,
+        ),
+        Finding(
+            "external_contact", None,
+            {"start": Estimate(4.0, 0.0, "s"), "end": Estimate(4.5, 0.0, "s"), "link": Estimate(4, 0.0, "1")},
+            0.9, (), "the whole robot: a burst", None, 300.0, 9.0,
+        ),
+        Finding("spring", 1, {"stiffness": value}, 0.3, (), "joint 1: position", None, 20.0, 3.0),
+    )  # fmt: skip
+
+
+def whole() -> Diagnosis:
+    """A diagnosis with everything that a page may show."""
+    arm = robot()
+    return made(
+        arm, findings=findings(), flags=("tau2: 3 rows cut off", "q1: a gap, rows 10 to 20"),
+        windows=(Window("train", 4.0, 4.5, "contact"), Window("validate", 8.0, 8.2, "gap")),
+        tried=(Tried("backlash", 2, 12.0, 2.1, "t below 3"),),
+        detectable=np.linspace(0.1, 0.5, arm.n),
+        counts=({"mul": 50, "add": 30}, {"mul": 51, "add": 32}),
+    )  # fmt: skip
+
+
+def hostile() -> Diagnosis:
+    """A diagnosis whose every text is an attack."""
+    finding = Finding(
+        HOSTILE, None, {HOSTILE: Estimate(HOSTILE, None, HOSTILE)}, 0.9, (HOSTILE,), HOSTILE, HOSTILE, 1.0,
+        1.0, (Rival(HOSTILE, 1, 0.5),),
+    )  # fmt: skip
+    return made(
+        replace(robot(), title=HOSTILE), findings=(finding,), diff=f"+{HOSTILE}\n-{HOSTILE}\n",
+        words=(HOSTILE,), flags=(HOSTILE,), logs=({"name": f"{HOSTILE}.csv", "sha256": HOSTILE},),
+        windows=(Window("train", 1.0, 2.0, HOSTILE),), tried=(Tried(HOSTILE, 1, 1.0, 1.0, HOSTILE),),
+    )  # fmt: skip
+
+
+def unchanged(name: str) -> Any:
+    """A log that the findings change nothing of."""
+    one = series(name, 6)
+    return replace(one, after=one.before)
+
+
+def pages() -> dict[str, str]:
+    arm = robot()
+    same = {"series": (unchanged("train"), unchanged("validate")), "diff": "", "operations": (80, 80)}
+    return {
+        "missing_effect": page(whole(), validated=True),
+        "consistent": page(made(arm, verdict="consistent", findings=(), **same), validated=True),
+        "unexplained": page(
+            made(arm, verdict="unexplained", findings=findings()[3:], left=np.arange(6.0), **same),
+            validated=False,
+        ),
+        "hostile": page(hostile(), validated=True),
+    }
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    folder = tmp_path_factory.mktemp("pages")
+    written = {}
+    for name, text in pages().items():
+        written[name] = folder / f"{name}.html"
+        written[name].write_text(text, encoding="utf-8")
+    return written
+
+
+def opened(browser: Any, file: Path, width: int = 1280, **features: str) -> None:
+    """Show a page in a window of ``width``, as one who wants ``features`` sees it."""
+    wanted = [{"name": k.replace("_", "-"), "value": v} for k, v in features.items()]
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": wanted})
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    browser.get(file.as_uri())
+
+
+def heard(browser: Any) -> tuple[list[str], list[str]]:
+    """What the browser complained of, and what it asked for, since the last time."""
+    complaints = [entry["message"] for entry in browser.get_log("browser")]
+    messages = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
+    asked = [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
+    return complaints, asked
+
+
+@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained", "hostile"])
+def test_it_asks_for_nothing_and_nothing_goes_wrong(browser: Any, files: dict[str, Path], name: str) -> None:
+    heard(browser)
+    opened(browser, files[name])
+    complaints, asked = heard(browser)
+    assert complaints == []
+    assert {url for url in asked if not url.startswith("data:")} == {files[name].as_uri()}
+    assert browser.execute_script("return document.scripts.length + document.images.length") == 0
+    with pytest.raises(require_module("selenium.common.exceptions").NoAlertPresentException):
+        browser.switch_to.alert.dismiss()
+
+
+@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained"])
+def test_every_section_is_there_and_seen(browser: Any, files: dict[str, Path], name: str) -> None:
+    opened(browser, files[name])
+    sections = {"gap", "findings", "next", "where", "residual", "model", "motion", "data"}
+    asked = {"missing_effect": set(), "consistent": {"next"}, "unexplained": set()}[name]
+    for link in browser.find_elements("css selector", "nav a"):
+        target = browser.find_element("css selector", link.get_attribute("hash"))
+        assert target.is_displayed()
+        assert target.size["height"] > 10
+        sections.discard(target.get_attribute("id"))
+    assert sections <= asked
+    tiles = [tile.text.split("\n")[0] for tile in browser.find_elements("css selector", ".tiles > div")]
+    assert tiles[:3] == ["What is missing", "At which joint", "How sure"]
+    assert tiles[-1] == "What to record next"
+    tall = browser.execute_script(
+        "return document.querySelector('.tiles').getBoundingClientRect().bottom + scrollY"
+    )
+    assert tall < 500, "the answers are not seen at once"
+    for curve in browser.find_elements("css selector", "details[open] .strip path.curve"):
+        assert curve.size["width"] > 900
+        assert curve.size["height"] > 1
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained", "hostile"])
+def test_nothing_is_wider_than_the_window(
+    browser: Any, files: dict[str, Path], name: str, width: int
+) -> None:
+    opened(browser, files[name], width)
+    browser.execute_script("document.querySelectorAll('details').forEach(d => d.open = true)")
+    assert browser.execute_script("return document.documentElement.scrollWidth") <= width
+    assert browser.execute_script(OUTSIDE) == []
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", ["missing_effect", "unexplained"])
+def test_labels_of_charts_do_not_overlap(browser: Any, files: dict[str, Path], name: str, width: int) -> None:
+    opened(browser, files[name], width)
+    browser.execute_script("document.querySelectorAll('details').forEach(d => d.open = true)")
+    charts = browser.execute_script(LABELS)
+    assert len(charts) > 30
+    for chart in charts:
+        assert chart["boxes"], chart["name"]
+        for one, other in itertools.combinations(chart["boxes"], 2):
+            across = min(one[3], other[3]) - max(one[1], other[1])
+            down = min(one[4], other[4]) - max(one[2], other[2])
+            assert across <= 0.5 or down <= 2, (chart["name"], one, other)
+
+
+def luminance(colour: list[float]) -> float:
+    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in (x / 255 for x in colour)]
+    return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
+
+
+#: The colour of every text, and of what is behind it.
+COLOURS = """
+const rgb = text => text.match(/[\\\\d.]+/g).map(Number);
+const behind = e => {
+  for (; e; e = e.parentElement) {
+    const c = rgb(getComputedStyle(e).backgroundColor);
+    if (c.length === 3 || c[3] > 0) return c.slice(0, 3);
+  }
+};
+return [...document.querySelectorAll("body *")].filter(e => e.checkVisibility()
+  && [...e.childNodes].some(n => n.nodeType === 3 && n.data.trim())).map(e => {
+  const style = getComputedStyle(e);
+  const ink = e instanceof SVGElement ? style.fill : style.color;
+  return [e.textContent.trim().slice(0, 40), rgb(ink).slice(0, 3), behind(e)];
+});
+"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("name", ["missing_effect", "consistent", "unexplained"])
+def test_text_stands_out_by_day_and_by_night(
+    browser: Any, files: dict[str, Path], name: str, scheme: str
+) -> None:
+    opened(browser, files[name], prefers_color_scheme=scheme)
+    seen = browser.execute_script(COLOURS.replace("\\\\", "\\"))
+    assert len(seen) > 100
+    papers = {round(luminance(paper), 1) for _, _, paper in seen}
+    assert max(papers) <= 0.2 if scheme == "dark" else min(papers) >= 0.7
+    for text, ink, paper in seen:
+        low, high = sorted((luminance(ink), luminance(paper)))
+        assert (high + 0.05) / (low + 0.05) >= 4.5, (text, ink, paper)
+
+
+def test_what_is_drawn_is_chosen_by_click_and_by_key(browser: Any, files: dict[str, Path]) -> None:
+    keys = require_module("selenium.webdriver.common.keys").Keys
+    opened(browser, files["missing_effect"])
+
+    def shown(selector: str) -> bool:
+        script = "return [...document.querySelectorAll(arguments[0])].some(e => e.checkVisibility())"
+        return bool(browser.execute_script(script, f".residual .ink {selector}"))
+
+    for box, selectors in (
+        ("show-before", ["path.curve.before", "path.mean.before"]), ("show-after", ["path.curve.after"]),
+        ("show-dots", ["path.dots", "path.band"]), ("show-noise", ["path.noise"]),
+    ):  # fmt: skip
+        assert all(shown(selector) for selector in selectors)
+        browser.find_element("css selector", f"label:has(#{box})").click()
+        assert not any(shown(selector) for selector in selectors)
+        browser.find_element("id", box).send_keys(keys.SPACE)
+        assert all(shown(selector) for selector in selectors)
+    assert browser.find_element("css selector", ".card .ink path.mean.before").is_displayed()
+
+
+def test_what_is_folded_opens_by_click_and_by_key(browser: Any, files: dict[str, Path]) -> None:
+    keys = require_module("selenium.webdriver.common.keys").Keys
+    opened(browser, files["missing_effect"])
+    folded = [d for d in browser.find_elements("tag name", "details") if d.get_attribute("open") is None]
+    assert len(folded) == 3, "tables, a suspicion, the other log"
+    for k, details in enumerate(folded):
+        summary = details.find_element("tag name", "summary")
+        inner = details.find_element("css selector", "table, dl, .strip")
+        assert not inner.is_displayed()
+        if k % 2:
+            summary.click()
+        else:
+            summary.send_keys(keys.ENTER)
+        assert inner.is_displayed()
+
+
+def test_keys_reach_everything_in_order(browser: Any, files: dict[str, Path]) -> None:
+    keys = require_module("selenium.webdriver.common.keys").Keys
+    opened(browser, files["missing_effect"])
+    reached = []
+    for _ in range(80):
+        browser.switch_to.active_element.send_keys(keys.TAB)
+        focused = browser.switch_to.active_element
+        if focused.tag_name == "body":
+            break
+        outline = focused.value_of_css_property("outline-style")
+        reached.append((focused.tag_name, focused.get_attribute("id") or focused.text[:20]))
+        assert outline != "none", reached[-1]
+    assert [name for tag, name in reached if tag == "input"] == [
+        "show-before", "show-after", "show-dots", "show-noise",
+    ]  # fmt: skip
+    assert sum(tag == "a" for tag, _ in reached) == 8
+    assert sum(tag == "summary" for tag, _ in reached) == 4
+    assert sum(tag == "pre" for tag, _ in reached) == 1
+
+
+def test_on_paper_it_is_light_and_whole(browser: Any, files: dict[str, Path]) -> None:
+    opened(browser, files["missing_effect"], prefers_color_scheme="dark")
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    paper = browser.execute_script("return getComputedStyle(document.body).backgroundColor")
+    assert paper == "rgb(255, 255, 255)"
+    assert not browser.find_element("tag name", "nav").is_displayed()
+    printed = browser.execute_cdp_cmd("Page.printToPDF", {"printBackground": True})
+    assert len(printed["data"]) > 20_000
+
+
+def test_attacks_are_shown_as_the_text_that_they_are(browser: Any, files: dict[str, Path]) -> None:
+    opened(browser, files["hostile"])
+    script = "return document.body.innerText.split(arguments[0]).length - 1"
+    assert browser.execute_script(script, HOSTILE) >= 12
