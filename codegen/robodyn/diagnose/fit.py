@@ -74,6 +74,13 @@ def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
     return replace(p, rest=rest, rights=np.stack([a.T @ y for a, y in flat]))
 
 
+def coarser(p: Problem, factor: Floats) -> Problem:
+    """The problem with noise that is larger by a ``factor`` [n]."""
+    rest, A = p.rest / factor, p.A / factor[:, None]
+    grams, rights = _grams(A, rest, p.parts)
+    return replace(p, rest=rest, A=A, sigma=p.sigma * factor, grams=grams, rights=rights)
+
+
 def problem(rest: Floats, Y: Floats, sigma: Floats, thin: float) -> Problem:
     """The problem of the residual ``rest`` [N, n] and the nuisance ``Y`` [N, n, p], a unit of each column
     being a standard deviation of its prior."""

@@ -24,7 +24,7 @@ from robodyn.simulate.sensors import measured_torque
 Floats = NDArray[np.float64]
 
 #: Names of numbers that are no size but a choice, and effects of which the numbers are not changed here.
-_CHOSEN = frozenset({"with", "ratio", "transition", "exponent", "span", "cycles_per_rev"})
+_CHOSEN = frozenset({"with", "ratio", "transition", "exponent", "cycles_per_rev"})
 _LEFT = frozenset({"external_contact", "presliding_hysteresis", "inertial_error", "payload"})
 _ROUNDS, _STEP = 4, 1e-3
 #: What a round must gain to be followed by another, as a share of the sum of squares.
@@ -71,7 +71,8 @@ def refined(
     if now is None:
         return list(found)
     for _ in range(_ROUNDS):
-        weight = _weights(now.reshape(-1, start.n)).reshape(-1)
+        rows = now.reshape(-1, start.n)
+        weight = _weights(rows, _usual(rows)).reshape(-1)
         best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
         columns = []
         for i in range(len(x)):
@@ -100,10 +101,33 @@ def refined(
     return changed(x)
 
 
-def _weights(left: Floats) -> Floats:
+def costs(
+    robot: Robot, models: Sequence[Sequence[Amendment]], contexts: Sequence[Context], start: Problem
+) -> list[float]:
+    """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
+    bursts, by the measure of the first model, count by their size (Huber 1964)."""
+    nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
+    prior = np.diag(np.sqrt(start.prior[: start.nuisance]))
+    kept = np.any(start.rest != 0, axis=1)[:, None]
+    usual: Floats | None = None
+    found = []
+    for model in models:
+        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
+        usual = _usual(left) if usual is None else usual
+        weight = _weights(left, usual).reshape(-1)
+        least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
+        found.append(least / 2 / start.thin)
+    return found
+
+
+def _usual(left: Floats) -> Floats:
+    """The middle size [n] of what is left [N, n]."""
+    return np.asarray(np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1.0))
+
+
+def _weights(left: Floats, usual: Floats) -> Floats:
     """Weights [N, n] that keep a few bursts (joints that stick at reversals) from having their way
     (Huber 1964), as factors of rows."""
-    usual = np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1.0)
     return np.asarray(np.sqrt(np.minimum(1.0, _USUAL * usual / np.maximum(np.abs(left), 1e-300))))
 
 

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend import Amendment, amended, amended_text, difference
+from robodyn.diagnose.amend import Amendment, amended_text, difference
 from robodyn.diagnose.gate import Gate, inspect
 from robodyn.diagnose.library import Candidate
 from robodyn.diagnose.predict import lacking, signals_seen
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.rigid import Model
-from robodyn.diagnose.selection import Named, Selection, select, what_matters
+from robodyn.diagnose.search import Found, search
+from robodyn.diagnose.selection import Named, Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
@@ -23,7 +24,7 @@ from robodyn.simulate.log import Log
 Floats = NDArray[np.float64]
 
 #: Passes: after the first the model is amended and looked at again.
-_PASSES = 6
+_PASSES = 10
 #: Share of a joint's mean square that its findings must explain, where what is left stands out of the noise.
 _EXPLAINED, _STANDS_OUT = 0.8, 3.0
 _END = 0.02
@@ -32,16 +33,6 @@ _NEARER, _WITHDRAWN = 0.98, 0.3
 #: So little of the noise that an effect does not show in a log.
 _UNSEEN = 0.1
 _DRAWN = 3000
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Found:
-    """A finding in the making: its evidence, and all that is added for it."""
-
-    named: Named
-    parameters: dict[str, float | str]
-    errors: dict[str, float]
-    first: Selection
 
 
 def diagnose(
@@ -70,23 +61,9 @@ def diagnose(
     robot = _numbers(robot, parameters)
     tell("looking at the logs")
     gates = [inspect(log, robot, source=_name(names, k)) for k, log in enumerate(logs)]
-    pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
-    model, found = robot, dict[tuple[str, int | None], _Found]()
-    last: Selection | None = None
-    begun: Selection | None = None
-    for _ in range(_PASSES):
-        tell("fitting " + ("the catalogue" if not found else "what is left"))
-        last = select(model, pieces, progress=lambda name: tell(f"found {name}"))
-        if not last.found:
-            break
-        begun = begun or last
-        if not _taken(last, found, hashes[0] if hashes else "log"):
-            break
-        _refit(robot, found, begun)
-        model = amended(robot, _amendments(found))
-    assert last is not None
+    outcome = search(robot, gates, tell, hashes[0] if hashes else "log")
+    model, found, last, first = outcome.model, outcome.found, outcome.last, outcome.first
     tell("proving it")
-    first = begun or last
     checked = [_doubted(one, first, last) for one in found.values()]
     findings = tuple(sorted((_finding(one, sure) for one, sure in checked), key=lambda f: -f.gain))
     left = _left(last)
@@ -160,87 +137,6 @@ def _name(names: Sequence[str], k: int) -> str | None:
     return names[k] if k < len(names) else None
 
 
-def _piece(log: Log, part: slice) -> Log:
-    if part == slice(0, log.samples):
-        return log
-    cut = [None if x is None else x[part] for x in (log.t, log.q, log.qd, log.qdd, log.tau)]
-    return Log(*cut)  # type: ignore[arg-type]
-
-
-def _amendments(found: Mapping[tuple[str, int | None], _Found]) -> list[Amendment]:
-    return [Amendment(effect, joint, one.parameters) for (effect, joint), one in found.items()]
-
-
-def _refit(robot: Robot, found: dict[tuple[str, int | None], _Found], begun: Selection) -> None:
-    """All that was found, fitted together to the logs as they were at first."""
-    from robodyn.diagnose.refine import refined
-
-    better = refined(robot, _amendments(found), begun.contexts, begun.start)
-    for key, one in zip(list(found), better, strict=True):
-        found[key] = replace(found[key], parameters=dict(one.parameters))
-
-
-def _taken(step: Selection, found: dict[tuple[str, int | None], _Found], digest: str) -> list[Amendment]:
-    """Amendments of a step's findings; they join those of the same effect and place."""
-    made = []
-    for named in step.found:
-        candidate = named.trial.candidate
-        values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
-        if candidate.effect == "external_contact":
-            values["log"] = digest
-        key = (candidate.effect, candidate.joint)
-        made.append(Amendment(candidate.effect, candidate.joint, values))
-        if key in found:
-            before = found[key]
-            linear = CATALOGUE[candidate.effect].linear
-            joined = dict(before.parameters)
-            for name, value in values.items():
-                both = isinstance(value, float) and isinstance(joined.get(name), float)
-                joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
-            found[key] = replace(before, parameters=joined)
-        else:
-            found[key] = _Found(named, values, errors, step)
-    return made
-
-
-def estimates(
-    candidate: Candidate, x: Floats, stderr: Floats, model: Model
-) -> tuple[dict[str, float | str], dict[str, float]]:
-    """The catalogue's parameters of the coefficients, and their standard errors."""
-    read = candidate.read if candidate.effect != "inertial_error" else lambda v: _deltas(candidate, v, model)
-    values = read(x)
-    errors: dict[str, float] = {}
-    for name, value in values.items():
-        if isinstance(value, str):
-            continue
-        square = 0.0
-        for i in range(len(x)):
-            moved = x.copy()
-            moved[i] += stderr[i]
-            other = read(moved)[name]
-            square += (float(other) - value) ** 2
-        errors[name] = float(np.sqrt(square))
-    return values, errors
-
-
-def _deltas(candidate: Candidate, x: Floats, model: Model) -> dict[str, float | str]:
-    """Changes of a link's numbers, of changes of its standard parameters."""
-    assert candidate.joint is not None
-    old = model.standard_parameters()[candidate.joint - 1]
-    before, after = _physical(old), _physical(old + x)
-    names = ("mass", "com_x", "com_y", "com_z", "xx", "yy", "zz", "xy", "xz", "yz")
-    return {f"delta_{name}": float(b - a) for name, a, b in zip(names, before, after, strict=True)}
-
-
-def _physical(phi: Floats) -> Floats:
-    """Mass, centre of mass, inertia about it."""
-    m = phi[0]
-    c = phi[1:4] / m if m > 0 else np.zeros(3)
-    shift = m * (c @ c * np.eye(3) - np.outer(c, c))
-    upper = [shift[a, b] for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-    return np.concatenate([[m], c, phi[4:] - upper])
-
-
 def _share(first: Selection, last: Selection, rows: Sequence[int]) -> tuple[float, float]:
     """Of the joints' mean square what is explained; how far what is left stands out of the noise."""
     before, after = first.first.held.mean(axis=0), last.last.held.mean(axis=0)
@@ -248,7 +144,7 @@ def _share(first: Selection, last: Selection, rows: Sequence[int]) -> tuple[floa
     return 1 - float(after[j] / max(before[j], 1e-300)), float(last.residue[j])
 
 
-def _doubted(one: _Found, first: Selection, last: Selection) -> tuple[_Found, bool]:
+def _doubted(one: Found, first: Selection, last: Selection) -> tuple[Found, bool]:
     """Whether what is left at the joints of a finding lets its name stand."""
     share, stands_out = _share(first, last, one.named.trial.candidate.rows)
     left = _left(last)
@@ -282,7 +178,7 @@ def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verd
     return "unexplained" if findings or bool(np.any(stands_out & (left > 1.5))) else "consistent"
 
 
-def _finding(one: _Found, sure: bool) -> Finding:
+def _finding(one: Found, sure: bool) -> Finding:
     candidate, trial = one.named.trial.candidate, one.named.trial
     entry = CATALOGUE[candidate.effect]
     revolute = (

@@ -17,8 +17,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.ceiling import unexplained
 from robodyn.diagnose.contact import Contact, contact_in
-from robodyn.diagnose.fit import BLOCKS, Fit, Problem, fitted, less, problem, without
+from robodyn.diagnose.fit import BLOCKS, Fit, Problem, coarser, fitted, less, problem, without
 from robodyn.diagnose.library import Candidate, Context, again, candidates, context_of
 from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.signals import Signals, signals_of
@@ -44,11 +45,14 @@ _BODY = 4
 _CLIPPED = 0.15
 #: Rivals: within so many standard errors of the best, or so small a share of its gain.
 _TIE, _LOSS = 2.0, 0.02
+#: More than noise, in mean squares of the noise.
+_ROUGH = 3.0
 #: Rounds of refining what is not linear, and the factor below which it is fine enough.
 _ROUNDS, _FINE = 12, 1.03
 _SPREADS = {"torque_ripple": (1.002, 1.0001)}
 _DIRECTIONS, _FARTHEST, _REACH = 16, 8.0, {"gap": 0.1, "stiffness": 0.3, "damping": 0.5}
 #: What swings: so many of the best of a grid are refined, if they gain this share of the most.
+_UNDELAYED = frozenset({"time_delay", "torque_bias", "torque_gain", "torque_saturation"})
 _SWINGING, _STARTS, _SOME = ("joint_elasticity", "backlash"), 2, 0.1
 
 
@@ -166,6 +170,9 @@ def select(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in made
     ]
+    factor = unexplained(start, library)
+    start = now = coarser(start, factor)
+    least = least / factor
     found: list[Named] = []
     trials: list[Trial] = []
     touched = contact_in(context, start) if len(contexts) == 1 else None
@@ -184,7 +191,7 @@ def select(
         tried.sort(key=lambda one: -one.gain)
         if not found:
             trials = tried
-        best = _best(now, current, tried, least, contexts)
+        best = _best(now, current, tried, least, contexts, rough=bool(np.any(factor > 1)))
         if best is None:
             break
         one, rivals, confidence = best
@@ -202,6 +209,7 @@ def select(
     if touched is not None:
         estimated = (*estimated, _named_contact(touched, first))
     left = np.abs(now.rest - now.A @ current.known)
+    left = left * factor
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
     return Selection(tuple(contexts), start, estimated, first, current, tuple(trials), residue)
 
@@ -248,7 +256,23 @@ def _estimated(now: Problem, last: Fit, found: Sequence[Named]) -> tuple[Named, 
 def prepared(context: Context, candidate: Candidate) -> Floats:
     """The candidate's columns, filtered and thinned like the torque."""
     signals = context.slow if candidate.coarse else context.signals
-    return signals.thinned(signals.filtered(candidate.columns))
+    columns = candidate.columns
+    late = delays(context.model.robot)[list(candidate.rows)]
+    if late.any() and candidate.effect not in _UNDELAYED:
+        columns = columns.copy()
+        for k, delay in enumerate(late):
+            for i in range(columns.shape[2]):
+                columns[:, k, i] = np.interp(signals.t - delay, signals.t, columns[:, k, i])
+    return signals.thinned(signals.filtered(columns))
+
+
+def delays(robot: Robot) -> Floats:
+    """How late [n] the model knows the torque channels to be [s]."""
+    found = np.zeros(robot.n)
+    for entry in robot.effects:
+        if entry.effect == "time_delay":
+            found[slice(None) if entry.joint is None else entry.joint - 1] += entry.number("delay")
+    return found
 
 
 def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, least: Floats) -> Trial:
@@ -275,18 +299,22 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
 
 
 def _best(
-    now: Problem, current: Fit, tried: Sequence[Trial], least: Floats, contexts: Sequence[Context]
-) -> tuple[Trial, tuple[str, ...], float] | None:
+    now: Problem, current: Fit, tried: Sequence[Trial], least: Floats, contexts: Sequence[Context],
+    *, rough: bool,
+) -> tuple[Trial, tuple[str, ...], float] | None:  # fmt: skip
+    """The candidate to take, its rivals, and how sure that is; ``rough``: the log has more in it than the
+    library."""
+
     def passes(one: Trial) -> bool:
         c = one.candidate
-        enough = _enough(now, min(len(c.signs), _BODY) + len(c.given))
+        wanted = enough(now, numbers_of(one))
         better = int(np.sum(one.per_part > 0))
         steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
-        steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * enough)
+        steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
         if c.local:
-            steady = one.t >= 1 and one.gain > 3 * enough
+            steady = one.t >= 1 and one.gain > 3 * wanted
         return bool(
-            steady and one.matters >= 1 and one.gain > enough and np.any(one.fit.x) and c.feasible(one.fit.x)
+            steady and one.matters >= 1 and one.gain > wanted and np.any(one.fit.x) and c.feasible(one.fit.x)
         )
 
     good = [one for one in _near(now, current, tried, least, contexts) if passes(one)]
@@ -300,7 +328,12 @@ def _best(
     for key, one in best.items():
         if one.candidate.given and one.gain > 0.5 * top:
             best[key] = _refined(now, current, one, least, contexts)
-    ranked = sorted(best.values(), key=lambda one: -one.gain)
+    most = max(best.values(), key=lambda one: one.gain)
+    left = np.median(most.fit.held[:, list(most.candidate.rows)], axis=0).max()
+    if rough or left > _ROUGH:  # nothing explains all there is: many numbers must bring that much more
+        ranked = sorted(best.values(), key=lambda one: -one.gain / np.sqrt(numbers_of(one)))
+    else:
+        ranked = sorted(best.values(), key=lambda one: -one.gain)
     winner = ranked[0]
     ties = [one for one in ranked[1:] if _tied(winner, one)]
     simplest = min([winner, *ties], key=lambda one: (one.candidate.order, -one.gain))
@@ -311,7 +344,12 @@ def _best(
     return simplest, rivals, confidence
 
 
-def _enough(now: Problem, numbers: int) -> float:
+def numbers_of(one: Trial) -> int:
+    """How many free numbers a candidate has, as far as most motions show them."""
+    return min(len(one.candidate.signs), _BODY) + len(one.candidate.given)
+
+
+def enough(now: Problem, numbers: int) -> float:
     """The gain that so many free numbers must bring, and the choice of a candidate."""
     return float((numbers + 3) * np.log(now.independent) / 2)
 
@@ -322,7 +360,7 @@ def _near(
     """The trials, best first, and for what swings the best of its grid refined: a swing a little off is in
     step for a while and then worse than none."""
     found, count = list(tried), dict[tuple[str, int | None], int]()
-    least_gain = max(_SOME * max((one.gain for one in tried), default=0.0), _enough(now, 3))
+    least_gain = max(_SOME * max((one.gain for one in tried), default=0.0), enough(now, 3))
     for one in tried:
         key = (one.candidate.effect, one.candidate.joint)
         if one.candidate.effect not in _SWINGING or not one.candidate.given or one.gain < least_gain:

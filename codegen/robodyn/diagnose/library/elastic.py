@@ -30,7 +30,10 @@ def elastic(c: Context, j: int) -> Iterator[Candidate]:
         e.effect in ("joint_elasticity", "backlash") for e in c.model.robot.effects_at(j + 1)
     ):
         return
+    yield from _ahead(c, j)
     swing = _swing(c, j)
+    if swing.inertia <= 0:
+        return
     for hertz in _SWINGS:
         stiffness = swing.inertia * (2 * np.pi * hertz) ** 2
         damping = 2 * _DAMPED * swing.inertia * 2 * np.pi * hertz
@@ -40,7 +43,6 @@ def elastic(c: Context, j: int) -> Iterator[Candidate]:
         damping = 2 * _DAMPED * swing.inertia * 2 * np.pi * hertz
         for gap in _GAPS:
             yield behind(c, j, {"gap": gap, "stiffness": stiffness, "damping": damping})
-    yield from _ahead(c, j)
 
 
 class Swing:

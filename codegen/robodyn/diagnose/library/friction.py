@@ -16,6 +16,7 @@ Floats = NDArray[np.float64]
 #: Grids of what is not linear.
 _STRIBECK = (0.01, 0.02, 0.04, 0.08, 0.15, 0.3)
 _BENDS = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2)  # rad or m: level over stiffness
+_SPANS = (0.03, 0.1, 0.3, 1.0)  # m
 _EFFICIENCY = (0.3, 0.45, 0.6, 0.7, 0.8, 0.88, 0.94)
 
 
@@ -88,18 +89,29 @@ def loads(c: Context, j: int) -> Iterator[Candidate]:
     kinds = [("torque", "mu", {"mu": 1.0})]
     if at.revolute:
         kinds += [("radial", "mu_r", {"mu_r": 1.0}), ("thrust", "mu_r", {"mu_r": 1.0})]
-    else:
-        kinds += [("linear", "mu", {"mu": 1.0, "span": 1.0})]
+    for span in _SPANS:
+        yield bearing(c, j, {"span": span})
     for kind, key, values in kinds:
         added = column("load_dependent_friction", {"bearing": kind, **values}, at)
 
         def read(x: Floats, kind: str = kind, key: str = key) -> dict[str, float | str]:
-            more: dict[str, float | str] = {"span": 1.0} if kind == "linear" else {}
-            return {"bearing": kind, key: float(x[0]), **more}
+            return {"bearing": kind, key: float(x[0])}
 
         yield single("load_dependent_friction", j, [added], (1,), read, 2)
     for efficiency in _EFFICIENCY:
         yield loss(c, j, {"efficiency": efficiency})
+
+
+def bearing(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+    """Two journals, or two sliding bearings, at a distance."""
+    at = site(c, j)
+    kind, key = ("journal", "mu_r") if at.revolute else ("linear", "mu")
+    added = column("load_dependent_friction", {"bearing": kind, key: 1.0, **given}, at)
+
+    def read(x: Floats) -> dict[str, float | str]:
+        return {"bearing": kind, key: float(x[0]), **given}
+
+    return single("load_dependent_friction", j, [added], (1,), read, 2, given=given)
 
 
 def loss(c: Context, j: int, given: Mapping[str, float]) -> Candidate:

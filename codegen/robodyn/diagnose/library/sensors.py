@@ -29,9 +29,9 @@ def sensor(c: Context, j: int) -> Iterator[Candidate]:
 
 #: Limits of a drive as shares of the largest torque, and the share of samples that pile up at a sensor's.
 _LIMITS = (0.5, 0.65, 0.8, 0.9, 0.96)
-
-
 _PILED = 0.003
+#: A drive that is at its limit for more of a log than this leaves nothing to compare.
+_CLIPPED = 0.3
 
 
 def saturation(c: Context, j: int) -> Iterator[Candidate]:
@@ -52,6 +52,8 @@ def saturation(c: Context, j: int) -> Iterator[Candidate]:
 def clipped(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
     tau, limit = c.signals.tau[:, j], given["limit"]
     beyond = np.sign(tau) * np.maximum(np.abs(tau) - limit, 0.0)
+    if np.mean(beyond != 0) > _CLIPPED:
+        beyond = np.zeros_like(tau)
     return single(
         "torque_saturation", j, [beyond], (1,), lambda x: {"limit": limit, "clips": "drive"}, 2,
         fixed=True, local=True, given=given, feasible=_about_one,

@@ -1,0 +1,174 @@
+"""The search: one effect after another, all refitted together, and what is not needed in the end left out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.amend import Amendment, amended
+from robodyn.diagnose.gate import Gate
+from robodyn.diagnose.library import Candidate
+from robodyn.diagnose.refine import costs, refined
+from robodyn.diagnose.rigid import Model
+from robodyn.diagnose.selection import Named, Selection, enough, numbers_of, select
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot.model import Robot
+from robodyn.simulate.log import Log
+
+Floats = NDArray[np.float64]
+Key = tuple[str, int | None]
+
+#: After each pass the model is amended and looked at again.
+_PASSES = 10
+#: What must be lost by leaving an effect out, in what it had to gain to be taken.
+_PRICE = 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """What was found: its evidence, and all that is added for it."""
+
+    named: Named
+    parameters: dict[str, float | str]
+    errors: dict[str, float]
+    first: Selection
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outcome:
+    """What was found by effect and joint, the ``model`` with it, the ``first`` look at the logs and the
+    ``last``."""
+
+    found: dict[Key, Found]
+    model: Robot
+    first: Selection
+    last: Selection
+
+
+def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], digest: str) -> Outcome:
+    """What ``robot`` lacks to explain logs that have passed their ``gates``; ``digest``: a log's hash, kept
+    with a contact in it."""
+    pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
+
+    def look(model: Robot) -> Selection:
+        return select(model, pieces, progress=lambda name: tell(f"found {name}"))
+
+    tell("fitting the catalogue")
+    first = last = look(robot)
+    model, found, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
+    for _ in range(_PASSES):
+        if not last.found or not _taken(last, found, digest):
+            break
+        _refit(robot, found, first)
+        _pruned(robot, found, first)
+        keys = frozenset(found)
+        if keys in seen:  # what was left out comes again
+            break
+        seen.add(keys)
+        model = amended(robot, _amendments(found))
+        tell("fitting what is left")
+        last = look(model)
+    return Outcome(found, model, first, last)
+
+
+def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
+    """Leave out, one by one, what the others make up for."""
+    while len(found) > 1:
+        without = []
+        for key in found:
+            others = {other: one for other, one in found.items() if other != key}
+            _refit(robot, others, first)
+            without.append(others)
+        models = [_amendments(found), *(_amendments(others) for others in without)]
+        whole, *less = costs(robot, models, first.contexts, first.start)
+        spare = [
+            cost - whole - _PRICE * enough(first.start, numbers_of(one.named.trial))
+            for cost, one in zip(less, found.values(), strict=True)
+        ]
+        k = int(np.argmin(spare))
+        if spare[k] >= 0:
+            return
+        found.clear()
+        found.update(without[k])
+
+
+def _amendments(found: Mapping[Key, Found]) -> list[Amendment]:
+    return [Amendment(effect, joint, one.parameters) for (effect, joint), one in found.items()]
+
+
+def _refit(robot: Robot, found: dict[Key, Found], begun: Selection) -> None:
+    """All that was found, fitted together to the logs as they were at first."""
+    better = refined(robot, _amendments(found), begun.contexts, begun.start)
+    for key, one in zip(list(found), better, strict=True):
+        found[key] = replace(found[key], parameters=dict(one.parameters))
+
+
+def _taken(step: Selection, found: dict[Key, Found], digest: str) -> list[Amendment]:
+    """Amendments of a step's findings; they join those of the same effect and place."""
+    made = []
+    for named in step.found:
+        candidate = named.trial.candidate
+        values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
+        if candidate.effect == "external_contact":
+            values["log"] = digest
+        key = (candidate.effect, candidate.joint)
+        made.append(Amendment(candidate.effect, candidate.joint, values))
+        if key in found:
+            before = found[key]
+            linear = CATALOGUE[candidate.effect].linear
+            joined = dict(before.parameters)
+            for name, value in values.items():
+                both = isinstance(value, float) and isinstance(joined.get(name), float)
+                joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
+            found[key] = replace(before, parameters=joined)
+        else:
+            found[key] = Found(named, values, errors, step)
+    return made
+
+
+def _piece(log: Log, part: slice) -> Log:
+    if part == slice(0, log.samples):
+        return log
+    cut = [None if x is None else x[part] for x in (log.t, log.q, log.qd, log.qdd, log.tau)]
+    return Log(*cut)  # type: ignore[arg-type]
+
+
+def estimates(
+    candidate: Candidate, x: Floats, stderr: Floats, model: Model
+) -> tuple[dict[str, float | str], dict[str, float]]:
+    """The catalogue's parameters of the coefficients, and their standard errors."""
+    read = candidate.read if candidate.effect != "inertial_error" else lambda v: _deltas(candidate, v, model)
+    values = read(x)
+    errors: dict[str, float] = {}
+    for name, value in values.items():
+        if isinstance(value, str):
+            continue
+        square = 0.0
+        for i in range(len(x)):
+            moved = x.copy()
+            moved[i] += stderr[i]
+            other = read(moved)[name]
+            square += (float(other) - value) ** 2
+        errors[name] = float(np.sqrt(square))
+    return values, errors
+
+
+def _deltas(candidate: Candidate, x: Floats, model: Model) -> dict[str, float | str]:
+    """Changes of a link's numbers, of changes of its standard parameters."""
+    assert candidate.joint is not None
+    old = model.standard_parameters()[candidate.joint - 1]
+    before, after = _physical(old), _physical(old + x)
+    names = ("mass", "com_x", "com_y", "com_z", "xx", "yy", "zz", "xy", "xz", "yz")
+    return {f"delta_{name}": float(b - a) for name, a, b in zip(names, before, after, strict=True)}
+
+
+def _physical(phi: Floats) -> Floats:
+    """Mass, centre of mass, inertia about it."""
+    m = phi[0]
+    c = phi[1:4] / m if m > 0 else np.zeros(3)
+    shift = m * (c @ c * np.eye(3) - np.outer(c, c))
+    upper = [shift[a, b] for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+    return np.concatenate([[m], c, phi[4:] - upper])
