@@ -72,6 +72,7 @@ def check_model(
     trial = Trial(smooth.q[rows] - offset, smooth.qd[rows], smooth.qdd[rows], smooth.tau[rows])
     model = Reference(_frictionless(robot), parameters).inverse_dynamics
     torque = model(trial.q, trial.qd, trial.qdd)
+    _constant(smooth.tau[smooth.inside], torque, source)
     found = likeness(trial, torque)
 
     def changed(changes: Iterator[Change]) -> list[tuple[float, Change, Likeness]]:
@@ -84,7 +85,7 @@ def check_model(
         _tell(changed(units(robot, smooth)), found, source, flags)
     _scales(found, source)
     _tell(changed(signs_and_order(robot, found)), found, source, flags)
-    _unlike(found, torque, trial, flags)
+    _unlike(found, torque, trial, source, flags)
     return found.unexplained
 
 
@@ -167,6 +168,22 @@ def _nearer(before: Likeness, after: Likeness, change: Change) -> NDArray[np.boo
     return None
 
 
+def _constant(tau: Floats, torque: Floats, source: str | None) -> None:
+    """Refuse torques [K, n] that never change where the model's do: gain and bias would be named for them."""
+    spread = np.ptp(torque, axis=0)
+    same = np.ptp(tau, axis=0) <= 1e-9 * np.abs(tau).max(axis=0)
+    joints = np.flatnonzero(same & (spread > 1e-6 * spread.max())).tolist()
+    if joints:
+        refuse(
+            source,
+            f"{named('tau', [j + 1 for j in joints])}: the same throughout",
+            found=f"{tau[0, joints[0]]:.6g} in all rows, while the model's torque changes by "
+            f"{spread[joints[0]]:.3g}",
+            expected="the torque of every joint as it was",
+            remedy="record the torques of all joints",
+        )
+
+
 def _elsewhere(before: Likeness, after: Likeness, change: Change) -> bool:
     """Whether another joint than those of a ``change`` is far nearer to the model too."""
     near = (before.apart > SLIGHT_EXACT) & (before.apart > NEARER_EXACT * after.apart)
@@ -193,12 +210,23 @@ def _scales(found: Likeness, source: str | None) -> None:
     )
 
 
-def _unlike(found: Likeness, torque: Floats, trial: Trial, flags: list[Flag]) -> None:
-    """A flag on torques of which nothing is of the model's shape."""
+def _unlike(found: Likeness, torque: Floats, trial: Trial, source: str | None, flags: list[Flag]) -> None:
+    """Refuse torques of which nothing is of the model's shape; only a flag where one joint alone tells."""
     joints = range(len(found.factor))
     size = np.sqrt((torque * torque).mean(axis=0)), np.sqrt((trial.tau * trial.tau).mean(axis=0))
     telling = [j for j in joints if np.isfinite(found.unexplained[j]) and size[0][j] > 0.2 * size[1][j]]
-    if telling and all(abs(found.correlation[j]) < 0.3 and found.unexplained[j] > UNLIKE for j in telling):
-        numbers = tuple(j + 1 for j in telling)
+    if any(abs(found.correlation[j]) >= 0.3 or found.unexplained[j] <= UNLIKE for j in telling):
+        return
+    where = named("tau", [j + 1 for j in telling])
+    if len(telling) > 1:
+        refuse(
+            source,
+            f"{where}: nothing of the torque is like the model's",
+            found=f"correlations of {min(found.correlation[telling]):.2f} to "
+            f"{max(found.correlation[telling]):.2f}, beside friction and a bias",
+            expected="torques of this robot in this motion",
+            remedy="see whether the log is of another robot or run, and in SI units",
+        )
+    if telling:
         text = "nothing of the torque is like the model's: another robot, or another unit?"
-        flags.append(Flag("unlike_model", named("tau", numbers), (), text, numbers))
+        flags.append(Flag("unlike_model", where, (), text, (telling[0] + 1,)))
