@@ -19,6 +19,7 @@ from robodyn.diagnose.gate_model import check_model
 from robodyn.diagnose.gate_rates import check_rates
 from robodyn.diagnose.gate_rows import usable
 from robodyn.diagnose.gate_smooth import REACH, noise_of, smoothed
+from robodyn.diagnose.gate_stuck import check_stuck
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 
@@ -93,6 +94,7 @@ def inspect(
     some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
     steps = steps_of(log.q[some]), steps_of(log.tau[some])
     grid = on_grid(log, rows, most, flags)
+    check_stuck(grid, source, flags)
     smooth = smoothed(grid.log, grid.segments, grid.period)
     noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)
     rates, accelerations, lag = check_rates(smooth, robot, grid.period, source, flags, noise[0])

@@ -40,7 +40,7 @@ ALIKE = 0.5
 #: it is not if it leaves more than this share, and so many times more, at another joint.
 SLIGHT, NEARER = 0.05, 8.0
 #: The same where the model's torque is taken as it is: columns of joints that are much alike.
-SLIGHT_EXACT, NEARER_EXACT = 0.005, 6.0
+SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT = 0.002, 6.0, 0.001
 WORSE, TIMES = 0.01, 3.0
 #: So many times less is left beside a spring, where a flipped sign is none.
 SPRUNG = 4.0
@@ -160,7 +160,7 @@ def _nearer(before: Likeness, after: Likeness, change: Change) -> NDArray[np.boo
     own = [j - 1 for j in change.joints] if change.kind == "order" else []
     for was, now, slight, times, worse in (
         (before.unexplained, after.unexplained, SLIGHT, NEARER, WORSE),
-        (before.apart, after.apart, SLIGHT_EXACT, NEARER_EXACT, 0.2 * SLIGHT_EXACT),
+        (before.apart, after.apart, SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT),
     ):
         near = (was > slight) & (was > times * now)
         if near.any() and near[own].all() and not (now > np.maximum(TIMES * was, worse)).any():
