@@ -30,8 +30,8 @@ WAY = Limits((Fraction(1, 5), Fraction(9, 10)), Fraction(1), Fraction(4))
 #: Flags that say that something is wrong, and not merely how the motion is.
 WRONG = {
     "garbage", "rates_unusable", "duplicated", "repeated_time", "stray_time", "spike", "jump", "held",
-    "missing", "gap", "fragment", "jitter", "cut_down", "rate_scale", "rate_mismatch", "torque_scale",
-    "unlike_model", "perhaps_degrees", "perhaps_millimetres", "perhaps_sign", "perhaps_order", "saturation",
+    "missing", "gap", "fragment", "jitter", "cut_down", "rate_scale", "rate_mismatch", "unlike_model",
+    "stuck", "perhaps_degrees", "perhaps_millimetres", "perhaps_sign", "perhaps_order", "saturation",
 }  # fmt: skip
 
 
@@ -227,6 +227,14 @@ REFUSED: dict[str, tuple[Callable[[Log], Log], str]] = {
     "sign of q2": (lambda log: times(log, [1.0, -1.0, 1.0], "q", "qd"), "q2: the sign"),
     "order of qd": (lambda log: swapped(log, 0, 2, "qd"), "joints 1 and 3 are swapped"),
     "order of tau": (lambda log: swapped(log, 1, 2, "tau"), "tau2, tau3: swapped"),
+    "sign of all q": (lambda log: times(log, -1.0, "q", "qd"), "q1, q2, q3: the sign of all positions"),
+    "joint 3 turned": (lambda log: times(log, [1.0, 1.0, -1.0], "q", "qd", "tau"), "q3, tau3: the joint"),
+    "order of q": (lambda log: swapped(log, 0, 2, "q", "qd"), "q1, q3: swapped"),
+    "joints 1 and 2": (lambda log: swapped(log, 0, 1, "q", "qd", "tau"), "joints 1 and 2: swapped"),
+    "joints 1 and 3": (lambda log: swapped(log, 0, 2, "q", "qd", "tau"), "joints 1 and 3: swapped"),
+    "amperes": (lambda log: times(log, 1 / 30, "tau"), "tau1, tau2, tau3: another unit.*torque constant"),
+    "N mm": (lambda log: times(log, 1e3, "tau"), "another unit.*divide by 1000"),
+    "kN m": (lambda log: times(log, 1e-3, "tau"), "another unit.*multiply by 1000"),
     "order of joints": (lambda log: swapped(log, 1, 2, "q", "qd", "tau"), "joints 2 and 3: swapped"),
 }  # fmt: skip
 
@@ -251,10 +259,6 @@ def test_a_flipped_sign_under_much_friction(log: Log) -> None:
 # --- lesser things ----------------------------------------------------------------------------------------
 
 
-def test_torques_in_amperes_are_told(log: Log) -> None:
-    assert flag_of(inspect(times(log, 1 / 30, "tau"), GIVEN), "torque_scale").where.startswith("tau1")
-
-
 def test_velocities_that_are_late(log: Log) -> None:
     late = np.roll(log.qd, 12, axis=0)  # type: ignore[arg-type]
     gate = inspect(replace(log, qd=late), GIVEN)
@@ -268,6 +272,47 @@ def test_velocities_that_are_none(log: Log, value: float) -> None:
     assert gate.told("rates_unusable")
     assert gate.log.qd is None
     assert gate.log.samples == log.samples
+
+
+def test_a_frozen_position(log: Log) -> None:
+    fast = int(np.argmax(np.abs(np.gradient(log.q[200:-200, 1])))) + 200
+    frozen = put(log, "q", np.s_[fast : fast + 100, 1], log.q[fast, 1])
+    gate = inspect(frozen, GIVEN)
+    assert rows_of(gate, "stuck") == [(fast + 2, fast + 100)]
+    with pytest.raises(InputError, match="q2 stops dead"):
+        inspect(replace(log, q=np.clip(log.q, [-9.0, -0.3, -9.0], [9.0, 0.3, 9.0]), qd=None), GIVEN)
+
+
+def test_positions_that_drop_out_often_are_left_out(log: Log) -> None:
+    rows = np.arange(50, log.samples - 50, 100)
+    gate = inspect(put(log, "q", (rows, 1), 3.0), GIVEN)
+    assert [span.first - 1 for span in flag_of(gate, "spike").spans] == rows[:100].tolist()
+    np.testing.assert_allclose(gate.log.q, log.q, atol=2e-4)
+
+
+def test_a_spring_that_outdoes_gravity_passes(log: Log) -> None:
+    # It pulls the other way than gravity, and more: the sign of the torque looks flipped.
+    for j, stiffness in ((1, -60.0), (1, 120.0), (2, 40.0), (2, -40.0)):
+        sprung = put(log, "tau", np.s_[:, j], log.tau[:, j] + stiffness * (log.q[:, j] - 0.2))
+        inspect(sprung, GIVEN)
+
+
+def test_joints_of_a_wrist_are_told_apart() -> None:
+    robot = arm("puma560")
+    motion = fourier(robot, 0.2, 5, seed=6, period=2e-3)
+    tau = Reference(robot).inverse_dynamics(motion.q, motion.qd, motion.qdd)
+    tau += 0.01 * np.random.default_rng(0).standard_normal(tau.shape)
+    wrist = Log(motion.t, motion.q, None, None, tau)
+    assert not {flag.kind for flag in inspect(wrist, robot).flags} & WRONG
+    for i, j in ((4, 5), (5, 6)):
+        with pytest.raises(InputError, match=f"joints {i} and {j}: swapped"):
+            inspect(swapped(wrist, i - 1, j - 1, "q", "tau"), robot)
+
+
+def test_torques_of_another_run_are_refused(log: Log) -> None:
+    other = np.random.default_rng(0).standard_normal(log.tau.shape) * np.abs(log.tau).max(axis=0)
+    with pytest.raises(InputError, match="nothing of the torque is like the model's"):
+        inspect(replace(log, tau=other), GIVEN)
 
 
 @pytest.mark.parametrize("step", [0.0, 0.1])

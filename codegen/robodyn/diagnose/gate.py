@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.gate_content import JointContent, content, steps_of
-from robodyn.diagnose.gate_flag import Flag, Floats, Span, refuse
+from robodyn.diagnose.gate_flag import Flag, Floats, Span, count, refuse
 from robodyn.diagnose.gate_grid import on_grid
 from robodyn.diagnose.gate_model import check_model
 from robodyn.diagnose.gate_rates import check_rates
 from robodyn.diagnose.gate_rows import usable
-from robodyn.diagnose.gate_smooth import noise_of, smoothed
+from robodyn.diagnose.gate_smooth import REACH, noise_of, smoothed
+from robodyn.diagnose.gate_stuck import check_stuck
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 
@@ -85,10 +86,15 @@ def inspect(
             remedy="name the robot that the log is of",
         )
     flags: list[Flag] = []
+    if log.ignored:
+        listed = ", ".join(log.ignored[:8]) + (", ..." if len(log.ignored) > 8 else "")
+        text = f"{count(len(log.ignored), 'column')} not read: {robot.name} has {count(robot.n, 'joint')}"
+        flags.append(Flag("ignored", listed, (), text))
     rows = usable(log, source, flags)
     some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
     steps = steps_of(log.q[some]), steps_of(log.tau[some])
     grid = on_grid(log, rows, most, flags)
+    check_stuck(grid, source, flags)
     smooth = smoothed(grid.log, grid.segments, grid.period)
     noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)
     rates, accelerations, lag = check_rates(smooth, robot, grid.period, source, flags, noise[0])
@@ -103,6 +109,23 @@ def inspect(
         grid, smooth, robot, parameters,
         steps=steps, noise=noise, lag=lag, unexplained=unexplained, flags=flags,
     )  # fmt: skip
+    if not smooth.inside.any():
+        refuse(
+            source,
+            "the log is in pieces that are too short",
+            found=f"{count(len(grid.segments), 'piece')}, none of them of {2 * REACH:g} s",
+            expected="some seconds of motion without gaps",
+            remedy="record a longer motion, without gaps",
+        )
+    if not any(one.moves for one in joints):
+        rows_used = Span(int(grid.rows()[0]) + 1, int(grid.rows()[-1]) + 1, *grid.log.t[[0, -1]].tolist())
+        refuse(
+            source,
+            "no joint moves",
+            found=f"standstill in {rows_used}",
+            expected="some seconds of motion of the joints that are in question",
+            remedy="record a motion; robodyn excite designs one",
+        )
     length = sum(part.stop - part.start for part in grid.segments) * grid.period
     if 1 / grid.period < _SLOW:
         text = (

@@ -11,6 +11,8 @@ from robodyn.simulate.log import Log
 MOST_JUMPS = 0.03
 #: No arm brings about more [rad/s^2 or m/s^2]; and how far above its 99th percentile a change is a jump.
 _ACCELERATION, _TIMES = 2000.0, 20.0
+#: A position that changes faster [rad/s or m/s] jumps, however often it does.
+_FASTEST = 120.0
 #: The longest spike of a torque and the longest dropout of a position, in rows.
 _SPIKE, _DROPOUT = 3, 100
 _CHANGES = 100
@@ -49,6 +51,8 @@ def _jumps(
         low, high = np.quantile(x[pairs[0]], [0.01, 0.99])
         least = float(high - low)
     limit = max(_TIMES * float(usual), least)
+    if position:
+        limit = min(limit, max(_FASTEST * period, least))
     if limit <= 0:
         return [], []
     found: list[int] = []

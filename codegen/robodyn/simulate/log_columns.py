@@ -81,14 +81,18 @@ def _expected(n: int) -> str:
 
 
 def _header_remedy(names: Sequence[str], known: Mapping[str, int]) -> str | None:
-    if len(names) == 1:
-        for mark, word in ((";", "semicolons"), ("\t", "tabs")):
+    if len(names) == 1 and not names[0].startswith("#"):
+        for mark, word in ((";", "semicolons"), ("\t", "tabs"), (" ", "spaces")):
             if mark in names[0]:
                 return f"separate the columns by commas, not {word} (and write decimals with a point)"
     if names and all(number_of(name.encode()) is not None for name in names):
         return "write a first line with the names of the columns"
     if names and names[0].startswith("#"):
         return "delete the lines above the names of the columns, and the #"
+    if "q0" in known:
+        return "number the joints from 1"
+    if any(not _known(name) and _known(name.lower()) for name in names):
+        return "write the names in small letters"
     if "t" not in known and any(_known(name) for name in names):
         return "call the time t [s]"
     return "name the columns so, in any order, in SI units"

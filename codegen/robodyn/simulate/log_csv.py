@@ -29,6 +29,14 @@ BLOCK = 1 << 21
 ROWS = 1 << 11
 
 _COMMA, _NEWLINE = b",\n"
+#: How packed files begin.
+_PACKED = {
+    b"\x1f\x8b": "gzip",
+    b"PK\x03\x04": "zip",
+    b"BZh": "bzip2",
+    b"\xfd7zXZ": "xz",
+    b"\x28\xb5\x2f\xfd": "zstd",
+}
 
 
 # --- writing ----------------------------------------------------------------------------------------------
@@ -100,6 +108,23 @@ def _header(source: BinaryIO, file: str) -> list[str]:
             where=Place(file),
             found="Parquet",
             remedy="give it the ending .parquet",
+        )
+    for mark, kind in _PACKED.items():
+        if data.startswith(mark):
+            raise InputError(
+                "the file is packed",
+                where=Place(file),
+                found=kind,
+                remedy="unpack it, and give what was in it",
+            )
+    if b"\0" in data:
+        raise InputError("the file is not text", where=Place(file, 1), found="a zero byte", expected="a log")
+    if b"\r" in data.rstrip(b"\r\n"):
+        raise InputError(
+            "lines end in carriage returns alone",
+            where=Place(file, 1),
+            expected="newlines",
+            remedy="write it with line ends of Unix or Windows",
         )
     if len(data) > LINE:
         raise _too_long(Place(file, 1))
@@ -193,10 +218,14 @@ def _search(block: bytes, layout: Layout, where: Place) -> Floats:
     return np.array(rows, dtype=np.float64).reshape(len(rows), len(layout.wanted))
 
 
-def _line_remedy(line: bytes) -> str | None:
+def _line_remedy(line: bytes) -> str:
     if b";" in line:
         return "separate the columns by commas, not semicolons (and write decimals with a point)"
-    return "an extra column must not have commas in it" if b'"' in line else None
+    if b'"' in line:
+        return "an extra column must not have commas in it"
+    if line.rstrip().endswith(b","):
+        return "delete the comma at the end of the line"
+    return "delete the line, or mend it"
 
 
 def _wrong_cell(cells: Sequence[bytes], position: int, line: Place) -> InputError:
@@ -210,5 +239,14 @@ def _wrong_cell(cells: Sequence[bytes], position: int, line: Place) -> InputErro
         where=where,
         found=found,
         expected="a number such as -0.125 or 1e-3",
-        remedy="where there is no value, write nan",
+        remedy=_cell_remedy(cells, cell),
     )
+
+
+def _cell_remedy(cells: Sequence[bytes], cell: bytes) -> str:
+    if not any(number_of(each) is not None for each in cells):
+        quoted = cell.strip().startswith(b'"')
+        return "write numbers without quotes" if quoted else "delete the line: nothing in it is a number"
+    if cell is cells[0] and (b":" in cell or cell.count(b"-") > 1):
+        return "write times in seconds"
+    return "where there is no value, write nan"
