@@ -17,7 +17,7 @@ from robodyn.diagnose.library import Candidate
 Floats = NDArray[np.float64]
 
 #: Ridge of columns of size 1, as a share of the number of samples; what stands out of the noise.
-_RIDGE, _STANDS_OUT = 1e-3, 2.0
+_RIDGE, STANDS_OUT = 1e-3, 2.0
 
 
 def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floats:
@@ -45,5 +45,5 @@ def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floa
             x = np.linalg.solve(G - grams[k] + ridge, g - rights[k])
             left[k] = np.mean((b[part] - X[part] @ x) ** 2)
         rms = float(np.sqrt(np.median(left)))
-        found[j] = rms if rms > _STANDS_OUT else 1.0
+        found[j] = rms if rms > STANDS_OUT else 1.0
     return found

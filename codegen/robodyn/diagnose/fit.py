@@ -81,6 +81,13 @@ def coarser(p: Problem, factor: Floats) -> Problem:
     return replace(p, rest=rest, A=A, sigma=p.sigma * factor, grams=grams, rights=rights)
 
 
+def tighter(p: Problem, share: float) -> Problem:
+    """The problem with a nuisance that is known better: its standard deviations are a ``share``."""
+    prior = p.prior.copy()
+    prior[: p.nuisance] /= share**2
+    return replace(p, prior=prior)
+
+
 def problem(rest: Floats, Y: Floats, sigma: Floats, thin: float) -> Problem:
     """The problem of the residual ``rest`` [N, n] and the nuisance ``Y`` [N, n, p], a unit of each column
     being a standard deviation of its prior."""
@@ -148,7 +155,7 @@ def fitted(
         held[k] = np.mean(left**2, axis=0)
     whole = solutions[-1]
     spread = p.thin * np.linalg.inv(systems[-1])[P:, P:] * max(float(held.mean()), 1e-300)
-    strain = float(np.sum(whole[: p.nuisance] ** 2)) / 2
+    strain = float(np.sum(p.prior[: p.nuisance] * whole[: p.nuisance] ** 2)) / p.thin / 2
     return Fit(whole[P:] / size, spread / np.outer(size, size) if c else spread, whole[:P], held, strain)
 
 

@@ -30,7 +30,7 @@ _ROUNDS, _STEP = 4, 1e-3
 #: What a round must gain to be followed by another, as a share of the sum of squares.
 _WORTH = 1e-3
 #: From here on, in middle residuals, an error counts by its size and no more by its square.
-_USUAL = 2.0
+_USUAL, _REWEIGHTED = 2.0, 3
 
 
 def refined(
@@ -72,7 +72,7 @@ def refined(
         return list(found)
     for _ in range(_ROUNDS):
         rows = now.reshape(-1, start.n)
-        weight = _weights(rows, _usual(rows)).reshape(-1)
+        weight, _ = _weights(rows, nuisance, prior)
         best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
         columns = []
         for i in range(len(x)):
@@ -113,8 +113,7 @@ def costs(
     found = []
     for model in models:
         left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
-        usual = _usual(left) if usual is None else usual
-        weight = _weights(left, usual).reshape(-1)
+        weight, usual = _weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
         found.append(least / 2 / start.thin)
     return found
@@ -125,10 +124,19 @@ def _usual(left: Floats) -> Floats:
     return np.asarray(np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1.0))
 
 
-def _weights(left: Floats, usual: Floats) -> Floats:
-    """Weights [N, n] that keep a few bursts (joints that stick at reversals) from having their way
-    (Huber 1964), as factors of rows."""
-    return np.asarray(np.sqrt(np.minimum(1.0, _USUAL * usual / np.maximum(np.abs(left), 1e-300))))
+def _weights(
+    left: Floats, nuisance: Floats, prior: Floats, usual: Floats | None = None
+) -> tuple[Floats, Floats]:
+    """Weights [N n] that keep a few bursts (joints that stick at reversals) from having their way (Huber
+    1964), as factors of rows, and the middle sizes [n]; by what the nuisance too leaves of ``left``
+    [N, n]."""
+    weight, size = np.ones(left.size), np.ones(left.shape[1])
+    for _ in range(_REWEIGHTED):
+        x = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[1]
+        rest = left - (nuisance @ x).reshape(left.shape)
+        size = _usual(rest) if usual is None else usual
+        weight = np.sqrt(np.minimum(1.0, _USUAL * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
+    return weight, size
 
 
 def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, Floats]:

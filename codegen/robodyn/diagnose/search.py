@@ -24,7 +24,7 @@ Key = tuple[str, int | None]
 #: After each pass the model is amended and looked at again.
 _PASSES = 10
 #: What must be lost by leaving an effect out, in what it had to gain to be taken.
-_PRICE = 1.0
+_PRICE = 0.3
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -17,9 +17,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.ceiling import unexplained
+from robodyn.diagnose.ceiling import STANDS_OUT, unexplained
 from robodyn.diagnose.contact import Contact, contact_in
-from robodyn.diagnose.fit import BLOCKS, Fit, Problem, coarser, fitted, less, problem, without
+from robodyn.diagnose.fit import BLOCKS, Fit, Problem, coarser, fitted, less, problem, tighter, without
 from robodyn.diagnose.library import Candidate, Context, again, candidates, context_of
 from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.signals import Signals, signals_of
@@ -43,10 +43,19 @@ _RELIEF = 20.0
 _BODY = 4
 #: A limit has one number and a force three: so much less it may explain.
 _CLIPPED = 0.15
+#: How much better the arm's numbers may be than they are said to be, and how much better the evidence for
+#: it must be.
+_TIGHT, _SURELY = 0.1, 5.0
+#: The shortest part of a log that is used, in periods of the filter's cutoff.
+_SHORTEST = 6.0
 #: Rivals: within so many standard errors of the best, or so small a share of its gain.
 _TIE, _LOSS = 2.0, 0.02
 #: More than noise, in mean squares of the noise.
 _ROUGH = 3.0
+#: A t over the parts of such a log that is enough with twice the gain.
+_ROUGHLY = 1.3
+#: By what power of the number of its numbers a candidate must then explain more.
+_MANY = 0.25
 #: Rounds of refining what is not linear, and the factor below which it is fine enough.
 _ROUNDS, _FINE = 12, 1.03
 _SPREADS = {"torque_ripple": (1.002, 1.0001)}
@@ -160,7 +169,7 @@ def select(
     context = context_of(Model(robot), seen)
     contexts = [context]
     for log in pieces[1:]:
-        if log.samples * seen.period > 20 / seen.cutoff:
+        if log.samples * seen.period > _SHORTEST / seen.cutoff:
             more = signals_of(log, cutoff=seen.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
     start = now = start_of(contexts)
@@ -170,17 +179,57 @@ def select(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in made
     ]
-    factor = unexplained(start, library)
+    factor = _factor(start, library, least, contexts)
     start = now = coarser(start, factor)
     least = least / factor
-    found: list[Named] = []
-    trials: list[Trial] = []
     touched = contact_in(context, start) if len(contexts) == 1 else None
     if touched is not None and _clipped_there(start, touched, library):
         touched = None
     if touched is not None:
-        start = now = without(start, touched.mask)
-    first = current = fitted(start)
+        start = without(start, touched.mask)
+    rough = bool(np.any(factor > 1))
+    chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
+    if not chosen.found:
+        # Perhaps the arm's numbers are better than they are said to be, and something else shows.
+        tight = tighter(start, _TIGHT)
+        other = _chosen(tight, library, least, contexts, rough=rough, progress=progress)
+        if other.found and _evidence(tight, other) > _evidence(start, chosen) + _SURELY:
+            start, chosen = tight, other
+    now, current, found = chosen.now, chosen.current, chosen.found
+    first = fitted(start)
+    estimated = _estimated(now, current, found)
+    if touched is not None:
+        estimated = (*estimated, _named_contact(touched, first))
+    left = np.abs(now.rest - now.A @ current.known)
+    left = left * factor
+    residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
+    return Selection(tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Chosen:
+    """What was chosen, one after another; the problem with all of it, its fit, the trials of the first
+    step."""
+
+    found: list[Named]
+    now: Problem
+    current: Fit
+    trials: list[Trial]
+
+
+def _chosen(
+    start: Problem,
+    library: Sequence[tuple[Candidate, Floats]],
+    least: Floats,
+    contexts: Sequence[Context],
+    *,
+    rough: bool,
+    progress: Callable[[str], object] | None,
+) -> _Chosen:
+    """One effect after another until none passes, or the columns of all others change."""
+    now, current = start, fitted(start)
+    found: list[Named] = []
+    trials: list[Trial] = []
     while len(found) < _MOST:
         taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in found}
         tried = [
@@ -189,9 +238,8 @@ def select(
             if (c.effect, c.joint) not in taken
         ]
         tried.sort(key=lambda one: -one.gain)
-        if not found:
-            trials = tried
-        best = _best(now, current, tried, least, contexts, rough=bool(np.any(factor > 1)))
+        trials = trials or tried
+        best = _best(now, current, tried, least, contexts, rough=rough)
         if best is None:
             break
         one, rivals, confidence = best
@@ -205,13 +253,40 @@ def select(
             progress(one.candidate.name)
         if one.candidate.effect in _BENDS:
             break
-    estimated = _estimated(now, current, found)
-    if touched is not None:
-        estimated = (*estimated, _named_contact(touched, first))
-    left = np.abs(now.rest - now.A @ current.known)
-    left = left * factor
-    residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
-    return Selection(tuple(contexts), start, estimated, first, current, tuple(trials), residue)
+    return _Chosen(found, now, current, trials)
+
+
+def _evidence(start: Problem, chosen: _Chosen) -> float:
+    """How well a prior of the arm's numbers foresaw the logs, with what was chosen, in units of
+    log-likelihood (MacKay 1992)."""
+    p = chosen.now
+    left = p.rest - p.A @ chosen.current.known
+    floor = np.maximum(np.mean(left**2, axis=0), 1.0)
+    known = chosen.current.known[: p.nuisance]
+    misfit = float(np.sum(np.mean(left**2, axis=0) / floor)) * len(left) / p.thin / 2
+    strain = float(np.sum(p.prior[: p.nuisance] * known**2)) / p.thin / 2
+    gram = start.grams.sum(axis=0)[: p.nuisance, : p.nuisance] / np.sqrt(
+        np.outer(start.prior[: p.nuisance], start.prior[: p.nuisance])
+    )
+    width = float(np.linalg.slogdet(np.eye(len(gram)) + gram)[1]) / 2
+    spread = float(np.sum(np.log(floor))) * len(left) / p.thin / 2
+    return -misfit - spread - strain - width - sum(enough(start, numbers_of(f.trial)) for f in chosen.found)
+
+
+def _factor(
+    start: Problem, library: Sequence[tuple[Candidate, Floats]], least: Floats, contexts: Sequence[Context]
+) -> Floats:
+    """How much larger [n] than the noise is what neither the library nor one of its candidates explains."""
+    factor = unexplained(start, library)
+    if np.all(factor == 1):
+        return factor
+    current = fitted(start)
+    tried = [trial(start, current, c, columns, least) for c, columns in library]
+    tried.sort(key=lambda one: -one.gain)
+    for one in _near(start, current, tried, least, contexts):
+        left = np.sqrt(np.median(one.fit.held, axis=0))
+        factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
+    return factor
 
 
 def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
@@ -311,6 +386,8 @@ def _best(
         better = int(np.sum(one.per_part > 0))
         steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
         steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
+        if rough:  # parts differ by what is not in the library
+            steady = steady or (one.t >= _ROUGHLY and one.gain > 2 * wanted)
         if c.local:
             steady = one.t >= 1 and one.gain > 3 * wanted
         return bool(
@@ -331,7 +408,7 @@ def _best(
     most = max(best.values(), key=lambda one: one.gain)
     left = np.median(most.fit.held[:, list(most.candidate.rows)], axis=0).max()
     if rough or left > _ROUGH:  # nothing explains all there is: many numbers must bring that much more
-        ranked = sorted(best.values(), key=lambda one: -one.gain / np.sqrt(numbers_of(one)))
+        ranked = sorted(best.values(), key=lambda one: -one.gain / numbers_of(one) ** _MANY)
     else:
         ranked = sorted(best.values(), key=lambda one: -one.gain)
     winner = ranked[0]

@@ -32,6 +32,8 @@ _LIMITS = (0.5, 0.65, 0.8, 0.9, 0.96)
 _PILED = 0.003
 #: A drive that is at its limit for more of a log than this leaves nothing to compare.
 _CLIPPED = 0.3
+#: What a limit must explain of the squares where it clips.
+_RIGHT = 0.4
 
 
 def saturation(c: Context, j: int) -> Iterator[Candidate]:
@@ -52,7 +54,11 @@ def saturation(c: Context, j: int) -> Iterator[Candidate]:
 def clipped(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
     tau, limit = c.signals.tau[:, j], given["limit"]
     beyond = np.sign(tau) * np.maximum(np.abs(tau) - limit, 0.0)
-    if np.mean(beyond != 0) > _CLIPPED:
+    # It must be right where it clips: cutting peaks off makes every torque smaller.
+    at = beyond != 0
+    rest = (tau - c.at.total[:, j])[at]
+    right = np.sum((rest - beyond[at]) ** 2) < (1 - _RIGHT) * np.sum(rest**2)
+    if np.mean(at) > _CLIPPED or not right:
         beyond = np.zeros_like(tau)
     return single(
         "torque_saturation", j, [beyond], (1,), lambda x: {"limit": limit, "clips": "drive"}, 2,
