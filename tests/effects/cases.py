@@ -66,6 +66,8 @@ CASES: Final = {
     "asymmetric": _case("asymmetric_friction"),
     "stribeck": _case("stribeck_friction", rational=False, exponent=Fraction(2)),
     "stribeck, sharp": _case("stribeck_friction", rational=False, exponent=Fraction(7, 5)),
+    "power law, thinning": _case("power_law_friction", rational=False, exponent=Fraction(1, 2)),
+    "power law, thickening": _case("power_law_friction", rational=False, exponent=Fraction(7, 4)),
     "presliding": _case("presliding_hysteresis"),
     "journal": _bearing("journal", rational=False, span=RANDOM),
     "journal, printed": _bearing("journal", rational=False, span=RANDOM, variant="printed"),

@@ -72,6 +72,11 @@ EXAMPLES: list[tuple[str, str, dict[str, Any]]] = [
             "transition": F(1, 20),
         },
     ),
+    (
+        "power_law_friction",
+        "level: 2, exponent: 0.7",
+        {"level": F(2), "exponent": F(7, 10), "velocity": F(1)},
+    ),
     ("rotor_inertia", "inertia: 0.5", {"inertia": F(1, 2)}),
     (
         "torque_ripple",

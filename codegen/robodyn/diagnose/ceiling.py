@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.fit import BLOCKS, Problem
+from robodyn.diagnose.fit import Problem
 from robodyn.diagnose.library import Candidate
 
 Floats = NDArray[np.float64]
@@ -21,8 +21,8 @@ _RIDGE, STANDS_OUT = 1e-3, 2.0
 
 
 def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floats:
-    """RMS [n] of what the library leaves in parts of the log that it was not fitted to, in units of the
-    noise; 1 where that is about the noise."""
+    """What the library leaves in parts of the log that it was not fitted to, [n], by its middle (joints that
+    stick at reversals make bursts) and in units of the noise; 1 where that is about the noise."""
     found = np.ones(p.n)
     for j in range(p.n):
         columns = [p.A[:, j]]
@@ -33,17 +33,17 @@ def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floa
                 seen[key] = seen.get(key, 0) + 1
                 columns.append(x[:, candidate.rows.index(j)] / p.sigma[j])
         X = np.concatenate(columns, axis=1)
-        size = np.sqrt(np.mean(X**2, axis=0))
-        X = X[:, size > 0] / size[size > 0]
+        wide = np.sqrt(np.mean(X**2, axis=0))
+        X = X[:, wide > 0] / wide[wide > 0]
         b = p.rest[:, j]
         grams = np.stack([X[part].T @ X[part] for part in p.parts])
         rights = np.stack([X[part].T @ b[part] for part in p.parts])
         G, g = grams.sum(axis=0), rights.sum(axis=0)
         ridge = _RIDGE * len(b) * np.eye(len(G))
-        left = np.empty(BLOCKS)
+        left = np.empty(len(b))
         for k, part in enumerate(p.parts):
             x = np.linalg.solve(G - grams[k] + ridge, g - rights[k])
-            left[k] = np.mean((b[part] - X[part] @ x) ** 2)
-        rms = float(np.sqrt(np.median(left)))
-        found[j] = rms if rms > STANDS_OUT else 1.0
+            left[part] = b[part] - X[part] @ x
+        size = 1.4826 * float(np.median(np.abs(left)))
+        found[j] = size if size > STANDS_OUT else 1.0
     return found

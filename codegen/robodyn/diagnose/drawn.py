@@ -172,6 +172,9 @@ def form(id: str, joint: int | None, u: Usual, rng: np.random.Generator) -> Form
         case "stribeck_friction":
             rise, knee = drawn(1.6, 2.5), float(u.slow[j]) * drawn(0.7, 1.4)
             return Form(lambda x: {"level": x, "static": rise * x, "velocity": knee}, near)
+        case "power_law_friction":
+            a = float(rng.choice([0.5, 0.6, 0.7, 2.0]))
+            return Form(lambda x: {"level": x, "exponent": a}, near / speed**a)
         case "presliding_hysteresis":
             bend = drawn(3e-3, 2e-2) * (1.0 if kind == "revolute" else 0.3)
             return Form(lambda x: {"level": x, "stiffness": x / bend, "damping": 0.01 * x / bend}, near)

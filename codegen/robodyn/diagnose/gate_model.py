@@ -45,8 +45,8 @@ WORSE, TIMES = 0.01, 3.0
 #: So many times less is left beside a spring, where a flipped sign is none.
 SPRUNG = 4.0
 _FRICTION = {
-    "asymmetric_friction", "stribeck_friction", "load_dependent_friction", "presliding_hysteresis",
-    "transmission_loss", "viscous_friction", "coulomb_friction",
+    "asymmetric_friction", "stribeck_friction", "power_law_friction", "load_dependent_friction",
+    "presliding_hysteresis", "transmission_loss", "viscous_friction", "coulomb_friction",
 }  # fmt: skip
 
 

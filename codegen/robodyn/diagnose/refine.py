@@ -24,7 +24,7 @@ from robodyn.simulate.sensors import measured_torque
 Floats = NDArray[np.float64]
 
 #: Names of numbers that are no size but a choice, and effects of which the numbers are not changed here.
-_CHOSEN = frozenset({"with", "ratio", "transition", "exponent", "cycles_per_rev"})
+_CHOSEN = frozenset({"with", "ratio", "transition", "cycles_per_rev"})
 _LEFT = frozenset({"external_contact", "presliding_hysteresis", "inertial_error", "payload"})
 _ROUNDS, _STEP = 4, 1e-3
 #: What a round must gain to be followed by another, as a share of the sum of squares.
@@ -121,7 +121,7 @@ def costs(
 
 def _usual(left: Floats) -> Floats:
     """The middle size [n] of what is left [N, n]."""
-    return np.asarray(np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1.0))
+    return np.asarray(np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1e-3))
 
 
 def _weights(

@@ -28,10 +28,10 @@ _PASSES = 10
 #: Share of a joint's mean square that its findings must explain, where what is left stands out of the noise.
 _EXPLAINED, _STANDS_OUT = 0.8, 3.0
 _END = 0.02
-#: What a log that was not fitted must fall to, in squares over the noise; the confidence of names taken back.
-_NEARER, _WITHDRAWN = 0.98, 0.3
-#: So little of the noise that an effect does not show in a log.
-_UNSEEN = 0.1
+#: The confidence of names taken back.
+_WITHDRAWN = 0.3
+#: In squares over the noise: what does not show in a log; and what share of its own an effect must take away.
+_UNSEEN, _AS_MUCH = 0.02, 0.3
 _DRAWN = 3000
 
 
@@ -165,10 +165,9 @@ def _holds(gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, se
         return True
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
-    if after < _NEARER * before:
-        return True
-    shown = np.sqrt(np.mean((lacking(robot, seen) - lacking(model, seen)) ** 2, axis=0))
-    return bool(np.all(shown < _UNSEEN * floor))
+    change = _inner(lacking(robot, seen) - lacking(model, seen))
+    shown = float(np.mean((change / floor) ** 2))
+    return bool(shown < _UNSEEN or before - after > _AS_MUCH * shown * robot.n)
 
 
 def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verdict:
@@ -244,13 +243,17 @@ def _operations(robot: Robot) -> int:
     return count(program(robot, "inverse_dynamics")).total
 
 
+def _inner(x: Floats) -> Floats:
+    """``x`` [K, n] without its ends."""
+    edge = int(_END * len(x))
+    return x[edge : len(x) - edge]
+
+
 def _gap(robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
     def rms(of: Robot, which: Sequence[Gate]) -> Floats:
         squares, count = np.zeros(robot.n), 0
         for gate in which:
-            rest = lacking(of, gate)
-            edge = int(_END * len(rest))
-            kept = rest[edge : len(rest) - edge]
+            kept = _inner(lacking(of, gate))
             squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
         return np.sqrt(squares / count)
 

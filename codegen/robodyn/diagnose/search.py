@@ -25,6 +25,8 @@ Key = tuple[str, int | None]
 _PASSES = 10
 #: What must be lost by leaving an effect out, in what it had to gain to be taken.
 _PRICE = 0.3
+#: One law with a power of the speed at the same joint.
+_BENT = ("viscous_friction", "coulomb_friction")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -78,6 +80,8 @@ def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
     """Leave out, one by one, what the others make up for."""
     while len(found) > 1:
         without = []
+        bent = {joint for effect, joint in found if effect == "power_law_friction"}
+        spared = [key for key in found if key[1] in bent and key[0] in _BENT]
         for key in found:
             others = {other: one for other, one in found.items() if other != key}
             _refit(robot, others, first)
@@ -88,6 +92,9 @@ def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
             cost - whole - _PRICE * enough(first.start, numbers_of(one.named.trial))
             for cost, one in zip(less, found.values(), strict=True)
         ]
+        for k, key in enumerate(found):
+            if key in spared:
+                spare[k] = np.inf
         k = int(np.argmin(spare))
         if spare[k] >= 0:
             return

@@ -281,6 +281,9 @@ def _factor(
     if np.all(factor == 1):
         return factor
     current = fitted(start)
+    # A burst that happens once may have bent all these fits.
+    for left in (start.rest, start.rest - start.A @ current.known):
+        factor = np.where(1.4826 * np.median(np.abs(left), axis=0) < STANDS_OUT, 1.0, factor)
     tried = [trial(start, current, c, columns, least) for c, columns in library]
     tried.sort(key=lambda one: -one.gain)
     for one in _near(start, current, tried, least, contexts):

@@ -43,6 +43,50 @@ VISCOUS = Effect(
     dissipative=True,
 )
 
+#: Share of its velocity below which a power of the speed is a straight line, so that its slope is finite.
+_STRAIGHT = Fraction(1, 1000)
+
+
+def _power_law(p: Values, at: Site) -> Any:
+    ratio = at.qd / p["velocity"]
+    square = ratio * ratio + _like(_STRAIGHT * _STRAIGHT, ratio)
+    return p["level"] * ratio * power(square, _like((p["exponent"] - 1) / 2, ratio))
+
+
+def _like(constant: Any, x: Any) -> Any:
+    """A constant as arrays and floats take it; graphs keep it exact."""
+    plain = isinstance(x, float) or hasattr(x, "dtype")
+    return float(constant) if plain and isinstance(constant, Fraction) else constant
+
+
+POWER_LAW = Effect(
+    id="power_law_friction",
+    title="Friction by a power of the speed",
+    level="joint",
+    place="motor",
+    parameters=(
+        level("level", "Torque at the speed `velocity`.", "F_a"),
+        Parameter(
+            "exponent", "Power of the speed.", "1", sign="positive", default=Fraction(1, 2), symbol="a"
+        ),
+        Parameter(
+            "velocity", "Speed that the level is of.", "rad/s", "m/s", sign="positive", default=Fraction(1),
+            symbol="v_1",
+        ),
+    ),
+    latex=r"\tau = F_a \left|\dot q/v_1\right|^a \operatorname{sgn}\dot q",
+    doc="Friction of lubricants that thin as they are sheared, as in harmonic drives (a of 0.5 to 0.7), or "
+    "of air (a of 2). Within a thousandth of `velocity` of rest a straight line.",
+    signature="a curve through zero over the joint's velocity, bent towards the axis or away from it",
+    rivals=("viscous_friction", "coulomb_friction", "stribeck_friction"),
+    separates="speeds over a range of five to one, in both directions",
+    source="Taghirad and Belanger 1998; Tuttle and Seering 1996",
+    equation=_power_law,
+    linear=("level",),
+    dissipative=True,
+)  # fmt: skip
+
+
 COULOMB = Effect(
     id="coulomb_friction",
     title="Coulomb friction",
@@ -189,4 +233,4 @@ PRESLIDING = Effect(
     dissipative=True,
 )  # fmt: skip
 
-EFFECTS = (VISCOUS, COULOMB, ASYMMETRIC, STRIBECK, PRESLIDING)
+EFFECTS = (VISCOUS, COULOMB, ASYMMETRIC, STRIBECK, POWER_LAW, PRESLIDING)

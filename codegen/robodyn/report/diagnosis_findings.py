@@ -24,7 +24,14 @@ _PICTURES, MOST_CARDS = 8, 40
 #: What an effect is drawn over; others over what shows the residual best.
 _DRAWN_OVER: Final = {
     **dict.fromkeys(
-        ("viscous_friction", "coulomb_friction", "asymmetric_friction", "stribeck_friction"), "velocity"
+        (
+            "viscous_friction",
+            "coulomb_friction",
+            "asymmetric_friction",
+            "stribeck_friction",
+            "power_law_friction",
+        ),
+        "velocity",
     ),
     "presliding_hysteresis": "velocity",
     **dict.fromkeys(("load_dependent_friction", "transmission_loss", "joint_elasticity"), "load, each way"),

@@ -81,6 +81,10 @@ def added_torque(effect: str, p: Settings, at: State) -> Floats:
     match effect:
         case "viscous_friction":
             return np.asarray(p["coefficient"] * at.qd)
+        case "power_law_friction":
+            ratio = at.qd / p["velocity"]
+            stretched = np.hypot(ratio, 1e-3)
+            return np.asarray(p["level"] * ratio / stretched * stretched ** p["exponent"])
         case "coulomb_friction" | "presliding_hysteresis":
             return np.asarray(p["level"] * at.way)
         case "asymmetric_friction":
@@ -195,6 +199,7 @@ _MOTORS = (
     "coulomb_friction",
     "asymmetric_friction",
     "stribeck_friction",
+    "power_law_friction",
     "presliding_hysteresis",
     "torque_ripple",
 )

@@ -12,7 +12,7 @@ from typing import Final
 from robodyn.diagnose.library.candidate import Candidate, Context, Hints
 from robodyn.diagnose.library.context import context_of
 from robodyn.diagnose.library.elastic import behind, elastic
-from robodyn.diagnose.library.friction import bearing, bristles, friction, loads, loss, stribeck
+from robodyn.diagnose.library.friction import bearing, bristles, friction, loads, loss, power_law, stribeck
 from robodyn.diagnose.library.position import conservative, ripple
 from robodyn.diagnose.library.sensors import clipped, saturation, sensor
 from robodyn.diagnose.library.several import coupling, whole
@@ -23,6 +23,7 @@ _AGAIN: Final[Mapping[str, Callable[[Context, int, Mapping[str, float]], Candida
     "stribeck_friction": stribeck,
     "presliding_hysteresis": bristles,
     "transmission_loss": loss,
+    "power_law_friction": power_law,
     "load_dependent_friction": bearing,
     "torque_ripple": ripple,
     "torque_saturation": clipped,

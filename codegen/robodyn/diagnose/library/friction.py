@@ -16,6 +16,11 @@ Floats = NDArray[np.float64]
 #: Grids of what is not linear.
 _STRIBECK = (0.01, 0.02, 0.04, 0.08, 0.15, 0.3)
 _BENDS = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2)  # rad or m: level over stiffness
+_DRY = frozenset({
+    "asymmetric_friction", "stribeck_friction", "presliding_hysteresis", "load_dependent_friction",
+    "transmission_loss",
+})  # fmt: skip
+_POWERS = (0.4, 0.6, 1.6, 2.0)
 _SPANS = (0.03, 0.1, 0.3, 1.0)  # m
 _EFFICIENCY = (0.3, 0.45, 0.6, 0.7, 0.8, 0.88, 0.94)
 
@@ -36,8 +41,19 @@ def friction(c: Context, j: int) -> Iterator[Candidate]:
     for velocity in _STRIBECK:
         if velocity < 0.6 * top:
             yield stribeck(c, j, {"velocity": velocity})
+    if _rubs(c, j):  # what viscous and dry friction leave is bent; before, it is a rival of everything
+        for exponent in _POWERS:
+            yield power_law(c, j, {"exponent": exponent})
     for bend in _BENDS:
         yield bristles(c, j, {"bend": bend})
+
+
+def _rubs(c: Context, j: int) -> bool:
+    """Whether the model has viscous and dry friction at the joint."""
+    robot = c.model.robot
+    joint = robot.links[j].joint
+    dry = any(entry.effect in _DRY for entry in robot.effects_at(j + 1))
+    return bool(joint.viscous) and (bool(joint.coulomb) or dry)
 
 
 def stribeck(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
@@ -58,6 +74,18 @@ def stribeck(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
         4,
         given=given,
     )
+
+
+def power_law(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+    """A power of the speed, in place of some of the viscous and the dry friction."""
+    at = site(c, j)
+    added = column("power_law_friction", {"level": 1.0, "velocity": 1.0, **given}, at)
+    columns = [added, at.qd, column("coulomb_friction", {"level": 1.0}, at)]
+
+    def read(x: Floats) -> dict[str, float | str]:
+        return {"level": float(x[0]), **given}
+
+    return single("power_law_friction", j, columns, (1, 0, 0), read, 6, given=given)
 
 
 def bristles(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
