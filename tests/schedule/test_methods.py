@@ -10,17 +10,16 @@ import pytest
 
 from robodyn import InputError
 from robodyn.errors import ToolError
-from robodyn.report.tables.claims import printed_stanford_graph
-from robodyn.robot import load
 from robodyn.schedule import METHODS, Machine, TaskGraph, faults_of_times, general_graph, lower_bound, solve
 from robodyn.schedule.bounds import fewest_processors
 from robodyn.schedule.branch_and_bound import one_processor_a_joint
+from robodyn.schedule.judge import printed_graph
 from robodyn.schedule.methods import Method, check
 from robodyn.schedule.optimum import fewest_for_critical_path, optimum
 from robodyn_testing import require_module
 
 SIX = general_graph(6)
-STANFORD = printed_stanford_graph(load("stanford", warn=lambda _: None))
+STANFORD = printed_graph("stanford")
 BEST = [116, 77, 58, 47, 39, 34, 30, 28, 27, 27, 27, 27]
 LISTS: tuple[Method, ...] = ("thesis", "critical-path", "dhlf")
 

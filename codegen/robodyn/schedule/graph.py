@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from graphlib import TopologicalSorter
+from typing import Final
 
 from robodyn.errors import InputError
 from robodyn.schedule.tasks import TASKS
@@ -125,8 +126,22 @@ def _depths(
     return depth
 
 
-def arm_graph(n: int, without: Collection[TaskId] = (), prismatic: Collection[int] = ()) -> TaskGraph:
+#: Sums of Table 4.1 (T15 to T17, T23 to T25) and the products that each adds up; the table has each wait for
+#: those of the other components too.
+OWN_PRODUCT: Final = {15: 12, 16: 13, 17: 14, 23: 20, 24: 21, 25: 22}
+
+
+def arm_graph(
+    n: int,
+    without: Collection[TaskId] = (),
+    prismatic: Collection[int] = (),
+    *,
+    own_products: bool = False,
+) -> TaskGraph:
     """The graph of an arm of ``n`` joints, tasks ``without`` taken out.
+
+    ``own_products``: a component's sum waits for the products of its own component only, which is all that
+    it reads.
 
     The lambda of a link behind a ``prismatic`` joint (numbered from 1) is that of the link before: tasks 9 to
     11, where taken out, wait for the same tasks there.
@@ -142,6 +157,9 @@ def arm_graph(n: int, without: Collection[TaskId] = (), prismatic: Collection[in
     for link in range(1, n + 1):
         for task in TASKS:
             found = {task_id(link + place, number) for place, number in task.after if 1 <= link + place <= n}
+            if own_products and task.number in OWN_PRODUCT:
+                other = set(OWN_PRODUCT.values()) - {OWN_PRODUCT[task.number]}
+                found -= {task_id(link, number) for number in other}
             if link in prismatic and task.number in (9, 10, 11) and task_id(link, task.number) in out:
                 found = {task_id(link - 1, task.number)} if link > 1 else set()
             waits[task_id(link, task.number)] = found
