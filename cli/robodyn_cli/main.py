@@ -22,6 +22,10 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the C and Fortran of a robot's dynamics, and print the counts."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and hold them to a budget."),
     "tables": ("robodyn_cli.tables", "Set the thesis's tables beside what robodyn recomputes."),
+    "schedule": (
+        "robodyn_cli.schedule",
+        "Cut the dynamics into tasks and schedule them on processors.",
+    ),
     "simulate": (
         "robodyn_cli.simulate",
         "Move a robot with all its effects through time, and write the log.",
