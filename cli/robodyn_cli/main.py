@@ -26,6 +26,11 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
         "robodyn_cli.schedule",
         "Cut the dynamics into tasks and schedule them on processors.",
     ),
+    "plan": ("robodyn_cli.plan", "Say which formulation, which schedule and which target meet a deadline."),
+    "bench": (
+        "robodyn_cli.bench",
+        "Time a kernel here: serial, packed, and on threads, with what waiting costs.",
+    ),
     "simulate": (
         "robodyn_cli.simulate",
         "Move a robot with all its effects through time, and write the log.",

@@ -29,7 +29,8 @@ SPINS = 200
 
 @dataclass(frozen=True, slots=True)
 class Parallel:
-    """What is emitted: a function of a robot, cut, with its schedule; ``notes`` are lines for the head."""
+    """What is emitted: a function of a robot, cut, with its schedule; ``notes`` are lines for the head;
+    ``packed``: the check runs the packed form too."""
 
     robot: Robot
     signature: Signature
@@ -37,6 +38,7 @@ class Parallel:
     timetable: Timetable
     waiting: Waiting = "barrier"
     notes: tuple[str, ...] = ()
+    packed: bool = False
 
 
 def parallel_files(made: Parallel) -> dict[str, str]:
@@ -82,6 +84,7 @@ def _context(made: Parallel, plan: Lanes) -> dict[str, Any]:
         ],
         "parameters": signature.parameters,
         "shared": max(1, len(plan.shared)),
+        "packed": made.packed,
         "barrier": made.waiting == "barrier",
         "spins": SPINS,
         "stride": 1 + max(map(len, plan.steps)),

@@ -33,7 +33,9 @@ def schedule_files(
     """
     how = waiting or ("barrier" if timetable.machine.synchronised else "counters")
     unit = Unit(robot, ((signature, cut.program),), notes=notes)
-    files = render(unit, ("c",)) | parallel_files(Parallel(robot, signature, cut, timetable, how, notes))
+    files = render(unit, ("c",)) | parallel_files(
+        Parallel(robot, signature, cut, timetable, how, notes, lanes is not None)
+    )
     if lanes is not None:
         files |= packed_files(robot, signature, pack(cut.program, lanes))
     return files

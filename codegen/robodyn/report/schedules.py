@@ -165,6 +165,7 @@ def to_dict(source: Source, solved: Solved) -> dict[str, Any]:
         "speedup": solved.speedup,
         "efficiency": solved.efficiency,
         "slots": [list(row) for row in table.slots],
+        "times": list(table.times),
         "thesis": None if beside is None else {"levels": beside[0], "table": beside[1]},
         "tasks_of": source.tasks,
         "work": graph.work,
@@ -234,10 +235,11 @@ def _grid(solved: Solved) -> list[str]:
     table = solved.timetable
     width = max((len(str(task)) for row in table.slots for task in row if task is not None), default=1)
     width = max(width, len(str(table.machine.processors)) + 1)
-    first = len(str(len(table.slots)))
+    first = len(str(table.levels))
     head = "  ".join(f"P{k}".rjust(width) for k in range(1, table.machine.processors + 1))
     rows = [f"{' ' * first}  {head}"]
-    for number, row in enumerate(table.slots, 1):
+    numbers = range(1, len(table.slots) + 1) if table.machine.synchronised else table.times
+    for number, row in zip(numbers, table.slots, strict=True):
         cells = "  ".join(("-" if task is None else str(task)).rjust(width) for task in row)
         rows.append(f"{str(number).rjust(first)}  {cells}")
     return rows

@@ -8,6 +8,7 @@ a value that another processor has made comes ``communication`` later. Sending o
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -83,18 +84,20 @@ class Schedule:
 class Timetable:
     """Every task with its processor and its time; ``span`` is when all is done.
 
-    ``slots``: of a synchronised machine the levels, else what each processor does in each unit of time.
+    ``slots``: of a synchronised machine its levels, else what each processor does at each of ``times``, which
+    are those at which a task begins.
     """
 
     machine: Machine
     placements: tuple[Placement, ...]
     span: int
     slots: tuple[tuple[TaskId | None, ...], ...]
+    times: tuple[int, ...]
 
     @property
     def levels(self) -> int:
         """Levels, or units of time where there are none."""
-        return len(self.slots)
+        return len(self.slots) if self.machine.synchronised else self.span
 
     def speedup(self, work: int) -> float:
         """One processor's time for ``work`` to this one's."""
@@ -113,25 +116,28 @@ def in_levels(graph: TaskGraph, machine: Machine, schedule: Schedule) -> Timetab
     found: list[Placement] = []
     now = 0
     rows: list[tuple[TaskId | None, ...]] = []
+    times: list[int] = []
     for k, slot in enumerate(schedule.slots):
         if k:
             now += machine.communication
         doing = [(place, task) for place, task in enumerate(slot) if task is not None]
+        times.append(now)
         found += [Placement(task, place, now, now + graph.length(task)) for place, task in doing]
         now += max((graph.length(task) for _, task in doing), default=1)
         rows.append((*slot, *(None,) * (machine.processors - len(slot))))
-    return Timetable(machine, tuple(found), now, tuple(rows))
+    return Timetable(machine, tuple(found), now, tuple(rows), tuple(times))
 
 
 def in_time(machine: Machine, placements: Iterable[Placement]) -> Timetable:
     """A timetable without levels; of a machine with them see :func:`in_levels`."""
     found = tuple(sorted(placements, key=lambda one: (one.start, one.processor)))
     span = max((one.finish for one in found), default=0)
-    rows: list[list[TaskId | None]] = [[None] * machine.processors for _ in range(span)]
+    times = sorted({one.start for one in found})
+    rows: list[list[TaskId | None]] = [[None] * machine.processors for _ in times]
     for one in found:
-        for time in range(one.start, one.finish):
-            rows[time][one.processor] = one.task
-    return Timetable(machine, found, span, tuple(map(tuple, rows)))
+        for k in range(bisect_left(times, one.start), bisect_left(times, one.finish)):
+            rows[k][one.processor] = one.task
+    return Timetable(machine, found, span, tuple(map(tuple, rows)), tuple(times))
 
 
 def settled(levels: Mapping[TaskId, int], order: Callable[[TaskId], tuple[int, ...]], p: int) -> Schedule:

@@ -121,7 +121,9 @@ def _solved(
         model.add(span >= starts[task] + graph.length(task))
     model.minimize(span)
     for one in best.placements:
-        at = next(k for k, row in enumerate(best.slots) if one.task in row)
+        at = one.start
+        if machine.synchronised:  # levels, whatever meeting costs
+            at = next(k for k, row in enumerate(best.slots) if one.task in row)
         model.add_hint(starts[one.task], at)
     run = cp.CpSolver()
     run.parameters.max_time_in_seconds = max(seconds, 0.01)
