@@ -106,7 +106,8 @@ def sweep_svg(source: Source, found: Sequence[Solved], others: Sequence[Solved] 
     p = [one.timetable.machine.processors for one in found]
     if len(p) == 1:
         p, found, others = p * 2, [*found] * 2, [*others] * 2
-    work = source.graph.work
+    # The printed levels are those of the printed tasks.
+    work = source.graph.work if source.figures is None else source.figures["tasks"]
     times: list[Curve] = [Curve(f"{found[0].method}", p, [one.timetable.span for one in found])]
     speed = [Curve(f"{found[0].method}", p, [one.speedup for one in found])]
     share = [Curve(f"{found[0].method}", p, [100 * one.efficiency for one in found])]
