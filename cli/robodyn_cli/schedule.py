@@ -73,6 +73,7 @@ def _schedule(asked: Asked, as_json: bool) -> None:
     from robodyn.report.gantt import gantt_svg, layers_svg, sweep_svg
     from robodyn.report.schedules import processors_of, sweep_text, to_dict, to_text
     from robodyn.schedule import Machine, solve
+    from robodyn_cli.progress import line
 
     described, source, signature = _source(asked)
     picture, layers = picture_file(asked.picture), picture_file(asked.layers)
@@ -89,7 +90,10 @@ def _schedule(asked: Asked, as_json: bool) -> None:
             for machine in machines
         ]
 
-    found = solved(asked.method)
+    with line() as shown:
+        if asked.method in ("optimal", "branch-and-bound"):
+            shown.tell(f"robodyn: {source.name}: searching, {asked.seconds:g} s at most")
+        found = solved(asked.method)
     pictures: dict[Path, str] = {}
     if picture is not None and len(found) == 1:
         pictures[picture] = gantt_svg(source, found[0])
@@ -117,7 +121,8 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
 
     if asked.links is not None:
         if asked.form is None:
-            return None, links_source(asked.links, as_printed=asked.as_printed), None
+            prices = None if asked.cost is None else parse_costs(asked.cost)
+            return None, links_source(asked.links, as_printed=asked.as_printed, costs=prices), None
         from robodyn.schedule.logarithmic import general_program
 
         k = asked.operations or 1

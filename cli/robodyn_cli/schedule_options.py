@@ -58,9 +58,7 @@ def schedule_options(command: Command) -> Command:
                 "--seconds",
                 metavar="S",
                 type=float,
-                default=60.0,
-                show_default=True,
-                help="How long a search may take.",
+                help="How long a search may take. [default: 60, branch-and-bound 10]",
             ),
             click.option("--seed", metavar="N", type=int, default=0, help="Seed of the optimiser."),
             click.option(
@@ -125,6 +123,8 @@ class Asked:
         if cut is None and (given["emit"] is not None or _kernel(given)):
             operations = 3  # a kernel is asked for
         processors = given.pop("processors")
+        if given["seconds"] is None:
+            given["seconds"] = 10.0 if given["method"] == "branch-and-bound" else 60.0
         asked = Asked(robot, processors=processors or "1", operations=operations, **given)
         asked = _with_form(asked)
         if asked.thesis is not None or asked.forms:
@@ -161,7 +161,7 @@ class Asked:
             raise InputError(
                 "--as-printed is of the thesis's tasks, not of a kernel's", remedy="leave out --cut"
             )
-        if self.cost is not None and self.operations is None and self.form is None:
+        if self.cost is not None and self.operations is None and self.links is None:
             raise InputError("--cost is of operations", remedy="add --cut 1, or another number of them")
         if self.sync not in (None, "barrier", "counters"):
             raise InputError(

@@ -126,6 +126,15 @@ def test_a_kernel_cut(capsys: Capture) -> None:
     assert len(slow["slots"]) == len(slow["times"])
 
 
+def test_costs_of_the_thesis_s_tasks(capsys: Capture) -> None:
+    """A multiplication three times as long as an addition: a task of products 9, one of sums 3."""
+    found = made(capsys, "--links", "6", "-p", "4", "--cost", "mul=3,add=1")
+    even = made(capsys, "--links", "6", "-p", "4", "--cost", "mul=1,add=1")
+    assert even["work"] == 3 * 231
+    assert 3 * 231 < found["work"] < 9 * 231
+    assert found["time"] >= found["lower_bound"] > even["lower_bound"]
+
+
 def test_logarithmic_forms(capsys: Capture) -> None:
     found = made(capsys, "--forms", "--links", "6")
     assert found["shorter_from"]["lee-chang"] == {

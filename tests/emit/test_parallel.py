@@ -136,6 +136,11 @@ def test_a_race_would_be_found(tmp_path: Path) -> None:
     assert "data race" in done.stderr
 
 
+def test_thread_sanitizer_has_nothing_to_say(tmp_path: Path) -> None:
+    said = ran(tmp_path, all_files("puma560", 4, 3, "barrier"), 1000, "-fsanitize=thread")
+    assert said.startswith("states 1000 differing 0 ")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["puma560", "stanford", "ur10"])
 @pytest.mark.parametrize("p", [2, 3, 4])

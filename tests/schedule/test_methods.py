@@ -133,6 +133,29 @@ def test_bounds_hold_against_a_search_through_everything(seed: int) -> None:
     assert fewest_processors(graph, span) <= needed
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_bounds_hold_for_tasks_of_any_length(seed: int) -> None:
+    """Against all orders of seven tasks, each begun as soon as it can be: the shortest is among them."""
+    from itertools import permutations
+
+    graph = some_graph(seed + 80, tasks=7, longest=4)
+    for p in (2, 3):
+        least = graph.work
+        for order in permutations(graph.tasks):
+            free, done = [0] * p, dict[int, int]()
+            for task in order:
+                if not graph.after[task] <= done.keys():
+                    break
+                k = free.index(min(free))
+                start = max([free[k], *(done[other] for other in graph.after[task])])
+                free[k] = done[task] = start + graph.length(task)
+            else:
+                least = min(least, max(free))
+        assert lower_bound(graph, p) <= least
+        assert solve(graph, Machine(p, 0, False)).timetable.span >= least
+        assert fewest_processors(graph, least) <= p
+
+
 def test_one_processor_a_joint() -> None:
     for n, levels in ((2, 40), (3, 48)):  # CP-SAT proves both
         found = one_processor_a_joint(general_graph(n), seconds=2)
@@ -197,6 +220,8 @@ def test_what_is_refused() -> None:
         Machine(10**9)
     with pytest.raises(InputError, match="before it is sent"):
         Machine(2, -1)
+    with pytest.raises(InputError, match="does not take so long"):
+        Machine(2, 10**12)
     with pytest.raises(InputError, match="unknown method"):
         solve(SIX, Machine(2), "best")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="-p 6"):

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.schedule import FLOPS_PER_TASK, Solved, TaskGraph, general_graph, robot_graph
+from robodyn.schedule.arithmetic import operations_of_tasks
 from robodyn.schedule.cutting import Cut
+from robodyn.schedule.graph import link_and_number, task_id
 from robodyn.schedule.judge import graph_of, printed_schedule, rule_graph
 from robodyn.schedule.methods import TITLES
 from robodyn.schedule.printed import LEVELS_SIX_LINK, LEVELS_STANFORD
@@ -42,8 +44,9 @@ class Source:
     cut: Cut | None = None
 
 
-def links_source(n: int, *, as_printed: bool = False) -> Source:
-    """The tasks of any revolute arm of ``n`` joints.
+def links_source(n: int, *, as_printed: bool = False, costs: Mapping[str, int] | None = None) -> Source:
+    """The tasks of any revolute arm of ``n`` joints; with ``costs`` of operations a task is as long as those
+    of which Table 4.1 makes it up, else one unit.
 
     Raises
     ------
@@ -54,10 +57,10 @@ def links_source(n: int, *, as_printed: bool = False) -> Source:
     if as_printed and n != SIX:
         raise InputError("the thesis prints tasks of six links", found=f"{n} links", expected="--links 6")
     printed = _printed(LEVELS_SIX_LINK, _TABLES_SIX) if n == SIX else {}
-    rule = general_graph(n)
+    rule = _long(general_graph(n), n, costs)
     if not as_printed:
         return Source(f"{n} links", _BY_RULE, rule, printed)
-    graph = graph_of("six-link", printed_schedule("4.3").tasks)
+    graph = _long(graph_of("six-link", printed_schedule("4.3").tasks), n, costs)
     note = (
         f"as printed: the {len(graph)} tasks of Table 4.3; the thesis speaks of {len(rule)}, which is "
         f"what its rules "
@@ -65,6 +68,19 @@ def links_source(n: int, *, as_printed: bool = False) -> Source:
         f"{_more(rule, graph)}"
     )
     return Source(f"{n} links", "tasks of Table 4.3", graph, printed, (note,))
+
+
+def _long(graph: TaskGraph, n: int, costs: Mapping[str, int] | None) -> TaskGraph:
+    """``graph`` with lengths by what a task of a link amid the arm does: the rules count no less for the
+    first and the last link."""
+    if costs is None:
+        return graph
+    amid = operations_of_tasks(4)
+    lengths = {
+        task: sum(costs[kind] * number for kind, number in amid[task_id(3, link_and_number(task)[1])].items())
+        for task in graph.tasks
+    }
+    return replace(graph, lengths=lengths)
 
 
 _BY_RULE: Final = "tasks of Table 4.1 by the thesis's rules"

@@ -19,6 +19,9 @@ from robodyn.schedule.graph import TaskGraph, TaskId
 #: More is refused: a sweep over processors, a table with a column for each.
 MOST_PROCESSORS = 1024
 
+#: The longest that passing a value may take: a solver's numbers have an end.
+LONGEST = 10**9
+
 
 @dataclass(frozen=True, slots=True)
 class Machine:
@@ -40,9 +43,12 @@ class Machine:
                 found=f"{self.processors}",
                 expected=f"1 to {MOST_PROCESSORS}",
             )
-        if self.communication < 0:
+        if not 0 <= self.communication <= LONGEST:
+            early = self.communication < 0
             raise InputError(
-                "a value cannot come before it is sent", found=f"{self.communication}", expected="0 or more"
+                "a value cannot come before it is sent" if early else "a value does not take so long",
+                found=f"{self.communication}",
+                expected=f"0 to {LONGEST}",
             )
 
 
