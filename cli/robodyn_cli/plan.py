@@ -18,7 +18,7 @@ from robodyn_cli.common import echo_json, json_option, load_robot, robot_argumen
     "targets",
     metavar="T",
     multiple=True,
-    help="A target, more than once for several: cortex-m4, cortex-m7, x86-64, thesis-1990, or "
+    help="A target, again for several: cortex-m4, cortex-m7, x86-64, thesis-1990, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
 @click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
@@ -40,16 +40,29 @@ def command(
     1 where nothing does. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
     from robodyn.errors import CheckError
-    from robodyn.report.plan import KNOWN, chosen, parse_deadline, parse_target, plan_text, plans, spelled
+    from robodyn.report.plan import (
+        KNOWN,
+        Target,
+        chosen,
+        here,
+        parse_deadline,
+        parse_target,
+        plan_text,
+        plans,
+        spelled,
+    )
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
-    wanted = [parse_target(text) for text in targets] or list(KNOWN.values())
+    asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
     described = load_robot(robot, strict=strict)
     with line() as shown:
-        found = plans(
-            described, processors, wanted, function=function, tell=lambda text: shown.tell(f"robodyn: {text}")
-        )
+
+        def tell(text: str) -> None:
+            shown.tell(f"robodyn: {text}")
+
+        wanted = [target or here(described, tell) for target in asked] or list(KNOWN.values())
+        found = plans(described, processors, wanted, function=function, tell=tell)
     best = chosen(found, limit)
     if as_json:
         echo_json(

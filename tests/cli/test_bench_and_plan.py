@@ -59,6 +59,9 @@ def test_where_threads_break_even() -> None:
     longer = Measured(2, "barrier", 100, 20, 5000.0, 5000.0, 5000, 3000, 200)
     assert longer.break_even == 1.0  # tasks five times as long, the same waiting
     assert not row.wins
+    assert row.speedup_at(5) == pytest.approx(1000 / 2600)
+    assert row.speedup_at(25) == pytest.approx(1)
+    assert 1.6 < row.speedup_at(300_000) < 1000 / 600
     assert Measured(2, "barrier", 100, 20, 1000.0, 900.0, 1000, 600, 200).wins
     assert Measured(1, "barrier", 100, 0, 1000.0, 900.0, 1000, 1000, 200).break_even is None
 
@@ -111,6 +114,14 @@ def test_a_plan_ends_in_a_command(capsys: Capture) -> None:
     text = run(capsys, "plan", "puma560_3dof", "-p", "3", "--deadline", "3ms", "--target", "thesis-1990")[0]
     assert "take record on thesis-1990" in text
     assert "robodyn schedule puma560_3dof -p" in text or "robodyn gen puma560_3dof" in text
+
+
+def test_this_machine_is_measured(capsys: Capture) -> None:
+    require_tool("cc")
+    found = planned(capsys, "puma560_3dof", "-p", "2", "--deadline", "1s", "--target", "here")
+    assert found["chosen"]["target"] == "here"
+    assert found["chosen"]["processors"] == 1
+    assert 1 < found["chosen"]["time_ns"] < 1e6
 
 
 def test_passing_values_that_costs_much_leaves_one_core() -> None:

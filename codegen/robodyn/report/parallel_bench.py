@@ -18,7 +18,7 @@ import os
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 from robodyn.build.compiler import find_c
 from robodyn.build.program import THREADED_FLAGS, cores, run_program
@@ -29,6 +29,9 @@ from robodyn.robot.model import Robot
 from robodyn.schedule import Machine, Timetable, solve
 from robodyn.schedule.cutting import COSTS, Cut
 from robodyn.schedule.lanes import Waiting, lanes
+
+#: Operations a task for which the speed-up is foretold.
+SIZES: Final = (3, 30, 300, 3_000, 30_000, 300_000)
 
 #: States of a measurement, and of one whose threads outnumber the cores: there a wait may take milliseconds.
 STATES, CROWDED = 20_000, 500
@@ -69,6 +72,12 @@ class Measured:
         """Whether several threads take less time than the serial kernel."""
         return self.processors > 1 and self.parallel_ns < self.serial_ns
 
+    def speedup_at(self, size: int) -> float:
+        """The speed-up to be expected of the same schedule, were its tasks ``size`` operations long."""
+        longer = size * self.tasks / self.operations
+        parallel = longer * self.chain * self.operation_ns + self.waiting_ns
+        return longer * self.operations * self.operation_ns / parallel
+
     def to_dict(self) -> dict[str, Any]:
         """As ``bench --json`` prints it."""
         even = self.break_even
@@ -83,6 +92,7 @@ class Measured:
             "wins": self.wins,
             "speedup": self.serial_ns / self.parallel_ns,
             "schedule_speedup": self.operations / self.chain,
+            "speedup_at": {str(size): self.speedup_at(size) for size in SIZES},
             "break_even": None
             if even is None
             else {
@@ -231,6 +241,11 @@ def bench_text(found: Bench) -> str:
             f"{size}"
         )
     wins = [row for row in found.rows if row.wins]
+    lines += ["", "speed-up to be expected were the tasks of so many operations, waiting being what it is:"]
+    lines.append("threads  sync    " + "".join(f"{size:>10}" for size in SIZES))
+    for row in found.rows:
+        cells = "".join(f"{row.speedup_at(size):>10.3f}" for size in SIZES)
+        lines.append(f"{row.processors:>7}  {row.waiting:<8}{cells}")
     lines.append("")
     if wins:
         best = min(wins, key=lambda row: row.parallel_ns)

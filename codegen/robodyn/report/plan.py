@@ -133,7 +133,7 @@ def parse_target(text: str) -> Target:
         if name not in KNOWN:
             raise InputError(
                 f"unknown target {name!r}",
-                expected=f"one of {', '.join(KNOWN)}, or NAME:cores=4,mhz=1500,pass=150 (ns), mul=1, ...",
+                expected=f"one of {', '.join(KNOWN)}, here, or NAME:cores=4,mhz=1500,pass=150,mul=1 ...",
             )
         return KNOWN[name]
     given = {
@@ -157,6 +157,31 @@ def parse_target(text: str) -> Target:
         raise InputError("a target has cores and a clock", found=repr(text))
     costs = Costs(given["mul"], given["add"], None, given["div"], given["sqrt"], given["sincos"])
     return Target(name or "own", int(given["cores"]), given["mhz"], costs, given["pass"], "as given")
+
+
+def here(robot: Robot, tell: Callable[[str], None] = lambda _: None) -> Target:
+    """This machine, measured: the robot's own kernel serial and on two threads.
+
+    Raises
+    ------
+    ToolError: no compiler, or no threads.
+    """
+    from robodyn.dynamics.functions import signature
+    from robodyn.report.parallel_bench import bench
+
+    tell("measuring this machine")
+    tasks = cut(program(robot, "inverse_dynamics"), 8)
+    found = bench(robot, signature(robot, "inverse_dynamics"), tasks, (2,))
+    row = min(found.rows, key=lambda row: row.parallel_ns)
+    load = "" if found.load is None else f", load {found.load:.1f}"
+    return Target(
+        "here",
+        found.cores,
+        1e3 / row.operation_ns,
+        Costs(1.0, 1.0, None, 1.0, 1.0, 0.0),  # sines are in what an operation takes
+        row.waiting_ns / row.meetings if row.meetings else 0.0,
+        f"measured now on {robot.name} with {found.compiler}{load}; an operation a cycle",
+    )
 
 
 def plans(

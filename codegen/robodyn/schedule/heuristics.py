@@ -11,6 +11,7 @@ the successors that a task would set free now.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
+from typing import NamedTuple
 
 from robodyn.errors import InputError
 from robodyn.schedule.graph import TaskGraph, TaskId
@@ -111,17 +112,15 @@ def list_times(
     later = graph.before()
     free = [0] * machine.processors
     done: dict[TaskId, Placement] = {}
-    arrival: dict[TaskId, list[int]] = {
-        task: [0] * machine.processors for task, count in waiting.items() if not count
-    }
+    arrival: dict[TaskId, _Arrival] = {task: _Arrival(0, {}) for task, count in waiting.items() if not count}
     rank = {task: preference(task) for task in graph.tasks}
     while arrival:
-        # Without costs of passing a value only the processor that is free first matters.
-        places = range(machine.processors) if machine.communication else (free.index(min(free)),)
+        idle = free.index(min(free))
         best: tuple[tuple[int, ...], TaskId, int, int] | None = None
-        for task, there in arrival.items():
-            for place in places:
-                start = max(there[place], free[place])
+        for task, values in arrival.items():
+            # Where none of its values was made one processor is like another: only the first that is free.
+            for place in {idle, *values.sooner}:
+                start = max(values.sooner.get(place, values.anywhere), free[place])
                 first = start - remaining[task] if levels_count else start
                 key = (first, *rank[task], start, place)
                 if best is None or key < best[0]:
@@ -135,13 +134,22 @@ def list_times(
         for follower in later[task]:
             waiting[follower] -= 1
             if not waiting[follower]:
-                arrival[follower] = _arrivals(machine, [done[needed] for needed in graph.after[follower]])
+                made = [done[needed] for needed in graph.after[follower]]
+                arrival[follower] = _arrival(machine.communication, made)
     return in_time(machine, done.values())
 
 
-def _arrivals(machine: Machine, needed: Collection[Placement]) -> list[int]:
-    """When the values of ``needed`` are at each processor."""
-    return [
-        max(one.finish + (machine.communication if one.processor != place else 0) for one in needed)
-        for place in range(machine.processors)
-    ]
+class _Arrival(NamedTuple):
+    """When all values that a task needs are at a processor; ``sooner`` at those that made some of them."""
+
+    anywhere: int
+    sooner: dict[int, int]
+
+
+def _arrival(communication: int, made: Collection[Placement]) -> _Arrival:
+    anywhere = max(one.finish for one in made) + communication
+    sooner = {
+        place: max(one.finish + (communication if one.processor != place else 0) for one in made)
+        for place in {one.processor for one in made}
+    }
+    return _Arrival(anywhere, sooner if communication else {})
