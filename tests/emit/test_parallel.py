@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from emit.kernels import write
+from emit.kernels import ODD, RANDOM, robots, write
 from robodyn import InputError
 from robodyn.emit.packed import packed_files
 from robodyn.emit.parallel import Parallel, parallel_files
@@ -150,6 +150,27 @@ def test_three_robots_on_2_3_and_4_processors_under_thread_sanitizer(
 ) -> None:
     said = ran(tmp_path, all_files(name, p, 3, waiting), 10_000, "-fsanitize=thread", "-g")
     assert said.startswith("states 10000 differing 0 ")
+
+
+LONGEST = "the_longest_name_that_a_robot_may_have_x"
+SOON = ("ghosts", "table", "pendulum", "confusing", LONGEST, "effects_sliding")
+#: All but those that remember between calls.
+ODD_ONES = [name for name in (*ODD, *RANDOM) if name != "effects_remembering"]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [name if name in SOON else pytest.param(name, marks=pytest.mark.slow) for name in ODD_ONES],
+)
+def test_odd_robots(name: str, tmp_path: Path) -> None:
+    """No tasks, no values that pass, names of other things: strict compilers are content, and bits equal."""
+    arm = robots()[name]
+    made = generate(arm, Options(functions=("inverse_dynamics",)))
+    ((signature, program),) = made.unit.functions
+    tasks, timetable = scheduled(program, 3, 3, "barrier")
+    files = made.files(("c",)) | packed_files(arm, signature, pack(program, 4))
+    files |= parallel_files(Parallel(arm, signature, tasks, timetable, packed=True))
+    assert ran(tmp_path, files, 60, *STRICT, "-Wno-psabi").startswith("states 60 differing 0 ")
 
 
 def test_no_heap_and_no_clock() -> None:

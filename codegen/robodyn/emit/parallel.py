@@ -85,7 +85,7 @@ def _context(made: Parallel, plan: Lanes) -> dict[str, Any]:
         "parameters": signature.parameters,
         "shared": max(1, len(plan.shared)),
         "packed": made.packed,
-        "barrier": made.waiting == "barrier",
+        "barrier": bool(plan.barriers),
         "spins": SPINS,
         "stride": 1 + max(map(len, plan.steps)),
         "lanes": [_lane(made, plan, k) for k in range(p)],

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     import jinja2
 
 _CELL, _ROW, _LEFT, _TOP = 34, 26, 60, 70
+#: Pixels of the longest schedule.
+_WIDEST: Final = 13600
 _BOX, _STEP = (36, 18), (46, 40)
 #: Colours of links, again from the first where there are more.
 _PALE: Final = ("#c6d8ec", "#f6dfc5", "#cfe8d8", "#f0c9cd", "#dddddd", "#e4d7ef", "#d3ecec", "#eeeac0")
@@ -25,15 +27,15 @@ _PALE: Final = ("#c6d8ec", "#f6dfc5", "#cfe8d8", "#f0c9cd", "#dddddd", "#e4d7ef"
 def gantt_svg(source: Source, solved: Solved) -> str:
     """The schedule: a row a processor, a box a task, coloured by link."""
     table, graph = solved.timetable, source.graph
-    scale = _CELL if table.span <= 400 else max(4, 13600 // table.span)
+    scale = min(_CELL, _WIDEST / max(1, table.span))
     boxes = [
         {
-            "x": scale * one.start,
+            "x": f"{scale * one.start:.1f}",
             "y": _ROW * one.processor,
-            "width": max(1, scale * (one.finish - one.start) - 1),
+            "width": f"{max(0.5, scale * (one.finish - one.start) - 1):.1f}",
             "fill": _PALE[(graph.link(one.task) - 1) % len(_PALE)],
             "label": str(one.task) if scale * (one.finish - one.start) >= 24 else "",
-            "middle": scale * one.start + scale * (one.finish - one.start) / 2,
+            "middle": f"{scale * (one.start + one.finish) / 2:.1f}",
         }
         for one in table.placements
     ]
@@ -41,7 +43,7 @@ def gantt_svg(source: Source, solved: Solved) -> str:
     every = max(1, -(-table.span // 30))
     unit = "levels" if table.machine.synchronised else "units of time"
     return _template("gantt").render(
-        width=_LEFT + scale * table.span + 30,
+        width=_LEFT + round(scale * table.span) + 30,
         height=_TOP + _ROW * p + 50,
         left=_LEFT,
         top=_TOP,
@@ -51,8 +53,8 @@ def gantt_svg(source: Source, solved: Solved) -> str:
         f"efficiency {100 * solved.efficiency:.2f} %; colours are links",
         boxes=boxes,
         rows=[{"y": _ROW * k + _ROW / 2, "label": f"P{k + 1}"} for k in range(p)],
-        ticks=[{"x": scale * t, "label": str(t)} for t in range(0, table.span + 1, every)],
-        span=scale * table.span,
+        ticks=[{"x": f"{scale * t:.1f}", "label": str(t)} for t in range(0, table.span + 1, every)],
+        span=f"{scale * table.span:.1f}",
         bottom=_ROW * p,
     )
 

@@ -222,10 +222,10 @@ def _of_target(target: Target, formulation: str, made: Program, most: int) -> li
     operations = sum(COSTS[operation.op] for operation in made.operations)
     found = [Plan(target.name, formulation, 1, None, True, 1, operations, whole * unit_ns, whole * unit_ns)]
     passing = round(target.passing_ns / unit_ns)
+    graphs = {k: cut(made, k, costs).graph for k in CUTS} if most > 1 else {}
     for p in range(2, most + 1):
         best: Plan | None = None
-        for k in CUTS:
-            graph = cut(made, k, costs).graph
+        for k, graph in graphs.items():
             for levels in (True, False):
                 solved = solve(graph, Machine(p, passing, levels), "critical-path")
                 time = solved.timetable.span * unit_ns

@@ -29,38 +29,46 @@ def fewest_processors(graph: TaskGraph, span: int) -> int:
 
 
 def _densest(graph: TaskGraph, span: int) -> list[tuple[int, int]]:
-    """For every width of window ``(width, work)``: the most work that falls into any such window whatever
-    the schedule, all being done within ``span``."""
-    early, late = graph.earliest(), graph.remaining()
-    # [start as early as can be, end as late as can be, length]
-    tasks = [
-        (early[t] - graph.length(t), span - late[t] + graph.length(t), graph.length(t)) for t in graph.tasks
-    ]
-    best = [0] * (span + 1)
-    for begin in range(span):
-        ends = _work_after(tasks, begin, span)
-        for end in range(begin + 1, span + 1):
-            best[end - begin] = max(best[end - begin], ends[end])
-    return [(width, work) for width, work in enumerate(best) if width]
+    """For widths of windows ``(width, work)``: the most work that falls into such a window whatever the
+    schedule, all being done within ``span``.
 
-
-def _work_after(tasks: Sequence[tuple[int, int, int]], begin: int, span: int) -> list[int]:
-    """``[end]``: work that cannot leave the window from ``begin`` to ``end``.
-
-    A task done as early as can be has ``x`` units of it after ``begin``; as late as can be, none of it
-    before ``last``, whence on one unit more with every unit of ``end``, at most as many as there are and as
-    the window is wide: min(x, end - last, end - begin).
+    Windows begin where a task may begin or end at the earliest or must begin at the latest: between these
+    times nothing new can be the densest of its kind.
     """
-    slope = [0] * (span + 2)
-    for first, deadline, length in tasks:
+    early, late = graph.earliest(), graph.remaining()
+    # (begin as early as can be, begin as late as can be, length)
+    tasks = [(early[t] - graph.length(t), span - late[t], graph.length(t)) for t in graph.tasks]
+    begins = {time for first, last, length in tasks for time in (first, first + length, last)}
+    best: dict[int, int] = {}
+    for begin in sorted(begins):
+        for end, work in _work_after(tasks, begin):
+            width = end - begin
+            if work > best.get(width, 0):
+                best[width] = work
+    return sorted(best.items())
+
+
+def _work_after(tasks: Sequence[tuple[int, int, int]], begin: int) -> list[tuple[int, int]]:
+    """``(end, work)``: work that cannot leave the window from ``begin`` to ``end``, at the ends where its
+    growth changes.
+
+    A task done as early as can be has so many units of it after ``begin``; done as late as can be, none
+    before its last start. Whence one unit more with every unit of ``end``, from the later of ``begin`` and
+    the last start on, at most as many as there are.
+    """
+    slope: dict[int, int] = {}
+    for first, last, length in tasks:
         after = min(length, first + length - begin)
         if after > 0:
-            start = max(begin, deadline - length)
-            slope[start + 1] += 1
-            slope[min(span + 1, start + after + 1)] -= 1
-    found, rate, total = [0] * (span + 1), 0, 0
-    for end in range(span + 1):
+            start = last if last > begin else begin
+            slope[start] = slope.get(start, 0) + 1
+            slope[start + after] = slope.get(start + after, 0) - 1
+    found: list[tuple[int, int]] = []
+    rate = total = now = 0
+    for end in sorted(slope):
+        total += rate * (end - now)
+        if end > begin:
+            found.append((end, total))
         rate += slope[end]
-        total += rate
-        found[end] = total
+        now = end
     return found
