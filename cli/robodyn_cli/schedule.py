@@ -103,14 +103,15 @@ def _schedule(asked: Asked, as_json: bool) -> None:
     if layers is not None:
         pictures[layers] = layers_svg(source)
     folder, files = _emitted(asked, described, source, signature, found[0])
+    for file, text in pictures.items():
+        write_files(file.parent, {file.name: text})
+    written = (*pictures, *write_files(folder, files))
     if as_json:
         records = [to_dict(source, one) for one in found]
         echo_json(records[0] if len(records) == 1 else records)
     else:
         click.echo(to_text(source, found[0]) if len(found) == 1 else sweep_text(source, found), nl=False)
-    for file, text in pictures.items():
-        write_files(file.parent, {file.name: text})
-    for path in (*pictures, *write_files(folder, files)):
+    for path in written:
         talk(f"robodyn: wrote {printable(path)}")
 
 

@@ -209,6 +209,7 @@ def test_the_thesis_s_own_tasks_emitted(capsys: Capture, tmp_path: Path) -> None
         (("puma560", "-p", "4", "--cut", "x"), "--cut cannot be read"),
         (("puma560", "-p", "4", "--cut", "0"), "a task has operations"),
         (("puma560", "-p", "4", "--cost", "mul=1"), "add --cut"),
+        (("puma560", "--fewest", "--cut", "1", "--cost", "mul=2"), "equal length"),
         (("puma560", "-p", "4", "--cut", "1", "--cost", "x=1"), "costs of operations"),
         (("puma560", "-p", "4", "--sync", "barrier"), "goes with --emit"),
         (("puma560", "-p", "2..4", "--emit", "x"), "one schedule is emitted"),

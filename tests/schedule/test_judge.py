@@ -77,6 +77,16 @@ def test_misprints_are_told() -> None:
     assert stanford == {120, 121, 126, 127, 233}
 
 
+def test_single_digits_are_guessed_where_nothing_else_would_do() -> None:
+    found = {name: [str(one) for one in judge(printed_schedule(name)).misprints] for name in SIZES}
+    assert {name: told for name, told in found.items() if told} == {
+        "C.6": ["529 for 329 (level 20)"],
+        "C.12": ["428 for 429 (level 19)"],
+        "C.15": ["245 for 243 (level 25)"],
+    }
+    assert "529 in level 20" in {row.name for row in one_table("C.6").rows}
+
+
 def test_a_schedule_of_ours_is_without_fault_and_a_spoilt_one_is_not() -> None:
     made = solve(general_graph(6), Machine(5)).timetable
     slots = tuple(tuple(task for task in row if task is not None) for row in made.slots)

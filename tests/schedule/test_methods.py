@@ -156,6 +156,18 @@ def test_bounds_hold_for_tasks_of_any_length(seed: int) -> None:
         assert fewest_processors(graph, least) <= p
 
 
+def test_a_bound_in_levels_is_a_bound_in_time() -> None:
+    """Where the optimum is not reached, meetings of levels that need not be there are not in the bound."""
+    require_module("ortools")
+    graph = some_graph(3, tasks=14)
+    best = solve(graph, Machine(2), "optimal").timetable.levels
+    solved = solve(graph, Machine(2, 4), "optimal")
+    assert solved.lower_bound == solved.timetable.span == best + 4 * (best - 1)
+    found = solve(SIX, Machine(6, 10), "branch-and-bound", seconds=0.01)
+    assert found.own_bound is not None
+    assert found.own_bound <= 74 + 10 * 73
+
+
 def test_one_processor_a_joint() -> None:
     for n, levels in ((2, 40), (3, 48)):  # CP-SAT proves both
         found = one_processor_a_joint(general_graph(n), seconds=2)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
@@ -77,17 +77,32 @@ def graph_of(arm: ArmName, tasks: Iterable[TaskId], *, own_products: bool = Fals
 
 
 @dataclass(frozen=True, slots=True)
+class Misprint:
+    """A task that is printed in a ``level``, and the one that was probably meant; of several levels with that
+    task the first in which the other one would do."""
+
+    printed: TaskId
+    meant: TaskId
+    level: int
+
+    def __str__(self) -> str:
+        return f"{self.printed} for {self.meant} (level {self.level})"
+
+
+@dataclass(frozen=True, slots=True)
 class Judgement:
     """What the validator finds.
 
     ``faults``: tasks missing of, and not in, the rules' set; tasks done twice; too many in a level; tasks
     beside or before what they read. ``shared``: of the latter those of T20 to T22 beside T10 of link 1,
-    which all tables share.
+    which all tables share. ``misprints``: where a task that is missing would do in the place of one that is
+    no task or is done twice, a digit apart, and nothing else would.
     """
 
     printed: PrintedSchedule
     faults: tuple[Fault, ...]
     shared: tuple[Fault, ...]
+    misprints: tuple[Misprint, ...] = ()
 
     def of(self, kind: str) -> tuple[Fault, ...]:
         """The faults of a kind."""
@@ -109,7 +124,63 @@ def judge(printed: PrintedSchedule) -> Judgement:
         if fault.kind == "precedence"
     ]
     shared = tuple(fault for fault in in_order if _shared(fault))
-    return Judgement(printed, (*in_set, *(fault for fault in in_order if not _shared(fault))), shared)
+    faults = (*in_set, *(fault for fault in in_order if not _shared(fault)))
+    return Judgement(printed, faults, shared, tuple(_misprints(printed, in_set)))
+
+
+#: Tasks done twice beyond which no single digits are looked for.
+_HANDFUL: Final = 6
+
+
+def _misprints(printed: PrintedSchedule, faults: Sequence[Fault]) -> Iterator[Misprint]:
+    missing = [fault.task for fault in faults if fault.kind == "missing"]
+    twice = {fault.task for fault in faults if fault.kind == "twice"}
+    if len(twice) > _HANDFUL:  # a column is set wrongly, and not a digit
+        return
+    wrong = twice | {task for task in printed.tasks if not _is_task(task)}
+    places = [
+        Misprint(task, meant, k)
+        for k, level in enumerate(printed.levels, 1)
+        for task in level
+        if task in wrong
+        for meant in missing
+        if _digits_apart(task, meant) == 1 and _fits(printed, task, meant, k)
+    ]
+    near = {place.printed for place in places if _same_link(place)}
+    places = [place for place in places if _same_link(place) or place.printed not in near]
+    told: set[tuple[TaskId, TaskId]] = set()
+    for place in places:
+        pair = (place.printed, place.meant)
+        rivals = {
+            (other.printed, other.meant)
+            for other in places
+            if place.meant == other.meant or place.printed == other.printed
+        }
+        if rivals == {pair} and pair not in told:
+            told.add(pair)
+            yield place
+
+
+def _same_link(place: Misprint) -> bool:
+    return link_and_number(place.printed)[0] == link_and_number(place.meant)[0]
+
+
+def _digits_apart(a: TaskId, b: TaskId) -> int:
+    return sum(x != y for x, y in zip(str(a), str(b), strict=True)) if len(str(a)) == len(str(b)) else 9
+
+
+def _fits(printed: PrintedSchedule, task: TaskId, meant: TaskId, where: int) -> bool:
+    """Whether ``meant`` in the place of ``task`` in level ``where`` breaks no order."""
+    levels = [
+        tuple(meant if k == where and one == task else one for one in level)
+        for k, level in enumerate(printed.levels, 1)
+    ]
+    tasks = {one for level in levels for one in level if _is_task(one)}
+    graph = graph_of(printed.arm, tasks, own_products=True)
+    return not any(
+        fault.kind == "precedence" and meant in (fault.task, fault.other)
+        for fault in faults_of_levels(graph.after, printed.processors, levels)
+    )
 
 
 def _is_task(task: TaskId) -> bool:

@@ -92,8 +92,7 @@ def solve(
     if method == "optimal":
         result = optimum(graph, machine, seconds=seconds, seed=seed)
         made = result.timetable
-        bound = max(bound, result.lower_bound + (made.span - made.levels if machine.synchronised else 0))
-        bound = min(bound, made.span)
+        bound = max(bound, _with_meetings(result.lower_bound, machine))
     elif method == "branch-and-bound":
         made, own = _a_joint(graph, machine, seconds)
     elif not machine.synchronised:
@@ -123,6 +122,11 @@ def check(graph: TaskGraph, timetable: Timetable) -> None:
         raise AssertionError("; ".join(map(str, found[:5])))
 
 
+def _with_meetings(levels: int, machine: Machine) -> int:
+    """The time of so many levels of unit tasks, or of so much time without levels."""
+    return levels + max(0, levels - 1) * machine.communication if machine.synchronised else levels
+
+
 def _bound(graph: TaskGraph, machine: Machine) -> int:
     bound = lower_bound(graph, machine.processors)
     if machine.synchronised and machine.communication and len(graph):
@@ -146,4 +150,4 @@ def _a_joint(graph: TaskGraph, machine: Machine, seconds: float) -> tuple[Timeta
         )
     found = one_processor_a_joint(graph, seconds=seconds)
     made = in_levels(graph, machine, found.schedule)
-    return made, found.lower_bound + made.span - made.levels
+    return made, _with_meetings(found.lower_bound, machine)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robodyn.errors import InputError, ToolError
-from robodyn.schedule.bounds import lower_bound
+from robodyn.schedule.bounds import fewest_processors, lower_bound
 from robodyn.schedule.graph import TaskGraph, TaskId
 from robodyn.schedule.heuristics import critical_path_order, dynamic_schedule, list_schedule, list_times
 from robodyn.schedule.machine import Machine, Placement, Timetable, in_levels, in_time, settled
@@ -219,10 +219,13 @@ def fewest_for_critical_path(
 
     Raises
     ------
+    InputError: tasks of different lengths.
     ToolError: heuristics and bounds leave a gap, and OR-Tools is not installed.
     """
-    from robodyn.schedule.bounds import fewest_processors
-
+    if not graph.uniform:
+        raise InputError(
+            "the fewest processors are found for tasks of equal length", remedy="leave out --cost"
+        )
     span = graph.critical_path
     least = fewest_processors(graph, span)
     most, best = least, None

@@ -1,10 +1,8 @@
 """Tables 4.3, 4.7 and C.1 to C.15 as the thesis prints them: schedules level by level, slips included.
 
 Task ``T`` of link ``i`` is ``100 i + T``; idle slots are left out, levels are divided by ``;``. Facts only:
-what is
-wrong with them :mod:`robodyn.schedule.judge` finds. ``C.1 restored`` is C.1 with column 2 of levels 1 to 16,
-which
-in the source repeats column 1 of levels 101 to 116, put back as the order of the rest suggests.
+what is wrong with them :mod:`robodyn.schedule.judge` finds. ``C.1 restored`` is C.1 with column 2 of levels 1
+to 16, which in the source repeats column 1 of levels 101 to 116, put back as the order of the rest suggests.
 
 Source: Dhanaraj 1990, chapter 4 and appendix C.
 """

@@ -93,6 +93,16 @@ def one_table(name: str) -> Table:
         if faults:
             tasks = [fault.task for fault in faults]
             rows.append(Row(kind, {"figure": len(tasks), "tasks": tasks}, {"figure": 0}, "differs", meaning))
+    for one in found.misprints:
+        rows.append(
+            Row(
+                f"{one.printed} in level {one.level}",
+                {"figure": one.printed},
+                {"figure": one.meant},
+                "differs",
+                "probably a misprint: the task that is missing fits here, a digit apart",
+            )
+        )
     for (task, level), group in groupby(found.of("precedence"), key=lambda fault: (fault.task, fault.level)):
         others = [fault.other for fault in group]
         rows.append(
@@ -143,6 +153,8 @@ def words(found: Judgement) -> list[str]:
         tasks = [fault.task for fault in found.of(kind)]
         if tasks:
             told.append(f"{verb}: {_spelled(tasks)}")
+    if found.misprints:
+        told.append("probably misprinted: " + ", ".join(map(str, found.misprints)))
     order = [f"{fault.other} before {fault.task} (level {fault.level})" for fault in found.of("precedence")]
     if order:
         told.append(
@@ -175,6 +187,9 @@ def _figures(found: Judgement) -> tuple[dict[str, Any], dict[str, Any]]:
             "lower_bound": first.lower_bound,
             "faults": [_fault(fault) for fault in found.faults],
             "shared": [_fault(fault) for fault in found.shared],
+            "misprints": [
+                {"printed": one.printed, "meant": one.meant, "level": one.level} for one in found.misprints
+            ],
         },
     )
 
