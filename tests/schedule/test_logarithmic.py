@@ -67,6 +67,13 @@ def test_few_processors_undo_it() -> None:
     assert linear.timetable.span < quick.timetable.span
 
 
+def test_at_six_joints_trees_are_done_sooner_from_35_processors_on() -> None:
+    linear, quick = (form_graph(form, 6) for form in ("modified newton-euler", "lathrop"))
+    spans = {p: [solve(graph, Machine(p)).timetable.span for graph in (linear, quick)] for p in (34, 35)}
+    assert spans[34][0] <= spans[34][1]
+    assert spans[35][0] > spans[35][1]
+
+
 def test_tasks_of_three_operations() -> None:
     graph = form_graph("lee-chang", 6, k=3)
     assert len(graph) < cost("lee-chang", 6).work / 2

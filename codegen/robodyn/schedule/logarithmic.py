@@ -58,7 +58,7 @@ def general_program(form: str, n: int, *, right_angled: bool = True) -> Program:
 
     arm, motion = general_arm(n, (), number)
     arm = _right_angled(arm) if right_angled else _turned(arm)
-    torques = FORMS[form](arm, motion)
+    torques = FORMS[form](arm, motion, graph.label)
     return lower(graph, [("tau", torques)])
 
 
