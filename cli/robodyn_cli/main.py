@@ -22,6 +22,15 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the C and Fortran of a robot's dynamics, and print the counts."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and hold them to a budget."),
     "tables": ("robodyn_cli.tables", "Set the thesis's tables beside what robodyn recomputes."),
+    "schedule": (
+        "robodyn_cli.schedule",
+        "Cut the dynamics into tasks and schedule them on processors.",
+    ),
+    "plan": ("robodyn_cli.plan", "Say which formulation, which schedule and which target meet a deadline."),
+    "bench": (
+        "robodyn_cli.bench",
+        "Time a kernel here: serial, packed, and on threads, with what waiting costs.",
+    ),
     "simulate": (
         "robodyn_cli.simulate",
         "Move a robot with all its effects through time, and write the log.",

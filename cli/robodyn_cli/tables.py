@@ -18,10 +18,11 @@ from robodyn_cli.common import echo_json, json_option, printable, talk, write_fi
 def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     """Set the thesis's tables beside what robodyn recomputes.
 
-    ID is 1.1, 2.9, 2.10, 3.3, 3.5, 4.2, 4.4, 4.5, 4.6, claims (the headline claims) or robots (all that
-    are bundled); without it all are printed. For every row there is the printed figure, ours, counted by
-    running what the row describes, a verdict (reproduced, differs, not recoverable) and the reason. With
-    --json an object {"id", "title", "rows", "notes"} is printed, or a list of them without ID.
+    ID is 1.1, 2.9, 2.10, 3.3, 3.5, 4.2, 4.4, 4.5, 4.6, 4.8, schedules (Tables 4.3, 4.7 and C.1 to C.15),
+    claims (the headline claims) or robots (all that are bundled); without it all are printed. For every row
+    there is the printed figure, ours, counted by running what the row describes, a verdict (reproduced,
+    differs, not recoverable) and the reason. With --json an object {"id", "title", "rows", "notes"} is
+    printed, or a list of them without ID.
     """
     from robodyn.report.tables import TABLE_IDS, make, to_text
 

@@ -217,7 +217,7 @@ class TestHelp:
         folder = Path(frame.__file__).parent
         shared = {
             "__init__", "__main__", "main", "common", "counted", "driving", "options", "progress", "pruned",
-            "searching", "simulate_options",
+            "schedule_options", "searching", "simulate_options",
         }  # fmt: skip
         files = {path.stem for path in folder.glob("*.py")} - shared
         assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}

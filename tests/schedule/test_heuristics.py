@@ -5,12 +5,11 @@ from __future__ import annotations
 import pytest
 
 from robodyn import InputError
-from robodyn.report.tables.claims import printed_stanford_graph
-from robodyn.robot import load
 from robodyn.schedule import Schedule, TaskGraph, critical_path_order, general_graph, list_schedule
+from robodyn.schedule.judge import printed_graph
 
 SIX = general_graph(6)
-STANFORD = printed_stanford_graph(load("stanford", warn=lambda _: None))
+STANFORD = printed_graph("stanford")
 
 #: Levels at 2, 3, ... processors.
 THESIS_ORDER = [116, 77, 58, 47, 39, 34, 32, 31, 30, 29, 28, 27]

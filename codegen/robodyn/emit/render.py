@@ -83,7 +83,8 @@ def _render(unit: Unit, languages: Sequence[str]) -> dict[str, str]:
 
 
 @cache
-def _environment() -> jinja2.Environment:
+def environment() -> jinja2.Environment:
+    """Where the templates of kernels are; what one of them asks for and is not given is an error."""
     import jinja2
 
     return jinja2.Environment(
@@ -92,12 +93,12 @@ def _environment() -> jinja2.Environment:
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        autoescape=False,  # C and Fortran, not HTML; texts from files pass through _comment
+        autoescape=False,  # C and Fortran, not HTML; texts from files pass through comment
     )
 
 
 def _template(name: str) -> jinja2.Template:
-    return _environment().get_template(name)
+    return environment().get_template(name)
 
 
 def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict[str, Any]:
@@ -122,7 +123,7 @@ def _head(unit: Unit, language: str) -> list[str]:
     lines: list[str] = []
 
     def say(text: str, indent: str = "") -> None:
-        lines.extend(textwrap.wrap(_comment(text), width, subsequent_indent=indent + "  ") or [""])
+        lines.extend(textwrap.wrap(comment(text), width, subsequent_indent=indent + "  ") or [""])
 
     say(f"{robot.name}: {robot.title or 'a serial arm'}")
     if robot.source:
@@ -171,7 +172,7 @@ def _counted(found: Count) -> str:
     return "; ".join(parts)
 
 
-def _comment(text: str) -> str:
+def comment(text: str) -> str:
     """``text`` from a file, made harmless inside a comment of C, C++ or Fortran: ASCII, one line, no
     comment marks, no trigraphs, no line splice."""
     text = "".join(ch if " " <= ch <= "~" else ("?" if ch > " " else " ") for ch in text)

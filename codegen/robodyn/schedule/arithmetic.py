@@ -300,14 +300,22 @@ def one_after_another(arm: Arm) -> list[TaskId]:
 def flops_of_tasks(
     n: int, prismatic: Collection[int] = (), *, s: str = "xyz", p: str = "xyz"
 ) -> dict[TaskId, int]:
-    """Multiplications and additions of each task on an arm of ``n`` joints (``prismatic`` ones numbered from
-    1), the base at rest, the first axis upright and nothing carried.
+    """Multiplications and additions of each task, together; see :func:`operations_of_tasks`."""
+    found = operations_of_tasks(n, prismatic, s=s, p=p)
+    return {task: sum(kinds.values()) for task, kinds in found.items()}
+
+
+def operations_of_tasks(
+    n: int, prismatic: Collection[int] = (), *, s: str = "xyz", p: str = "xyz"
+) -> dict[TaskId, dict[str, int]]:
+    """Operations of each task by kind, ``{"mul": 2, "add": 1}``, on an arm of ``n`` joints (``prismatic``
+    ones numbered from 1), the base at rest, the first axis upright and nothing carried.
 
     All numbers of the model are some number that is not zero, but for the components of the centres of mass
     and of the origins that ``s`` and ``p`` do not name.
     """
     ledger: dict[str, int] = {}
-    found: dict[TaskId, int] = {}
+    found: dict[TaskId, dict[str, int]] = {}
 
     def fixed() -> Any:
         return Tally(ledger, True)
@@ -334,7 +342,7 @@ def flops_of_tasks(
 
     def book(task: TaskId) -> None:
         if current:
-            found[current.pop()] = sum(ledger.values())
+            found[current.pop()] = dict(ledger)
         ledger.clear()
         current.append(task)
 

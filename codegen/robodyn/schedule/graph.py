@@ -6,9 +6,10 @@ an arm does not need is taken out, and what waited for it waits for what it wait
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
 from graphlib import TopologicalSorter
+from typing import Final
 
 from robodyn.errors import InputError
 from robodyn.schedule.tasks import TASKS
@@ -31,15 +32,18 @@ def link_and_number(task: TaskId) -> tuple[int, int]:
 
 @dataclass(frozen=True, slots=True)
 class TaskGraph:
-    """Tasks of equal length and what each of them waits for.
+    """Tasks and what each of them waits for.
 
     ``after[task]``: the tasks that must be done before it, all of them in the graph. ``layer[task]``: its
     place in the layered graph that the tasks were cut from (a preference, not a constraint). The order of
-    ``after`` is that of the tasks.
+    ``after`` is that of the tasks. ``lengths[task]``: how long it takes, 1 where nothing is said;
+    ``links[task]``: the link (from 1) that it belongs to, that of its number where nothing is said.
     """
 
     after: Mapping[TaskId, frozenset[TaskId]]
     layer: Mapping[TaskId, int]
+    lengths: Mapping[TaskId, int] = field(default_factory=dict)
+    links: Mapping[TaskId, int] = field(default_factory=dict)
 
     @property
     def tasks(self) -> tuple[TaskId, ...]:
@@ -48,6 +52,24 @@ class TaskGraph:
 
     def __len__(self) -> int:
         return len(self.after)
+
+    def length(self, task: TaskId) -> int:
+        """How long ``task`` takes, in units of time."""
+        return self.lengths.get(task, 1)
+
+    def link(self, task: TaskId) -> int:
+        """The link that ``task`` belongs to, from 1."""
+        return self.links.get(task, link_and_number(task)[0])
+
+    @property
+    def work(self) -> int:
+        """How long all tasks take one after another."""
+        return sum(map(self.length, self.after))
+
+    @property
+    def uniform(self) -> bool:
+        """Whether all tasks take one unit of time."""
+        return all(length == 1 for length in self.lengths.values())
 
     def before(self) -> dict[TaskId, frozenset[TaskId]]:
         """``before()[task]``: the tasks that wait for it."""
@@ -65,10 +87,23 @@ class TaskGraph:
         """The tasks on the longest chain from each task on, itself included."""
         return _depths(self.before())
 
+    def earliest(self) -> dict[TaskId, int]:
+        """The earliest time at which each task can be done, processors being plenty."""
+        return _depths(self.after, self.length)
+
+    def remaining(self) -> dict[TaskId, int]:
+        """Time on the longest chain from each task on, itself included."""
+        return _depths(self.before(), self.length)
+
     @property
     def critical_path(self) -> int:
         """Tasks on the longest chain: no schedule has fewer levels."""
         return max(self.levels().values(), default=0)
+
+    @property
+    def critical_time(self) -> int:
+        """Time on the longest chain: no schedule is shorter."""
+        return max(self.earliest().values(), default=0)
 
     def layers(self) -> list[tuple[TaskId, ...]]:
         """The layered graph: tasks by layer, in order; layers may be empty."""
@@ -82,15 +117,31 @@ class TaskGraph:
         return max(map(len, self.layers()), default=0)
 
 
-def _depths(needed: Mapping[TaskId, Collection[TaskId]]) -> dict[TaskId, int]:
+def _depths(
+    needed: Mapping[TaskId, Collection[TaskId]], length: Callable[[TaskId], int] = lambda _: 1
+) -> dict[TaskId, int]:
     depth: dict[TaskId, int] = {}
     for task in TopologicalSorter(needed).static_order():
-        depth[task] = 1 + max((depth[earlier] for earlier in needed[task]), default=0)
+        depth[task] = length(task) + max((depth[earlier] for earlier in needed[task]), default=0)
     return depth
 
 
-def arm_graph(n: int, without: Collection[TaskId] = (), prismatic: Collection[int] = ()) -> TaskGraph:
+#: Sums of Table 4.1 (T15 to T17, T23 to T25) and the products that each adds up; the table has each wait for
+#: those of the other components too.
+OWN_PRODUCT: Final = {15: 12, 16: 13, 17: 14, 23: 20, 24: 21, 25: 22}
+
+
+def arm_graph(
+    n: int,
+    without: Collection[TaskId] = (),
+    prismatic: Collection[int] = (),
+    *,
+    own_products: bool = False,
+) -> TaskGraph:
     """The graph of an arm of ``n`` joints, tasks ``without`` taken out.
+
+    ``own_products``: a component's sum waits for the products of its own component only, which is all that
+    it reads.
 
     The lambda of a link behind a ``prismatic`` joint (numbered from 1) is that of the link before: tasks 9 to
     11, where taken out, wait for the same tasks there.
@@ -106,6 +157,9 @@ def arm_graph(n: int, without: Collection[TaskId] = (), prismatic: Collection[in
     for link in range(1, n + 1):
         for task in TASKS:
             found = {task_id(link + place, number) for place, number in task.after if 1 <= link + place <= n}
+            if own_products and task.number in OWN_PRODUCT:
+                other = set(OWN_PRODUCT.values()) - {OWN_PRODUCT[task.number]}
+                found -= {task_id(link, number) for number in other}
             if link in prismatic and task.number in (9, 10, 11) and task_id(link, task.number) in out:
                 found = {task_id(link - 1, task.number)} if link > 1 else set()
             waits[task_id(link, task.number)] = found

@@ -47,13 +47,16 @@ TABLE_4_6: Final[tuple[tuple[int, int, tuple[int, ...], int], ...]] = (
     (2, 3, (12, 13, 14, 15, 16, 17, 20, 21, 22, 23, 33, 34, 35, 36, 37), 15),
 )
 
-#: Table 4.7, the Stanford arm's layered graph, holds these tasks where the rules give others.
-STANFORD_PRINTED_MORE: Final = frozenset((120, 121, 126, 127, 233))
-STANFORD_PRINTED_LESS: Final = frozenset((119, 128, 129))
-
 #: Levels of Tables 4.3 and C.1 to C.8 (any six-joint arm), 4.7 and C.9 to C.15 (Stanford), by processors.
 LEVELS_SIX_LINK: Final = {1: 231, 2: 116, 3: 78, 4: 58, 5: 47, 6: 39, 7: 34, 8: 31, 9: 30, 13: 27}
 LEVELS_STANFORD: Final = {1: 156, 2: 79, 3: 52, 4: 39, 5: 32, 6: 29, 7: 27, 8: 27, 9: 27}
 
 #: Table 4.8, the thesis's column: milliseconds of the Stanford arm's schedules, by processors.
 TIMES_STANFORD: Final = {1: 21.06, 2: 10.67, 3: 7.02, 4: 5.26, 5: 4.32, 6: 3.92, 7: 3.65, 8: 3.65}
+
+#: Table 4.8, the columns of others for the same arm: milliseconds by processors, where printed.
+TIMES_OTHERS: Final[dict[str, dict[int, float]]] = {
+    "Luh and Lin 1982": {1: 24.8, 6: 9.67},
+    "Kasahara and Narita 1985": {1: 24.83, 2: 12.42, 3: 8.43, 4: 6.59, 5: 5.86, 6: 5.73, 7: 5.60},
+    "Chen, Lee and Hou 1988": {1: 24.83, 2: 12.42, 3: 8.44, 4: 6.59, 5: 5.72, 6: 5.70},
+}

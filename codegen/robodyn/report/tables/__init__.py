@@ -24,6 +24,8 @@ _HOMES: Final = {
     "4.4": "table_4_4",
     "4.5": "table_4_5",
     "4.6": "table_4_6",
+    "4.8": "table_4_8",
+    "schedules": "schedules",
     "claims": "claims",
     "robots": "robots",
 }

@@ -14,21 +14,16 @@ from robodyn.report.tables.table_4_4 import ROBOT
 from robodyn.robot import Robot
 from robodyn.schedule import (
     FLOPS_PER_TASK,
-    TASKS,
     TaskGraph,
-    arm_graph,
     critical_path_order,
     general_graph,
     list_schedule,
     robot_graph,
 )
-from robodyn.schedule.elimination import prismatic_joints
-from robodyn.schedule.graph import task_id
+from robodyn.schedule.judge import printed_graph
 from robodyn.schedule.printed import (
     LEVELS_SIX_LINK,
     LEVELS_STANFORD,
-    STANFORD_PRINTED_LESS,
-    STANFORD_PRINTED_MORE,
     TABLE_4_4,
     TIMES_STANFORD,
 )
@@ -41,19 +36,11 @@ MOST_STANFORD: Final = 9
 _METHODS: Final[tuple[Method, ...]] = ("I", "II")
 
 
-def printed_stanford_graph(robot: Robot) -> TaskGraph:
-    """The Stanford arm's tasks as Table 4.7 prints them: those of the rules, save the known exceptions."""
-    by_rule = frozenset(robot_graph(robot, TABLE_4_4, "own").tasks)
-    kept = (by_rule | STANFORD_PRINTED_MORE) - STANFORD_PRINTED_LESS
-    every = {task_id(link, task.number) for link in range(1, robot.n + 1) for task in TASKS}
-    return arm_graph(robot.n, every - kept, prismatic_joints(robot))
-
-
 def table(progress: Progress = lambda _: None, load_robot: Load = load_quietly) -> Table:
     """Every claim beside what our task graphs, schedules and counts say."""
     progress("task graphs")
     robot = load_robot(ROBOT)
-    general, printed_set = general_graph(LINKS), printed_stanford_graph(robot)
+    general, printed_set = general_graph(LINKS), printed_graph("stanford")
     by_robot = robot_graph(robot)
     rows = (
         _parallel_cost(),

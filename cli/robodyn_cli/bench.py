@@ -1,0 +1,73 @@
+"""``robodyn bench``: what a call takes here, serial, packed and on threads, and when threads would win."""
+
+from __future__ import annotations
+
+import click
+
+from robodyn_cli.common import echo_json, json_option, robot_argument
+from robodyn_cli.options import load, model_options
+from robodyn_cli.searching import Search
+
+
+@click.command()
+@robot_argument
+@click.option("-p", "--processors", metavar="N", help="Threads: 2, 2,4 or 2..4. [default: 2 to the cores]")
+@click.option("--cut", metavar="K", type=int, default=3, show_default=True, help="Operations a task.")
+@click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
+@click.option("--lanes", metavar="W", type=int, default=4, show_default=True, help="Of the packed form.")
+@click.option("--states", metavar="N", type=int, help="States of a measurement.")
+@click.option("--cc", metavar="CC", help="The C compiler.")
+@model_options
+@json_option
+def command(
+    robot: str,
+    processors: str | None,
+    cut: int,
+    function: str,
+    lanes: int,
+    states: int | None,
+    cc: str | None,
+    formulation: str,
+    optimize: str,
+    no_regroup: bool,
+    engine: str,
+    fold_rotor: bool,
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Time a kernel here: serial, packed, and on threads, with what waiting costs.
+
+    All bits are compared first. For every number of threads the table says what meeting costs, whether
+    threads win, and from how many operations a task (and in all) they would.
+    """
+    from robodyn.build.program import cores
+    from robodyn.errors import InputError
+    from robodyn.generation import Options, generate
+    from robodyn.report.parallel_bench import bench, bench_text
+    from robodyn.report.schedules import processors_of
+    from robodyn.schedule.cutting import cut as cut_program
+    from robodyn_cli.progress import line
+
+    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    if states is not None and states < 1:
+        raise InputError("a measurement needs states", found=f"--states {states}", expected="1 or more")
+    counts = processors_of(processors or f"2..{max(2, min(4, cores()))}")
+    options = Options((function,), formulation, optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
+    options = Search(robot, None, 0, "total", False).applied(described, options, (function,))
+    ((interface, program),) = generate(described, options).unit.functions
+    tasks = cut_program(program, cut)
+    with line() as shown:
+        found = bench(
+            described,
+            interface,
+            tasks,
+            counts,
+            lanes_wide=lanes,
+            cc=cc,
+            states=states,
+            tell=lambda text: shown.tell(f"robodyn: {text}"),
+        )
+    if as_json:
+        echo_json(found.to_dict())
+    else:
+        click.echo(bench_text(found), nl=False)

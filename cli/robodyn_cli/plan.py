@@ -1,0 +1,83 @@
+"""``robodyn plan``: which formulation, schedule and target meet a deadline."""
+
+from __future__ import annotations
+
+import click
+
+from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
+
+
+@click.command()
+@robot_argument
+@click.option(
+    "-p", "--processors", metavar="N", type=int, default=1, show_default=True, help="Cores at most."
+)
+@click.option("--deadline", metavar="T", required=True, help="Time for a call: 100us, 0.5ms, 800ns.")
+@click.option(
+    "--target",
+    "targets",
+    metavar="T",
+    multiple=True,
+    help="A target, again for several: cortex-m4, cortex-m7, x86-64, thesis-1990, here (measured), or "
+    "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
+)
+@click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
+@click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers.")
+@json_option
+def command(
+    robot: str,
+    processors: int,
+    deadline: str,
+    targets: tuple[str, ...],
+    function: str,
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Say which formulation, which schedule and which target meet a deadline.
+
+    Formulations are cut into tasks of several sizes and scheduled on 1 to N cores of every target, at its
+    cost of passing a value. Of those that meet the deadline the one with the fewest cores is taken. Exits
+    1 where nothing does. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
+    """
+    from robodyn.errors import CheckError
+    from robodyn.report.plan import (
+        KNOWN,
+        Target,
+        chosen,
+        here,
+        parse_deadline,
+        parse_target,
+        plan_text,
+        plans,
+        spelled,
+    )
+    from robodyn_cli.progress import line
+
+    limit = parse_deadline(deadline)
+    asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
+    described = load_robot(robot, strict=strict)
+    with line() as shown:
+
+        def tell(text: str) -> None:
+            shown.tell(f"robodyn: {text}")
+
+        wanted = [target or here(described, tell) for target in asked] or list(KNOWN.values())
+        found = plans(described, processors, wanted, function=function, tell=tell)
+    best = chosen(found, limit)
+    if as_json:
+        echo_json(
+            {
+                "robot": described.name,
+                "deadline_ns": limit,
+                "chosen": None if best is None else best.to_dict(limit),
+                "plans": [plan.to_dict(limit) for plan in found],
+            }
+        )
+    else:
+        click.echo(plan_text(described, found, wanted, limit), nl=False)
+    if best is None:
+        raise CheckError(
+            f"nothing meets {spelled(limit)}",
+            found=f"{spelled(found[0].time_ns)} at best",
+            remedy="allow more cores with -p, another target, or more time",
+        )

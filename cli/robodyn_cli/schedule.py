@@ -1,0 +1,197 @@
+"""``robodyn schedule``: tasks, machines, schedules, bounds; pictures; parallel C."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
+from robodyn_cli.options import load, model_options
+from robodyn_cli.schedule_options import Asked, picture_file, schedule_options
+from robodyn_cli.searching import Search
+
+if TYPE_CHECKING:
+    from robodyn.ir.signature import Signature
+    from robodyn.report.schedules import Source
+    from robodyn.robot import Robot
+    from robodyn.schedule import Solved
+
+
+@click.command()
+@click.argument("robot", metavar="[ROBOT]", required=False)
+@schedule_options
+@model_options
+@json_option
+def command(robot: str | None, as_json: bool, **given: Any) -> None:
+    """Cut the dynamics into tasks and schedule them on processors.
+
+    Without --cut the tasks are those of the thesis, three operations each, of ROBOT or of any revolute arm of
+    --links N. With --cut K they are the operations of a kernel of ROBOT, at most K in a task. Every schedule
+    is judged by a validator of its own. -p 2..13 sweeps over processors. --emit DIR writes parallel C (tasks
+    of
+    --cut 3 unless told otherwise) with the serial kernel that has the same bits. --thesis TABLE sets a
+    printed schedule (4.3, 4.7, C.1 to C.15, or all) or Table 4.8 beside ours, with every violation.
+
+    With --json: {"robot", "method", "processors", "tasks", "levels", "critical_path", "lower_bound",
+    "optimal", "speedup", "efficiency", "slots", "thesis", ...}, a list of them for a sweep.
+    """
+    asked = Asked.of(robot, given)
+    if asked.thesis is not None:
+        _thesis(asked.thesis, as_json)
+    elif asked.forms:
+        _forms(asked, as_json)
+    else:
+        _schedule(asked, as_json)
+
+
+def _thesis(table: str, as_json: bool) -> None:
+    from robodyn.report.tables import make, to_text
+    from robodyn.report.tables.schedules import one_table
+
+    found = make("schedules") if table == "all" else one_table(table)
+    if as_json:
+        echo_json(found.to_dict())
+    else:
+        click.echo(to_text(found), nl=False)
+
+
+def _forms(asked: Asked, as_json: bool) -> None:
+    from robodyn.report.forms import compared, forms_text
+    from robodyn_cli.progress import line
+
+    with line() as shown:
+        found = compared(asked.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
+    if as_json:
+        echo_json(found)
+    else:
+        click.echo(forms_text(found), nl=False)
+
+
+def _schedule(asked: Asked, as_json: bool) -> None:
+    from robodyn.report.gantt import gantt_svg, layers_svg, sweep_svg
+    from robodyn.report.schedules import processors_of, sweep_text, to_dict, to_text
+    from robodyn.schedule import Machine, solve
+    from robodyn_cli.progress import line
+
+    described, source, signature = _source(asked)
+    picture, layers = picture_file(asked.picture), picture_file(asked.layers)
+    if asked.fewest:
+        _fewest(asked, source, as_json)
+        return
+    counts = processors_of(asked.processors)
+    asked.check(len(counts))
+    machines = [Machine(p, asked.communication, not asked.no_levels) for p in counts]
+
+    def solved(method: Any) -> list[Solved]:
+        return [
+            solve(source.graph, machine, method, seconds=asked.seconds, seed=asked.seed)
+            for machine in machines
+        ]
+
+    with line() as shown:
+        if asked.method in ("optimal", "branch-and-bound"):
+            shown.tell(f"robodyn: {source.name}: searching, {asked.seconds:g} s at most")
+        found = solved(asked.method)
+    pictures: dict[Path, str] = {}
+    if picture is not None and len(found) == 1:
+        pictures[picture] = gantt_svg(source, found[0])
+    elif picture is not None:
+        other = "thesis" if asked.method != "thesis" else "critical-path"
+        pictures[picture] = sweep_svg(source, found, solved(other))
+    if layers is not None:
+        pictures[layers] = layers_svg(source)
+    folder, files = _emitted(asked, described, source, signature, found[0])
+    for file, text in pictures.items():
+        write_files(file.parent, {file.name: text})
+    written = (*pictures, *write_files(folder, files))
+    if as_json:
+        records = [to_dict(source, one) for one in found]
+        echo_json(records[0] if len(records) == 1 else records)
+    else:
+        click.echo(to_text(source, found[0]) if len(found) == 1 else sweep_text(source, found), nl=False)
+    for path in written:
+        talk(f"robodyn: wrote {printable(path)}")
+
+
+def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
+    """What is scheduled, and of a kernel the robot and its interface."""
+    from robodyn.report.schedules import cut_source, links_source, robot_source
+    from robodyn.schedule.cutting import cut, parse_costs
+
+    if asked.links is not None:
+        if asked.form is None:
+            prices = None if asked.cost is None else parse_costs(asked.cost)
+            return None, links_source(asked.links, as_printed=asked.as_printed, costs=prices), None
+        from robodyn.schedule.logarithmic import general_program
+
+        k = asked.operations or 1
+        costs = None if asked.cost is None else parse_costs(asked.cost)
+        made = cut(general_program(asked.form, asked.links), k, costs)
+        return None, cut_source(f"{asked.links} links, {asked.form}", made, k), None
+    assert asked.robot is not None
+    described = load(asked.robot, strict=asked.strict, fold_rotor=asked.fold_rotor)
+    if asked.operations is None and asked.emit is None:
+        return described, robot_source(described, as_printed=asked.as_printed), None
+    if asked.operations is None:
+        from robodyn.dynamics.functions import signature
+        from robodyn.report.schedules import Source
+        from robodyn.schedule.task_program import task_program
+
+        made = task_program(described)
+        source = Source(described.name, "tasks of Table 4.1 that this arm needs", made.graph, cut=made)
+        return described, source, signature(described, "inverse_dynamics")
+    from robodyn.generation import Options, generate
+
+    options = Options((asked.function,), **asked.model())
+    options = Search(asked.robot, None, asked.seed, "total", False).applied(
+        described, options, (asked.function,)
+    )
+    ((interface, program),) = generate(described, options).unit.functions
+    costs = None if asked.cost is None else parse_costs(asked.cost)
+    made = cut(program, asked.operations, costs)
+    return described, cut_source(described.name, made, asked.operations), interface
+
+
+def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
+    from robodyn.schedule.optimum import fewest_for_critical_path
+    from robodyn_cli.progress import line
+
+    with line() as shown:
+        found = fewest_for_critical_path(
+            source.graph, seconds=asked.seconds, tell=lambda text: shown.tell(f"robodyn: {text}")
+        )
+    if as_json:
+        echo_json(
+            {
+                "robot": source.name,
+                "tasks": len(source.graph),
+                "critical_path": found.span,
+                "processors": found.found,
+                "at_least": found.at_least,
+                "proven": found.proven,
+                "slots": [list(row) for row in found.timetable.slots],
+            }
+        )
+        return
+    least = "fewer" if found.proven else f"fewer than {found.at_least}"
+    click.echo(f"{source.name}: {len(source.graph)} {source.tasks}, critical path {found.span}")
+    click.echo(f"{found.found} processors do it in {found.span} levels; {least} cannot, by proof")
+
+
+def _emitted(
+    asked: Asked, described: Robot | None, source: Source, signature: Signature | None, solved: Solved
+) -> tuple[Path, dict[str, str]]:
+    """Where C is to be written, and which; none if none is asked for."""
+    if asked.emit is None:
+        return Path(), {}
+    from robodyn.report.emitted import schedule_files
+
+    assert described is not None
+    assert signature is not None
+    assert source.cut is not None
+    folder = output_folder(asked.emit)
+    return folder, schedule_files(
+        described, signature, source.cut, solved.timetable, waiting=asked.sync, lanes=asked.packed
+    )

@@ -1,0 +1,241 @@
+"""The options of ``robodyn schedule``, and which of them go together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def schedule_options(command: Command) -> Command:
+    """Add the options of tasks, machine, method and output."""
+    for option in reversed(
+        (
+            click.option(
+                "-p", "--processors", metavar="N", default=None, help="Processors: 4, 2,4,8 or 2..13."
+            ),
+            click.option("--links", metavar="N", type=int, help="Any revolute arm of N joints, no ROBOT."),
+            click.option(
+                "--method",
+                metavar="M",
+                default="critical-path",
+                show_default=True,
+                help="thesis (section 4.3.3), critical-path, dhlf, branch-and-bound (one processor a joint) "
+                "or optimal (OR-Tools; proof or bound).",
+            ),
+            click.option("--as-printed", is_flag=True, help="The task set that the thesis printed."),
+            click.option(
+                "--cut",
+                metavar="K",
+                help="Tasks of at most K operations of a kernel; thesis: the thesis's tasks.",
+            ),
+            click.option(
+                "--function", metavar="F", default="inverse_dynamics", show_default=True, help="With --cut K."
+            ),
+            click.option(
+                "--form",
+                metavar="F",
+                help="With --links: newton-euler, modified-newton-euler, lee-chang or lathrop, cut.",
+            ),
+            click.option(
+                "--forms", is_flag=True, help="Compare linear and logarithmic forms, up to --links."
+            ),
+            click.option("--cost", metavar="OP=N,...", help="Costs of operations: mul=1,add=1,div=14."),
+            click.option(
+                "--communication",
+                metavar="T",
+                type=int,
+                default=0,
+                help="Time to pass a value, or to meet between levels.",
+            ),
+            click.option("--no-levels", is_flag=True, help="Tasks begin as soon as they can."),
+            click.option(
+                "--seconds",
+                metavar="S",
+                type=float,
+                help="How long a search may take. [default: 60, branch-and-bound 10]",
+            ),
+            click.option("--seed", metavar="N", type=int, default=0, help="Seed of the optimiser."),
+            click.option(
+                "--fewest", is_flag=True, help="The fewest processors that reach the critical path."
+            ),
+            click.option("--thesis", metavar="TABLE", help="A printed schedule judged: 4.3, C.1, 4.8, all."),
+            click.option("--picture", metavar="FILE.svg", help="Gantt chart; a sweep: Figures 4.11-4.13."),
+            click.option("--layers", metavar="FILE.svg", help="The layered graph."),
+            click.option("--emit", metavar="DIR", help="Write parallel C into DIR."),
+            click.option("--sync", metavar="HOW", help="In that C: barrier or counters."),
+            click.option("--packed", metavar="LANES", type=int, help="The packed form too: 2, 4, 8 lanes."),
+        )
+    ):
+        command = option(command)
+    return command
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What the command line asks for; see the options."""
+
+    robot: str | None
+    processors: str
+    links: int | None
+    method: Any
+    as_printed: bool
+    operations: int | None
+    function: str
+    form: str | None
+    forms: bool
+    cost: str | None
+    communication: int
+    no_levels: bool
+    seconds: float
+    seed: int
+    fewest: bool
+    thesis: str | None
+    picture: str | None
+    layers: str | None
+    emit: str | None
+    sync: Any
+    packed: int | None
+    formulation: str
+    optimize: str
+    no_regroup: bool
+    engine: str
+    fold_rotor: bool
+    strict: bool
+
+    @staticmethod
+    def of(robot: str | None, given: dict[str, Any]) -> Asked:
+        """The options as they were given.
+
+        Raises
+        ------
+        InputError: options that do not go together, or say nothing to schedule.
+        """
+        from robodyn.errors import InputError
+
+        cut = given.pop("cut")
+        operations = None if cut in (None, "thesis") else _operations(cut)
+        if cut is None and (given["emit"] is not None or _kernel(given)):
+            operations = 3  # a kernel is asked for
+        processors = given.pop("processors")
+        if given["seconds"] is None:
+            given["seconds"] = 10.0 if given["method"] == "branch-and-bound" else 60.0
+        asked = Asked(robot, processors=processors or "1", operations=operations, **given)
+        asked = _with_form(asked)
+        if asked.thesis is not None or asked.forms:
+            if robot is not None:
+                raise InputError(
+                    f"{'--forms' if asked.forms else '--thesis'} is of no robot",
+                    found=robot,
+                    remedy="leave it out",
+                )
+            return asked
+        if (robot is None) == (asked.links is None):
+            raise InputError(
+                "what to schedule is not clear",
+                found="neither ROBOT nor --links" if robot is None else "both ROBOT and --links",
+                expected="one of ROBOT and --links N",
+            )
+        if processors is None and not asked.fewest:
+            raise InputError("a schedule needs processors", remedy="add -p 4, -p 2..13, or --fewest")
+        asked._fitting()
+        return asked
+
+    def _fitting(self) -> None:
+        from robodyn.errors import InputError
+
+        if self.links is not None and self.emit is not None:
+            raise InputError("any arm of so many links has no numbers to emit", remedy="name a ROBOT")
+        if self.links is not None and self.operations is not None and self.form is None:
+            raise InputError(
+                "any arm of so many links has no kernel to cut", remedy="add --form, or name a ROBOT"
+            )
+        if self.form is not None and self.links is None:
+            raise InputError("--form goes with --links")
+        if self.as_printed and self.operations is not None:
+            raise InputError(
+                "--as-printed is of the thesis's tasks, not of a kernel's", remedy="leave out --cut"
+            )
+        if self.cost is not None and self.operations is None and self.links is None:
+            raise InputError("--cost is of operations", remedy="add --cut 1, or another number of them")
+        if self.sync not in (None, "barrier", "counters"):
+            raise InputError(
+                f"unknown way to wait {self.sync!r}", expected="--sync barrier or --sync counters"
+            )
+        for option, name in ((self.sync, "--sync"), (self.packed, "--packed")):
+            if option is not None and self.emit is None:
+                raise InputError(f"{name} goes with --emit")
+        if not 0 < self.seconds < 1e7:
+            raise InputError(
+                "a search takes time", found=f"--seconds {self.seconds:g}", expected="more than 0"
+            )
+
+    def check(self, machines: int) -> None:
+        """:class:`InputError` where one schedule is wanted and there are several."""
+        from robodyn.errors import InputError
+
+        if self.emit is not None and machines > 1:
+            raise InputError("one schedule is emitted", found=f"{machines} machines", expected="-p N")
+
+    def model(self) -> dict[str, Any]:
+        """The options of the kernel."""
+        return {
+            "formulation": self.formulation,
+            "optimize": self.optimize,
+            "regroup": not self.no_regroup,
+            "engine": self.engine,
+        }
+
+
+def _with_form(asked: Asked) -> Asked:
+    from dataclasses import replace
+
+    if asked.form is None:
+        return asked
+    from robodyn.errors import InputError
+    from robodyn.schedule.logarithmic import FORMS
+
+    name = "modified newton-euler" if asked.form == "modified-newton-euler" else asked.form
+    if name not in FORMS:
+        raise InputError(
+            f"unknown form {asked.form!r}", expected=f"one of {', '.join(f.replace(' ', '-') for f in FORMS)}"
+        )
+    return replace(asked, form=name)
+
+
+def _kernel(given: dict[str, Any]) -> bool:
+    """Whether an option speaks of a kernel."""
+    usual = {"formulation": "modified_newton_euler", "optimize": "record", "engine": "graph"}
+    changed = any(given[name] != value for name, value in usual.items())
+    return changed or given["no_regroup"] or given["function"] != "inverse_dynamics"
+
+
+def _operations(text: str) -> int:
+    from robodyn.errors import InputError
+
+    if not text.isdecimal() or len(text) > 6:
+        raise InputError(
+            "--cut cannot be read", found=repr(text), expected="thesis, or a number of operations"
+        )
+    return int(text)
+
+
+def picture_file(text: str | None) -> Path | None:
+    """Where a picture goes.
+
+    Raises
+    ------
+    InputError: the name does not end in .svg.
+    """
+    from robodyn.errors import InputError
+
+    if text is None:
+        return None
+    if not text.endswith(".svg") or text == ".svg":
+        raise InputError("the picture is an SVG", found=repr(text), expected="a name that ends in .svg")
+    return Path(text)

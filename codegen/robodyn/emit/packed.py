@@ -1,0 +1,110 @@
+"""The packed form: the independent operations of a level as lanes of one core's vectors.
+
+Vectors are those of gcc and clang (``vector_size``), which every target has, by instructions or one by one;
+each
+lane is rounded as the operation alone is, so the bits are those of the serial kernel.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from robodyn.emit.lines import Writer, head_of
+from robodyn.emit.render import environment
+from robodyn.emit.spelling import WIDTH, c_spelling
+from robodyn.errors import InputError
+from robodyn.ir.signature import Signature
+from robodyn.robot.model import Robot
+from robodyn.schedule.packing import Packing
+
+_SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+
+
+def packed_files(robot: Robot, signature: Signature, packing: Packing) -> dict[str, str]:
+    """``NAME_packed.h`` and ``NAME_packed.c``: text by file name; they include the serial ``NAME.h``.
+
+    Raises
+    ------
+    InputError: the function remembers between calls.
+    """
+    if signature.states:
+        raise InputError(
+            f"{signature.symbol} remembers between calls, and is not emitted packed",
+            remedy="leave out the effects with memory, or take another function",
+        )
+    name = signature.robot
+    body = _Body(signature, packing)
+    text = "\n".join(body.lines)
+    told = (
+        f"{signature.function} with {packing.lanes} lanes: {packing.vectors} vector operations, "
+        f"{100 * packing.filling:.0f} % of their lanes filled, and "
+        f"{len(packing.groups) - packing.vectors} single "
+        "ones. The bits are those of the serial kernel."
+    )
+    (output, size), *_ = signature.outputs
+    context: dict[str, Any] = {
+        "name": name,
+        "guard": f"{name.upper()}_PACKED_H",
+        "function": signature.function,
+        "symbol": signature.symbol,
+        "lanes": packing.lanes,
+        "inputs": [{"name": array, "size": length} for array, length in signature.inputs],
+        "output": output,
+        "size": size,
+        "parameters": signature.parameters,
+        "head": head_of(robot, [told]),
+        "lines": body.lines,
+        "again": body.writer.again,
+        "unused": [array for array, _ in signature.inputs if not re.search(rf"\b{array}\[", text)]
+        + (["p"] if signature.parameters and "p->" not in text else []),
+    }
+    return {
+        f"{name}_packed.h": environment().get_template("c/packed.h.j2").render(context),
+        f"{name}_packed.c": environment().get_template("c/packed.c.j2").render(context),
+    }
+
+
+class _Body:
+    """The lines of the packed function."""
+
+    def __init__(self, signature: Signature, packing: Packing) -> None:
+        self.name = signature.robot
+        self.packing = packing
+        self.spelling = c_spelling(single=signature.scalar == "float")
+        self.writer = Writer(packing.program, self.spelling, f"{self.name}_real")
+        self.lines: list[str] = []
+        self.vectors: dict[tuple[str, ...], str] = {}
+        for number, group in enumerate(packing.groups):
+            if len(group) == 1:
+                self.lines += self.writer.written(group[0], (), keep=True)
+            else:
+                self._vector(number, group)
+        for array, elements in packing.program.outputs:
+            for i, operand in enumerate(elements):
+                self.lines += [
+                    f"    {line.strip()}" for line in self.writer.assigned(f"{array}[{i}]", operand)
+                ]
+
+    def _vector(self, number: int, group: tuple[int, ...]) -> None:
+        operations = [self.packing.program.operations[i] for i in group]
+        left, right = (
+            self._operand([self.writer.text(operation.args[side]) for operation in operations])
+            for side in (0, 1)
+        )
+        name = f"lanes_{number}"
+        text = f"const {self.name}_lanes {name} = {left} {_SIGNS[operations[0].op]} {right};"
+        self.lines += self.spelling.wrapped(text, "    ") if len(text) > WIDTH - 4 else [f"    {text}"]
+        elements = [f"{name}[{k}]" for k in range(len(group))]
+        for i, element in zip(group, elements, strict=True):
+            self.writer.called(i, element)
+        self.vectors[tuple(elements)] = name
+
+    def _operand(self, elements: list[str]) -> str:
+        """A vector of ``elements``, that of an earlier operation where it is the same; lanes that are not
+        needed hold the first element again."""
+        known = self.vectors.get(tuple(elements))
+        if known is not None:
+            return known
+        filled = elements + elements[:1] * (self.packing.lanes - len(elements))
+        return f"({self.name}_lanes){{{', '.join(filled)}}}"

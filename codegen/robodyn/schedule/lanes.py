@@ -1,0 +1,181 @@
+"""A schedule of a cut program as lanes: what each processor computes in which order, which values pass
+between processors, and where they have to wait for each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from robodyn.errors import InputError
+from robodyn.schedule.cutting import Cut
+from robodyn.schedule.graph import TaskId
+from robodyn.schedule.machine import Timetable
+
+Waiting = Literal["barrier", "counters"]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """Operations that a processor computes without a stop: a task (0: before all tasks), its level or time,
+    and what it waits for: ``(processor, steps that must be done there)``; ``publishes`` after it, for others.
+    """
+
+    task: TaskId
+    level: int
+    operations: tuple[int, ...]
+    waits: tuple[tuple[int, int], ...] = ()
+    publishes: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Lanes:
+    """``steps[k]`` of processor k in their order; ``shared`` operations whose values other processors read;
+    ``barriers`` levels before which all processors meet (none where they wait for counters)."""
+
+    steps: tuple[tuple[Step, ...], ...]
+    shared: tuple[int, ...]
+    barriers: tuple[int, ...]
+    processor_of: tuple[int, ...]
+
+
+def lanes(cut: Cut, timetable: Timetable, waiting: Waiting = "barrier") -> Lanes:
+    """Who does what. In levels (``barrier``) processors may be exchanged within a level, so that fewer values
+    pass between them; barriers stand only where a value passes.
+
+    Raises
+    ------
+    InputError: barriers, and a timetable without levels.
+    """
+    if waiting == "barrier" and not timetable.machine.synchronised:
+        raise InputError("without levels there is nowhere to meet", remedy="take --sync counters")
+    p = timetable.machine.processors
+    by_task = cut.operations()
+    if timetable.machine.synchronised:
+        place, level = _near(cut, timetable)
+    else:
+        place = {one.task: one.processor for one in timetable.placements}
+        level = {one.task: one.start + 1 for one in timetable.placements}
+    before = _spread(cut, by_task[0], p)
+    processor_of = tuple(before[i] if task == 0 else place[task] for i, task in enumerate(cut.task_of))
+    drafts: list[list[tuple[TaskId, int, tuple[int, ...]]]] = []
+    for k in range(p):
+        own = [i for i in by_task[0] if before[i] == k]
+        todo = sorted((task for task in place if place[task] == k), key=lambda task: (level[task], task))
+        drafts.append(
+            ([(0, 0, tuple(own))] if own else [])
+            + [(task, level[task], tuple(by_task[task])) for task in todo]
+        )
+    passing = _passing(cut, processor_of)
+    shared = tuple(sorted({made for made, _ in passing}))
+    if waiting == "barrier":
+        of_level = [0 if task == 0 else level[task] for task in cut.task_of]
+        barriers = _barriers([(of_level[made], of_level[used]) for made, used in passing])
+        steps = tuple(tuple(Step(*draft) for draft in lane) for lane in drafts)
+        return Lanes(steps, shared, barriers, processor_of)
+    return Lanes(_counted(drafts, passing, processor_of), shared, (), processor_of)
+
+
+def _near(cut: Cut, timetable: Timetable) -> tuple[dict[TaskId, int], dict[TaskId, int]]:
+    """Processors for the tasks of each level, each near what it reads if it can be."""
+    place: dict[TaskId, int] = {}
+    level: dict[TaskId, int] = {}
+    p = timetable.machine.processors
+    for number, row in enumerate(timetable.slots, 1):
+        tasks = [task for task in row if task is not None]
+        wish = sorted(
+            (
+                (-sum(place[other] == k for other in cut.graph.after[task]), row.index(task), k)
+                for task in tasks
+                for k in range(p)
+            ),
+        )
+        taken: set[int] = set()
+        for _, where, k in wish:
+            task = row[where]
+            assert task is not None
+            if task not in place and k not in taken:
+                place[task], level[task] = k, number
+                taken.add(k)
+    return place, level
+
+
+def _spread(cut: Cut, operations: Sequence[int], p: int) -> dict[int, int]:
+    """Processors for what is done before all tasks: what hangs together stays together."""
+    root: dict[int, int] = {}
+
+    def top(i: int) -> int:
+        while root[i] != i:
+            i = root[i]
+        return i
+
+    for i in operations:
+        root[i] = i
+        for arg in cut.program.operations[i].args:
+            if isinstance(arg, int):
+                root[top(arg)] = i
+    load = [0] * p
+    chosen: dict[int, int] = {}
+    for i in operations:
+        if top(i) not in chosen:
+            chosen[top(i)] = load.index(min(load))
+        load[chosen[top(i)]] += 1
+    return {i: chosen[top(i)] for i in operations}
+
+
+def _passing(cut: Cut, processor_of: Sequence[int]) -> list[tuple[int, int]]:
+    """``(operation, operation that reads it on another processor)``."""
+    return [
+        (arg, i)
+        for i, operation in enumerate(cut.program.operations)
+        for arg in operation.args
+        if isinstance(arg, int) and processor_of[arg] != processor_of[i]
+    ]
+
+
+def _barriers(needs: Sequence[tuple[int, int]]) -> tuple[int, ...]:
+    """Levels before which to meet, as few as there can be, so that each pair (made in, used in) has one
+    between: in the order of use, as late as can be."""
+    found: list[int] = []
+    for made, used in sorted(needs, key=lambda pair: pair[1]):
+        if not found or found[-1] <= made:
+            found.append(used)
+    return tuple(found)
+
+
+def _counted(
+    drafts: Sequence[Sequence[tuple[TaskId, int, tuple[int, ...]]]],
+    passing: Sequence[tuple[int, int]],
+    processor_of: Sequence[int],
+) -> tuple[tuple[Step, ...], ...]:
+    """Steps that wait for the counters of others: each counter tells how many steps are done there."""
+    number = {i: k for lane in drafts for k, (_, _, own) in enumerate(lane, 1) for i in own}
+    needed: dict[tuple[int, int], dict[int, int]] = {}
+    for made, used in passing:
+        here = needed.setdefault((processor_of[used], number[used]), {})
+        here[processor_of[made]] = max(here.get(processor_of[made], 0), number[made])
+    waits, published = _only_new(drafts, needed)
+    return tuple(
+        tuple(
+            Step(task, level, own, waits.get((k, step), ()), (k, step) in published)
+            for step, (task, level, own) in enumerate(lane, 1)
+        )
+        for k, lane in enumerate(drafts)
+    )
+
+
+def _only_new(
+    drafts: Sequence[Sequence[object]], needed: Mapping[tuple[int, int], Mapping[int, int]]
+) -> tuple[dict[tuple[int, int], tuple[tuple[int, int], ...]], set[tuple[int, int]]]:
+    """Waits that an earlier one of the same processor has not made needless, and whom they wait for."""
+    waits: dict[tuple[int, int], tuple[tuple[int, int], ...]] = {}
+    published: set[tuple[int, int]] = set()
+    for k, lane in enumerate(drafts):
+        seen: dict[int, int] = {}
+        for step in range(1, len(lane) + 1):
+            new = [(j, s) for j, s in sorted(needed.get((k, step), {}).items()) if s > seen.get(j, 0)]
+            seen.update(new)
+            published.update(new)
+            if new:
+                waits[k, step] = tuple(new)
+    return waits, published

@@ -1,0 +1,248 @@
+"""The shortest schedule, with a proof or a bound, by constraint programming (OR-Tools, CP-SAT).
+
+A heuristic's schedule and the window bounds often settle it alone; then no solver is asked, and none is
+needed. Otherwise every task gets a level inside its window, chains keep their order, and at most ``p``
+tasks share a level; without levels it gets a start, and where passing a value costs something, a processor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from robodyn.errors import InputError, ToolError
+from robodyn.schedule.bounds import fewest_processors, lower_bound
+from robodyn.schedule.graph import TaskGraph, TaskId
+from robodyn.schedule.heuristics import critical_path_order, dynamic_schedule, list_schedule, list_times
+from robodyn.schedule.machine import Machine, Placement, Timetable, in_levels, in_time, settled
+
+
+@dataclass(frozen=True, slots=True)
+class Optimum:
+    """The best timetable known, what nothing can beat, and whether the two meet."""
+
+    timetable: Timetable
+    lower_bound: int
+    proven: bool
+
+
+def solver() -> Any:
+    """CP-SAT's module.
+
+    Raises
+    ------
+    ToolError: OR-Tools is not installed.
+    """
+    import warnings
+
+    try:
+        with warnings.catch_warnings():  # of its own bindings
+            warnings.simplefilter("ignore")
+            from ortools.sat.python import cp_model
+    except ImportError as error:
+        raise ToolError(
+            "this optimum needs OR-Tools, which is not installed",
+            found=str(error),
+            remedy="pip install 'robodyn[optimal]' (or ortools), or take --method critical-path",
+        ) from None
+    return cp_model
+
+
+def optimum(
+    graph: TaskGraph,
+    machine: Machine,
+    *,
+    seconds: float = 60.0,
+    seed: int = 0,
+    workers: int = 1,
+    stop_at: int | None = None,
+) -> Optimum:
+    """The shortest schedule of ``graph`` on ``machine``, or the best found within ``seconds``.
+
+    With one worker and time enough the same schedule at any time; with more, whichever comes first.
+    ``stop_at``: a length with which to be content.
+
+    Raises
+    ------
+    ToolError: a solver is needed, and OR-Tools is not installed.
+    InputError: levels, and tasks of different lengths.
+    """
+    if machine.synchronised and not graph.uniform:
+        raise InputError(
+            "the optimum in levels is for tasks of equal length",
+            remedy="add --no-levels, or leave out --cost and --communication",
+        )
+    best, bound = _known(graph, machine)
+    enough = max(bound, stop_at or 0)
+    if best.levels <= enough:
+        return Optimum(best, bound, best.levels == bound)
+    return _solved(graph, machine, best, bound, enough, seconds, seed, workers)
+
+
+def _known(graph: TaskGraph, machine: Machine) -> tuple[Timetable, int]:
+    """The best of the heuristics, and the bound."""
+    p = machine.processors
+    order = critical_path_order(graph)
+    if machine.synchronised:
+        plans = [list_schedule(graph, p, order), list_schedule(graph, p), dynamic_schedule(graph, p)]
+        best = in_levels(graph, machine, min(plans, key=lambda plan: plan.levels))
+    else:
+        lists = [list_times(graph, machine, order, levels_count=dynamic) for dynamic in (False, True)]
+        best = min(lists, key=lambda plan: plan.span)
+    return best, lower_bound(graph, p)
+
+
+def _solved(
+    graph: TaskGraph,
+    machine: Machine,
+    best: Timetable,
+    bound: int,
+    enough: int,
+    seconds: float,
+    seed: int,
+    workers: int,
+) -> Optimum:
+    cp = solver()
+    model = cp.CpModel()
+    horizon = best.levels if machine.synchronised else best.span
+    starts = _tasks(model, graph, horizon)
+    places = None
+    if not machine.synchronised and machine.communication:
+        places = _processors(model, graph, machine, starts)
+    else:
+        boxes = [model.new_fixed_size_interval_var(starts[t], graph.length(t), "") for t in graph.tasks]
+        model.add_cumulative(boxes, [1] * len(boxes), machine.processors)
+        for task, needed in graph.after.items():
+            for other in needed:
+                model.add(starts[task] >= starts[other] + graph.length(other))
+    span = model.new_int_var(enough, horizon, "span")
+    for task in graph.tasks:
+        model.add(span >= starts[task] + graph.length(task))
+    model.minimize(span)
+    for one in best.placements:
+        at = one.start
+        if machine.synchronised:  # levels, whatever meeting costs
+            at = next(k for k, row in enumerate(best.slots) if one.task in row)
+        model.add_hint(starts[one.task], at)
+    run = cp.CpSolver()
+    run.parameters.max_time_in_seconds = max(seconds, 0.01)
+    run.parameters.random_seed = seed
+    run.parameters.num_workers = workers
+    status = run.solve(model)
+    proven = status == cp.OPTIMAL
+    found = best
+    if status in (cp.OPTIMAL, cp.FEASIBLE) and run.objective_value < horizon:
+        when = {task: int(run.value(start)) for task, start in starts.items()}
+        where = None
+        if places is not None:
+            where = {t: next(k for k, x in enumerate(row) if run.value(x)) for t, row in places.items()}
+        found = _read(graph, machine, when, where)
+    known = max(bound, -int(-run.best_objective_bound // 1)) if status != cp.UNKNOWN else bound
+    # A length with which to be content is no bound.
+    known = min(known, found.levels) if enough == bound or not proven else bound
+    return Optimum(found, found.levels if proven and enough == bound else known, proven and enough == bound)
+
+
+def _tasks(model: Any, graph: TaskGraph, horizon: int) -> dict[TaskId, Any]:
+    early, late = graph.earliest(), graph.remaining()
+    return {
+        task: model.new_int_var(early[task] - graph.length(task), horizon - late[task], f"t{task}")
+        for task in graph.tasks
+    }
+
+
+def _processors(
+    model: Any, graph: TaskGraph, machine: Machine, starts: dict[TaskId, Any]
+) -> dict[TaskId, Any]:
+    """A processor for every task, and delays where a value changes processors."""
+    here = {t: [model.new_bool_var("") for _ in range(machine.processors)] for t in graph.tasks}
+    boxes: list[list[Any]] = [[] for _ in range(machine.processors)]
+    for task, row in here.items():
+        model.add_exactly_one(row)
+        length = graph.length(task)
+        for k, there in enumerate(row):
+            boxes[k].append(model.new_optional_fixed_size_interval_var(starts[task], length, there, ""))
+    for lane in boxes:
+        model.add_no_overlap(lane)
+    for task, needed in graph.after.items():
+        for other in needed:
+            done = starts[other] + graph.length(other)
+            model.add(starts[task] >= done)
+            for k in range(machine.processors):
+                apart = model.add(starts[task] >= done + machine.communication)
+                apart.only_enforce_if(here[task][k], here[other][k].negated())
+    return here
+
+
+def _read(
+    graph: TaskGraph, machine: Machine, when: dict[TaskId, int], where: dict[TaskId, int] | None
+) -> Timetable:
+    if machine.synchronised:
+        return in_levels(graph, machine, settled(when, critical_path_order(graph), machine.processors))
+    if where is None:
+        where = _interval_processors(graph, machine.processors, when)
+    return in_time(
+        machine, [Placement(t, where[t], start, start + graph.length(t)) for t, start in when.items()]
+    )
+
+
+def _interval_processors(graph: TaskGraph, p: int, when: dict[TaskId, int]) -> dict[TaskId, int]:
+    """Processors for tasks of which never more than ``p`` run at a time: whichever is free."""
+    free = [0] * p
+    where: dict[TaskId, int] = {}
+    for task in sorted(when, key=lambda task: (when[task], task)):
+        where[task] = next(k for k in range(p) if free[k] <= when[task])
+        free[where[task]] = when[task] + graph.length(task)
+    return where
+
+
+@dataclass(frozen=True, slots=True)
+class Fewest:
+    """Processors on which ``graph`` is done within ``span``: ``found`` by a schedule, ``at_least`` proven."""
+
+    span: int
+    at_least: int
+    found: int
+    timetable: Timetable
+
+    @property
+    def proven(self) -> bool:
+        """Whether nothing is left between the two."""
+        return self.at_least == self.found
+
+
+def fewest_for_critical_path(
+    graph: TaskGraph, *, seconds: float = 60.0, tell: Callable[[str], None] = lambda _: None
+) -> Fewest:
+    """The fewest processors on which ``graph``, of unit tasks, is no longer than its critical path.
+
+    Raises
+    ------
+    InputError: tasks of different lengths.
+    ToolError: heuristics and bounds leave a gap, and OR-Tools is not installed.
+    """
+    if not graph.uniform:
+        raise InputError(
+            "the fewest processors are found for tasks of equal length", remedy="leave out --cost"
+        )
+    span = graph.critical_path
+    least = fewest_processors(graph, span)
+    most, best = least, None
+    while best is None:
+        machine = Machine(most)
+        plan, _ = _known(graph, machine)
+        if plan.levels == span:
+            best = plan
+        else:
+            most += 1
+    at_least = least
+    for p in range(least, most):
+        tell(f"{p} processors")
+        machine = Machine(p)
+        result = optimum(graph, machine, seconds=seconds)
+        if result.timetable.levels == span:
+            return Fewest(span, at_least, p, result.timetable)
+        if at_least == p and result.lower_bound > span:
+            at_least = p + 1
+    return Fewest(span, at_least, most, best)

@@ -1,0 +1,158 @@
+"""``robodyn bench`` and ``robodyn plan``: honest figures, deadlines, and what is refused."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from robodyn import InputError
+from robodyn.report.parallel_bench import Measured
+from robodyn.report.plan import KNOWN, chosen, parse_deadline, parse_target, plans, spelled
+from robodyn.robot import load
+from robodyn_cli.main import main
+from robodyn_testing import require_tool
+
+Capture = pytest.CaptureFixture[str]
+
+
+def run(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
+    assert main(list(arguments)) == code
+    out, err = capsys.readouterr()
+    assert "Traceback" not in err
+    return out, err
+
+
+# --- bench --------------------------------------------------------------------------------------------------
+
+
+def test_bench_measures_and_says_what_follows(capsys: Capture) -> None:
+    require_tool("gcc")
+    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "300", "--cc", "gcc", "--json")
+    found = json.loads(out)
+    assert (found["robot"], found["operations"]) == ("puma560_3dof", 80)
+    assert found["serial_ns"] > 0
+    assert found["packed"]["lanes"] == 4
+    assert [row["sync"] for row in found["threads"]] == ["barrier", "counters"]
+    for row in found["threads"]:
+        assert row["wins"] == (row["speedup"] > 1)
+        assert row["schedule_speedup"] > 1
+        even = row["break_even"]
+        assert even is None or even["operations_in_all"] > 0
+
+
+def test_bench_as_text(capsys: Capture) -> None:
+    require_tool("gcc")
+    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200", "--cc", "gcc")
+    assert "ns an operation" in out
+    assert "threads win here" in out or "threads lose to the serial kernel here" in out
+
+
+def test_where_threads_break_even() -> None:
+    """1000 operations of 1 ns, 600 of them one after another on 2 threads, 2000 ns of waiting."""
+    row = Measured(2, "barrier", 100, 20, 1000.0, 2600.0, 1000, 600, 200)
+    assert row.waiting_ns == 2000
+    assert row.break_even == 5.0
+    assert row.to_dict()["break_even"] == {"operations_a_task": 25.0, "operations_in_all": 5000.0}
+    assert row.to_dict()["ns_a_meeting"] == 100
+    longer = Measured(2, "barrier", 100, 20, 5000.0, 5000.0, 5000, 3000, 200)
+    assert longer.break_even == 1.0  # tasks five times as long, the same waiting
+    assert not row.wins
+    assert row.speedup_at(5) == pytest.approx(1000 / 2600)
+    assert row.speedup_at(25) == pytest.approx(1)
+    assert 1.6 < row.speedup_at(300_000) < 1000 / 600
+    assert Measured(2, "barrier", 100, 20, 1000.0, 900.0, 1000, 600, 200).wins
+    assert Measured(1, "barrier", 100, 0, 1000.0, 900.0, 1000, 1000, 200).break_even is None
+
+
+def test_bench_without_a_compiler(capsys: Capture) -> None:
+    out, err = run(capsys, "bench", "puma560_3dof", "-p", "2", "--cc", "no-such-compiler", code=3)
+    assert out == ""
+    assert "no-such-compiler" in err
+
+
+@pytest.mark.parametrize(
+    "arguments", [("-p", "0"), ("-p", "x"), ("--states", "0"), ("--cut", "0"), ("--lanes", "3")]
+)
+def test_bench_refuses(arguments: tuple[str, ...], capsys: Capture) -> None:
+    out, _ = run(capsys, "bench", "puma560_3dof", *arguments, code=2)
+    assert out == ""
+
+
+# --- plan ---------------------------------------------------------------------------------------------------
+
+
+def planned(capsys: Capture, *arguments: str, code: int = 0) -> Any:
+    return json.loads(run(capsys, "plan", *arguments, "--json", code=code)[0])
+
+
+def test_the_fewest_cores_that_meet_the_deadline(capsys: Capture) -> None:
+    robot, own = "puma560_3dof", "--target=slow:cores=4,mhz=1,pass=1,sincos=0"
+    easy = planned(capsys, robot, "-p", "4", "--deadline", "90us", own)
+    assert easy["chosen"]["processors"] == 1
+    assert easy["chosen"]["formulation"] == "record"
+    assert easy["chosen"]["time_ns"] == 80_000  # 80 operations of a microsecond
+    hard = planned(capsys, robot, "-p", "4", "--deadline", "60us", own)
+    assert hard["chosen"]["processors"] > 1
+    fewer = [plan for plan in hard["plans"] if plan["processors"] < hard["chosen"]["processors"]]
+    assert fewer
+    assert all(plan["time_ns"] > 60_000 for plan in fewer)
+    assert hard["chosen"]["meets"]
+    for plan in hard["plans"]:
+        assert plan["lower_bound_ns"] <= plan["time_ns"]
+        assert plan["meets"] == (plan["time_ns"] <= 60_000)
+
+
+def test_nothing_meets_it(capsys: Capture) -> None:
+    out, err = run(capsys, "plan", "puma560_3dof", "--deadline", "1ns", code=1)
+    assert "nothing meets it" in out
+    assert "allow more cores" in err
+
+
+def test_a_plan_ends_in_a_command(capsys: Capture) -> None:
+    text = run(capsys, "plan", "puma560_3dof", "-p", "3", "--deadline", "3ms", "--target", "thesis-1990")[0]
+    assert "take record on thesis-1990" in text
+    assert "robodyn schedule puma560_3dof -p" in text or "robodyn gen puma560_3dof" in text
+
+
+def test_this_machine_is_measured(capsys: Capture) -> None:
+    require_tool("cc")
+    found = planned(capsys, "puma560_3dof", "-p", "2", "--deadline", "1s", "--target", "here")
+    assert found["chosen"]["target"] == "here"
+    assert found["chosen"]["processors"] == 1
+    assert 1 < found["chosen"]["time_ns"] < 1e6
+
+
+def test_passing_values_that_costs_much_leaves_one_core() -> None:
+    robot = load("puma560_3dof", warn=lambda _: None)
+    far = parse_target("far:cores=4,mhz=1000,pass=100000")
+    assert {plan.processors for plan in plans(robot, 4, [far])} == {1}
+    near = parse_target("near:cores=8,mhz=1000,pass=0")
+    assert max(plan.processors for plan in plans(robot, 4, [near])) == 4
+    assert chosen(plans(robot, 2, [near]), 1.0) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "ns"), [("100us", 1e5), ("0.5 ms", 5e5), ("800ns", 800.0), ("2s", 2e9), ("1e-1us", 100.0)]
+)
+def test_deadlines(text: str, ns: float) -> None:
+    assert parse_deadline(text) == pytest.approx(ns)
+
+
+@pytest.mark.parametrize("text", ["", "100", "us", "-1us", "0us", "1h", "nan us", "1e99s"])
+def test_deadlines_that_cannot_be_read(text: str) -> None:
+    with pytest.raises(InputError, match="deadline"):
+        parse_deadline(text)
+
+
+@pytest.mark.parametrize("text", ["pdp-11", "x:cores=0", "x:mhz=0", "x:speed=1", "x:cores", "x:cores=-1"])
+def test_targets_that_cannot_be_read(text: str) -> None:
+    with pytest.raises(InputError, match="target"):
+        parse_target(text)
+
+
+def test_known_targets_say_where_their_figures_are_from() -> None:
+    assert all(target.source for target in KNOWN.values())
+    assert KNOWN["thesis-1990"].cycle_ns == pytest.approx(45_000)
+    assert [spelled(x) for x in (12.0, 1500.0, 2e6, 3e9)] == ["12 ns", "1.5 us", "2 ms", "3 s"]

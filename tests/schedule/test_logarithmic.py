@@ -1,0 +1,79 @@
+"""What logarithmic forms cost: from few joints on a shorter chain, always more work."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from ir.programs import Point, exactly
+from robodyn.ir import Input
+from robodyn.schedule import Machine, solve
+from robodyn.schedule.logarithmic import (
+    FORMS,
+    LINEAR,
+    LOGARITHMIC,
+    cost,
+    first_shorter,
+    form_graph,
+    general_program,
+    thesis_chain,
+)
+
+
+@pytest.mark.parametrize("n", [1, 2, 5])
+@pytest.mark.parametrize("right_angled", [True, False])
+def test_all_forms_compute_the_same(n: int, right_angled: bool) -> None:
+    at = Point(3)
+    circle = [at.circle(Input("q", i)) for i in range(n)]
+    given = {Input("cs"[k], i): circle[i][k] for i in range(n) for k in (0, 1)}
+    found = [exactly(general_program(form, n, right_angled=right_angled), at, given) for form in FORMS]
+    assert all(torques == found[0] for torques in found)
+
+
+@pytest.mark.parametrize("form", LOGARITHMIC)
+def test_chains_grow_with_the_logarithm(form: str) -> None:
+    chain = {n: cost(form, n).chain for n in (4, 8, 16, 32)}
+    steps = [chain[8] - chain[4], chain[16] - chain[8], chain[32] - chain[16]]
+    assert max(steps) <= 16  # each doubling of n costs so much, and no more
+    assert chain[32] < thesis_chain(32) / 5
+
+
+@pytest.mark.parametrize("form", LINEAR)
+def test_linear_chains_grow_with_n(form: str) -> None:
+    chains = [cost(form, n).chain for n in (6, 7, 8, 9)]
+    assert len({b - a for a, b in pairwise(chains)}) == 1
+
+
+@pytest.mark.parametrize("form", LOGARITHMIC)
+def test_from_three_joints_on_the_chain_is_shorter_at_twice_the_work(form: str) -> None:
+    for linear in LINEAR:
+        assert first_shorter(form, lambda n, linear=linear: cost(linear, n).chain, most=12) == 3  # type: ignore[misc]
+    assert first_shorter(form, thesis_chain, most=12) == 2
+    for n in (3, 6, 12):
+        own, other = cost(form, n), cost("modified newton-euler", n)
+        assert own.chain < other.chain
+        assert 1.7 * other.work < own.work < 3 * other.work
+
+
+def test_never_shorter_is_told() -> None:
+    assert first_shorter("lathrop", lambda _: 1, most=4) is None
+
+
+def test_few_processors_undo_it() -> None:
+    """At six joints and four processors the linear form with less work is done sooner."""
+    machine = Machine(4)
+    linear, quick = (solve(form_graph(form, 6), machine) for form in ("modified newton-euler", "lee-chang"))
+    assert linear.timetable.span < quick.timetable.span
+
+
+def test_at_six_joints_trees_are_done_sooner_from_35_processors_on() -> None:
+    linear, quick = (form_graph(form, 6) for form in ("modified newton-euler", "lathrop"))
+    spans = {p: [solve(graph, Machine(p)).timetable.span for graph in (linear, quick)] for p in (34, 35)}
+    assert spans[34][0] <= spans[34][1]
+    assert spans[35][0] > spans[35][1]
+
+
+def test_tasks_of_three_operations() -> None:
+    graph = form_graph("lee-chang", 6, k=3)
+    assert len(graph) < cost("lee-chang", 6).work / 2
