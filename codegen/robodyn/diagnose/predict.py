@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from robodyn.build import Kernel
 from robodyn.diagnose.gate import Gate
 from robodyn.diagnose.rigid import Model
-from robodyn.diagnose.signals import Signals, knee, low_pass
+from robodyn.diagnose.signals import Signals, knee, smoothed_motion
 from robodyn.diagnose.twist import behind_motors
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
@@ -68,7 +68,7 @@ def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats
     """Times, filtered positions and their rates of an even part of a log."""
     t, q = log.t[part], log.q[part]
     period = float((t[-1] - t[0]) / (len(t) - 1))
-    smooth = low_pass(q, 1 / period, knee(q, 1 / period))
+    smooth = smoothed_motion(q, 1 / period, knee(q, 1 / period))
     qd = np.gradient(smooth, period, axis=0)
     return t, smooth, qd, np.gradient(qd, period, axis=0)
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from robodyn.diagnose.amend import Amendment, amended
 from robodyn.diagnose.fit import Problem
 from robodyn.diagnose.library import Context
+from robodyn.diagnose.library.friction import bent
 from robodyn.diagnose.predict import given_torque, offsets
 from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.twist import behind_motors
@@ -25,10 +26,12 @@ Floats = NDArray[np.float64]
 
 #: Names of numbers that are no size but a choice, and effects of which the numbers are not changed here.
 _CHOSEN = frozenset({"with", "ratio", "transition", "cycles_per_rev"})
-_LEFT = frozenset({"external_contact", "presliding_hysteresis", "inertial_error", "payload"})
+_LEFT = frozenset({"external_contact", "inertial_error", "payload"})
 _ROUNDS, _STEP = 4, 1e-3
 #: What a round must gain to be followed by another, as a share of the sum of squares.
 _WORTH = 1e-3
+#: So many times larger than it began, a number is lost.
+_FARTHEST = 5.0
 #: From here on, in middle residuals, an error counts by its size and no more by its square.
 _USUAL, _REWEIGHTED = 2.0, 3
 
@@ -45,8 +48,7 @@ def refined(
         for name, value in one.parameters.items()
         if isinstance(value, float) and value and name not in _CHOSEN
     ]
-    kept = any(e.effect == "presliding_hysteresis" for e in amended(robot, found).effects)
-    if not places or kept:
+    if not places:
         return list(found)
     nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
     prior = np.diag(np.sqrt(start.prior[: start.nuisance]))
@@ -67,7 +69,7 @@ def refined(
         return left.reshape(-1) * np.repeat(start.rest.any(axis=1), start.n)
 
     x = np.array([float(found[k].parameters[name]) for k, name in places])
-    now = missed(x)
+    begun, now = x, missed(x)
     if now is None:
         return list(found)
     for _ in range(_ROUNDS):
@@ -85,7 +87,8 @@ def refined(
         _, step = _least(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
             tried = x - share * step[: len(x)]
-            other = missed(tried) if np.all(tried * x > 0) else None
+            within = np.all(tried * x > 0) and np.all(np.abs(tried) < _FARTHEST * np.abs(begun))
+            other = missed(tried) if within else None
             if other is None:
                 continue
             sum_of_squares = _least(weight * other, weight[:, None] * nuisance, prior)[0]
@@ -154,5 +157,12 @@ def _rest(robot: Robot, c: Context) -> Floats:
     """What ``robot`` leaves of a log, filtered and thinned."""
     s = c.signals
     found = behind_motors(Model(robot), s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
-    tau = measured_torque(found.total, s.t, robot.effects)
+    total = found.total
+    for entry in robot.effects:
+        if entry.effect == "presliding_hysteresis" and entry.joint:  # the model has them sliding
+            j, level = entry.joint - 1, entry.number("level")
+            if level > 0:
+                bristles = bent(s.q[:, j], level / entry.number("stiffness"))
+                total[:, j] += level * (bristles - Model(robot).direction(s.qd[:, j]))
+    tau = measured_torque(total, s.t, robot.effects)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

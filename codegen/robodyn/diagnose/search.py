@@ -25,6 +25,8 @@ Key = tuple[str, int | None]
 _PASSES = 10
 #: What must be lost by leaving an effect out, in what it had to gain to be taken.
 _PRICE = 0.3
+#: Of more than so many the others are left as they are where one is left out: that takes too long.
+_FEW = 6
 #: One law with a power of the speed at the same joint.
 _BENT = ("viscous_friction", "coulomb_friction")
 
@@ -84,7 +86,8 @@ def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
         spared = [key for key in found if key[1] in bent and key[0] in _BENT]
         for key in found:
             others = {other: one for other, one in found.items() if other != key}
-            _refit(robot, others, first)
+            if len(found) <= _FEW:
+                _refit(robot, others, first)
             without.append(others)
         models = [_amendments(found), *(_amendments(others) for others in without)]
         whole, *less = costs(robot, models, first.contexts, first.start)

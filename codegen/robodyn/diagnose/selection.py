@@ -23,6 +23,7 @@ from robodyn.diagnose.fit import BLOCKS, Fit, Problem, coarser, fitted, less, pr
 from robodyn.diagnose.library import Candidate, Context, again, candidates, context_of
 from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.signals import Signals, signals_of
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 
@@ -56,6 +57,8 @@ _ROUGH = 3.0
 _ROUGHLY = 1.3
 #: By what power of the number of its numbers a candidate must then explain more.
 _MANY = 0.25
+#: So many times larger in the fit of all than when it was found, a coefficient means nothing.
+_FLOWN = 30.0
 #: Rounds of refining what is not linear, and the factor below which it is fine enough.
 _ROUNDS, _FINE = 12, 1.03
 _SPREADS = {"torque_ripple": (1.002, 1.0001)}
@@ -325,6 +328,9 @@ def _estimated(now: Problem, last: Fit, found: Sequence[Named]) -> tuple[Named, 
             continue
         wide = one.trial.columns.shape[2]
         x = last.known[at : at + wide]
+        signs = np.array(one.trial.candidate.signs)
+        if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > _FLOWN * np.abs(one.trial.fit.x).max():
+            x = one.trial.fit.x  # all together they cannot be told apart
         error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
         done.append(Named(one.trial, one.rivals, one.confidence, x, error, one.beside))
         at += wide
@@ -389,7 +395,7 @@ def _best(
         better = int(np.sum(one.per_part > 0))
         steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
         steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
-        if rough:  # parts differ by what is not in the library
+        if rough and CATALOGUE[c.effect].kind != "sensor":  # parts differ by what is not in the library
             steady = steady or (one.t >= _ROUGHLY and one.gain > 2 * wanted)
         if c.local:
             steady = one.t >= 1 and one.gain > 3 * wanted

@@ -20,6 +20,8 @@ _LOWEST, _HIGHEST = 6.0, 0.2
 #: No higher than this [Hz]: steps of friction reach far up, and what is worth naming shows below.
 _ENOUGH = 15.0
 _ORDER = 4
+#: How far the ends of a motion are continued, in periods of the cutoff.
+_CONTINUED = 1.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +73,7 @@ def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
     period = float((t[-1] - t[0]) / (len(t) - 1))
     rate = 1 / period
     chosen = cutoff or knee(log.q, rate)
-    smooth = low_pass(log.q, rate, chosen)
+    smooth = smoothed_motion(log.q, rate, chosen)
     qd = np.gradient(smooth, period, axis=0)
     qdd = np.gradient(qd, period, axis=0)
     every = max(1, 2 * int(rate / (8 * chosen)))
@@ -80,6 +82,22 @@ def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
     count = (len(t) - 1) // every * every + 1
     t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
     return Signals(t, smooth, qd, qdd, tau, chosen, every, edge)
+
+
+def smoothed_motion(q: Floats, rate: float, cutoff: float) -> Floats:
+    """Positions [K, n] through the low-pass, both ends continued by the cubic that fits them best: mirrored,
+    as filters do it, an end turns its acceleration round."""
+    reach = round(_CONTINUED * rate / cutoff)
+    if reach < 8 or len(q) < 2 * reach:
+        return low_pass(q, rate, cutoff)
+    ends = []
+    for part, way in ((q[:reach], -1), (q[-reach:], 1)):
+        at = np.linspace(-1, 1, reach)
+        beyond = (1 + (1 + np.arange(reach)) * (at[1] - at[0])) * way
+        fit = np.polynomial.polynomial.polyfit(at, part, 3)
+        ends.append(np.polynomial.polynomial.polyval(np.sort(beyond), fit).T)
+    whole = np.concatenate([ends[0], q, ends[1]])
+    return low_pass(whole, rate, cutoff)[reach : reach + len(q)]
 
 
 def low_pass(x: Floats, rate: float, cutoff: float) -> Floats:

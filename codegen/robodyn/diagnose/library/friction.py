@@ -49,11 +49,11 @@ def friction(c: Context, j: int) -> Iterator[Candidate]:
 
 
 def _rubs(c: Context, j: int) -> bool:
-    """Whether the model has viscous and dry friction at the joint."""
+    """Whether the model has friction at the joint."""
     robot = c.model.robot
     joint = robot.links[j].joint
     dry = any(entry.effect in _DRY for entry in robot.effects_at(j + 1))
-    return bool(joint.viscous) and (bool(joint.coulomb) or dry)
+    return bool(joint.viscous) or bool(joint.coulomb) or dry
 
 
 def stribeck(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
@@ -91,15 +91,15 @@ def power_law(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
 def bristles(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
     """Dahl's bristles: the way since reversals, over the bend at which they slide."""
     bend = given["bend"]
-    bent = _bent(c.signals.q[:, j], bend)
+    bristle = bent(c.signals.q[:, j], bend)
 
     def read(x: Floats) -> dict[str, float | str]:
         return {"level": float(x[0]), "stiffness": float(x[0] / bend), "damping": 0.0}
 
-    return single("presliding_hysteresis", j, [bent], (1,), read, 4, given=given)
+    return single("presliding_hysteresis", j, [bristle], (1,), read, 4, given=given)
 
 
-def _bent(q: Floats, bend: float) -> Floats:
+def bent(q: Floats, bend: float) -> Floats:
     """Bristles over the bend of sliding [K], along positions ``q``: exact between samples."""
     way = np.diff(q, prepend=q[0]) / bend
     left = np.exp(-np.abs(way)).tolist()
