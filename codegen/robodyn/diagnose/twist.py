@@ -28,6 +28,8 @@ _BEYOND = 4.0
 _SWEEPS = 2
 #: How the lag begins is sought over this time [s], in so many steps.
 _BEGIN, _TRIES = 1.0, 2
+#: In pieces that are shorter [s] it begins at rest.
+_LONG = 4.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,7 +77,7 @@ def lag_of(
     spring = _Spring.of(effect, values, float(np.abs(torque).max()))
     inputs = (torque, *felt)
     begin = np.array([spring.at_rest(float(torque[0])), 0.0])
-    if passed is not None:
+    if passed is not None and len(passed) * period > _LONG:  # two numbers more for each piece of a log
         begin = _begun(spring, inputs, period, begin, passed)
     return spring.swung(inputs, period, begin)
 

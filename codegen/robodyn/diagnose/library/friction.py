@@ -85,7 +85,9 @@ def power_law(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
     def read(x: Floats) -> dict[str, float | str]:
         return {"level": float(x[0]), **given}
 
-    return single("power_law_friction", j, columns, (1, 0, 0), read, 6, given=given)
+    return single(
+        "power_law_friction", j, columns, (1, 0, 0), read, 6, given=given, feasible=lambda x: bool(x[0] > 0)
+    )
 
 
 def bristles(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
