@@ -28,6 +28,21 @@ def kernel_of(robot: Robot) -> Kernel:
     return compile_kernel(robot, functions=["inverse_dynamics"], optimize="fast", mode="abi")
 
 
+def agreement(robot: Robot, gate: Gate) -> float | None:
+    """How far, as a share of the largest torque, the compiled kernel is from the same equations on arrays
+    along a log; None where the model remembers, which the arrays do not."""
+    kernel = kernel_of(robot)
+    if kernel.signatures["inverse_dynamics"].states:
+        return None
+    most, size, model = 0.0, 1e-300, Model(robot)
+    for part in gate.segments:
+        _, q, qd, qdd = smooth_motion(gate.log, part)
+        tau = kernel.inverse_dynamics(q, qd, qdd)
+        most = max(most, float(np.abs(tau - model.torque(q, qd, qdd)).max()))
+        size = max(size, float(np.abs(tau).max()))
+    return most / size
+
+
 def offsets(robot: Robot) -> Floats:
     """Encoder offsets [n] of the model: measured less true."""
     found = np.zeros(robot.n)

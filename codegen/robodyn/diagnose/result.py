@@ -139,9 +139,10 @@ class Diagnosis:
     after.
 
     For the report, and empty where they are not known: ``windows`` of time to shade; ``tried``: the best
-    candidates that were not named; ``detectable`` [n]: the RMS that an effect must explain at a joint to be
-    worth a name; ``counts``: the operations by kind (``mul``, ``add``, ...) before and after. A log of
-    ``logs`` may have ``samples``, ``rate`` and ``duration`` besides ``name`` and ``sha256``."""
+    candidates that were not named; ``detectable`` [n]: the RMS that an effect must explain at a joint to
+    be worth a name; ``agreement``: of the compiled kernel with the same equations on arrays; ``counts``:
+    the operations by kind (``mul``, ``add``, ...) before and after. A log of ``logs`` may have
+    ``samples``, ``rate`` and ``duration`` besides ``name`` and ``sha256``."""
 
     verdict: Verdict
     findings: tuple[Finding, ...]
@@ -160,6 +161,7 @@ class Diagnosis:
     tried: tuple[Tried, ...] = ()
     detectable: Floats | None = None
     counts: tuple[Mapping[str, int], Mapping[str, int]] | None = None
+    agreement: float | None = None
     extra: Mapping[str, Any] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
@@ -172,5 +174,6 @@ class Diagnosis:
             "remarks": list(self.words),
             "flags": list(self.flags),
             "logs": [dict(log) for log in self.logs],
+            **({"kernel_against_arrays": self.agreement} if self.agreement is not None else {}),
             "operations": {"before": self.operations[0], "after": self.operations[1]},
         }

@@ -10,9 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend import Amendment, amended_text, difference
+from robodyn.diagnose.evidence import (
+    counts,
+    detectable,
+    doubtful,
+    log_facts,
+    tried,
+    why_not,
+    windows,
+)
 from robodyn.diagnose.gate import Gate, inspect
 from robodyn.diagnose.library import Candidate
-from robodyn.diagnose.predict import lacking, signals_seen
+from robodyn.diagnose.predict import agreement, lacking, signals_seen
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.search import Found, search
@@ -61,14 +70,16 @@ def diagnose(
     robot = _numbers(robot, parameters)
     tell("looking at the logs")
     gates = [inspect(log, robot, source=_name(names, k)) for k, log in enumerate(logs)]
+    seen = inspect(validate, robot, source=_name(names, len(logs))) if validate is not None else gates[-1]
     outcome = search(robot, gates, tell, hashes[0] if hashes else "log")
     model, found, last, first = outcome.model, outcome.found, outcome.last, outcome.first
     tell("proving it")
     checked = [_doubted(one, first, last) for one in found.values()]
+    if doubtful(gates):
+        checked = [(one, False) for one, _ in checked]
     findings = tuple(sorted((_finding(one, sure) for one, sure in checked), key=lambda f: -f.gain))
     left = _left(last)
     verdict = _verdict(findings, last, left)
-    seen = inspect(validate, robot, source=_name(names, len(logs))) if validate is not None else gates[-1]
     gap = _gap(robot, model if verdict == "missing_effect" else robot, gates, seen)
     if verdict == "missing_effect" and not _holds(gap, findings, robot, model, seen):  # is taken back
         verdict = "unexplained"
@@ -89,14 +100,21 @@ def diagnose(
             else to_yaml(model)
         )
     described = tuple(
-        {"name": _name(names, k) or f"log {k + 1}", "sha256": hashes[k] if k < len(hashes) else ""}
+        {
+            "name": _name(names, k) or f"log {k + 1}",
+            "sha256": hashes[k] if k < len(hashes) else "",
+            **log_facts([*gates, seen][k]),
+        }
         for k in range(len(logs) + (validate is not None))
     )
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
-        tuple(str(f) for gate in gates for f in gate.flags), left, _words(verdict, findings, last), described,
+        tuple(str(f) for gate in dict.fromkeys([*gates, seen]) for f in gate.flags),
+        left, _words(verdict, findings, last), described,
         (_series("train", robot, model, gates[0]), _series("validate", robot, model, seen)),
         (_operations(robot), _operations(model)),
+        windows(gates, findings), tried(last, findings), detectable(last), (counts(robot), counts(model)),
+        agreement(model, gates[0]),
     )  # fmt: skip
 
 
@@ -196,12 +214,13 @@ def _finding(one: Found, sure: bool) -> Finding:
     if one.named.rivals:
         experiment = f"to tell it from {', '.join(one.named.rivals)}: {entry.separates}"
     rivals = tuple(
-        Rival(t.candidate.effect, t.candidate.joint, t.gain) for t in _strongest(one.named, candidate)
+        Rival(t.candidate.effect, t.candidate.joint, t.gain, tuple(map(float, t.per_part)), why_not(t, trial))
+        for t in _strongest(one.named, candidate)
     )
     confidence = one.named.confidence if sure else _WITHDRAWN
     return Finding(
         candidate.effect, candidate.joint, parameters, round(confidence, 2), one.named.rivals, where,
-        experiment, trial.gain, trial.t, rivals,
+        experiment, trial.gain, trial.t, rivals, tuple(map(float, trial.per_part)),
     )  # fmt: skip
 
 

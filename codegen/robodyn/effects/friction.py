@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.effects.effect import Effect, Fault, Memory, Parameter, Site, Values
-from robodyn.effects.scalars import exponential, magnitude, power, sign
+from robodyn.effects.scalars import exponential, is_zero, magnitude, power, sign
 
 TORQUE, FORCE = "N m", "N"
 
@@ -48,6 +48,8 @@ _STRAIGHT = Fraction(1, 1000)
 
 
 def _power_law(p: Values, at: Site) -> Any:
+    if is_zero(at.qd):  # functions of the positions alone
+        return 0
     ratio = at.qd / p["velocity"]
     square = ratio * ratio + _like(_STRAIGHT * _STRAIGHT, ratio)
     return p["level"] * ratio * power(square, _like((p["exponent"] - 1) / 2, ratio))

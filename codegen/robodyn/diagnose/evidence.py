@@ -1,0 +1,89 @@
+"""What the report tells of a diagnosis beside its findings: what was tried, what was shaded, what could be
+seen at all."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from robodyn.diagnose.gate import Gate
+from robodyn.diagnose.result import Finding, Tried, Window
+from robodyn.diagnose.selection import Selection, Trial, what_matters
+from robodyn.robot.model import Robot
+
+#: The best so many of what was not named.
+_TRIED = 8
+
+
+def why_not(other: Trial, named: Trial) -> str:
+    """Why ``other`` is not the name that ``named`` is."""
+    if other.gain < 0.98 * named.gain:
+        return "explains less on parts of the log that were not fitted"
+    if other.candidate.order > named.candidate.order:
+        return "explains no more, with more numbers"
+    return "explains as much: the log cannot tell them apart"
+
+
+def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
+    """The best candidates of the last look that were not named, each effect and joint once."""
+    known = {(f.effect, f.joint) for f in findings}
+    found: list[Tried] = []
+    for one in last.trials:
+        key = (one.candidate.effect, one.candidate.joint)
+        if key in known or one.gain <= 0:
+            continue
+        known.add(key)
+        reason = (
+            "too small to matter beside the noise and the torque"
+            if one.matters < 1
+            else "not there in enough parts of the log"
+        )
+        found.append(Tried(*key, one.gain, float(one.t), reason))
+        if len(found) == _TRIED:
+            break
+    return tuple(found)
+
+
+def windows(gates: Sequence[Gate], findings: Sequence[Finding]) -> tuple[Window, ...]:
+    """Contacts, and gaps in the first log."""
+    found = []
+    for finding in findings:
+        if finding.effect == "external_contact":
+            start, end = (float(finding.parameters[name].value) for name in ("start", "end"))
+            found.append(Window("train", start, end, "contact"))
+    gate = gates[0]
+    for before, after in zip(gate.segments, gate.segments[1:], strict=False):
+        times = float(gate.log.t[before.stop - 1]), float(gate.log.t[after.start])
+        found.append(Window("train", *times, "gap"))
+    return tuple(found)
+
+
+def detectable(last: Selection) -> Any:
+    """RMS [n] that an effect must explain to be worth a name."""
+    return what_matters(last.context.signals)
+
+
+def counts(robot: Robot) -> Mapping[str, int]:
+    """The operations of the inverse dynamics, by kind."""
+    from dataclasses import asdict
+
+    from robodyn.counts import count
+    from robodyn.generation import program
+
+    found = asdict(count(program(robot, "inverse_dynamics")))
+    return {name: int(number) for name, number in found.items() if number}
+
+
+def log_facts(gate: Gate) -> dict[str, str]:
+    """How long a log is, and how often it was sampled."""
+    length = sum(part.stop - part.start for part in gate.segments) * gate.period
+    return {
+        "duration": f"{length:.4g} s",
+        "rate": f"{1 / gate.period:.4g} Hz",
+        "samples": f"{gate.log.samples}",
+    }
+
+
+def doubtful(gates: Sequence[Gate]) -> bool:
+    """Whether the gate suspects signs or the order of joints: then no name is to be trusted."""
+    return any(flag.kind.startswith("perhaps") for gate in gates for flag in gate.flags)
