@@ -238,7 +238,7 @@ def _chosen(
         tried = [
             trial(now, current, c, columns, least)
             for c, columns in library
-            if (c.effect, c.joint) not in taken
+            if (c.effect, c.joint) not in taken and (rough or not c.rough)
         ]
         tried.sort(key=lambda one: -one.gain)
         trials = trials or tried
@@ -461,6 +461,7 @@ def _near(
 _CONTAINS = {
     "asymmetric_friction": ("coulomb_friction",),
     "stribeck_friction": ("coulomb_friction",),
+    "power_law_friction": ("coulomb_friction", "viscous_friction"),
     "transmission_loss": ("coulomb_friction",),
     "spring": ("torque_bias",),
     "motor_coupling": ("rotor_inertia", "viscous_friction", "coulomb_friction"),
@@ -468,7 +469,10 @@ _CONTAINS = {
 
 
 def _contains(wide: Candidate, narrow: Candidate) -> bool:
-    return wide.joint == narrow.joint and narrow.effect in _CONTAINS.get(wide.effect, ())
+    if wide.joint != narrow.joint:
+        return False
+    beside = wide.effect == "viscous_friction" and len(wide.signs) > 1 and narrow.effect == "coulomb_friction"
+    return beside or narrow.effect in _CONTAINS.get(wide.effect, ())
 
 
 def _tied(winner: Trial, other: Trial) -> bool:

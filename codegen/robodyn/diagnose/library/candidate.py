@@ -40,6 +40,8 @@ class Candidate:
     read: Callable[[Floats], dict[str, float | str]]
     order: int
     coarse: bool = False
+    #: Only for logs in which nothing explains all there is.
+    rough: bool = False
     #: Its size is known: the coefficient is 1.
     fixed: bool = False
     #: It shows in few parts of a log only.

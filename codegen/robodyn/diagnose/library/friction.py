@@ -30,6 +30,11 @@ def friction(c: Context, j: int) -> Iterator[Candidate]:
     viscous = column("viscous_friction", {"coefficient": 1.0}, at)
     coulomb = column("coulomb_friction", {"level": 1.0}, at)
     yield single("viscous_friction", j, [viscous], (1,), lambda x: {"coefficient": float(x[0])}, 1)
+    if _rubs(c, j):  # dry friction that was found without it has taken some of its place
+        yield single(
+            "viscous_friction", j, [viscous, coulomb], (1, 0), lambda x: {"coefficient": float(x[0])}, 2,
+            rough=True, feasible=lambda x: bool(x[0] > 0),
+        )  # fmt: skip
     yield single("coulomb_friction", j, [coulomb], (1,), lambda x: {"level": float(x[0])}, 1)
     moving = np.abs(at.direction)
     yield single(
@@ -44,8 +49,15 @@ def friction(c: Context, j: int) -> Iterator[Candidate]:
     if _rubs(c, j):  # what viscous and dry friction leave is bent; before, it is a rival of everything
         for exponent in _POWERS:
             yield power_law(c, j, {"exponent": exponent})
+    # Between two samples the joint goes so far: bristles that bend less than that are Coulomb friction, of
+    # which the direction is that of the way.
+    q = c.signals.q[:, j]
+    travel = float(np.sqrt(np.mean(np.diff(q) ** 2)))
     for bend in _BENDS:
-        yield bristles(c, j, {"bend": bend})
+        if bend < travel:
+            yield single("coulomb_friction", j, [bent(q, bend)], (1,), lambda x: {"level": float(x[0])}, 1)
+        else:
+            yield bristles(c, j, {"bend": bend})
 
 
 def _rubs(c: Context, j: int) -> bool:
@@ -86,7 +98,15 @@ def power_law(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
         return {"level": float(x[0]), **given}
 
     return single(
-        "power_law_friction", j, columns, (1, 0, 0), read, 6, given=given, feasible=lambda x: bool(x[0] > 0)
+        "power_law_friction",
+        j,
+        columns,
+        (1, 0, 0),
+        read,
+        6,
+        given=given,
+        rough=True,
+        feasible=lambda x: bool(x[0] > 0),
     )
 
 
