@@ -4,11 +4,13 @@ seen at all."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from dataclasses import asdict
 
+from robodyn.counts.count import Count, count
+from robodyn.diagnose.choice import LOSS, Trial
 from robodyn.diagnose.gate import Gate
 from robodyn.diagnose.result import Finding, Tried, Window
-from robodyn.diagnose.selection import Selection, Trial, what_matters
+from robodyn.diagnose.selection import Selection
 from robodyn.robot.model import Robot
 
 #: The best so many of what was not named.
@@ -17,7 +19,7 @@ _TRIED = 8
 
 def why_not(other: Trial, named: Trial) -> str:
     """Why ``other`` is not the name that ``named`` is."""
-    if other.gain < 0.98 * named.gain:
+    if other.gain < (1 - LOSS) * named.gain:
         return "explains less on parts of the log that were not fitted"
     if other.candidate.order > named.candidate.order:
         return "explains no more, with more numbers"
@@ -58,20 +60,16 @@ def windows(gates: Sequence[Gate], findings: Sequence[Finding]) -> tuple[Window,
     return tuple(found)
 
 
-def detectable(last: Selection) -> Any:
-    """RMS [n] that an effect must explain to be worth a name."""
-    return what_matters(last.context.signals)
-
-
-def counts(robot: Robot) -> Mapping[str, int]:
-    """The operations of the inverse dynamics, by kind."""
-    from dataclasses import asdict
-
-    from robodyn.counts import count
+def operations(robot: Robot) -> Count:
+    """The operations of the inverse dynamics."""
     from robodyn.generation import program
 
-    found = asdict(count(program(robot, "inverse_dynamics")))
-    return {name: int(number) for name, number in found.items() if number}
+    return count(program(robot, "inverse_dynamics"))
+
+
+def by_kind(counted: Count) -> Mapping[str, int]:
+    """Of which kinds there are how many."""
+    return {name: number for name, number in asdict(counted).items() if number}
 
 
 def log_facts(gate: Gate) -> dict[str, str]:

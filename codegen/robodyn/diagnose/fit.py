@@ -70,8 +70,7 @@ def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
     at = list(rows)
     rest = p.rest.copy()
     rest[:, at] -= column / p.sigma[at]
-    flat = [(p.A[part].reshape(-1, p.A.shape[2]), rest[part].reshape(-1)) for part in p.parts]
-    return replace(p, rest=rest, rights=np.stack([a.T @ y for a, y in flat]))
+    return replace(p, rest=rest, rights=_rights(p.A, rest, p.parts))
 
 
 def coarser(p: Problem, factor: Floats) -> Problem:
@@ -100,8 +99,12 @@ def problem(rest: Floats, Y: Floats, sigma: Floats, thin: float) -> Problem:
 
 
 def _grams(A: Floats, b: Floats, parts: tuple[slice, ...]) -> tuple[Floats, Floats]:
-    flat = [(A[part].reshape(-1, A.shape[2]), b[part].reshape(-1)) for part in parts]
-    return np.stack([a.T @ a for a, _ in flat]), np.stack([a.T @ y for a, y in flat])
+    flat = [A[part].reshape(-1, A.shape[2]) for part in parts]
+    return np.stack([a.T @ a for a in flat]), _rights(A, b, parts)
+
+
+def _rights(A: Floats, b: Floats, parts: tuple[slice, ...]) -> Floats:
+    return np.stack([A[part].reshape(-1, A.shape[2]).T @ b[part].reshape(-1) for part in parts])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -45,10 +45,20 @@ def agreement(robot: Robot, gate: Gate) -> float | None:
 
 def offsets(robot: Robot) -> Floats:
     """Encoder offsets [n] of the model: measured less true."""
+    return _sums(robot, "encoder_offset", "offset")
+
+
+def delays(robot: Robot) -> Floats:
+    """How late [n] the model knows the torque channels to be [s]."""
+    return _sums(robot, "time_delay", "delay")
+
+
+def _sums(robot: Robot, effect: str, name: str) -> Floats:
+    """By joint [n], the sum of a parameter; an entry of the whole robot is one of every joint."""
     found = np.zeros(robot.n)
     for entry in robot.effects:
-        if entry.effect == "encoder_offset" and entry.joint is not None:
-            found[entry.joint - 1] += entry.number("offset")
+        if entry.effect == effect:
+            found[slice(None) if entry.joint is None else entry.joint - 1] += entry.number(name)
     return found
 
 

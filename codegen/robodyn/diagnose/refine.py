@@ -50,8 +50,7 @@ def refined(
     ]
     if not places:
         return list(found)
-    nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
-    prior = np.diag(np.sqrt(start.prior[: start.nuisance]))
+    nuisance, prior = _own(start)
 
     def changed(x: Floats) -> list[Amendment]:
         values = [dict(one.parameters) for one in found]
@@ -109,8 +108,7 @@ def costs(
 ) -> list[float]:
     """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
     bursts, by the measure of the first model, count by their size (Huber 1964)."""
-    nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
-    prior = np.diag(np.sqrt(start.prior[: start.nuisance]))
+    nuisance, prior = _own(start)
     kept = np.any(start.rest != 0, axis=1)[:, None]
     usual: Floats | None = None
     found = []
@@ -120,6 +118,12 @@ def costs(
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
         found.append(least / 2 / start.thin)
     return found
+
+
+def _own(start: Problem) -> tuple[Floats, Floats]:
+    """Columns [N n, p] of the arm's own numbers, and how they are held [p, p]."""
+    nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
+    return nuisance, np.diag(np.sqrt(start.prior[: start.nuisance]))
 
 
 def _usual(left: Floats) -> Floats:
@@ -155,14 +159,14 @@ def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, F
 
 def _rest(robot: Robot, c: Context) -> Floats:
     """What ``robot`` leaves of a log, filtered and thinned."""
-    s = c.signals
-    found = behind_motors(Model(robot), s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
+    s, model = c.signals, Model(robot)
+    found = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
     total = found.total
     for entry in robot.effects:
         if entry.effect == "presliding_hysteresis" and entry.joint:  # the model has them sliding
             j, level = entry.joint - 1, entry.number("level")
             if level > 0:
                 bristles = bent(s.q[:, j], level / entry.number("stiffness"))
-                total[:, j] += level * (bristles - Model(robot).direction(s.qd[:, j]))
+                total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
     tau = measured_torque(total, s.t, robot.effects)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

@@ -27,6 +27,7 @@ from robodyn.dynamics.modified_newton_euler import forward_pass
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.program import Label
+from robodyn.robot.effects import AXES
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -34,7 +35,7 @@ Floats = NDArray[np.float64]
 Moved = tuple[Floats, Floats, Floats]
 
 #: Standard inertial parameters of a link, about its frame's origin.
-PARAMETERS = ("m", "mx", "my", "mz", "xx", "yy", "zz", "xy", "xz", "yz")
+PARAMETERS = ("m", "mx", "my", "mz", *AXES)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -171,11 +172,22 @@ class Model:
             m = float(body.mass)
             c = np.array([float(x) for x in body.com])
             i = body.inertia
-            tensor = np.array([[i.xx, i.xy, i.xz], [i.xy, i.yy, i.yz], [i.xz, i.yz, i.zz]], dtype=float)
-            tensor = tensor + m * (c @ c * np.eye(3) - np.outer(c, c))
-            upper = [tensor[a, b] for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-            rows.append([m, *(m * c), *upper])
+            about = np.array([float(getattr(i, axes)) for axes in AXES])
+            rows.append([m, *(m * c), *(about + _shift(m, c))])
         return np.array(rows)
+
+
+def physical(phi: Floats) -> Floats:
+    """Mass, centre of mass, and inertia about it, of standard parameters [10]."""
+    m = phi[0]
+    c = phi[1:4] / m if m > 0 else np.zeros(3)
+    return np.concatenate([[m], c, phi[4:] - _shift(m, c)])
+
+
+def _shift(m: float, c: Floats) -> Floats:
+    """What a mass ``m`` at ``c`` [3] adds to an inertia [6], by Huygens and Steiner."""
+    tensor = m * (c @ c * np.eye(3) - np.outer(c, c))
+    return np.array([tensor["xyz".index(axes[0]), "xyz".index(axes[1])] for axes in AXES])
 
 
 def _skew(u: Floats) -> Floats:

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend import Amendment, amended_text, difference
 from robodyn.diagnose.evidence import (
-    counts,
-    detectable,
+    by_kind,
     doubtful,
     log_facts,
+    operations,
     tried,
     why_not,
     windows,
@@ -32,8 +32,6 @@ from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
 
-#: Passes: after the first the model is amended and looked at again.
-_PASSES = 10
 #: Share of a joint's mean square that its findings must explain, where what is left stands out of the noise.
 _EXPLAINED, _STANDS_OUT = 0.8, 3.0
 _END = 0.02
@@ -80,11 +78,12 @@ def diagnose(
     findings = tuple(sorted((_finding(one, sure) for one, sure in checked), key=lambda f: -f.gain))
     left = _left(last)
     verdict = _verdict(findings, last, left)
-    gap = _gap(robot, model if verdict == "missing_effect" else robot, gates, seen)
-    if verdict == "missing_effect" and not _holds(gap, findings, robot, model, seen):  # is taken back
+    lacks = _Lacking()
+    gap = _gap(lacks, robot, model if verdict == "missing_effect" else robot, gates, seen)
+    if verdict == "missing_effect" and not _holds(lacks, gap, findings, robot, model, seen):  # is taken back
         verdict = "unexplained"
         findings = tuple(replace(f, confidence=_WITHDRAWN) for f in findings)
-        gap = _gap(robot, robot, gates, seen)
+        gap = _gap(lacks, robot, robot, gates, seen)
     if verdict != "missing_effect":
         model = robot
     amendments = [
@@ -107,14 +106,15 @@ def diagnose(
         }
         for k in range(len(logs) + (validate is not None))
     )
+    before, after = operations(robot), operations(model)
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
         tuple(str(f) for gate in dict.fromkeys([*gates, seen]) for f in gate.flags),
         left, _words(verdict, findings, last), described,
-        (_series("train", robot, model, gates[0]), _series("validate", robot, model, seen)),
-        (_operations(robot), _operations(model)),
-        windows(gates, findings), tried(last, findings), detectable(last), (counts(robot), counts(model)),
-        agreement(model, gates[0]),
+        (_series(lacks, "train", robot, model, gates[0]), _series(lacks, "validate", robot, model, seen)),
+        (before.total, after.total),
+        windows(gates, findings), tried(last, findings), what_matters(last.context.signals),
+        (by_kind(before), by_kind(after)), agreement(model, gates[0]),
     )  # fmt: skip
 
 
@@ -176,14 +176,31 @@ def _left(last: Selection) -> Floats:
     return np.asarray(rms / what_matters(last.context.signals))
 
 
-def _holds(gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, seen: Gate) -> bool:
+class _Lacking:
+    """What models do not explain of logs: each is evaluated along each log once."""
+
+    def __init__(self) -> None:
+        self._known: list[tuple[Robot, Gate, Floats]] = []
+
+    def __call__(self, robot: Robot, gate: Gate) -> Floats:
+        for model, log, rest in self._known:
+            if model is robot and log is gate:
+                return rest
+        rest = lacking(robot, gate)
+        self._known.append((robot, gate, rest))
+        return rest
+
+
+def _holds(
+    lacks: _Lacking, gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, seen: Gate
+) -> bool:
     """Whether the model is nearer to a log that it was not fitted to, a contact apart; or no farther from
     one in which nothing shows of what was found."""
     if all(f.effect == "external_contact" for f in findings):
         return True
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
-    change = _inner(lacking(robot, seen) - lacking(model, seen))
+    change = _inner(lacks(robot, seen) - lacks(model, seen))
     shown = float(np.mean((change / floor) ** 2))
     return bool(shown < _UNSEEN or before - after > _AS_MUCH * shown * robot.n)
 
@@ -255,24 +272,17 @@ def _words(verdict: Verdict, findings: Sequence[Finding], last: Selection) -> tu
     return tuple(found)
 
 
-def _operations(robot: Robot) -> int:
-    from robodyn.counts import count
-    from robodyn.generation import program
-
-    return count(program(robot, "inverse_dynamics")).total
-
-
 def _inner(x: Floats) -> Floats:
     """``x`` [K, n] without its ends."""
     edge = int(_END * len(x))
     return x[edge : len(x) - edge]
 
 
-def _gap(robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
+def _gap(lacks: _Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
     def rms(of: Robot, which: Sequence[Gate]) -> Floats:
         squares, count = np.zeros(robot.n), 0
         for gate in which:
-            kept = _inner(lacking(of, gate))
+            kept = _inner(lacks(of, gate))
             squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
         return np.sqrt(squares / count)
 
@@ -280,9 +290,9 @@ def _gap(robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
     return Gap(rms(robot, gates), rms(model, gates), rms(robot, [seen]), rms(model, [seen]), noise)
 
 
-def _series(name: str, robot: Robot, model: Robot, gate: Gate) -> Series:
+def _series(lacks: _Lacking, name: str, robot: Robot, model: Robot, gate: Gate) -> Series:
     s = signals_seen(gate)
-    before, after = (lacking(r, gate) for r in (robot, model))
+    before, after = (lacks(r, gate) for r in (robot, model))
     load = Model(robot).evaluate(s.q, s.qd, s.qdd).rigid if robot.n else s.q
     step = max(1, len(gate.log.t) // _DRAWN)
     parts = (gate.log.t, s.q, s.qd, s.qdd, load, gate.log.tau, before, after)

@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend import Amendment, amended
+from robodyn.diagnose.choice import enough, numbers_of
 from robodyn.diagnose.gate import Gate
 from robodyn.diagnose.library import Candidate
 from robodyn.diagnose.refine import costs, refined
-from robodyn.diagnose.rigid import Model
-from robodyn.diagnose.selection import Named, Selection, enough, numbers_of, select
+from robodyn.diagnose.rigid import Model, physical
+from robodyn.diagnose.selection import Named, Selection, select
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot.effects import AXES
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 
@@ -64,8 +66,9 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
     first = last = look(robot)
     model, found, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
     for _ in range(_PASSES):
-        if not last.found or not _taken(last, found, digest):
+        if not last.found:
             break
+        _take(last, found, digest)
         _refit(robot, found, first)
         _pruned(robot, found, first)
         keys = frozenset(found)
@@ -82,8 +85,6 @@ def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
     """Leave out, one by one, what the others make up for."""
     while len(found) > 1:
         without = []
-        bent = {joint for effect, joint in found if effect == "power_law_friction"}
-        spared = [key for key in found if key[1] in bent and key[0] in _BENT]
         for key in found:
             others = {other: one for other, one in found.items() if other != key}
             if len(found) <= _FEW:
@@ -95,8 +96,10 @@ def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
             cost - whole - _PRICE * enough(first.start, numbers_of(one.named.trial))
             for cost, one in zip(less, found.values(), strict=True)
         ]
-        for k, key in enumerate(found):
-            if key in spared:
+        bent = {joint for effect, joint in found if effect == "power_law_friction"}
+        for k, (effect, joint) in enumerate(found):
+            # Of a contact the window is left out of the costs.
+            if effect == "external_contact" or (effect in _BENT and joint in bent):
                 spare[k] = np.inf
         k = int(np.argmin(spare))
         if spare[k] >= 0:
@@ -116,16 +119,14 @@ def _refit(robot: Robot, found: dict[Key, Found], begun: Selection) -> None:
         found[key] = replace(found[key], parameters=dict(one.parameters))
 
 
-def _taken(step: Selection, found: dict[Key, Found], digest: str) -> list[Amendment]:
-    """Amendments of a step's findings; they join those of the same effect and place."""
-    made = []
+def _take(step: Selection, found: dict[Key, Found], digest: str) -> None:
+    """A step's findings join those of the same effect and place."""
     for named in step.found:
         candidate = named.trial.candidate
         values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
         if candidate.effect == "external_contact":
             values["log"] = digest
         key = (candidate.effect, candidate.joint)
-        made.append(Amendment(candidate.effect, candidate.joint, values))
         if key in found:
             before = found[key]
             linear = CATALOGUE[candidate.effect].linear
@@ -136,7 +137,6 @@ def _taken(step: Selection, found: dict[Key, Found], digest: str) -> list[Amendm
             found[key] = replace(before, parameters=joined)
         else:
             found[key] = Found(named, values, errors, step)
-    return made
 
 
 def _piece(log: Log, part: slice) -> Log:
@@ -170,15 +170,6 @@ def _deltas(candidate: Candidate, x: Floats, model: Model) -> dict[str, float | 
     """Changes of a link's numbers, of changes of its standard parameters."""
     assert candidate.joint is not None
     old = model.standard_parameters()[candidate.joint - 1]
-    before, after = _physical(old), _physical(old + x)
-    names = ("mass", "com_x", "com_y", "com_z", "xx", "yy", "zz", "xy", "xz", "yz")
+    before, after = physical(old), physical(old + x)
+    names = ("mass", "com_x", "com_y", "com_z", *AXES)
     return {f"delta_{name}": float(b - a) for name, a, b in zip(names, before, after, strict=True)}
-
-
-def _physical(phi: Floats) -> Floats:
-    """Mass, centre of mass, inertia about it."""
-    m = phi[0]
-    c = phi[1:4] / m if m > 0 else np.zeros(3)
-    shift = m * (c @ c * np.eye(3) - np.outer(c, c))
-    upper = [shift[a, b] for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-    return np.concatenate([[m], c, phi[4:] - upper])

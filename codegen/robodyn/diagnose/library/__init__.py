@@ -42,9 +42,8 @@ def candidates(c: Context) -> Iterator[Candidate]:
         yield from sensor(c, j)
         yield from saturation(c, j)
     for j in range(c.n):
-        for k in range(c.n):
-            if k != j:
-                yield from coupling(c, j, k)
+        for k in range(j):
+            yield from coupling(c, j, k)
     yield from whole(c)
 
 

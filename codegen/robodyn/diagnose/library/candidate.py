@@ -42,6 +42,8 @@ class Candidate:
     coarse: bool = False
     #: Only for logs in which nothing explains all there is.
     rough: bool = False
+    #: Stands for another of the same effect, where noise hides which way a joint moves.
+    stand_in: bool = False
     #: Its size is known: the coefficient is 1.
     fixed: bool = False
     #: It shows in few parts of a log only.

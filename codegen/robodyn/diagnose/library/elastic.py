@@ -26,23 +26,17 @@ _TWIST, _STEPS = 6.0, 300.0
 def elastic(c: Context, j: int) -> Iterator[Candidate]:
     """A twist by the torque that is passed on. Measured at the motor, the link swings behind it; measured at
     the link, the motor's inertia is ahead of it."""
-    if c.model.robot.effects_at(j + 1) and any(
-        e.effect in ("joint_elasticity", "backlash") for e in c.model.robot.effects_at(j + 1)
-    ):
+    if any(e.effect in ("joint_elasticity", "backlash") for e in c.model.robot.effects_at(j + 1)):
         return
     yield from _ahead(c, j)
     swing = _swing(c, j)
     if swing.inertia <= 0:
         return
     for hertz in _SWINGS:
-        stiffness = swing.inertia * (2 * np.pi * hertz) ** 2
-        damping = 2 * _DAMPED * swing.inertia * 2 * np.pi * hertz
-        yield behind(c, j, {"stiffness": stiffness, "damping": damping})
+        yield behind(c, j, swing.springs(hertz))
     for hertz in _TEETH:
-        stiffness = swing.inertia * (2 * np.pi * hertz) ** 2
-        damping = 2 * _DAMPED * swing.inertia * 2 * np.pi * hertz
         for gap in _GAPS:
-            yield behind(c, j, {"gap": gap, "stiffness": stiffness, "damping": damping})
+            yield behind(c, j, {"gap": gap, **swing.springs(hertz)})
 
 
 class Swing:
@@ -66,6 +60,11 @@ class Swing:
         felt = (self.slow.inertia, self.slow.rate, self.slow.place)
         self.felt = (often(felt[0][:, j]), often(felt[1][:, j]), often(felt[2][:, j]))
         self.inertia = float(np.mean(self.slow.inertia[:, j]))
+
+    def springs(self, hertz: float) -> dict[str, float]:
+        """A spring on which the link swings so often a second, lightly damped."""
+        rate = 2 * np.pi * hertz
+        return {"stiffness": self.inertia * rate**2, "damping": 2 * _DAMPED * self.inertia * rate}
 
     def column(self, effect: str, values: Mapping[str, float]) -> Floats:
         """What the torques [K, n] of coarse signals change by."""

@@ -26,6 +26,7 @@ _EFFICIENCY = (0.3, 0.45, 0.6, 0.7, 0.8, 0.88, 0.94)
 
 
 def friction(c: Context, j: int) -> Iterator[Candidate]:
+    """What rubs by the velocity, its direction, and the way since it turned."""
     at = site(c, j)
     viscous = column("viscous_friction", {"coefficient": 1.0}, at)
     coulomb = column("coulomb_friction", {"level": 1.0}, at)
@@ -55,7 +56,10 @@ def friction(c: Context, j: int) -> Iterator[Candidate]:
     travel = float(np.sqrt(np.mean(np.diff(q) ** 2)))
     for bend in _BENDS:
         if bend < travel:
-            yield single("coulomb_friction", j, [bent(q, bend)], (1,), lambda x: {"level": float(x[0])}, 1)
+            yield single(
+                "coulomb_friction", j, [bent(q, bend)], (1,), lambda x: {"level": float(x[0])}, 1,
+                stand_in=True,
+            )  # fmt: skip
         else:
             yield bristles(c, j, {"bend": bend})
 
@@ -69,6 +73,7 @@ def _rubs(c: Context, j: int) -> bool:
 
 
 def stribeck(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+    """Dry friction that is higher at rest, up to the ``velocity`` given."""
     at, velocity = site(c, j), given["velocity"]
     fixed = {"velocity": velocity, "exponent": 2}
     rise = column("stribeck_friction", {"level": 0.0, "static": 1.0, **fixed}, at)
@@ -135,6 +140,7 @@ def bent(q: Floats, bend: float) -> Floats:
 
 
 def loads(c: Context, j: int) -> Iterator[Candidate]:
+    """What rubs by the load: bearings, gears."""
     at = site(c, j)
     kinds = [("torque", "mu", {"mu": 1.0})]
     if at.revolute:

@@ -13,6 +13,7 @@ Floats = NDArray[np.float64]
 
 
 def conservative(c: Context, j: int) -> Iterator[Candidate]:
+    """What a joint stores and gives back, or what repeats with its position."""
     at = site(c, j)
     one = np.ones_like(at.q)
     yield single("rotor_inertia", j, [at.qdd], (1,), lambda x: {"inertia": float(x[0])}, 1)
@@ -28,6 +29,7 @@ def conservative(c: Context, j: int) -> Iterator[Candidate]:
 
 
 def ripple(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+    """A wave over the position, of the ``cycles`` a radian given."""
     cycles, q = given["cycles"], c.signals.q[:, j]
 
     def read(x: Floats) -> dict[str, float | str]:

@@ -12,8 +12,17 @@ from robodyn.diagnose.twist import slopes_of
 
 Floats = NDArray[np.float64]
 
+#: Limits of a drive as shares of the largest torque, and the share of samples that pile up at a sensor's.
+_LIMITS = (0.5, 0.65, 0.8, 0.9, 0.96)
+_PILED = 0.003
+#: A drive that is at its limit for more of a log than this leaves nothing to compare.
+_CLIPPED = 0.3
+#: What a limit must explain of the squares where it clips.
+_RIGHT = 0.4
+
 
 def sensor(c: Context, j: int) -> Iterator[Candidate]:
+    """What the torque channel and the encoder of a joint may show wrong."""
     one = np.ones_like(c.signals.t)
     total = c.at.total[:, j]
     yield single("torque_bias", j, [one], (0,), lambda x: {"bias": float(x[0])}, 1)
@@ -25,15 +34,6 @@ def sensor(c: Context, j: int) -> Iterator[Candidate]:
         "encoder_offset", j + 1, tuple(range(c.n)), column[:, :, None], (0,),
         lambda x: {"offset": float(x[0])}, 3, coarse=True, feasible=lambda x: bool(abs(x[0]) < 0.25),
     )  # fmt: skip
-
-
-#: Limits of a drive as shares of the largest torque, and the share of samples that pile up at a sensor's.
-_LIMITS = (0.5, 0.65, 0.8, 0.9, 0.96)
-_PILED = 0.003
-#: A drive that is at its limit for more of a log than this leaves nothing to compare.
-_CLIPPED = 0.3
-#: What a limit must explain of the squares where it clips.
-_RIGHT = 0.4
 
 
 def saturation(c: Context, j: int) -> Iterator[Candidate]:
@@ -52,6 +52,7 @@ def saturation(c: Context, j: int) -> Iterator[Candidate]:
 
 
 def clipped(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+    """A drive's limit: what the commands have beyond it."""
     tau, limit = c.signals.tau[:, j], given["limit"]
     beyond = np.sign(tau) * np.maximum(np.abs(tau) - limit, 0.0)
     # It must be right where it clips: cutting peaks off makes every torque smaller.

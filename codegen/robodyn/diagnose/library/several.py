@@ -10,17 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.library.candidate import Candidate, Context
-from robodyn.diagnose.rigid import Model
+from robodyn.diagnose.rigid import PARAMETERS, Model, physical
+from robodyn.robot.effects import AXES
 
 Floats = NDArray[np.float64]
 
 
 def coupling(c: Context, j: int, k: int) -> Iterator[Candidate]:
-    """A motor that turns with j and k: on both joints."""
+    """A motor of joint ``j`` that turns with ``k``, further in: on both joints."""
     s = c.signals
     for ratio in (1.0, -1.0):
-        if j < k:  # named at the outer joint, whose motor it is
-            continue
         u, rate = s.qd[:, j] + ratio * s.qd[:, k], s.qdd[:, j] + ratio * s.qdd[:, k]
         parts = [rate, u, np.sign(u)]
         columns = np.stack([np.stack([x, ratio * x], axis=1) for x in parts], axis=2)
@@ -33,17 +32,13 @@ def coupling(c: Context, j: int, k: int) -> Iterator[Candidate]:
 
 
 def whole(c: Context) -> Iterator[Candidate]:
+    """Of the whole robot, and wrong numbers of its links, from the tip: there they are fewest."""
     s, rows = c.slow, tuple(range(c.n))
     Y = c.model.regressor(s.q, s.qd, s.qdd)
 
     def body(x: Floats) -> dict[str, float | str]:
-        m = float(x[0])
-        r = x[1:4] / m if m else np.zeros(3)
-        shift = m * (r @ r * np.eye(3) - np.outer(r, r))
-        upper = [shift[a, b] for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-        names = ("xx", "yy", "zz", "xy", "xz", "yz")
-        inertia = {f"inertia_{name}": float(v - u) for name, v, u in zip(names, x[4:], upper, strict=True)}
-        return {"mass": m, "com_x": float(r[0]), "com_y": float(r[1]), "com_z": float(r[2]), **inertia}
+        names = ("mass", "com_x", "com_y", "com_z", *(f"inertia_{axes}" for axes in AXES))
+        return dict(zip(names, (float(v) for v in physical(x)), strict=True))
 
     yield Candidate(
         "payload", None, rows, Y[:, :, -1], (1, *(0,) * 9), body, 6, coarse=True,
@@ -66,8 +61,7 @@ def whole(c: Context) -> Iterator[Candidate]:
 
 
 def _standard(x: Floats) -> dict[str, float | str]:
-    names = ("m", "mx", "my", "mz", "xx", "yy", "zz", "xy", "xz", "yz")
-    return dict(zip(names, (float(v) for v in x), strict=True))
+    return dict(zip(PARAMETERS, (float(v) for v in x), strict=True))
 
 
 def _gravity_by(c: Context, change: tuple[float, float, float]) -> Floats:
