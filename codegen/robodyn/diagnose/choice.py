@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.fit import BLOCKS, Fit, Problem, fitted, less
+from robodyn.diagnose.gate_content import ONE_WAY
 from robodyn.diagnose.library import Candidate, Context, again
 from robodyn.diagnose.predict import delays
 from robodyn.effects.catalogue import CATALOGUE
@@ -23,6 +24,8 @@ _RELIEF = 20.0
 _BODY = 4
 #: Rivals: within so many standard errors of the best, or so small a share of its gain.
 _TIE, LOSS = 2.0, 0.02
+#: Or so near in log-likelihood, of those that explain so nearly the same.
+_CLOSE, _NEARLY = 5.0, 0.9
 #: More than noise, in mean squares of the noise.
 _ROUGH = 3.0
 #: A t over the parts of such a log that is enough with twice the gain.
@@ -36,6 +39,8 @@ _SPREADS = {"torque_ripple": (1.002, 1.0001)}
 #: many directions, at first as long as this (of logarithms), never farther than by this factor.
 _SWINGING, _STARTS, _SOME = ("joint_elasticity", "backlash"), 2, 0.1
 _DIRECTIONS, _REACH, _FARTHEST = 16, {"gap": 0.1, "stiffness": 0.3, "damping": 0.5}, 8.0
+#: What is the same in a joint that moves in one direction only.
+_LEVELS = ["coulomb_friction", "torque_bias"]
 #: What a late torque channel does not delay.
 _UNDELAYED = frozenset({"time_delay", "torque_bias", "torque_gain", "torque_saturation"})
 
@@ -110,6 +115,8 @@ def best_of(
     def passes(one: Trial) -> bool:
         c = one.candidate
         wanted = enough(now, numbers_of(one))
+        if c.effect in _SWINGING:  # smoother than the motor, a link takes noise of the encoders away
+            wanted += now.independent / 2 * float(np.sum((now.shaken / now.sigma) ** 2))
         better = int(np.sum(one.per_part > 0))
         steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
         steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
@@ -121,7 +128,14 @@ def best_of(
             steady and one.matters >= 1 and one.gain > wanted and np.any(one.fit.x) and c.feasible(one.fit.x)
         )
 
+    one_way = _one_way(contexts)
     good = [one for one in nearest(now, current, tried, least, contexts) if passes(one)]
+    # Two levels by direction cannot be told of one direction.
+    good = [
+        one
+        for one in good
+        if one.candidate.effect != "asymmetric_friction" or not one_way[one.candidate.rows[0]]
+    ]
     if not good:
         return None
     # Of each effect at each place the best of its grid, made better there.
@@ -139,13 +153,22 @@ def best_of(
     else:
         ranked = sorted(best.values(), key=lambda one: -one.gain)
     winner = ranked[0]
-    ties = [one for one in ranked[1:] if _tied(winner, one)]
+    ties = [one for one in ranked[1:] if _tied(now, winner, one)]
     simplest = min([winner, *ties], key=lambda one: (one.candidate.order, -one.gain))
     others = [one for one in [winner, *ties] if one is not simplest]
     names = [one.candidate.effect for one in others if not _contains(one.candidate, simplest.candidate)]
+    if one_way[simplest.candidate.rows[0]] and simplest.candidate.effect in _LEVELS:
+        names += _LEVELS
     rivals = tuple(dict.fromkeys(name for name in names if name != simplest.candidate.effect))
     confidence = 0.95 if not rivals else max(0.5, 0.9 / (1 + 0.3 * len(rivals)))
     return simplest, rivals, confidence
+
+
+def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
+    """Which joints [n] move in one direction only."""
+    forth = sum(np.maximum(c.signals.qd, 0).sum(axis=0) for c in contexts)
+    back = sum(np.maximum(-c.signals.qd, 0).sum(axis=0) for c in contexts)
+    return np.asarray(np.minimum(forth, back) < ONE_WAY * np.maximum(forth, back))
 
 
 def numbers_of(one: Trial) -> int:
@@ -182,11 +205,16 @@ def _contains(wide: Candidate, narrow: Candidate) -> bool:
     return beside or narrow.effect in _CONTAINS.get(wide.effect, ())
 
 
-def _tied(winner: Trial, other: Trial) -> bool:
+def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
     """Whether ``other`` explains what ``winner`` does, as far as the log can tell."""
     if not set(winner.candidate.rows) & set(other.candidate.rows) or other.gain < 0.5 * winner.gain:
         return False
     if other.gain > (1 - LOSS) * winner.gain:
+        return True
+    # Where nearly all is explained, a small share of the gain may be much more than noise, or no more.
+    left = np.maximum(winner.fit.held.mean(axis=0), 1.0)
+    apart = float(((other.fit.held - winner.fit.held) / left).sum()) * now.independent / BLOCKS / 2
+    if apart < _CLOSE and other.gain > _NEARLY * winner.gain:
         return True
     worse = winner.per_part - other.per_part
     error = float(worse.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12

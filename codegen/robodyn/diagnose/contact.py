@@ -20,6 +20,8 @@ Floats = NDArray[np.float64]
 #: stands out; and so much of it explained by a force.
 _TIMES, _LONGEST, _MOST, _EXPLAINED = 9.0, 0.25, 0.6, 0.6
 _GAP = 0.15  # s between two bursts that are one
+#: So near the ends of a log [s] joints that are slower than this share of their top speed may stick.
+_SETTING_OUT, _SLOW = 0.5, 0.03
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,6 +94,18 @@ def _window(c: Context, start: Problem) -> tuple[NDArray[np.bool_], float, float
     excess = np.maximum(energy - 2 * middle, 0.0)
     if (last - first) > _LONGEST * len(t) or excess[first : last + 1].sum() < _MOST * excess.sum():
         return None
+    if _sticks(c, start, t, slice(first, last + 1)):
+        return None
     mask = np.zeros(len(t), bool)
     mask[first : last + 1] = True
     return mask, float(t[first]), float(t[last])
+
+
+def _sticks(c: Context, start: Problem, t: Floats, burst: slice) -> bool:
+    """Whether a burst is of joints that set out or come to rest: friction holds them with any torque."""
+    if t[burst][-1] > t[0] + _SETTING_OUT and t[burst][0] < t[-1] - _SETTING_OUT:
+        return False
+    speed = np.abs(c.slow.thinned(c.slow.qd))
+    slow = speed[burst] < _SLOW * speed.max(axis=0)
+    squares = start.rest[burst] ** 2
+    return bool(squares[slow].sum() > squares.sum() / 2)

@@ -13,6 +13,8 @@ from robodyn.diagnose.result import Finding, Tried, Window
 from robodyn.diagnose.selection import Selection
 from robodyn.robot.model import Robot
 
+#: Flags of motions that show little.
+_POOR = frozenset({"motionless", "one_way", "narrow", "few_reversals"})
 #: The best so many of what was not named.
 _TRIED = 8
 
@@ -80,6 +82,15 @@ def log_facts(gate: Gate) -> dict[str, str]:
         "rate": f"{1 / gate.period:.4g} Hz",
         "samples": f"{gate.log.samples}",
     }
+
+
+def to_record(robot: Robot, gates: Sequence[Gate]) -> str | None:
+    """What to record where the motion of the logs is too little to tell much."""
+    poor = [flag for gate in gates for flag in gate.flags if flag.kind in _POOR]
+    if not poor:
+        return None
+    seen = "; ".join(dict.fromkeys(f"{flag.where}: {flag.text}" for flag in poor))
+    return f"a motion that shows more ({seen}), as `robodyn excite {robot.name}` designs it"
 
 
 def doubtful(gates: Sequence[Gate]) -> bool:

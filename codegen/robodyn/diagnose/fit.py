@@ -25,7 +25,7 @@ class Problem:
     ``rest`` [N, n] and known columns ``A`` [N, n, p], both in standard deviations ``sigma`` [n] of the
     noise; ``prior`` [p] precisions; ``parts`` their slices; ``grams`` [BLOCKS, p, p], ``rights`` [BLOCKS,
     p]; ``thin``: how many neighbouring samples say the same; ``nuisance``: how many of the columns are
-    nuisance."""
+    nuisance; ``shaken`` [n]: how much of ``sigma`` is noise of the encoders."""
 
     rest: Floats
     A: Floats
@@ -36,6 +36,7 @@ class Problem:
     rights: Floats
     thin: float
     nuisance: int
+    shaken: Floats
 
     @property
     def n(self) -> int:
@@ -87,15 +88,16 @@ def tighter(p: Problem, share: float) -> Problem:
     return replace(p, prior=prior)
 
 
-def problem(rest: Floats, Y: Floats, sigma: Floats, thin: float) -> Problem:
+def problem(rest: Floats, Y: Floats, sigma: Floats, thin: float, shaken: Floats | None = None) -> Problem:
     """The problem of the residual ``rest`` [N, n] and the nuisance ``Y`` [N, n, p], a unit of each column
-    being a standard deviation of its prior."""
+    being a standard deviation of its prior; ``shaken`` [n] of ``sigma`` are noise of the encoders."""
     edges = np.linspace(0, len(rest), BLOCKS + 1).astype(int)
     parts = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
     A, b = Y / sigma[None, :, None], rest / sigma
     grams, rights = _grams(A, b, parts)
     prior = np.full(Y.shape[2], thin)
-    return Problem(b, A, prior, sigma, parts, grams, rights, thin, Y.shape[2])
+    eaten = np.zeros_like(sigma) if shaken is None else shaken
+    return Problem(b, A, prior, sigma, parts, grams, rights, thin, Y.shape[2], eaten)
 
 
 def _grams(A: Floats, b: Floats, parts: tuple[slice, ...]) -> tuple[Floats, Floats]:

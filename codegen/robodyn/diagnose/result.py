@@ -141,7 +141,8 @@ class Diagnosis:
     For the report, and empty where they are not known: ``windows`` of time to shade; ``tried``: the best
     candidates that were not named; ``detectable`` [n]: the RMS that an effect must explain at a joint to
     be worth a name; ``agreement``: of the compiled kernel with the same equations on arrays; ``counts``:
-    the operations by kind (``mul``, ``add``, ...) before and after. A log of ``logs`` may have
+    the operations by kind (``mul``, ``add``, ...) before and after; ``record``: what to record where the
+    motion shows too little. A log of ``logs`` may have
     ``samples``, ``rate`` and ``duration`` besides ``name`` and ``sha256``."""
 
     verdict: Verdict
@@ -162,6 +163,7 @@ class Diagnosis:
     detectable: Floats | None = None
     counts: tuple[Mapping[str, int], Mapping[str, int]] | None = None
     agreement: float | None = None
+    record: str | None = None
     extra: Mapping[str, Any] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
@@ -172,6 +174,7 @@ class Diagnosis:
             "gap": self.gap.to_dict(),
             "unexplained_share": self.left.tolist(),
             "remarks": list(self.words),
+            "record": self.record,
             "flags": list(self.flags),
             "logs": [dict(log) for log in self.logs],
             **({"kernel_against_arrays": self.agreement} if self.agreement is not None else {}),

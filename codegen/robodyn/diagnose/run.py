@@ -15,6 +15,7 @@ from robodyn.diagnose.evidence import (
     doubtful,
     log_facts,
     operations,
+    to_record,
     tried,
     why_not,
     windows,
@@ -113,8 +114,9 @@ def diagnose(
         left, _words(verdict, findings, last), described,
         (_series(lacks, "train", robot, model, gates[0]), _series(lacks, "validate", robot, model, seen)),
         (before.total, after.total),
-        windows(gates, findings), tried(last, findings), what_matters(last.context.signals),
-        (by_kind(before), by_kind(after)), agreement(model, gates[0]),
+        windows(gates, findings), tried(last, findings), what_matters(last.context),
+        (by_kind(before), by_kind(after)),
+        agreement(model, gates[0]), to_record(robot, gates),
     )  # fmt: skip
 
 
@@ -173,7 +175,7 @@ def _doubted(one: Found, first: Selection, last: Selection) -> tuple[Found, bool
 def _left(last: Selection) -> Floats:
     """What is left [n], by its middle, in what would matter."""
     rms = np.sqrt(np.maximum(last.residue**2 - 1, 0)) * last.start.sigma
-    return np.asarray(rms / what_matters(last.context.signals))
+    return np.asarray(rms / what_matters(last.context))
 
 
 class _Lacking:

@@ -36,13 +36,16 @@ _BENDS = frozenset({
     "time_delay", "torque_gain", "encoder_offset", "joint_elasticity", "backlash", "torque_saturation",
     "base_tilt",
 })  # fmt: skip
-#: What an effect must explain at some joint: shares of the raw noise and of the torque (RMS).
-_OF_NOISE, _OF_TORQUE = 0.3, 0.004
+#: What an effect must explain at some joint: shares of the raw noise, of the torque (RMS), and of what the
+#: encoders' noise makes of it.
+_OF_NOISE, _OF_TORQUE, _OF_SHAKEN = 0.3, 0.004, 2.0
 #: A limit has one number and a force three: so much less it may explain.
 _CLIPPED = 0.15
 #: How much better the arm's numbers may be than they are said to be, and how much better the evidence for
 #: it must be.
 _TIGHT, _SURELY = 0.1, 5.0
+#: Poses at which inertias are looked at.
+_POSES = 50
 #: The shortest part of a log that is used, in periods of the filter's cutoff.
 _SHORTEST = 6.0
 #: So many times larger in the fit of all than when it was found, a coefficient means nothing.
@@ -100,7 +103,9 @@ def start_of(contexts: Sequence[Context]) -> Problem:
     Y = np.concatenate(nuisances)
     Y = Y[:, :, np.abs(Y).max(axis=(0, 1)) > 0]
     thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
-    return problem(np.concatenate(rests), Y, passed_noise(s), thin)
+    by_encoders = shaken(contexts[0])
+    sigma = np.hypot(passed_noise(s), by_encoders)
+    return problem(np.concatenate(rests), Y, sigma, thin, by_encoders)
 
 
 def raw_noise(s: Signals) -> Floats:
@@ -117,10 +122,29 @@ def passed_noise(s: Signals) -> Floats:
     return np.asarray(np.maximum(passed, np.maximum(floor, 1e-9)))
 
 
-def what_matters(s: Signals) -> Floats:
+def shaken(c: Context) -> Floats:
+    """Standard deviations [n] of what the noise of the encoders makes of the model's torques, through the
+    accelerations."""
+    s = c.signals
+    if s.shaken is None:
+        return np.zeros(c.n)
+    q = s.q[:: max(1, len(s.q) // _POSES)]
+    zeros = np.zeros_like(q)
+    still = c.model.torque(q, zeros, zeros)
+    squares = np.zeros(c.n)
+    for j in range(c.n):
+        ahead = zeros.copy()
+        ahead[:, j] = s.shaken[j]
+        squares += np.mean((c.model.torque(q, zeros, ahead) - still) ** 2, axis=0)
+    return np.sqrt(squares)
+
+
+def what_matters(c: Context) -> Floats:
     """RMS [n] that an effect must explain at a joint to be worth a name."""
-    found: Floats = np.maximum(_OF_NOISE * raw_noise(s), _OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
-    return found
+    s = c.signals
+    large = np.maximum(_OF_NOISE * raw_noise(s), _OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
+    # What swings behind its motor looks like a smoother motion, and so takes noise of the encoders away.
+    return np.asarray(np.maximum(large, _OF_SHAKEN * shaken(c)))
 
 
 def select(
@@ -142,7 +166,7 @@ def select(
             more = signals_of(log, cutoff=seen.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
     start = start_of(contexts)
-    least = what_matters(seen) / start.sigma
+    least = what_matters(context) / start.sigma
     made = zip(*(candidates(each) for each in contexts), strict=True)
     library = [
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
@@ -152,7 +176,9 @@ def select(
     start = coarser(start, factor)
     least = least / factor
     touched = contact_in(context, start) if len(contexts) == 1 else None
-    if touched is not None and _clipped_there(start, touched, library):
+    if touched is not None and (
+        _clipped_there(start, touched, library) or _otherwise(start, touched, library, least)
+    ):
         touched = None
     if touched is not None:
         start = without(start, touched.mask)
@@ -161,7 +187,9 @@ def select(
     if not chosen.found:
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, _TIGHT)
-        other = _chosen(tight, library, least, contexts, rough=rough, progress=progress)
+        # Not their errors, which are within what is said of them.
+        others = [pair for pair in library if pair[0].effect != "inertial_error"]
+        other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
         if other.found and _evidence(tight, other) > _evidence(start, chosen) + _SURELY:
             start, chosen = tight, other
     now, current, found = chosen.now, chosen.current, chosen.found
@@ -258,6 +286,16 @@ def _factor(
         left = np.sqrt(np.median(one.fit.held, axis=0))
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
+
+
+def _otherwise(
+    start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]], least: Floats
+) -> bool:
+    """Whether an effect that acts all along explains more of a log than a contact does of its window."""
+    current = fitted(start)
+    by_force = touched.explained * float((start.rest[touched.mask] ** 2).sum()) / 2 / start.thin
+    best = max(trial(start, current, c, columns, least).gain for c, columns in library)
+    return best > by_force
 
 
 def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:

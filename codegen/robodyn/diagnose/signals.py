@@ -28,7 +28,8 @@ _CONTINUED = 1.5
 class Signals:
     """A log's motion and torque: ``t`` [K] in s, even; ``q, qd, qdd`` [K, n] of filtered positions; ``tau``
     [K, n] as logged; ``cutoff`` [Hz] of the filter of :meth:`filtered`; ``every``: what :meth:`thinned`
-    keeps, but for ``edge`` samples at either end."""
+    keeps, but for ``edge`` samples at either end; ``shaken`` [n]: standard deviations of the noise that the
+    accelerations have from the encoders, after :meth:`filtered`."""
 
     t: Floats
     q: Floats
@@ -38,6 +39,7 @@ class Signals:
     cutoff: float
     every: int
     edge: int
+    shaken: Floats | None = None
 
     @property
     def period(self) -> float:
@@ -64,7 +66,7 @@ class Signals:
             return self
         arrays = (self.t, self.q, self.qd, self.qdd, self.filtered(self.tau))
         t, q, qd, qdd, tau = (x[::step] for x in arrays)
-        return Signals(t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step)
+        return Signals(t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step, self.shaken)
 
 
 def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
@@ -80,8 +82,17 @@ def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
     edge = every * max(1, round(min(1.5 / chosen * rate, len(t) / 20) / every))
     # So many samples that coarse signals have the same places.
     count = (len(t) - 1) // every * every + 1
+    shaken = 1.4826 * np.median(np.abs(log.q - smooth), axis=0) * _shaking(chosen, rate)
     t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
-    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge)
+    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, shaken)
+
+
+def _shaking(cutoff: float, rate: float) -> float:
+    """The acceleration [1/s^2] by white noise of size 1 in positions, as two passes of :func:`low_pass` leave
+    it."""
+    f = np.linspace(0.0, min(3 * cutoff, rate / 2), 500)
+    passed = 1 / (1 + (f / cutoff) ** (2 * _ORDER)) ** 2
+    return float(np.sqrt(2 / rate * np.sum(((2 * np.pi * f) ** 2 * passed) ** 2) * (f[1] - f[0])))
 
 
 def smoothed_motion(q: Floats, rate: float, cutoff: float) -> Floats:

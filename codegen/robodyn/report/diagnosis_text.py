@@ -151,7 +151,9 @@ def closed(before: Floats, after: Floats, floor: Floats) -> float | None:
 
 def experiments(found: Diagnosis) -> tuple[str, ...]:
     """What is to be recorded next, each thing once."""
-    return tuple(dict.fromkeys(f.experiment for f in found.findings if f.experiment))
+    named = [f.experiment for f in found.findings if f.experiment]
+    sure = found.verdict == "missing_effect" and all(f.confidence >= CLAIM for f in found.findings)
+    return tuple(dict.fromkeys([*named, *([found.record] if found.record and not sure else [])]))
 
 
 # --- the terminal -----------------------------------------------------------------------------------------
