@@ -1,0 +1,142 @@
+"""Test vectors: states within the joints' limits, their results to 40 digits, and what rounding may change.
+
+The results are those of the program, evaluated with mpmath, and every one of a rigid arm is confirmed by the
+torque of :func:`robodyn.verify.exact.exact_torque`, which shares nothing with the program: of the mass matrix
+and of forward dynamics what that torque is for the accelerations that they speak of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.firmware.rounding import UNIT, rounding_bounds
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.program import Input, Program
+from robodyn.ir.signature import ScalarType
+from robodyn.robot.model import Robot
+from robodyn.verify.exact import exact_torque
+
+#: What sine and cosine of the kernel are off at most [units in the last place].
+SINE_ULPS = 1.0
+_DIGITS = 40
+#: How far program and exact torque may be apart, as a share of the largest torque of the vectors: both are
+#: right to about 1e-28.
+_AGREED = Fraction(1, 10**24)
+
+
+class Unconfirmed(AssertionError):
+    """The exact torque contradicts the program: a defect of robodyn, never of its input."""
+
+
+@dataclass(frozen=True, slots=True)
+class Vectors:
+    """Of one function the results ``expected`` and the ``tolerance`` of each, ``[N, size]``: exact numbers,
+    and bounds of the error of the kernel's."""
+
+    output: str
+    expected: tuple[tuple[Fraction, ...], ...]
+    tolerance: NDArray[np.float64]
+    confirmed: bool
+
+
+def vectors(
+    robot: Robot,
+    function: str,
+    program: Program,
+    states: Mapping[str, NDArray[Any]],
+    parameters: Mapping[str, float],
+    scalar: ScalarType,
+    *,
+    spare: tuple[float, ...] = (),
+) -> Vectors:
+    """The vectors of ``function`` at ``states``; ``spare`` is what its program may be off the exact torques,
+    joint by joint, having been pruned.
+
+    Raises
+    ------
+    Unconfirmed: the program and the exact torque disagree.
+    """
+    inputs = {Input(a, i): x[:, i].astype(np.float64) for a, x in states.items() for i in range(x.shape[1])}
+    count = len(next(iter(states.values())))
+    inputs |= {Input(name, None): np.full(count, value) for name, value in parameters.items()}
+    rows = [_evaluated(program, inputs, k) for k in range(count)]
+    expected = tuple(tuple(row) for row in rows)
+    confirmed = not robot.effects and robot.dead_band is None
+    if confirmed:
+        _confirm(robot, function, states, parameters, expected, spare)
+    ((output, bounds),) = rounding_bounds(program, inputs, scalar, sine_ulps=SINE_ULPS).items()
+    size = np.array([[float(abs(x)) for x in row] for row in expected])
+    return Vectors(output, expected, bounds + UNIT[scalar] * size, confirmed)  # the literal is rounded, too
+
+
+def _evaluated(program: Program, inputs: Mapping[Input, NDArray[np.float64]], k: int) -> list[Fraction]:
+    """The one output of ``program`` at state ``k``."""
+    import mpmath
+
+    with mpmath.workdps(_DIGITS):
+        functions = {
+            "sin": mpmath.sin,
+            "cos": mpmath.cos,
+            "sqrt": mpmath.sqrt,
+            "abs": abs,
+            "sign": mpmath.sign,
+        }
+        ((_, elements),) = evaluate(
+            program,
+            {name: mpmath.mpf(float(x[k])) for name, x in inputs.items()},
+            number=lambda x: mpmath.mpf(x.numerator) / x.denominator,
+            functions=functions,
+        ).items()
+        return [_fraction(mpmath.mpf(x)) for x in elements]
+
+
+def _fraction(x: Any) -> Fraction:
+    sign, mantissa, exponent, _ = x._mpf_
+    size: Fraction = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return -size if sign else size
+
+
+def _confirm(
+    robot: Robot,
+    function: str,
+    states: Mapping[str, NDArray[Any]],
+    parameters: Mapping[str, float],
+    expected: tuple[tuple[Fraction, ...], ...],
+    spare: tuple[float, ...],
+) -> None:
+    n = robot.n
+    rest = [Fraction(0)] * n
+    pairs = []
+    for k, row in enumerate(expected):
+        at = {array: [Fraction(float(v)) for v in x[k]] for array, x in states.items()}
+
+        def torque(qd: Any, qdd: Any, q: Any = at["q"]) -> list[Fraction]:
+            return exact_torque(robot, q, qd, qdd, parameters)
+
+        if function == "inverse_dynamics":
+            pairs.append((list(row), torque(at["qd"], at["qdd"])))
+        elif function == "bias":
+            pairs.append((list(row), torque(at["qd"], rest)))
+        elif function == "gravity":
+            pairs.append((list(row), torque(rest, rest)))
+        elif function == "forward_dynamics":
+            pairs.append((at["tau"], torque(at["qd"], list(row))))
+        else:
+            along = [Fraction(1, j + 1) for j in range(n)]
+            needed = [x - y for x, y in zip(torque(rest, along), torque(rest, rest), strict=True)]
+            pairs.append(
+                ([sum((row[i * n + j] * along[j] for j in range(n)), Fraction(0)) for i in range(n)], needed)
+            )
+    largest = max((abs(x) for _, exact in pairs for x in exact), default=Fraction(0))
+    for found, exact in pairs:
+        for j, (x, y) in enumerate(zip(found, exact, strict=True)):
+            if abs(x - y) > _AGREED * largest + (Fraction(spare[j]) if spare else 0):
+                raise Unconfirmed(
+                    f"{function} of {robot.name} differs from the exact torque at joint {j + 1}"
+                )
