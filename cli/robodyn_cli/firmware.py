@@ -27,13 +27,13 @@ def firmware_option(command: Command) -> Command:
             click.option(
                 "--firmware",
                 is_flag=True,
-                help="Write DIR/firmware instead: kernel (inverse_dynamics unless --functions says more) with "
-                "built-in sines, self-test, CMake, an image for qemu, and a README with what it costs.",
+                help="Write DIR/firmware instead: kernel (inverse_dynamics unless --functions says else) "
+                "with sines of its own, self-test, CMake, an image for qemu, a README with what it costs.",
             ),
             click.option(
                 "--target",
                 metavar="T",
-                help="With --firmware: cortex-m3, cortex-m4f, cortex-m7, or some with commas.  [default: all]",
+                help="With --firmware: cortex-m3, cortex-m4f, cortex-m7, with commas.  [default: all]",
             ),
         )
     ):
