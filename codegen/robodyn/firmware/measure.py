@@ -80,20 +80,18 @@ class Figures:
         return {**plain, "target": self.target.name}
 
     def lines(self) -> list[str]:
-        """For people, one line a function."""
+        """For people: a line, and one a function."""
         if self.missing:
             return [f"{self.target.name}: not measured: needs {self.missing}"]
-        size = f"{self.sections['text'] + self.sections['rodata']} B of code"
-        wants = f", calls {len(self.undefined)} functions of libgcc" if self.undefined else ""
-        return [
-            f"{self.target.name}: {cost.function}: {size}, {cost.stack} B of stack{wants}, "
-            + (
-                f"{cost.instructions:.0f} instructions a call, self-test passed in qemu"
-                if cost.instructions is not None
-                else f"not run: needs {self.not_run}"
-            )
-            for cost in self.costs
-        ]
+        size = self.sections["text"] + self.sections["rodata"]
+        wants = f"; calls libgcc: {', '.join(self.undefined)}" if self.undefined else ""
+        said = [f"{self.target.name}: {size} B of code and constants{wants}"]
+        for cost in self.costs:
+            run = f"not run: needs {self.not_run}"
+            if cost.instructions is not None:
+                run = f"{cost.instructions:.0f} instructions a call, self-test passed in qemu"
+            said.append(f"  {cost.function}: {cost.stack} B of stack, {run}")
+        return said
 
 
 def measure(name: str, files: Mapping[str, str], functions: Sequence[str], target: Target) -> Figures:

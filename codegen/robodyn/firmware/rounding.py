@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.emit.spelling import nearest_float
+from robodyn.emit.trig import DOUBLE, FLOAT
 from robodyn.ir.program import Input, Operand, Program
 from robodyn.ir.signature import ScalarType
 
@@ -24,6 +25,11 @@ Floats = NDArray[np.float64]
 #: What one rounding changes at most, as a share, and by how much more below the smallest normal number.
 UNIT: Mapping[ScalarType, float] = {"float": 2.0**-24, "double": 2.0**-53}
 TINY: Mapping[ScalarType, float] = {"float": 2.0**-149, "double": 2.0**-1074}
+
+#: Up to which angle [rad] the kernel's sine and cosine are right to an ulp (robodyn.emit.trig), and what they
+#: are off beyond.
+ACCURATE: Mapping[ScalarType, float] = {"float": FLOAT.exact, "double": DOUBLE.exact}
+FAR: Mapping[ScalarType, float] = {"float": 5.5e-8, "double": 0.0}
 
 #: The values are doubles, and so are the bounds: what that loses is far below this share of them.
 _SPARE = 1.01
@@ -39,11 +45,10 @@ class _Bounded:
 
 @np.errstate(all="ignore")
 def rounding_bounds(
-    program: Program, inputs: Mapping[Input, Floats], scalar: ScalarType, *, sine_ulps: float
+    program: Program, inputs: Mapping[Input, Floats], scalar: ScalarType
 ) -> dict[str, Floats]:
-    """Bounds ``[N, size]`` of the rounding errors of each output, at ``N`` states given exactly.
-
-    ``sine_ulps`` is what sine and cosine may be off, in units in the last place of the result.
+    """Bounds ``[N, size]`` of the rounding errors of each output, at ``N`` states given exactly; infinite where
+    a divisor may be zero.
 
     Raises
     ------
@@ -64,9 +69,12 @@ def rounding_bounds(
         if op not in _RULES:
             raise ValueError(f"no bound is known for the rounding of {op}")
         value, error = _RULES[op](*(at(arg) for arg in args))
-        ulps = sine_ulps if op in ("sin", "cos") else 0.5
-        if op not in ("neg", "abs", "sign"):  # an ulp is two units at most
-            error = error + 2 * ulps * unit * (np.abs(value) + error) + tiny
+        if op in ("sin", "cos"):  # an ulp is two units at most
+            error = error + 2 * unit * (np.abs(value) + error) + tiny
+            far = np.abs(at(args[0]).value) + at(args[0]).error > ACCURATE[scalar]
+            error = np.where(far, error + FAR[scalar], error)
+        elif op not in ("neg", "abs", "sign"):
+            error = error + unit * (np.abs(value) + error) + tiny
         made.append(_Bounded(value, error))
     return {
         name: np.stack([at(operand).error * _SPARE for operand in elements], axis=1)

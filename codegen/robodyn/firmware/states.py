@@ -27,6 +27,8 @@ DIGEST_SEED, VECTOR_SEED = 1, 2
 DIGEST_STATES, DRAWN_VECTORS = 1000, 26
 #: Torques that forward dynamics is given where a joint has no torque limit [N m or N].
 _TORQUE = 10.0
+#: How far a revolute joint goes at most [rad].
+_TURNS = 32.0
 #: Digits of the half ranges; and of the middles of ranges that are not symmetric.
 _DIGITS = 6
 
@@ -46,6 +48,9 @@ def ranges(robot: Robot, arrays: Sequence[str], scalar: ScalarType) -> tuple[Ran
     """The ranges of ``arrays`` (of q, qd, qdd, tau), within the joints' limits; where there is none, those of
     :func:`robodyn.verify.sample.draw`."""
     bounds = [bounds_of(link.joint) for link in robot.links]
+    for joint, link in zip(bounds, robot.links, strict=True):
+        if link.joint.kind == "revolute":
+            joint[0] = _near(joint[0])
     found = []
     for array in arrays:
         if array == "tau":
@@ -56,6 +61,12 @@ def ranges(robot: Robot, arrays: Sequence[str], scalar: ScalarType) -> tuple[Ran
         pairs = [_inside(low, high, scalar) for low, high in spans]
         found.append(Range(array, tuple(m for m, _ in pairs), tuple(h for _, h in pairs)))
     return tuple(found)
+
+
+def _near(span: tuple[float, float]) -> tuple[float, float]:
+    """Of the positions of a joint that makes many turns those around zero, where sines are best."""
+    low, high = span
+    return max(low, min(high, -_TURNS)), min(high, max(low, _TURNS))
 
 
 def _inside(low: float, high: float, scalar: ScalarType) -> tuple[float, float]:

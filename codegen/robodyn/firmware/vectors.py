@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.errors import InputError
 from robodyn.firmware.rounding import UNIT, rounding_bounds
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
@@ -22,8 +23,6 @@ from robodyn.ir.signature import ScalarType
 from robodyn.robot.model import Robot
 from robodyn.verify.exact import exact_torque
 
-#: What sine and cosine of the kernel are off at most [units in the last place].
-SINE_ULPS = 1.0
 _DIGITS = 40
 #: How far program and exact torque may be apart, as a share of the largest torque of the vectors: both are
 #: right to about 1e-28.
@@ -60,17 +59,22 @@ def vectors(
 
     Raises
     ------
+    InputError: rounding errors have no bound at some state.
     Unconfirmed: the program and the exact torque disagree.
     """
     inputs = {Input(a, i): x[:, i].astype(np.float64) for a, x in states.items() for i in range(x.shape[1])}
     count = len(next(iter(states.values())))
     inputs |= {Input(name, None): np.full(count, value) for name, value in parameters.items()}
-    rows = [_evaluated(program, inputs, k) for k in range(count)]
-    expected = tuple(tuple(row) for row in rows)
+    ((output, bounds),) = rounding_bounds(program, inputs, scalar).items()
+    if not np.isfinite(bounds).all():
+        raise InputError(
+            f"the rounding errors of {robot.name}_{function} have no bound: a divisor may be zero",
+            remedy="leave that function out of --functions",
+        )
+    expected = tuple(tuple(_evaluated(program, inputs, k)) for k in range(count))
     confirmed = not robot.effects and robot.dead_band is None
     if confirmed:
         _confirm(robot, function, states, parameters, expected, spare)
-    ((output, bounds),) = rounding_bounds(program, inputs, scalar, sine_ulps=SINE_ULPS).items()
     size = np.array([[float(abs(x)) for x in row] for row in expected])
     return Vectors(output, expected, bounds + UNIT[scalar] * size, confirmed)  # the literal is rounded, too
 
