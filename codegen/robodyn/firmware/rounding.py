@@ -47,8 +47,8 @@ class _Bounded:
 def rounding_bounds(
     program: Program, inputs: Mapping[Input, Floats], scalar: ScalarType
 ) -> dict[str, Floats]:
-    """Bounds ``[N, size]`` of the rounding errors of each output, at ``N`` states given exactly; infinite where
-    a divisor may be zero.
+    """Bounds ``[N, size]`` of the rounding errors of each output, at ``N`` states given exactly;
+    infinite where a divisor may be zero.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 """The kernel's own sine and cosine in numpy, to the bit: what ``templates/c/trig.c.j2`` says, once more.
 
-The numbers are those of :mod:`robodyn.emit.trig`; the steps are written out here a second time, so that neither
-can change without the self-test noticing.
+The numbers are those of :mod:`robodyn.emit.trig`; the steps are written out here a second time, so
+that neither can change without the self-test noticing.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ def kernel_sine(scalar: ScalarType) -> dict[str, Callable[[Array], Array]]:
 
 @np.errstate(all="ignore")  # angles that are too large end in NaN
 def _sincos(x: Array, of: Trigonometric) -> tuple[Array, Array]:
-    real, unsigned = (np.float32, np.uint32) if of.bits == 32 else (np.float64, np.uint64)
+    real: Any = np.float32 if of.bits == 32 else np.float64
+    unsigned: Any = np.uint32 if of.bits == 32 else np.uint64
     last = of.bits - 1
     magic, over = real(of.magic), real(of.over)
     turns = x * real(of.per_quarter) + magic

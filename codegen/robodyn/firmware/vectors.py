@@ -7,7 +7,7 @@ and of forward dynamics what that torque is for the accelerations that they spea
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -52,7 +52,7 @@ def vectors(
     parameters: Mapping[str, float],
     scalar: ScalarType,
     *,
-    spare: tuple[float, ...] = (),
+    spare: Sequence[float] = (),
 ) -> Vectors:
     """The vectors of ``function`` at ``states``; ``spare`` is what its program may be off the exact torques,
     joint by joint, having been pruned.
@@ -111,12 +111,15 @@ def _confirm(
     function: str,
     states: Mapping[str, NDArray[Any]],
     parameters: Mapping[str, float],
-    expected: tuple[tuple[Fraction, ...], ...],
-    spare: tuple[float, ...],
+    expected: Sequence[Sequence[Fraction]],
+    spare: Sequence[float],
 ) -> None:
+    """Hold every row of ``expected`` against the exact torque, to ``_AGREED`` of the largest one, and where
+    accelerations are what is asked for, of the largest that one of them needs alone."""
     n = robot.n
     rest = [Fraction(0)] * n
-    pairs = []
+    pairs: list[tuple[Sequence[Fraction], list[Fraction]]] = []
+    largest = Fraction(0)
     for k, row in enumerate(expected):
         at = {array: [Fraction(float(v)) for v in x[k]] for array, x in states.items()}
 
@@ -124,22 +127,25 @@ def _confirm(
             return exact_torque(robot, q, qd, qdd, parameters)
 
         if function == "inverse_dynamics":
-            pairs.append((list(row), torque(at["qd"], at["qdd"])))
+            pairs.append((row, torque(at["qd"], at["qdd"])))
         elif function == "bias":
-            pairs.append((list(row), torque(at["qd"], rest)))
+            pairs.append((row, torque(at["qd"], rest)))
         elif function == "gravity":
-            pairs.append((list(row), torque(rest, rest)))
+            pairs.append((row, torque(rest, rest)))
         elif function == "forward_dynamics":
-            pairs.append((at["tau"], torque(at["qd"], list(row))))
+            pairs.append((at["tau"], torque(at["qd"], row)))
+            most = max(range(n), key=lambda j, row=row: abs(row[j]))  # type: ignore[misc]
+            alone = torque(rest, [x if j == most else Fraction(0) for j, x in enumerate(row)])
+            largest = max(largest, *map(abs, alone))
         else:
             along = [Fraction(1, j + 1) for j in range(n)]
             needed = [x - y for x, y in zip(torque(rest, along), torque(rest, rest), strict=True)]
-            pairs.append(
-                ([sum((row[i * n + j] * along[j] for j in range(n)), Fraction(0)) for i in range(n)], needed)
-            )
-    largest = max((abs(x) for _, exact in pairs for x in exact), default=Fraction(0))
-    for found, exact in pairs:
-        for j, (x, y) in enumerate(zip(found, exact, strict=True)):
+            rows = [row[i * n : i * n + n] for i in range(n)]
+            found = [sum((x * y for x, y in zip(r, along, strict=True)), Fraction(0)) for r in rows]
+            pairs.append((found, needed))
+    largest = max([largest, *(abs(x) for _, exact in pairs for x in exact)])
+    for one, exact in pairs:
+        for j, (x, y) in enumerate(zip(one, exact, strict=True)):
             if abs(x - y) > _AGREED * largest + (Fraction(spare[j]) if spare else 0):
                 raise Unconfirmed(
                     f"{function} of {robot.name} differs from the exact torque at joint {j + 1}"
