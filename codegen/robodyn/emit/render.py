@@ -118,8 +118,8 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict
         trig = trig_context(fortran_spelling(single=single))
     return {
         "name": unit.robot.name,
-        "trig": trig if unit.builtin else None,
-        "math": not unit.builtin or any(count(program).other for _, program in unit.functions),
+        "trig": trig if unit.builtin and _calls(unit) & {"sin", "cos"} else None,
+        "math": not unit.builtin or bool(_calls(unit) & _OF_LIBM),
         "guard": f"{unit.robot.name.upper()}_H",
         "scalar": signature.scalar,
         "kind": "c_float" if single else "c_double",
@@ -128,6 +128,15 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict
         "functions": functions,
         "head": _head(unit, language),
     }
+
+
+#: What is libm's, whoever makes the sines.
+_OF_LIBM = frozenset({"tanh", "sqrt", "abs", "exp", "pow"})
+
+
+def _calls(unit: Unit) -> set[str]:
+    """The operations of all functions."""
+    return {operation.op for _, program in unit.functions for operation in program.operations}
 
 
 def _head(unit: Unit, language: str) -> list[str]:

@@ -13,7 +13,8 @@ from robodyn.ir.signature import ScalarType
 #: What a controller calls; more of them make the code larger.
 FUNCTIONS = ("inverse_dynamics",)
 
-_LIBRARY = ("tanh", "exp", "pow")
+#: What the C library has, and -ffreestanding leaves to it.
+_LIBRARY = ("tanh", "exp", "pow", "sqrt", "abs")
 
 
 def firmware_options(
@@ -55,9 +56,9 @@ def check_firmware(made: Generated) -> None:
         called = [op for op in _LIBRARY if any(operation.op == op for operation in program.operations)]
         if called:
             raise InputError(
-                f"{interface.symbol} calls {', '.join(called)}, which only the C library has, with bits that "
-                "differ from one library to the next",
-                expected=f"a kernel that needs no library: {name} without effects that are smooth",
-                remedy="choose friction_at_rest: exact and effects without tanh, exp and powers, or use "
-                "robodyn gen without --firmware",
+                f"{interface.symbol} calls {', '.join(called)} of the C library, whose bits differ from "
+                "one library to the next",
+                expected="a kernel that needs no library",
+                remedy=f"choose friction_at_rest: exact and plainer effects in {name}, or use robodyn gen "
+                "without --firmware",
             )
