@@ -15,7 +15,7 @@ from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling, c_spelling, fortran_spelling
 from robodyn.errors import InputError
 from robodyn.firmware.digest import FNV_BASIS, FNV_PRIME, fnv1a, outputs
-from robodyn.firmware.measure import CALLS, FLAGS, FORTRAN_FLAGS, QEMU, Figures
+from robodyn.firmware.measure import FLAGS, FORTRAN_FLAGS, QEMU, REPEATED, STATES, Figures
 from robodyn.firmware.options import check_firmware
 from robodyn.firmware.sine import kernel_sine
 from robodyn.firmware.states import (
@@ -58,7 +58,7 @@ _TOLD = {
     "NAME_selftest.h": "Self-test of the kernel: test vectors, and a digest of its bits.",
     "NAME_selftest.c": "Self-test of the kernel. Test vectors: results evaluated to 40 digits{confirmed}, "
     "and as the tolerance of each the bound that a running error analysis of the kernel's operations gives, "
-    "constants and sines included: no correct compiler exceeds it. Digest: every bit of the results at "
+    "constants and sines included: a compiler that rounds as written cannot exceed it. Digest: every bit of the results at "
     "{states} states; it differs where a compiler contracts or reorders, which the vectors allow.",
     "NAME_selftest_main.c": "The self-test on this computer.",
     "NAME_selftest.f90": "Self-test of the Fortran kernel: the same digest of the bits as of the C.",
@@ -131,7 +131,8 @@ def _base(made: Generated, targets: Sequence[Target], *, fortran: bool) -> dict[
         "flags": FLAGS,
         "fortran_flags": FORTRAN_FLAGS,
         "qemu": QEMU,
-        "calls": CALLS,
+        "measured_states": STATES,
+        "repeated": REPEATED,
         "states": DIGEST_STATES,
         "title": robot.title or "a serial arm",
     }

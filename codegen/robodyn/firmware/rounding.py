@@ -2,8 +2,7 @@
 
 Running error analysis (J. H. Wilkinson; N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd
 ed., 3.3): beside every value goes a bound of its error, and every operation passes the bounds of its operands
-on and adds its own rounding. Terms of second order are kept, so the bound is one and no estimate; fusing a
-product with a sum only takes roundings away, so it holds with contraction, too.
+on and adds its own rounding. Terms of second order are kept, so the bound is one and no estimate.
 """
 
 from __future__ import annotations
