@@ -58,8 +58,8 @@ _TOLD = {
     "NAME_selftest.h": "Self-test of the kernel: test vectors, and a digest of its bits.",
     "NAME_selftest.c": "Self-test of the kernel. Test vectors: results evaluated to 40 digits{confirmed}, "
     "and as the tolerance of each the bound that a running error analysis of the kernel's operations gives, "
-    "constants and sines included: a compiler that rounds as written cannot exceed it. Digest: every bit of the results at "
-    "{states} states; it differs where a compiler contracts or reorders, which the vectors allow.",
+    "constants and sines included: a compiler that rounds as written cannot exceed it. Digest: every bit of "
+    "the results at {states} states; it differs where a compiler contracts or reorders.",
     "NAME_selftest_main.c": "The self-test on this computer.",
     "NAME_selftest.f90": "Self-test of the Fortran kernel: the same digest of the bits as of the C.",
     "semihosting.h": "Output and exit through a debugger, or qemu.",
