@@ -20,6 +20,7 @@ from robodyn_cli.common import (
     write_files,
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
+from robodyn_cli.firmware import firmware_option, for_firmware, refuse_target, write_firmware
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -35,11 +36,17 @@ if TYPE_CHECKING:
 @click.option("--lang", default="c,fortran", show_default=True, help="Languages, with commas.")
 @click.option("--compile", "compile_", is_flag=True, help="Build and load the kernels, too.")
 @click.option("--scalar", default="double", show_default=True, help="double or float.")
-@click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm, or given in sc.")
+@click.option(
+    "--trig",
+    default="libm",
+    show_default=True,
+    help="Sine and cosine: libm, builtin (no library at all), or given in sc.",
+)
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @model_options
 @search_options
 @prune_option
+@firmware_option
 @click.option("--latex", is_flag=True, help="Also write NAME.tex, the recursion typeset (through sympy).")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if the files in DIR differ.")
 @json_option
@@ -62,6 +69,8 @@ def command(
     objective: str,
     keep: bool,
     prune: str | None,
+    firmware: bool,
+    target: str | None,
     latex: bool,
     check: bool,
     as_json: bool,
@@ -85,6 +94,10 @@ def command(
         engine=engine,  # type: ignore[arg-type]
         prune=tolerance(prune),
     )
+    if firmware:
+        options = for_firmware(options, target, compile=compile_, latex=latex)
+    else:
+        refuse_target(target)
     languages = listed(lang)
     if not languages:
         raise InputError("no language asked for", expected="c, fortran or both")
@@ -102,6 +115,9 @@ def command(
         made = generate(described, options, progress=_told(described), pruning=tell)
     for function, reason in made.left_out.items():
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")
+    if firmware:
+        write_firmware(made, folder, languages, target, check=check, as_json=as_json)
+        return
     files = made.files(languages)
     if latex:
         files[f"{described.name}.tex"] = _typeset(described, formulation)

@@ -9,8 +9,10 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts.count import Count, count
+from robodyn.emit.sines import angles_first, c_lines, fortran_lines
 from robodyn.emit.spelling import WIDTH, Spelling, c_spelling, fortran_spelling
 from robodyn.emit.statements import Apply, Body, Expression, statements
+from robodyn.emit.trig import trig_context
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
@@ -46,13 +48,16 @@ class Unit:
     """What goes into one header and one source: a robot's functions with their programs.
 
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
-    are lines for the head of the file.
+    are lines for the head of the file. ``builtin``: with our own sine and cosine, those of ``lanes`` angles
+    at a time.
     """
 
     robot: Robot
     functions: tuple[tuple[Signature, Program], ...]
     sc: tuple[str, ...] = ()
     notes: tuple[str, ...] = field(default=())
+    builtin: bool = False
+    lanes: int = 4
 
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
@@ -70,14 +75,17 @@ def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
 
 def _render(unit: Unit, languages: Sequence[str]) -> dict[str, str]:
     name = unit.robot.name
-    bodies = [(signature, count(program), statements(program)) for signature, program in unit.functions]
+    bodies = [
+        (signature, count(program), statements(angles_first(program) if unit.builtin else program))
+        for signature, program in unit.functions
+    ]
     files: dict[str, str] = {}
     if "c" in languages:
-        context = _context(unit, [_c_function(*body) for body in bodies], "c")
+        context = _context(unit, [_c_function(*body, unit) for body in bodies], "c")
         files[f"{name}.h"] = _template("c/kernel.h.j2").render(context)
         files[f"{name}.c"] = _template("c/kernel.c.j2").render(context)
     if "fortran" in languages:
-        context = _context(unit, [_fortran_function(*body) for body in bodies], "fortran")
+        context = _context(unit, [_fortran_function(*body, unit) for body in bodies], "fortran")
         files[f"{name}.f90"] = _template("fortran/kernel.f90.j2").render(context)
     return files
 
@@ -104,8 +112,14 @@ def _template(name: str) -> jinja2.Template:
 def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict[str, Any]:
     signature = unit.functions[0][0]
     single = signature.scalar == "float"
+    if language == "c":
+        trig = trig_context(c_spelling(single=single), f"const {unit.robot.name}_real ", ";")
+    else:
+        trig = trig_context(fortran_spelling(single=single))
     return {
         "name": unit.robot.name,
+        "trig": trig if unit.builtin and _calls(unit) & {"sin", "cos"} else None,
+        "math": not unit.builtin or bool(_calls(unit) & _OF_LIBM),
         "guard": f"{unit.robot.name.upper()}_H",
         "scalar": signature.scalar,
         "kind": "c_float" if single else "c_double",
@@ -114,6 +128,15 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict
         "functions": functions,
         "head": _head(unit, language),
     }
+
+
+#: What is libm's, whoever makes the sines.
+_OF_LIBM = frozenset({"tanh", "sqrt", "abs", "exp", "pow"})
+
+
+def _calls(unit: Unit) -> set[str]:
+    """The operations of all functions."""
+    return {operation.op for _, program in unit.functions for operation in program.operations}
 
 
 def _head(unit: Unit, language: str) -> list[str]:
@@ -183,7 +206,7 @@ def comment(text: str) -> str:
     return text
 
 
-def _c_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:
+def _c_function(signature: Signature, counted: Count, body: Body, unit: Unit) -> dict[str, Any]:
     spelling = c_spelling(single=signature.scalar == "float", states=signature.states)
     real = f"{signature.robot}_real"
     arguments = [f"const {real} {array}[{size}]" for array, size in signature.inputs]
@@ -199,9 +222,9 @@ def _c_function(signature: Signature, counted: Count, body: Body) -> dict[str, A
         text = spelling.text(argument)
         return text.replace("q[", "again[", 1)
 
-    reads_angle = any(_sine_of_input(s.expression) for s in body.statements)
-    lines: list[str] = []
-    for statement in body.statements:
+    reads_angle = not unit.builtin and any(_sine_of_input(s.expression) for s in body.statements)
+    lines: list[str] = c_lines(body, unit.lanes, signature.robot, spelling) if unit.builtin else []
+    for statement in () if unit.builtin else body.statements:
         if statement.heading:
             lines.append(f"    /* {statement.heading} */")
         kind = f"const volatile {real}" if statement.angle else f"const {real}"
@@ -240,10 +263,13 @@ def _prototype(head: str, arguments: list[str]) -> str:
     return head + (",\n" + " " * 4).join(["\n    " + arguments[0], *arguments[1:]])
 
 
-def _fortran_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:
+def _fortran_function(signature: Signature, counted: Count, body: Body, unit: Unit) -> dict[str, Any]:
     spelling = fortran_spelling(single=signature.scalar == "float", states=signature.states)
     lines: list[str] = []
-    for statement in body.statements:
+    arrays: list[str] = []
+    if unit.builtin:
+        lines, arrays = fortran_lines(body, unit.lanes, signature.robot, spelling)
+    for statement in () if unit.builtin else body.statements:
         if statement.heading:
             lines.append(f"    ! {statement.heading}")
         lines.extend(spelling.wrapped(f"{statement.name} = {spelling.text(statement.expression)}", "    "))
@@ -253,7 +279,7 @@ def _fortran_function(signature: Signature, counted: Count, body: Body) -> dict[
         for i, e in enumerate(elements)
         for line in spelling.wrapped(f"{spelling.element(array, i)} = {spelling.text(e)}", "    ")
     ]
-    names = [statement.name for statement in body.statements]
+    names = [statement.name for statement in body.statements] + arrays
     locals_ = [line.rstrip(",") for line in textwrap.wrap(", ".join(names), WIDTH - 16)]
     arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
     if signature.parameters:

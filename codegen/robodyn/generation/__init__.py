@@ -124,6 +124,7 @@ def generate(
         + (() if isinstance(made, Drafts) else made.notes)
         + notes_of(tuple(drafts.prunings.values()))
         + (("sc is not read: there is no angle.",) if no_angle else ()),
+        builtin=options.trig == "builtin",
     )
     counts = {f: count(p) for f, p in programs.items()}
     rigid = {f: made.rigid_count(f) for f in programs}

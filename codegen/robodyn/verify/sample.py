@@ -47,7 +47,7 @@ def draw(robot: Robot, states: int, seed: int, dtype: np.dtype[Any]) -> Sample:
     if states < 1:
         raise InputError("there is nothing to compare", found=f"{states} states", expected="one or more")
     rng = np.random.default_rng(seed)
-    bounds = np.array([_bounds(link.joint) for link in robot.links])  # [n, 3, 2]
+    bounds = np.array([bounds_of(link.joint) for link in robot.links])  # [n, 3, 2]
     low, high = bounds[:, :, 0], bounds[:, :, 1]
     drawn = low + (high - low) * rng.random((states, robot.n, 3))
     if states >= 5 * _REST:
@@ -84,8 +84,8 @@ def draw_parameters(
     return {name: float(dtype.type(values[name])) for name in robot.parameters}
 
 
-def _bounds(joint: Joint) -> list[tuple[float, float]]:
-    """Bounds of q, qd and qdd."""
+def bounds_of(joint: Joint) -> list[tuple[float, float]]:
+    """Lower and upper bounds of q, qd and qdd that :func:`draw` keeps to."""
     limits = joint.limits
     reach = Fraction(0.5 if joint.kind == "prismatic" else math.pi)
     speed = Fraction(3) if limits.velocity is None else limits.velocity

@@ -1,0 +1,133 @@
+"""``gen --firmware``: the option, and writing the folder with what was measured."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from robodyn_cli.common import compare_files, echo_json, printable, talk, write_files
+from robodyn_cli.options import listed
+
+if TYPE_CHECKING:
+    from robodyn.generation import Generated, Options
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+#: The folder of the firmware, in that of the robot.
+FOLDER = "firmware"
+
+
+def firmware_option(command: Command) -> Command:
+    """Add ``--firmware`` and ``--target``, passed to `command` as ``firmware: bool, target: str | None``."""
+    for option in reversed(
+        (
+            click.option(
+                "--firmware",
+                is_flag=True,
+                help="Write DIR/firmware instead: kernel (inverse_dynamics unless --functions says else) "
+                "with sines of its own, self-test, CMake, an image for qemu, a README with what it costs.",
+            ),
+            click.option(
+                "--target",
+                metavar="T",
+                help="With --firmware: cortex-m3, cortex-m4f, cortex-m7, with commas.  [default: all]",
+            ),
+        )
+    ):
+        command = option(command)
+    return command
+
+
+def for_firmware(options: Options, target: str | None, **others: object) -> Options:
+    """``options`` for a firmware folder; ``others`` are options that do not go with it, by name.
+
+    Raises
+    ------
+    InputError: one of them is there.
+    """
+    from robodyn.errors import InputError
+    from robodyn.firmware import firmware_options
+
+    for name, value in others.items():
+        if value:
+            raise InputError(f"--{name} does not go with --firmware", remedy="leave one of them out")
+    return firmware_options(
+        options,
+        listed(target or ""),
+        scalar=options.scalar if _said("scalar") else None,
+        trig=options.trig if _said("trig") else None,
+    )
+
+
+def refuse_target(target: str | None) -> None:
+    """:class:`InputError` where there is a target and no firmware."""
+    from robodyn.errors import InputError
+
+    if target is not None:
+        raise InputError("--target goes with --firmware", found=target, remedy="add --firmware")
+
+
+def write_firmware(
+    made: Generated,
+    folder: Path,
+    languages: tuple[str, ...],
+    target: str | None,
+    *,
+    check: bool,
+    as_json: bool,
+) -> None:
+    """Write the folder, or hold it against what would be written (the README, which tells of this machine,
+    is not looked at).
+
+    Raises
+    ------
+    CheckError: files differ, or the self-test fails on a processor.
+    """
+    from robodyn.errors import CheckError
+    from robodyn.firmware import firmware, measure, targets_named
+
+    folder = folder / FOLDER
+    name, targets = made.unit.robot.name, targets_named(listed(target or ""))
+    made_folder = firmware(made, targets, languages)
+    files = dict(made_folder.files)
+    if check:
+        different = compare_files(folder, files)
+        if different:
+            raise CheckError(
+                f"{', '.join(printable(folder / file) for file in different)}: not what robodyn generates",
+                remedy="run the same command without --check",
+            )
+        if as_json:
+            echo_json({"robot": name, "checked": [str(folder / file) for file in files]})
+        else:
+            click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
+        return
+    functions = [interface.function for interface in made.signatures]
+    figures = [measure(name, files, functions, one) for one in targets]
+    files["README.md"] = made_folder.readme(figures)
+    write_files(folder, files)
+    for needed in dict.fromkeys(missing for found in figures for missing in (found.missing, found.not_run)):
+        if needed is not None:
+            talk(f"robodyn: note: not everything was measured: needs {needed}")
+    if as_json:
+        echo_json(
+            {
+                "robot": name,
+                "files": [str(folder / file) for file in files],
+                "firmware": [found.to_dict() for found in figures],
+            }
+        )
+        return
+    click.echo(f"{name}: wrote {len(files)} files in {printable(folder)}")
+    for found in figures:
+        for line in found.lines():
+            click.echo(line)
+
+
+def _said(name: str) -> bool:
+    """Whether the option was given on the command line."""
+    source = click.get_current_context().get_parameter_source(name)
+    return source is click.core.ParameterSource.COMMANDLINE

@@ -1,0 +1,273 @@
+"""The files of the folder: kernel, self-tests, image, CMake, Makefile; and the README with the figures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.emit.lines import head_of
+from robodyn.emit.render import environment
+from robodyn.emit.spelling import Spelling, c_spelling, fortran_spelling
+from robodyn.errors import InputError
+from robodyn.firmware.digest import FNV_BASIS, FNV_PRIME, fnv1a, outputs
+from robodyn.firmware.measure import FLAGS, FORTRAN_FLAGS, QEMU, REPEATED, STATES, Figures
+from robodyn.firmware.options import check_firmware
+from robodyn.firmware.sine import kernel_sine
+from robodyn.firmware.states import (
+    DIGEST_SEED,
+    DIGEST_STATES,
+    DTYPE,
+    INCREMENT,
+    MULTIPLIER,
+    draw,
+    ranges,
+    vector_states,
+)
+from robodyn.firmware.targets import Target
+from robodyn.firmware.vectors import Vectors, vectors
+from robodyn.generation import LANGUAGES, Generated
+from robodyn.ir.evaluate import angle_form
+from robodyn.ir.program import Program
+from robodyn.ir.signature import ScalarType, Signature
+from robodyn.verify.sample import draw_parameters
+
+if TYPE_CHECKING:
+    import jinja2
+
+#: Templates by the file that each makes; ``NAME`` is the robot's.
+_C = {
+    "NAME_selftest.h": "selftest.h.j2",
+    "NAME_selftest.c": "selftest.c.j2",
+    "NAME_selftest_main.c": "selftest_main.c.j2",
+    "semihosting.h": "semihosting.h.j2",
+    "startup.c": "startup.c.j2",
+    "main.c": "main.c.j2",
+    "link.ld": "link.ld.j2",
+    "CMakeLists.txt": "CMakeLists.txt.j2",
+    "arm-none-eabi.cmake": "toolchain.cmake.j2",
+    "Makefile": "Makefile.j2",
+}
+_FORTRAN = {"NAME_selftest.f90": "selftest.f90.j2"}
+
+_TOLD = {
+    "NAME_selftest.h": "Self-test of the kernel: test vectors, and a digest of its bits.",
+    "NAME_selftest.c": "Self-test of the kernel. Test vectors: results evaluated to 40 digits{confirmed}, "
+    "and as the tolerance of each the bound that a running error analysis of the kernel's operations gives, "
+    "constants and sines included: a compiler that rounds as written cannot exceed it. Digest: every bit of "
+    "the results at {states} states; it differs where a compiler contracts or reorders.",
+    "NAME_selftest_main.c": "The self-test on this computer.",
+    "NAME_selftest.f90": "Self-test of the Fortran kernel: the same digest of the bits as of the C.",
+    "semihosting.h": "Output and exit through a debugger, or qemu.",
+    "startup.c": "Start of a bare-metal image: vector table, floating-point unit, .data and .bss.",
+    "main.c": "The self-test as an image, and what a call costs: ticks of SysTick at the processor's clock "
+    "(cycles; in qemu with -icount shift=5 an instruction is 0.8 ticks), and bytes of stack.",
+    "link.ld": "Memory of the boards mps2-an385, an386 and an500 of Arm, which qemu has: another board needs "
+    "other addresses here.",
+    "CMakeLists.txt": "The kernel as a library; alone, or with {prefix}_SELFTEST, its self-test.",
+    "arm-none-eabi.cmake": "A toolchain file: gcc for Cortex-M.",
+    "Makefile": "The self-test as an image and on this computer; GNU make.",
+}
+#: Digits of a tolerance, which is rounded up.
+_UP = 1.0051
+_SMALLEST = {"float": 2.0**-126, "double": 2.0**-1022}
+_WIDTH = 96
+
+
+@dataclass(frozen=True, slots=True)
+class Folder:
+    """A firmware folder: its ``files`` but for the README, text by name, the same on every machine."""
+
+    files: dict[str, str]
+    _context: dict[str, Any]
+
+    def readme(self, figures: Sequence[Figures]) -> str:
+        """``README.md``, with what was measured on this machine, or what that needs."""
+        return _template("README.md.j2").render(self._context, figures=figures)
+
+
+def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str] = LANGUAGES) -> Folder:
+    """The firmware folder of ``made`` (with the options of :func:`robodyn.firmware.firmware_options`).
+
+    Raises
+    ------
+    InputError: no self-test can be made of these functions (:func:`check_firmware`), or there is no C.
+    """
+    check_firmware(made)
+    if "c" not in languages:
+        raise InputError("a firmware folder is for C", found=", ".join(languages), expected="c, or c,fortran")
+    context = _context(made, targets, fortran="fortran" in languages)
+    files = made.files(languages)
+    name = made.unit.robot.name
+    told = {
+        "confirmed": " and confirmed by exact torques from virtual work" if context["confirmed"] else "",
+        "states": DIGEST_STATES,
+        "prefix": context["prefix"],
+    }
+    for file, template in {**_C, **(_FORTRAN if "fortran" in languages else {})}.items():
+        head = head_of(made.unit.robot, [_TOLD[file].format(**told)])
+        files[file.replace("NAME", name)] = _template(template).render(context, head=head)
+    return Folder(files, context)
+
+
+def _template(name: str) -> jinja2.Template:
+    return environment().get_template(f"firmware/{name}")
+
+
+def _base(made: Generated, targets: Sequence[Target], *, fortran: bool) -> dict[str, Any]:
+    robot, scalar = made.unit.robot, made.options.scalar
+    return {
+        "name": robot.name,
+        "prefix": robot.name.upper(),
+        "guard": robot.name.upper(),
+        "n": robot.n,
+        "scalar": scalar,
+        "targets": targets,
+        "fortran": fortran,
+        "flags": FLAGS,
+        "fortran_flags": FORTRAN_FLAGS,
+        "qemu": QEMU,
+        "measured_states": STATES,
+        "repeated": REPEATED,
+        "states": DIGEST_STATES,
+        "title": robot.title or "a serial arm",
+    }
+
+
+def _context(made: Generated, targets: Sequence[Target], *, fortran: bool) -> dict[str, Any]:
+    """What the templates are given."""
+    robot, scalar = made.unit.robot, made.options.scalar
+    single = scalar == "float"
+    c, f = c_spelling(single=single), fortran_spelling(single=single)
+    arrays = tuple(dict.fromkeys(a for interface in made.signatures for a, _ in interface.inputs))
+    spans = ranges(robot, arrays, scalar)
+    at = draw(spans, DIGEST_STATES, DIGEST_SEED, scalar)
+    vector_at = vector_states(spans, scalar)
+    values = draw_parameters(robot, None, 0, np.dtype(DTYPE[scalar]))
+    functions, confirmed = [], True
+    for interface, program in made.unit.functions:
+        pruning = made.prunings.get(interface.function)
+        spare = pruning.proven if pruning is not None else ()
+        inputs = [array for array, _ in interface.inputs]
+        found = vectors(
+            robot, interface.function, program, {a: vector_at[a] for a in inputs}, values, scalar, spare=spare
+        )
+        confirmed = confirmed and found.confirmed
+        bits = outputs(program, {a: at[a] for a in inputs}, values, scalar, kernel_sine(scalar))
+        functions.append(_function(interface, program, found, vector_at, fnv1a(bits), scalar))
+    parameters = made.signatures[0].parameters
+    return _base(made, targets, fortran=fortran) | {
+        "confirmed": confirmed,
+        "functions": functions,
+        "vectors": len(vector_at[arrays[0]]),
+        "ranges": [
+            {"array": s.array, "middle": _numbers(s.middle, c), "half": _numbers(s.half, c)} for s in spans
+        ],
+        "parameters": [c.number(Fraction(values[name])) for name in parameters],
+        "outputs": list(dict.fromkeys(out for interface in made.signatures for out in interface.outputs)),
+        "seed": DIGEST_SEED,
+        "multiplier": MULTIPLIER,
+        "increment": INCREMENT,
+        "basis": FNV_BASIS,
+        "prime": FNV_PRIME,
+        "scale": c.number(Fraction(1, 2**23)),
+        "largest": c.number(Fraction(10**38 if single else 10**308)),
+        "bits": "uint32_t" if single else "uint64_t",
+        "width": 32 if single else 64,
+        "in_fortran": {
+            "ranges": [
+                {"array": s.array, "middle": _numbers(s.middle, f), "half": _numbers(s.half, f)}
+                for s in spans
+            ],
+            "kind": "c_float" if single else "c_double",
+            "bits": "int32" if single else "int64",
+            "integers": "int32, int64" if single else "int64",
+            "scale": f.number(Fraction(1, 2**23)),
+            "parameters": [(name, f.number(Fraction(values[name]))) for name in parameters],
+        },
+    }
+
+
+def _function(
+    interface: Signature,
+    program: Program,
+    found: Vectors,
+    states: dict[str, NDArray[Any]],
+    digest: int,
+    scalar: ScalarType,
+) -> dict[str, Any]:
+    """What the templates say of one function."""
+    inputs = [array for array, _ in interface.inputs]
+    ((output, size),) = interface.outputs
+    last = [f"&{interface.robot}_selftest_params"] if interface.parameters else []
+    vector = f"{interface.function}_vectors[k]"
+    return {
+        "name": interface.function,
+        "inputs": inputs,
+        "output": output,
+        "size": size,
+        "digest": digest,
+        "angles": _angles(program),
+        "vector_call": ", ".join([*(f"{vector}.{a}" for a in inputs), output, *last]),
+        "state_call": ", ".join([*(f"state.{a}" for a in inputs), output, *last]),
+        "fortran_call": ", ".join(
+            [
+                *(f"{a}_drawn" for a in inputs),
+                f"found_{interface.function}",
+                *(["values"] if interface.parameters else []),
+            ]
+        ),
+        "vectors": _vector_lines(interface, found, {a: states[a] for a in inputs}, scalar),
+    }
+
+
+def _angles(program: Program) -> list[int]:
+    """The elements of q whose sine or cosine is taken."""
+    taken = [op.args[0] for op in program.operations if op.op in ("sin", "cos")]
+    read = {name for arg in taken for name, _ in angle_form(program, arg)[0]}
+    return sorted(name.index for name in read if name.index is not None)
+
+
+def _vector_lines(
+    interface: Signature, found: Vectors, states: dict[str, NDArray[Any]], scalar: ScalarType
+) -> list[list[list[str]]]:
+    """Each vector as lists of lines, array by array."""
+    spelling = c_spelling(single=scalar == "float")
+    lines = []
+    for k, expected in enumerate(found.expected):
+        arrays = [[float(v) for v in x[k]] for x in states.values()]
+        small = [Fraction(0) if abs(x) < _SMALLEST[scalar] else x for x in expected]
+        rows = [_braced([Fraction(v) for v in row], spelling) for row in arrays]
+        rows += [_braced(small, spelling), _braced([_up(t, scalar) for t in found.tolerance[k]], spelling)]
+        lines.append([[*row[:-1], row[-1] + ","] for row in rows[:-1]] + [rows[-1]])
+    return lines
+
+
+def _up(tolerance: float, scalar: ScalarType) -> Fraction:
+    """``tolerance`` rounded up to three digits, to a number that is not subnormal."""
+    if tolerance == 0:
+        return Fraction(0)
+    return Fraction(f"{max(tolerance, 2 * _SMALLEST[scalar]) * _UP:.2e}")
+
+
+def _braced(numbers: Sequence[Fraction], spelling: Spelling) -> list[str]:
+    """An initialiser as lines."""
+    import textwrap
+
+    text = "{ " + ", ".join(_numbers(numbers, spelling)) + " }"
+    return textwrap.wrap(
+        text,
+        _WIDTH,
+        initial_indent=" " * 8,
+        subsequent_indent=" " * 10,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def _numbers(numbers: Sequence[float | Fraction], spelling: Spelling) -> list[str]:
+    return [spelling.number(Fraction(x)) for x in numbers]

@@ -1,0 +1,230 @@
+"""What a kernel costs on a processor: built with the cross compiler, looked at, and run in qemu.
+
+Where a tool is missing the figures say which, and how to get it; where the self-test fails on the processor
+this is an error, because then no figure means anything.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robodyn.build.compiler import first_lines
+from robodyn.errors import CheckError, ToolError
+from robodyn.firmware.targets import Target
+
+#: Flags of kernel, self-test and image. Nothing is contracted, so the bits are the same everywhere.
+FLAGS = (
+    "-O2", "-ffp-contract=off", "-fno-math-errno", "-ffreestanding", "-ffunction-sections", "-fdata-sections",
+)  # fmt: skip
+FORTRAN_FLAGS = ("-std=f2018", "-O2", "-ffp-contract=off")
+#: How the image is run: an instruction takes 2^5 ns of qemu's time, and SysTick ticks every 40 ns.
+QEMU = (
+    "-display", "none", "-monitor", "none", "-serial", "none",
+    "-semihosting-config", "enable=on,target=native", "-icount", "shift=5",
+)  # fmt: skip
+_INSTRUCTIONS_A_TICK = 40 / 2**5
+#: States that the image measures each function at, and calls of each.
+STATES, REPEATED = 32, 16
+
+_HOW = {
+    "arm-none-eabi-gcc": "gcc-arm-none-eabi",
+    "arm-none-eabi-nm": "binutils-arm-none-eabi",
+    "arm-none-eabi-size": "binutils-arm-none-eabi",
+    "qemu-system-arm": "qemu-system-arm",
+}
+_SECONDS = 120
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """What a call of one function costs: instructions, on average and at most; bytes of stack, as the
+    compiler says (with all that the kernel calls, without libgcc) and as they were used; the digest that was
+    found."""
+
+    function: str
+    stack: int | None
+    instructions: float | None = None
+    most: float | None = None
+    stack_used: int | None = None
+    digest: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """What was measured of a kernel on ``target``, or what that ``missing`` tool it needs.
+
+    ``sections`` are the bytes of the kernel's object by kind (text, rodata, data, bss); ``undefined`` the
+    symbols that it wants from elsewhere; ``not_run``: what the figures of a run need.
+    """
+
+    target: Target
+    missing: str | None = None
+    compiler: str = ""
+    sections: Mapping[str, int] = field(default_factory=dict)
+    undefined: tuple[str, ...] = ()
+    costs: tuple[Cost, ...] = ()
+    emulator: str = ""
+    not_run: str | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``--json`` prints it."""
+        plain = dataclasses.asdict(self)
+        return {**plain, "target": self.target.name}
+
+    def lines(self) -> list[str]:
+        """For people: a line, and one a function."""
+        if self.missing:
+            return [f"{self.target.name}: not measured: needs {self.missing}"]
+        size = self.sections["text"] + self.sections["rodata"]
+        wants = f"; calls libgcc: {', '.join(self.undefined)}" if self.undefined else ""
+        said = [f"{self.target.name}: {size} B of code and constants{wants}"]
+        for cost in self.costs:
+            run = f"not run: needs {self.not_run}"
+            if cost.instructions is not None:
+                run = f"{cost.instructions:.0f} instructions a call, self-test passed in qemu"
+            said.append(f"  {cost.function}: {cost.stack} B of stack, {run}")
+        return said
+
+
+def measure(name: str, files: Mapping[str, str], functions: Sequence[str], target: Target) -> Figures:
+    """The figures of the kernel in ``files`` (:func:`robodyn.firmware.firmware_files`) of the robot ``name``.
+
+    Raises
+    ------
+    ToolError: a tool is there and fails.
+    CheckError: the self-test fails on the processor.
+    """
+    missing = _missing("arm-none-eabi-gcc", "arm-none-eabi-nm", "arm-none-eabi-size")
+    if missing:
+        return Figures(target, missing=missing)
+    with tempfile.TemporaryDirectory(prefix="robodyn-") as temporary:
+        folder = Path(temporary)
+        for file, text in files.items():
+            (folder / file).write_text(text, encoding="utf-8", newline="\n")
+        image, stacks = _built(name, target, folder)
+        figures = Figures(
+            target,
+            compiler=_run(["arm-none-eabi-gcc", "--version"], folder).splitlines()[0],
+            sections=_sections(_run(["arm-none-eabi-size", "-A", f"{name}.o"], folder)),
+            undefined=tuple(
+                line.split()[-1]
+                for line in _run(["arm-none-eabi-nm", "-u", f"{name}.o"], folder).splitlines()
+            ),
+            costs=tuple(Cost(f, stacks.get(f"{name}_{f}")) for f in functions),
+            not_run=_missing("qemu-system-arm"),
+        )
+        return figures if figures.not_run else _with_run(figures, name, image, folder)
+
+
+def _missing(*tools: str) -> str | None:
+    """What to install, if one of ``tools`` is not there."""
+    for tool in tools:
+        if shutil.which(tool) is None:
+            return f"{tool} (Debian, Ubuntu: apt install {_HOW[tool]})"
+    return None
+
+
+def _run(command: Sequence[str], folder: Path, codes: Sequence[int] = (0,)) -> str:
+    """What ``command`` says; :class:`ToolError` where it does not leave with one of ``codes``."""
+    try:
+        done = subprocess.run(
+            list(command), cwd=folder, capture_output=True, text=True, errors="replace", check=False,
+            timeout=_SECONDS, stdin=subprocess.DEVNULL,
+        )  # fmt: skip
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise ToolError(f"{command[0]} did not run", found=str(error)) from None
+    if done.returncode not in codes:
+        raise ToolError(
+            f"{command[0]} failed",
+            found=first_lines(done.stdout + done.stderr) or f"exit status {done.returncode}",
+            remedy=f"the command was: {' '.join(command)}",
+        )
+    return done.stdout + done.stderr
+
+
+def _built(name: str, target: Target, folder: Path) -> tuple[str, dict[str, int]]:
+    """The image, and the worst stack of the kernel's functions by symbol."""
+    compiler = ["arm-none-eabi-gcc", *target.flags, "-std=c99", *FLAGS]
+    objects = []
+    for source in (name, f"{name}_selftest", "main", "startup"):
+        _run([*compiler, "-fcallgraph-info=su", "-c", f"{source}.c", "-o", f"{source}.o"], folder)
+        objects.append(f"{source}.o")
+    image = f"{name}.elf"
+    options = ["-nostdlib", "-static", "-T", "link.ld", "-Wl,--gc-sections"]
+    _run(["arm-none-eabi-gcc", *target.flags, *options, *objects, "-lgcc", "-o", image], folder)
+    return image, worst_stack((folder / f"{name}.ci").read_text(encoding="utf-8"))
+
+
+def worst_stack(graph: str) -> dict[str, int]:
+    """From gcc's call graph (``-fcallgraph-info=su``) the bytes of stack of each function and the deepest of
+    what it calls; functions of other objects count as none.
+
+    Raises
+    ------
+    ToolError: a function calls itself.
+    """
+    own: dict[str, int] = {}
+    calls: dict[str, set[str]] = {}
+    for title, label in re.findall(r'node: \{ title: "([^"]*)" label: "([^"]*)"', graph):
+        found = re.search(r"(\d+) bytes", label)
+        own[title] = int(found[1]) if found else 0
+    for source, to in re.findall(r'edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', graph):
+        calls.setdefault(source, set()).add(to)
+
+    def deepest(function: str, above: tuple[str, ...]) -> int:
+        if function in above:
+            raise ToolError(f"the kernel's {function} calls itself")
+        inner = (deepest(called, (*above, function)) for called in calls.get(function, ()))
+        return own.get(function, 0) + max(inner, default=0)
+
+    return {function.rpartition(":")[2]: deepest(function, ()) for function in own}
+
+
+def _sections(said: str) -> dict[str, int]:
+    """Bytes by kind of section."""
+    total = dict.fromkeys(("text", "rodata", "data", "bss"), 0)
+    for kind, size in re.findall(r"^\.(text|rodata|data|bss)\S*\s+(\d+)", said, re.M):
+        total[kind] += int(size)
+    return total
+
+
+def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
+    """``figures`` with what the image says of itself in qemu."""
+    command = ["qemu-system-arm", "-M", figures.target.machine, *QEMU, "-kernel", image]
+    said = _run(command, folder, range(256))
+    if "self-test passed" not in said:
+        raise CheckError(
+            f"the self-test of {name} fails on {figures.target.name} in qemu",
+            found=" | ".join(said.split("\n")[:4]) or "no word from it",
+            remedy="please report the robot file",
+        )
+    costs = []
+    for cost in figures.costs:
+        digest = re.search(rf"^{cost.function} digest ([0-9a-f]+)", said, re.M)
+        ticks = re.search(
+            rf"^measured {cost.function} calls (\d+) ticks (\d+) idle (\d+) most (\d+) stack (\d+)",
+            said,
+            re.M,
+        )
+        assert digest
+        assert ticks
+        calls, total, idle, most, used = map(int, ticks.groups())
+        costs.append(
+            dataclasses.replace(
+                cost,
+                instructions=(total - idle) / calls * _INSTRUCTIONS_A_TICK,
+                most=(most - idle / STATES) / REPEATED * _INSTRUCTIONS_A_TICK,
+                stack_used=used,
+                digest=int(digest[1], 16),
+            )
+        )
+    version = _run(["qemu-system-arm", "--version"], folder).splitlines()[0]
+    return dataclasses.replace(figures, costs=tuple(costs), emulator=version)

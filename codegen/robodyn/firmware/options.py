@@ -1,0 +1,64 @@
+"""What the kernels of a firmware folder are generated with, and which robots it is not for."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+
+from robodyn.errors import InputError
+from robodyn.firmware.targets import targets_named
+from robodyn.generation import Generated, Options
+from robodyn.ir.signature import ScalarType
+
+#: What a controller calls; more of them make the code larger.
+FUNCTIONS = ("inverse_dynamics",)
+
+#: What the C library has, and -ffreestanding leaves to it.
+_LIBRARY = ("tanh", "exp", "pow", "sqrt", "abs")
+
+
+def firmware_options(
+    options: Options, targets: Sequence[str], *, scalar: ScalarType | None = None, trig: str | None = None
+) -> Options:
+    """``options`` for the processors called ``targets``, none for all: built-in sine and cosine; inverse
+    dynamics alone unless functions are named; float, unless ``scalar`` says otherwise or every processor
+    has a floating-point unit for double.
+
+    Raises
+    ------
+    InputError: a processor is unknown, or ``trig`` asks for other sines.
+    """
+    named = targets_named(targets)
+    if trig not in (None, "builtin"):
+        raise InputError(
+            f"a firmware folder has sines and cosines of its own, and --trig asks for {trig}",
+            expected="builtin",
+            remedy="leave out --trig",
+        )
+    if scalar is None:
+        scalar = "double" if all("double" in target.hardware for target in named) else "float"
+    functions = options.functions or FUNCTIONS
+    return dataclasses.replace(options, functions=functions, scalar=scalar, trig="builtin")
+
+
+def check_firmware(made: Generated) -> None:
+    """:class:`InputError` where a self-test cannot say what the kernel must give: it remembers from call to
+    call, or it calls the C library."""
+    name = made.unit.robot.name
+    for interface, program in made.unit.functions:
+        if interface.states:
+            raise InputError(
+                f"{interface.symbol} remembers from call to call, and the firmware's self-test is for single "
+                "states",
+                found=", ".join(interface.states),
+                remedy="leave out the effects with memory, or use robodyn gen without --firmware",
+            )
+        called = [op for op in _LIBRARY if any(operation.op == op for operation in program.operations)]
+        if called:
+            raise InputError(
+                f"{interface.symbol} calls {', '.join(called)} of the C library, whose bits differ from "
+                "one library to the next",
+                expected="a kernel that needs no library",
+                remedy=f"choose friction_at_rest: exact and plainer effects in {name}, or use robodyn gen "
+                "without --firmware",
+            )

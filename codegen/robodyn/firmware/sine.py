@@ -1,0 +1,58 @@
+"""The kernel's own sine and cosine in numpy, to the bit: what ``templates/c/trig.c.j2`` says, once more.
+
+The numbers are those of :mod:`robodyn.emit.trig`; the steps are written out here a second time, so
+that neither can change without the self-test noticing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.emit.trig import DOUBLE, FLOAT, Trigonometric
+from robodyn.ir.signature import ScalarType
+
+Array = NDArray[Any]
+
+
+def kernel_sine(scalar: ScalarType) -> dict[str, Callable[[Array], Array]]:
+    """``sin`` and ``cos`` of arrays [rad] in float32 (``float``) or float64."""
+    of = FLOAT if scalar == "float" else DOUBLE
+    return {"sin": lambda x: _sincos(x, of)[0], "cos": lambda x: _sincos(x, of)[1]}
+
+
+@np.errstate(all="ignore")  # angles that are too large end in NaN
+def _sincos(x: Array, of: Trigonometric) -> tuple[Array, Array]:
+    real: Any = np.float32 if of.bits == 32 else np.float64
+    unsigned: Any = np.uint32 if of.bits == 32 else np.uint64
+    last = of.bits - 1
+    magic, over = real(of.magic), real(of.over)
+    turns = x * real(of.per_quarter) + magic
+    k = turns - magic
+    y = x - (k * over) * real(of.first / of.over)
+    w = k * real(of.second) if of.second >= 0 else (real(0) - k) * real(-of.second)
+    h = y - w
+    n = (w - (y - h)) + k * real(of.third)
+    z = h * h
+    zz = z * z
+    p = _polynomial([real(a) for a in of.sine], z, zz)
+    r = _polynomial([real(a) for a in of.cosine], z, zz)
+    s = h - ((h * z) * p + n)
+    c = real(0.75) + ((real(0.25) - real(0.5) * z) + (zz * r + h * n))
+    quarter = turns.view(unsigned)
+    odd = quarter << unsigned(last)
+    half = ((quarter >> unsigned(1)) & unsigned(1)) << unsigned(last)
+    sine, cosine = np.where(odd != 0, c, s), np.where(odd != 0, s, c)
+    return (sine.view(unsigned) ^ half).view(real), (cosine.view(unsigned) ^ odd ^ half).view(real)
+
+
+def _polynomial(coefficients: Sequence[Any], z: Array, zz: Array) -> Array:
+    """a - b z + c z^2 - d z^3 ..., in pairs."""
+    pairs = [a - z * b for a, b in zip(coefficients[::2], coefficients[1::2], strict=False)]
+    total = coefficients[-1] if len(coefficients) % 2 else pairs.pop()
+    for pair in reversed(pairs):
+        total = pair + zz * total
+    return np.asarray(total)

@@ -1,0 +1,170 @@
+"""Test vectors: states within the joints' limits, their results to 40 digits, and what rounding may change.
+
+The results are those of the program, evaluated with mpmath, and every one of a rigid arm is confirmed by the
+torque of :func:`robodyn.verify.exact.exact_torque`, which shares nothing with the program: of the mass matrix
+and of forward dynamics what that torque is for the accelerations that they speak of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError
+from robodyn.firmware.rounding import TINY, UNIT, rounding_bounds
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.program import Input, Program
+from robodyn.ir.signature import ScalarType
+from robodyn.robot.model import Robot
+from robodyn.robot.values import Value
+from robodyn.verify.exact import exact_torque
+from robodyn.verify.numbers import number, real
+
+_DIGITS = 40
+#: How far program and exact torque may be apart, as a share of the largest term: both are right to about
+#: 1e-28 of it.
+_AGREED = Fraction(1, 10**24)
+
+
+class Unconfirmed(AssertionError):
+    """The exact torque contradicts the program: a defect of robodyn, never of its input."""
+
+
+@dataclass(frozen=True, slots=True)
+class Vectors:
+    """Of one function the results ``expected`` and the ``tolerance`` of each, ``[N, size]``: exact numbers,
+    and bounds of the error of the kernel's."""
+
+    output: str
+    expected: tuple[tuple[Fraction, ...], ...]
+    tolerance: NDArray[np.float64]
+    confirmed: bool
+
+
+def vectors(
+    robot: Robot,
+    function: str,
+    program: Program,
+    states: Mapping[str, NDArray[Any]],
+    parameters: Mapping[str, float],
+    scalar: ScalarType,
+    *,
+    spare: Sequence[float] = (),
+) -> Vectors:
+    """The vectors of ``function`` at ``states``; ``spare`` is what its program may be off the exact torques,
+    joint by joint, having been pruned.
+
+    Raises
+    ------
+    InputError: rounding errors have no bound at some state.
+    Unconfirmed: the program and the exact torque disagree.
+    """
+    inputs = {Input(a, i): x[:, i].astype(np.float64) for a, x in states.items() for i in range(x.shape[1])}
+    count = len(next(iter(states.values())))
+    inputs |= {Input(name, None): np.full(count, value) for name, value in parameters.items()}
+    ((output, bounds),) = rounding_bounds(program, inputs, scalar).items()
+    expected = tuple(tuple(_evaluated(program, inputs, k)) for k in range(count))
+    size = np.array([[real(abs(x)) for x in row] for row in expected])
+    if not bounds.max() <= max(size.max(), TINY[scalar]):
+        raise InputError(
+            f"rounding may leave no digit of {robot.name}_{function} in {scalar}",
+            found=f"errors up to {bounds.max():.1e} at states within the limits",
+            remedy="leave that function out of --functions, or use --scalar double",
+        )
+    confirmed = not robot.effects and robot.dead_band is None
+    if confirmed:
+        _confirm(robot, function, states, parameters, expected, spare)
+    return Vectors(output, expected, bounds + UNIT[scalar] * size, confirmed)  # the literal is rounded, too
+
+
+def _evaluated(program: Program, inputs: Mapping[Input, NDArray[np.float64]], k: int) -> list[Fraction]:
+    """The one output of ``program`` at state ``k``."""
+    import mpmath
+
+    with mpmath.workdps(_DIGITS):
+        functions = {
+            "sin": mpmath.sin,
+            "cos": mpmath.cos,
+            "sqrt": mpmath.sqrt,
+            "abs": abs,
+            "sign": mpmath.sign,
+        }
+        ((_, elements),) = evaluate(
+            program,
+            {name: mpmath.mpf(float(x[k])) for name, x in inputs.items()},
+            number=lambda x: mpmath.mpf(x.numerator) / x.denominator,
+            functions=functions,
+        ).items()
+        return [_fraction(mpmath.mpf(x)) for x in elements]
+
+
+def _fraction(x: Any) -> Fraction:
+    sign, mantissa, exponent, _ = x._mpf_
+    size: Fraction = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return -size if sign else size
+
+
+def _confirm(
+    robot: Robot,
+    function: str,
+    states: Mapping[str, NDArray[Any]],
+    parameters: Mapping[str, float],
+    expected: Sequence[Sequence[Fraction]],
+    spare: Sequence[float],
+) -> None:
+    """Hold every row of ``expected`` against the exact torque, to ``_AGREED`` of the largest term."""
+    n = robot.n
+    rest = [Fraction(0)] * n
+    pairs: list[tuple[Sequence[Fraction], list[Fraction]]] = []
+    fastest = Fraction(1)
+    for k, row in enumerate(expected):
+        at = {array: [Fraction(float(v)) for v in x[k]] for array, x in states.items()}
+
+        def torque(qd: Any, qdd: Any, q: Any = at["q"]) -> list[Fraction]:
+            return exact_torque(robot, q, qd, qdd, parameters)
+
+        if function == "inverse_dynamics":
+            pairs.append((row, torque(at["qd"], at["qdd"])))
+        elif function == "bias":
+            pairs.append((row, torque(at["qd"], rest)))
+        elif function == "gravity":
+            pairs.append((row, torque(rest, rest)))
+        elif function == "forward_dynamics":
+            pairs.append((at["tau"], torque(at["qd"], row)))
+            fastest = max(fastest, *map(abs, row))
+        else:
+            along = [Fraction(1, j + 1) for j in range(n)]
+            needed = [x - y for x, y in zip(torque(rest, along), torque(rest, rest), strict=True)]
+            rows = [row[i * n : i * n + n] for i in range(n)]
+            found = [sum((x * y for x, y in zip(r, along, strict=True)), Fraction(0)) for r in rows]
+            pairs.append((found, needed))
+    largest = _largest_term(robot, states, parameters) * fastest
+    for one, exact in pairs:
+        for j, (x, y) in enumerate(zip(one, exact, strict=True)):
+            if abs(x - y) > _AGREED * largest + (Fraction(spare[j]) if spare else 0):
+                raise Unconfirmed(
+                    f"{function} of {robot.name} differs from the exact torque at joint {j + 1}"
+                )
+
+
+def _largest_term(
+    robot: Robot, states: Mapping[str, NDArray[Any]], parameters: Mapping[str, float]
+) -> Fraction:
+    """No term of a torque is larger, but for a small factor: masses, lengths and motions in one product."""
+
+    def total(values: Iterable[Value]) -> Fraction:
+        return sum((abs(number(value, parameters)) for value in values), Fraction(0))
+
+    length = 1 + total(x for link in robot.links for x in (link.joint.a, link.joint.d, *link.com))
+    inertias = ((i.xx, i.yy, i.zz, i.xy, i.xz, i.yz) for i in (link.inertia for link in robot.links))
+    drives = ((j.motor_inertia, j.viscous, j.coulomb) for j in (link.joint for link in robot.links))
+    body = total(link.mass for link in robot.links) + total(x for row in (*inertias, *drives) for x in row)
+    most = {array: Fraction(float(np.abs(x).max())) for array, x in states.items()}
+    length += most["q"] if any(link.joint.kind == "prismatic" for link in robot.links) else 0
+    motion = 1 + most.get("qd", 0) ** 2 + most.get("qdd", 0) + total(robot.gravity)
+    return body * length**2 * motion

@@ -1,0 +1,79 @@
+"""``robodyn gen --firmware``: where the folder goes, what is said, what is refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from robodyn_cli.main import main
+from robodyn_testing import require_tool
+
+Capture = pytest.CaptureFixture[str]
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def gen(capsys: Capture, *arguments: str, code: int = 0) -> tuple[str, str]:
+    """What is said on both streams."""
+    assert main(["gen", "stanford_3dof", *arguments]) == code
+    out, err = capsys.readouterr()
+    assert "Traceback" not in err
+    return out, err
+
+
+def test_writes_a_folder_that_is_held_against_what_would_be_written(capsys: Capture, elsewhere: Path) -> None:
+    for tool in ("arm-none-eabi-gcc", "qemu-system-arm"):
+        require_tool(tool)
+    out, _ = gen(capsys, "--firmware", "--target", "cortex-m4f")
+    folder = elsewhere / "generated" / "stanford_3dof" / "firmware"
+    assert out.startswith("stanford_3dof: wrote 15 files in generated/stanford_3dof/firmware\ncortex-m4f: ")
+    assert "instructions a call, self-test passed in qemu" in out
+    assert len(list(folder.iterdir())) == 15
+    assert [path.name for path in folder.parent.iterdir()] == ["firmware"]
+    assert "typedef float stanford_3dof_real;" in (folder / "stanford_3dof.h").read_text(encoding="utf-8")
+    assert gen(capsys, "--firmware", "--target", "cortex-m4f", "--check")[0].endswith("are up to date\n")
+    (folder / "README.md").write_text("mine", encoding="utf-8")
+    gen(capsys, "--firmware", "--target", "cortex-m4f", "--check")
+    (folder / "startup.c").unlink()
+    _, err = gen(capsys, "--firmware", "--target", "cortex-m4f", "--check", code=1)
+    assert "firmware/startup.c: not what robodyn generates" in err
+
+
+def test_without_tools_it_says_what_was_not_measured(
+    capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", "")
+    out, err = gen(capsys, "--firmware", "--json", "-o", "there", "--scalar", "double", "--lang", "c")
+    said = json.loads(out)
+    assert "there/firmware/README.md" in said["files"]
+    assert not [file for file in said["files"] if file.endswith(".f90")]
+    assert [found["target"] for found in said["firmware"]] == ["cortex-m3", "cortex-m4f", "cortex-m7"]
+    assert all(found["missing"].startswith("arm-none-eabi-gcc") for found in said["firmware"])
+    assert "note: not everything was measured: needs arm-none-eabi-gcc" in err
+    assert "double" in Path("there/firmware/stanford_3dof.h").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--firmware", "--target", "z80"), "there is no firmware for the target 'z80'"),
+        (("--firmware", "--trig", "given"), "--trig asks for given"),
+        (("--firmware", "--trig", "libm"), "--trig asks for libm"),
+        (("--firmware", "--compile"), "--compile does not go with --firmware"),
+        (("--firmware", "--latex"), "--latex does not go with --firmware"),
+        (("--firmware", "--lang", "fortran"), "a firmware folder is for C"),
+        (("--target", "cortex-m3"), "--target goes with --firmware"),
+    ],
+)
+def test_what_does_not_go_together_is_refused(
+    arguments: tuple[str, ...], said: str, capsys: Capture, elsewhere: Path
+) -> None:
+    _, err = gen(capsys, *arguments, code=2)
+    assert said in err
+    assert not list(elsewhere.iterdir())

@@ -1,0 +1,91 @@
+"""Firmware folders for tests: made once a robot and type, written, compiled and run."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Final
+
+from robodyn.firmware import Folder, firmware, firmware_options, targets_named
+from robodyn.firmware.measure import FLAGS, FORTRAN_FLAGS
+from robodyn.generation import Generated, Options, generate
+from robodyn.robot import Robot, load, read_text
+
+STRICT: Final = (
+    "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wdouble-promotion", "-Werror",
+)  # fmt: skip
+STRICT_FORTRAN: Final = ("-std=f2018", "-Wall", "-Wextra", "-Werror")
+SCALARS: Final = ("float", "double")
+
+#: An arm with run-time parameters, a prismatic joint, friction and limits.
+TOOL: Final = """
+name: tool
+links:
+  - {joint: revolute, mass: 3, com: [0.1, 0, 0.2], inertia: {xx: 0.1, yy: 0.2, zz: 0.25}}
+  - joint: revolute
+    alpha: pi/2
+    a: a_2
+    mass: 2
+    com: [0.2, 0.1, 0.1]
+    inertia: {xx: 1, yy: 1, zz: 1.1}
+    limits: {position: [-0.5, 1.25], velocity: 2, acceleration: 7}
+  - {joint: prismatic, alpha: 0.7, d: 0.1, mass: m_tool, com: [0.1, 0, -0.05], friction: {coulomb: c_3}}
+"""
+
+
+def robot(name: str) -> Robot:
+    """``tool``, or a bundled robot."""
+    silent = {"warn": lambda _: None}
+    return read_text(TOOL, **silent) if name == "tool" else load(name, **silent)
+
+
+@cache
+def made(name: str, scalar: str, functions: tuple[str, ...] = ()) -> Generated:
+    """The kernels of a folder."""
+    options = Options(functions=functions or None)
+    return generate(robot(name), firmware_options(options, (), scalar=scalar))  # type: ignore[arg-type]
+
+
+@cache
+def folder(name: str, scalar: str, functions: tuple[str, ...] = ()) -> Folder:
+    """A folder for all targets, C and Fortran."""
+    return firmware(made(name, scalar, functions), targets_named(()))
+
+
+def write(where: Path, files: Mapping[str, str]) -> Path:
+    """Write ``files`` into ``where``."""
+    for file, text in files.items():
+        (where / file).write_text(text, encoding="utf-8", newline="\n")
+    return where
+
+
+def run(command: Sequence[str], where: Path) -> tuple[int, str]:
+    """Exit status and all that was said."""
+    done = subprocess.run(command, cwd=where, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def host(gcc: str, name: str, where: Path, *flags: str) -> tuple[int, str]:
+    """The C self-test of the folder ``where`` on this computer."""
+    sources = [f"{name}.c", f"{name}_selftest.c", f"{name}_selftest_main.c"]
+    code, said = run([gcc, "-std=c99", *FLAGS, *flags, *sources, "-o", "selftest"], where)
+    assert code == 0, said
+    return run([str(where / "selftest")], where)
+
+
+def fortran(gfortran: str, name: str, where: Path) -> tuple[int, str]:
+    """The Fortran self-test on this computer."""
+    code, said = run(
+        [gfortran, *FORTRAN_FLAGS, f"{name}.f90", f"{name}_selftest.f90", "-o", "fortran"], where
+    )
+    assert code == 0, said
+    return run([str(where / "fortran")], where)
+
+
+def digests(said: str) -> dict[str, tuple[int, int]]:
+    """Digests by function: the one found, and the one expected."""
+    found = re.findall(r"^(\w+) digest ([0-9a-fA-F]+) expected ([0-9a-fA-F]+)", said, re.M)
+    return {function: (int(one, 16), int(other, 16)) for function, one, other in found}

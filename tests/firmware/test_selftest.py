@@ -1,0 +1,180 @@
+"""The self-test passes where the kernel is right, and says so where it is not."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from firmware.folders import SCALARS, digests, folder, fortran, host, made, robot, run, write
+from robodyn.firmware.digest import outputs
+from robodyn.firmware.rounding import rounding_bounds
+from robodyn.firmware.sine import kernel_sine
+from robodyn.firmware.states import draw, ranges, vector_states
+from robodyn.firmware.vectors import Unconfirmed, vectors
+from robodyn.ir.program import Input, Program
+from robodyn_testing import require_module, require_tool
+
+ALL = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
+VECTOR, DIGEST, GUARD = 1, 2, 4
+
+
+@pytest.mark.parametrize("scalar", SCALARS)
+@pytest.mark.parametrize(("name", "functions"), [("puma560", ()), ("stanford", ALL), ("tool", ALL)])
+def test_c_and_fortran_pass_with_the_digest_of_numpy(
+    name: str, functions: tuple[str, ...], scalar: str, tmp_path: Path
+) -> None:
+    write(tmp_path, folder(name, scalar, functions).files)
+    code, said = host(require_tool("gcc"), name, tmp_path)
+    assert (code, said.splitlines()[-1]) == (0, f"{name} {scalar} self-test passed")
+    shares = [float(x) for x in re.findall(r"worst (\S+) of its", said)]
+    assert all(0.03 < share < 1 for share in shares), "tolerances are neither too tight nor idle"
+    code, also = fortran(require_tool("gfortran"), name, tmp_path)
+    assert code == 0, also
+    assert digests(said) == digests(also)
+    assert len(digests(said)) == len(functions or (1,))
+
+
+@pytest.mark.parametrize("flags", [("-O0",), ("-O3",), ("-Os",)])
+def test_levels_of_optimisation_give_the_same_bits(flags: tuple[str, ...], tmp_path: Path) -> None:
+    write(tmp_path, folder("puma560", "float").files)
+    assert host(require_tool("gcc"), "puma560", tmp_path, *flags)[0] == 0
+
+
+def kernel_constants(source: str) -> list[re.Match[str]]:
+    """The robot's numbers in the kernel of inverse dynamics."""
+    start = source.index("void puma560_inverse_dynamics")
+    return [
+        found for found in re.finditer(r"(?<![\w.])\d+\.\d+(?:e-?\d+)?f?\b", source) if found.start() > start
+    ]
+
+
+def altered(source: str, found: re.Match[str], factor: float) -> str:
+    number = float(found[0].rstrip("f"))
+    suffix = "f" if found[0].endswith("f") else ""
+    return source[: found.start()] + repr(number * factor) + suffix + source[found.end() :]
+
+
+@pytest.mark.parametrize("scalar", SCALARS)
+def test_altered_constants_are_noticed(scalar: str, tmp_path: Path) -> None:
+    files = folder("puma560", scalar).files
+    constants = kernel_constants(files["puma560.c"])
+    assert len(constants) > 20
+    write(tmp_path, files)
+    gcc = require_tool("gcc")
+    for found in constants[::9]:
+        (tmp_path / "puma560.c").write_text(altered(files["puma560.c"], found, 1.01), encoding="utf-8")
+        code, said = host(gcc, "puma560", tmp_path, "-O0")
+        assert code == VECTOR | DIGEST, (found[0], said)
+
+
+def test_a_single_last_digit_is_noticed(tmp_path: Path) -> None:
+    files = folder("puma560", "double").files
+    write(tmp_path, files)
+    for found in kernel_constants(files["puma560.c"])[::12]:
+        wrong = altered(files["puma560.c"], found, 1 + 2**-52)
+        assert wrong != files["puma560.c"]
+        (tmp_path / "puma560.c").write_text(wrong, encoding="utf-8")
+        code, _ = host(require_tool("gcc"), "puma560", tmp_path, "-O0")
+        assert code & DIGEST, found[0]
+
+
+def test_contraction_changes_bits_and_no_more(tmp_path: Path) -> None:
+    gcc = require_tool("gcc")
+    write(tmp_path, folder("puma560", "float").files)
+    if run([gcc, "-march=native", "-dM", "-E", "-"], tmp_path)[1].count("__FMA__") == 0:
+        pytest.skip("this processor has no fused multiply-add")
+    assert host(gcc, "puma560", tmp_path, "-march=native", "-ffp-contract=fast")[0] == DIGEST
+
+
+def test_a_sine_that_takes_infinity_for_a_number_is_noticed(tmp_path: Path) -> None:
+    files = folder("puma560", "float").files
+    body = re.compile(r"(void puma560_sincos_\(puma560_real) x(,[^)]*\)\n\{\n)")
+    wrong = body.sub(
+        r"\1 given\2    const puma560_real x = given - given == 0 ? given : 0;\n", files["puma560.c"]
+    )
+    assert wrong != files["puma560.c"]
+    write(tmp_path, {**files, "puma560.c": wrong})
+    assert host(require_tool("gcc"), "puma560", tmp_path)[0] == GUARD
+
+
+@pytest.mark.parametrize("name", ["puma560", "stanford", "panda"])
+def test_the_results_are_pinocchios(name: str) -> None:
+    require_module("pinocchio")
+    from peers.pinocchio_peer import pinocchio_model, torques
+
+    generated = made(name, "double")
+    ((interface, program),) = generated.unit.functions
+    states = vector_states(ranges(robot(name), ("q", "qd", "qdd"), "double"), "double")
+    found = vectors(robot(name), interface.function, program, states, {}, "double")
+    expected = torques(pinocchio_model(robot(name)), robot(name), *states.values())
+    mine = np.array([[float(x) for x in row] for row in found.expected])
+    assert found.confirmed
+    assert np.abs(mine - expected).max() < 1e-12 * np.abs(expected).max()
+
+
+def test_a_program_that_is_wrong_is_not_confirmed() -> None:
+    ((interface, program),) = made("puma560", "double").unit.functions
+    operations = list(program.operations)
+    for i, (op, args, _) in enumerate(operations):
+        if op == "mul" and isinstance(args[0], Fraction):
+            operations[i] = operations[i]._replace(args=(args[0] * (1 + Fraction(1, 10**15)), args[1]))
+            break
+    wrong = Program(tuple(operations), program.outputs)
+    states = vector_states(ranges(robot("puma560"), ("q", "qd", "qdd"), "double"), "double")
+    with pytest.raises(Unconfirmed):
+        vectors(robot("puma560"), interface.function, wrong, states, {}, "double")
+
+
+@pytest.mark.parametrize("scalar", SCALARS)
+@pytest.mark.parametrize(
+    ("name", "function"), [("puma560", "inverse_dynamics"), ("tool", "forward_dynamics")]
+)
+def test_rounding_stays_within_its_bound(name: str, function: str, scalar: str) -> None:
+    """At a thousand states, against the same program in extended precision."""
+    generated = made(name, scalar, (function,))
+    ((interface, program),) = generated.unit.functions
+    arrays = tuple(array for array, _ in interface.inputs)
+    states = draw(ranges(robot(name), arrays, scalar), 1000, 3, scalar)  # type: ignore[arg-type]
+    values = dict.fromkeys(interface.parameters, 0.375)
+    sines = kernel_sine(scalar)  # type: ignore[arg-type]
+    found = outputs(program, states, values, scalar, sines)  # type: ignore[arg-type]
+    inputs = {Input(a, i): x[:, i].astype(np.float64) for a, x in states.items() for i in range(x.shape[1])}
+    inputs |= {Input(p, None): np.full(1000, v) for p, v in values.items()}
+    ((_, bounds),) = rounding_bounds(program, inputs, scalar).items()  # type: ignore[arg-type]
+    exact = in_extended_precision(program, inputs)
+    error = np.abs(found.astype(np.longdouble) - exact)
+    assert (error <= bounds).all()
+    assert (error > bounds / 30).any()
+
+
+def in_extended_precision(program: Program, inputs: dict[Input, np.ndarray]) -> np.ndarray:
+    from robodyn.ir.evaluate import evaluate
+
+    if np.finfo(np.longdouble).nmant < 60:
+        pytest.skip("numpy has no extended precision here")
+    extended = {name: x.astype(np.longdouble) for name, x in inputs.items()}
+    functions = {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "abs": np.abs, "sign": np.sign}
+
+    def number(x: Fraction) -> np.longdouble:
+        return np.longdouble(x.numerator) / np.longdouble(x.denominator)
+
+    ((_, elements),) = evaluate(program, extended, number=number, functions=functions).items()
+    return np.stack([np.broadcast_to(x, 1000) for x in elements], axis=1)
+
+
+@pytest.mark.parametrize("scalar", SCALARS)
+def test_states_lie_within_the_limits(scalar: str) -> None:
+    arm = robot("tool")
+    spans = ranges(arm, ("q", "qd", "qdd"), scalar)  # type: ignore[arg-type]
+    for states in (draw(spans, 1000, 1, scalar), vector_states(spans, scalar)):  # type: ignore[arg-type]
+        q, qd, qdd = (states[a][:, 1] for a in ("q", "qd", "qdd"))
+        assert q[:20].min() < -0.3
+        assert q[:20].max() > 1.0
+        assert (q[:26] >= -0.5).all()
+        assert (q[:26] <= 1.25).all()
+        assert (np.abs(qd) <= 2).all()
+        assert (np.abs(qdd) <= 7).all()

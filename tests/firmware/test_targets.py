@@ -1,0 +1,159 @@
+"""On the processors, in qemu: the digest of x86 and Fortran, and what the kernel costs there."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from firmware.folders import SCALARS, digests, folder, fortran, host, robot, run, write
+from robodyn.errors import CheckError
+from robodyn.firmware import TARGETS, Figures, measure
+from robodyn.firmware.measure import worst_stack
+from robodyn.verify.exact import exact_torque
+from robodyn_testing import require_tool
+
+#: Bytes of code and of stack, and instructions a call, that puma560's inverse dynamics may take.
+CEILINGS = {
+    ("cortex-m4f", "float"): (2600, 320, 800),
+    ("cortex-m7", "float"): (2600, 320, 800),
+    ("cortex-m7", "double"): (3200, 560, 900),
+    ("cortex-m3", "float"): (4000, 400, 22_000),
+    ("cortex-m3", "double"): (6500, 700, 35_000),
+    ("cortex-m4f", "double"): (6500, 700, 35_000),
+}
+
+
+@pytest.fixture(scope="module")
+def tools() -> None:
+    for tool in ("arm-none-eabi-gcc", "arm-none-eabi-nm", "arm-none-eabi-size", "qemu-system-arm"):
+        require_tool(tool)
+
+
+def measured(target: str, scalar: str) -> Figures:
+    return measure("puma560", folder("puma560", scalar).files, ["inverse_dynamics"], TARGETS[target])
+
+
+@pytest.mark.parametrize("scalar", SCALARS)
+def test_all_processors_x86_and_fortran_give_the_same_bits(scalar: str, tools: None, tmp_path: Path) -> None:
+    write(tmp_path, folder("puma560", scalar).files)
+    found = {
+        "x86": digests(host(require_tool("gcc"), "puma560", tmp_path)[1])["inverse_dynamics"][0],
+        "fortran": digests(fortran(require_tool("gfortran"), "puma560", tmp_path)[1])["inverse_dynamics"][0],
+    }
+    for target in TARGETS:
+        figures = measured(target, scalar)
+        (cost,) = figures.costs
+        found[target] = cost.digest or 0
+        code, stack, instructions = CEILINGS[target, scalar]
+        assert figures.sections["text"] + figures.sections["rodata"] <= code
+        assert figures.sections["data"] == figures.sections["bss"] == 0
+        assert cost.stack is not None
+        assert cost.stack_used is not None
+        assert cost.stack <= stack
+        assert cost.instructions is not None
+        assert cost.instructions <= instructions
+        if scalar in TARGETS[target].hardware:
+            assert figures.undefined == ()
+            assert cost.stack - 16 <= cost.stack_used <= cost.stack
+        else:
+            assert all(name.startswith("__aeabi_") for name in figures.undefined)
+            assert figures.undefined
+    assert len(set(found.values())) == 1, found
+
+
+def test_a_processor_that_fails_is_an_error(tools: None) -> None:
+    files = folder("puma560", "float").files
+    source = files["puma560.c"]
+    wrong = source.replace("tau[0] = ", "tau[0] = 1.0f + ", 1)
+    assert wrong != source
+    with pytest.raises(CheckError, match=r"self-test of puma560 fails on cortex-m4f in qemu.*failed 3"):
+        measure("puma560", {**files, "puma560.c": wrong}, ["inverse_dynamics"], TARGETS["cortex-m4f"])
+
+
+def test_a_fault_ends_the_image(tools: None) -> None:
+    files = folder("puma560", "float").files
+    wrong = files["puma560.c"].replace("tau[0] = ", "*(volatile int *)0xF0000000 = 0;\n    tau[0] = ", 1)
+    with pytest.raises(CheckError, match="found fault"):
+        measure("puma560", {**files, "puma560.c": wrong}, ["inverse_dynamics"], TARGETS["cortex-m3"])
+
+
+def test_the_worst_stack_is_that_of_the_deepest_chain() -> None:
+    graph = r"""
+node: { title: "outer" label: "outer\nx.c:1:1\n100 bytes (static)\n0 dynamic objects" }
+node: { title: "x.c:inner" label: "inner\nx.c:9:1\n40 bytes (static)\n0 dynamic objects" }
+node: { title: "x.c:leaf" label: "leaf\nx.c:9:1\n8 bytes (static)\n0 dynamic objects" }
+node: { title: "__aeabi_fadd" label: "__aeabi_fadd\n<built-in>" shape : ellipse }
+edge: { sourcename: "outer" targetname: "x.c:inner" label: "x.c:2:2" }
+edge: { sourcename: "outer" targetname: "x.c:leaf" label: "x.c:3:2" }
+edge: { sourcename: "x.c:inner" targetname: "x.c:leaf" label: "x.c:4:2" }
+edge: { sourcename: "x.c:leaf" targetname: "__aeabi_fadd" label: "x.c:4:2" }
+"""
+    assert worst_stack(graph) == {"outer": 148, "inner": 48, "leaf": 8, "__aeabi_fadd": 0}
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_make_runs_the_image(target: str, tools: None, tmp_path: Path) -> None:
+    write(tmp_path, folder("puma560", "float").files)
+    code, said = run([require_tool("make"), "run", "size", f"TARGET={target}"], tmp_path)
+    assert code == 0, said
+    assert "puma560 float self-test passed" in said
+    assert "warning" not in said
+    code, said = run(["make", "run", "TARGET=avr"], tmp_path)
+    assert code != 0
+    assert "expected cortex-m3, cortex-m4f, cortex-m7" in said
+
+
+def test_make_checks_on_this_computer(tmp_path: Path) -> None:
+    require_tool("gfortran")
+    write(tmp_path, folder("puma560", "double").files)
+    code, said = run([require_tool("make"), "check", f"CC={require_tool('gcc')}"], tmp_path)
+    assert code == 0, said
+    assert said.count("self-test passed") + said.count("Fortran kernel passed") == 2
+
+
+def test_cmake_builds_and_tests_on_this_computer(tmp_path: Path) -> None:
+    write(tmp_path, folder("puma560", "double").files)
+    cmake = require_tool("cmake")
+    for command in ([cmake, "-B", "b"], [cmake, "--build", "b"]):
+        code, said = run(command, tmp_path)
+        assert code == 0, said
+        assert "warning" not in said.lower()
+    code, said = run(["ctest", "--test-dir", "b"], tmp_path)
+    assert code == 0, said
+    assert f"out of {1 + bool(shutil.which('gfortran'))}" in said
+
+
+@pytest.mark.parametrize("target", ["cortex-m4f"])
+def test_cmake_builds_the_image_and_runs_it(target: str, tools: None, tmp_path: Path) -> None:
+    write(tmp_path, folder("puma560", "float").files)
+    cmake = require_tool("cmake")
+    configure = [cmake, "-B", "b", "--toolchain", "arm-none-eabi.cmake", f"-DTARGET={target}"]
+    assert run(configure, tmp_path)[0] == 0
+    code, said = run([cmake, "--build", "b", "--target", "run"], tmp_path)
+    assert code == 0, said
+    assert "puma560 float self-test passed" in said
+
+
+def test_a_larger_project_takes_the_library_alone(tmp_path: Path) -> None:
+    still = exact_torque(robot("puma560"), [0] * 6, [0] * 6, [0] * 6)[1]
+    assert abs(still) > 1
+    (tmp_path / "arm").mkdir()
+    write(tmp_path / "arm", folder("puma560", "double").files)
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.16)\nproject(all C)\nadd_subdirectory(arm)\n"
+        "add_executable(whole main.c)\ntarget_link_libraries(whole PRIVATE puma560_dynamics)\n",
+        encoding="utf-8",
+    )
+    (tmp_path / "main.c").write_text(
+        '#include "puma560.h"\nint main(void)\n{\n    double q[6] = {0}, tau[6];\n'
+        "    puma560_inverse_dynamics(q, q, q, tau);\n"
+        f"    const double off = tau[1] - ({float(still)!r});\n    return off*off > 1e-20;\n}}\n",
+        encoding="utf-8",
+    )
+    for command in ([require_tool("cmake"), "-B", "b"], ["cmake", "--build", "b"]):
+        code, said = run(command, tmp_path)
+        assert code == 0, said
+    assert "selftest" not in said
+    assert run([str(tmp_path / "b" / "whole")], tmp_path)[0] == 0
