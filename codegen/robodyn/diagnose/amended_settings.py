@@ -9,8 +9,8 @@ from typing import Any
 from robodyn.diagnose.combined import significant, total
 from robodyn.effects.effect import Effect, Parameter
 from robodyn.errors import InputError
-from robodyn.robot.effects import AXES, default_of
-from robodyn.robot.model import Inertia, Robot, Setting
+from robodyn.robot.effects import default_of
+from robodyn.robot.model import AXES, Inertia, Robot, Setting
 from robodyn.robot.values import ZERO, Affine
 
 #: What adds up although the torque is not linear in it.

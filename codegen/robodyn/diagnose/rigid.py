@@ -27,8 +27,7 @@ from robodyn.dynamics.modified_newton_euler import forward_pass
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.program import Label
-from robodyn.robot.effects import AXES
-from robodyn.robot.model import Robot
+from robodyn.robot.model import AXES, Robot
 
 Floats = NDArray[np.float64]
 #: Positions, velocities and accelerations [K, n].

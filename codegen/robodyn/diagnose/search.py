@@ -16,8 +16,7 @@ from robodyn.diagnose.refine import costs, refined
 from robodyn.diagnose.rigid import Model, physical
 from robodyn.diagnose.selection import Named, Selection, select
 from robodyn.effects.catalogue import CATALOGUE
-from robodyn.robot.effects import AXES
-from robodyn.robot.model import Robot
+from robodyn.robot.model import AXES, Robot
 from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]

@@ -10,10 +10,9 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from robodyn.robot.model import Inertia, Joint
+from robodyn.robot.model import AXES, Inertia, Joint
 from robodyn.robot.numbers import brief
 
-_AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 # Rounding noise of converted tensors, as a share of the trace, is not worth a word.
 _NOISE = Fraction(1, 10**9)
 _Entries = tuple[Fraction, Fraction, Fraction, Fraction, Fraction, Fraction]
@@ -24,7 +23,7 @@ def inertia_doubt(inertia: Inertia) -> str | None:
 
     A tensor with run-time parameters in it is not judged.
     """
-    values = tuple(getattr(inertia, axes) for axes in _AXES)
+    values = tuple(getattr(inertia, axes) for axes in AXES)
     if not all(isinstance(value, Fraction) for value in values):
         return None
     xx, yy, zz, xy, xz, yz = values
@@ -56,7 +55,7 @@ def only_about_base_axis(joint: Joint, inertia: Inertia) -> bool:
 
     Then no other entry enters any torque, and tables (the thesis's too) leave them out: no doubt.
     """
-    return joint.kind == "revolute" and not any(getattr(inertia, axes) for axes in _AXES if axes != "zz")
+    return joint.kind == "revolute" and not any(getattr(inertia, axes) for axes in AXES if axes != "zz")
 
 
 def _has_no_negative_eigenvalue(entries: _Entries) -> bool:

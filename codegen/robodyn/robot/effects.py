@@ -13,7 +13,7 @@ from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
 from robodyn.robot.fields import Section, expectation
 from robodyn.robot.keys import EFFECTS, INERTIA, KNOTS, Key
-from robodyn.robot.model import EffectEntry, Inertia, JointKind, Setting
+from robodyn.robot.model import AXES, EffectEntry, Inertia, JointKind, Setting
 from robodyn.robot.values import ZERO
 
 #: How far apart load fractions of an efficiency are: closer ones are a jump, and lose digits.
@@ -21,7 +21,6 @@ _APART = Fraction(1, 10**6)
 # What may stand more than once at a joint, and what may stand for all joints in the robot's list.
 _SEVERAL = frozenset({"torque_ripple", "load_dependent_friction", "external_contact"})
 _OF_ALL = frozenset({"time_delay", "torque_gain"})
-AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 class EntrySection(Section):

@@ -12,9 +12,9 @@ from fractions import Fraction
 
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot import numbers
-from robodyn.robot.effects import AXES, Written
+from robodyn.robot.effects import Written
 from robodyn.robot.fields import Section
-from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
+from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
 from robodyn.robot.values import Value, angle
 
 # What lies between the link and the motor's torque: not in a torque behind the gear.

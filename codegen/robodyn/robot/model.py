@@ -16,6 +16,8 @@ from robodyn.robot.values import ZERO, Affine, Angle, Value, parameters_of
 
 JointKind = Literal["revolute", "prismatic"]
 Vector = tuple[Value, Value, Value]
+#: Entries of an inertia tensor, in the order of :class:`Inertia`.
+AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 @dataclass(frozen=True, slots=True)

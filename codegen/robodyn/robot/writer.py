@@ -6,12 +6,11 @@ import math
 from fractions import Fraction
 
 from robodyn.robot import numbers
-from robodyn.robot.model import EffectEntry, Inertia, Joint, Limits, Link, Robot, Setting
+from robodyn.robot.model import AXES, EffectEntry, Inertia, Joint, Limits, Link, Robot, Setting
 from robodyn.robot.values import ZERO, Affine, Angle, Value, angle
 
 # Smallest part of pi that is looked for behind an angle: pi/360 is half a degree.
 _PARTS = 360
-_AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 def to_yaml(robot: Robot) -> str:
@@ -53,7 +52,7 @@ def _link_lines(link: Link, i: int) -> list[str]:
         f"theta: {_angle(joint.theta)}",
         f"mass: {_number(link.mass)}",
         f"com: {_list(link.com)}",
-        f"inertia: {_group({axes: getattr(inertia, axes) for axes in _AXES})}",
+        f"inertia: {_group({axes: getattr(inertia, axes) for axes in AXES})}",
     ]
     if joint.motor_inertia != ZERO:
         lines.append(f"motor_inertia: {_number(joint.motor_inertia)}")
@@ -86,7 +85,7 @@ def _setting(value: Setting, *, plain: bool) -> str:
     if isinstance(value, (Fraction, Affine)):
         return _number(value)
     if isinstance(value, Inertia):
-        entries = {axes: getattr(value, axes) for axes in _AXES}
+        entries = {axes: getattr(value, axes) for axes in AXES}
         return _group({axes: entry for axes, entry in entries.items() if entry != ZERO})
     if isinstance(value, tuple):
         parts = [_list(part) if isinstance(part, tuple) else _number(part) for part in value]

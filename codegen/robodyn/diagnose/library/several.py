@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.library.candidate import Candidate, Context
 from robodyn.diagnose.rigid import PARAMETERS, Model, physical
-from robodyn.robot.effects import AXES
+from robodyn.robot.model import AXES
 
 Floats = NDArray[np.float64]
 
