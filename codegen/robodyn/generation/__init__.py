@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from robodyn.counts import Count, count
 from robodyn.dynamics.functions import FUNCTIONS, Choice, NoForwardDynamics, signature
 from robodyn.emit import Unit, render
+from robodyn.errors import InputError
 from robodyn.generation.drafts import Drafts, SingularArm
 from robodyn.generation.options import (
     ENGINES,
@@ -79,10 +80,18 @@ class Generated:
         """Interfaces of the functions, in order."""
         return tuple(interface for interface, _ in self.unit.functions)
 
-    def files(self, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
-        """Header, source and Fortran module: text by file name. Writes nothing."""
+    def files(self, languages: Sequence[str] = LANGUAGES, *, batch: bool = False) -> dict[str, str]:
+        """Header, source and Fortran module: text by file name; with ``batch`` those of batches in C too.
+        Writes nothing."""
         check_languages(languages)
-        return render(self.unit, languages)
+        files = render(self.unit, languages)
+        if batch:
+            from robodyn.emit.batch import batch_files
+
+            if "c" not in languages:
+                raise InputError("batches are in C only", found=", ".join(languages), expected="c among them")
+            files.update(batch_files(self.unit))
+        return files
 
 
 def generate(
