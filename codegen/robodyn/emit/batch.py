@@ -123,20 +123,20 @@ class _Function:
         reads_parameters = any(name in {array for array, _ in read} for name in s.parameters)
         inputs = [array for array, _ in s.inputs]
         return {
-            "symbol": s.symbol,
+            "name": s.function,
             "purpose": PURPOSES[s.function],
             "columns": _prototype(
                 f"void {s.symbol}_batch(", ["size_t count, size_t stride", *arguments, *parameter]
             ),
             "rows": _prototype(f"void {s.symbol}_batch_rows(", ["size_t count", *arguments, *parameter]),
             "kernel": _prototype(
-                f"static void LANES_NAME({s.symbol})(", ["size_t count, size_t stride", *own, *parameter]
+                f"static void LANES_NAME({s.function})(", ["size_t count, size_t stride", *own, *parameter]
             ),
             "kernel_rows": _prototype(
-                f"static void LANES_NAME({s.symbol}_rows)(", ["size_t count", *own, *parameter]
+                f"static void LANES_NAME({s.function}_rows)(", ["size_t count", *own, *parameter]
             ),
             "kernel_columns": _prototype(
-                f"static void LANES_NAME({s.symbol}_columns)(",
+                f"static void LANES_NAME({s.function}_columns)(",
                 ["size_t count, size_t stride", *own, *parameter],
             ),
             "inputs": [
@@ -144,6 +144,7 @@ class _Function:
             ],
             "outputs": [{"name": a, "size": n} for a, n in s.outputs],
             "arrays": [*inputs, *(array for array, _ in s.outputs)],
+            "reads": any(j is not None for _, j in read),
             "unused": [array for array in inputs if not any(a == array for a, _ in read)]
             + (["p"] if s.parameters and not reads_parameters else []),
             "p": ", p" if s.parameters else "",
@@ -198,11 +199,11 @@ class _Lines:
             self._uniform.add(s.name)
             self._add(f"const {self._real} {s.name} = {self._scalar.text(e)};")
             return
-        self._add(f"const LANES_VEC {s.name} = {self._spelling.text(e)};")
+        self._add(f"const LANES_VEC {s.name} = {self._text(e)};")
 
     def _sine(self, e: Apply) -> None:
         """Sine and cosine of one angle, at the first of them."""
-        key = self._spelling.text(e.args[0])
+        key = self._text(e.args[0])
         if key in self._paired:
             return
         self._paired.add(key)
@@ -223,7 +224,21 @@ class _Lines:
     def _lanes(self, e: Expression) -> str:
         if self._same(e):
             return f"LANES_NAME(all)({self._scalar.text(e)})"
-        return self._spelling.text(e)
+        return self._text(e)
+
+    def _text(self, e: Expression) -> str:
+        return self._spelling.text(self._lifted(e))
+
+    def _lifted(self, e: Expression) -> Expression:
+        """``e`` with numbers that are the same in all states made vectors where a function wants vectors;
+        operators mix the two by themselves."""
+        if not isinstance(e, Apply):
+            return e
+        if e.op not in _HELPERS:
+            return Apply(e.op, tuple(map(self._lifted, e.args)))
+        if self._same(e):
+            return self._scalar.text(e)
+        return Apply(e.op, tuple(map(self._lanes, e.args)))
 
     def _same(self, e: Expression) -> bool:
         if isinstance(e, str):
