@@ -158,9 +158,7 @@ def command(
         click.echo(f"{language}: {text}")
 
 
-def _compiled(
-    made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool
-) -> dict[str, Any]:
+def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
     """Build and load each language; where both are there, compare them bit by bit."""
     from robodyn.build import load as load_kernel
     from robodyn.errors import CheckError, ToolError

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -118,3 +119,56 @@ def test_the_files_say_nothing_of_this_machine() -> None:
         assert "\n\n\n" not in text
         assert text.endswith("\n")
         assert not text.endswith("\n\n")
+
+
+MAIN = """#include "NAME_batch.h"
+#include <stdlib.h>
+#include <string.h>
+int main(void)
+{
+    size_t count, k;
+    for (count = 0; count < 70; ++count) {
+        const size_t size = 6 * count * sizeof(NAME_real);
+        /* Each in a block of its own size, an odd number behind an aligned one. */
+        NAME_real *a[4], *b[4];
+        for (k = 0; k < 4; ++k) {
+            a[k] = (NAME_real *)malloc(size + sizeof(NAME_real));
+            b[k] = (NAME_real *)malloc(size + sizeof(NAME_real));
+            if (!a[k] || !b[k]) return 2;
+            memset(a[k], 0, size + sizeof(NAME_real));
+            memset(b[k], 0, size + sizeof(NAME_real));
+        }
+        NAME_inverse_dynamics_batch(count, count, a[0] + 1, a[1] + 1, a[2] + 1, a[3] + 1);
+        NAME_inverse_dynamics_batch_rows(count, b[0] + 1, b[1] + 1, b[2] + 1, b[3] + 1);
+        for (k = 0; k < count; ++k) {
+            size_t j;
+            for (j = 0; j < 6; ++j) {
+                if (memcmp(&a[3][1 + j * count + k], &b[3][1 + 6 * k + j], sizeof(NAME_real))) return 1;
+            }
+        }
+        if (a[3][0] != 0 || b[3][0] != 0) return 3;
+        for (k = 0; k < 4; ++k) {
+            free(a[k]);
+            free(b[k]);
+        }
+    }
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize("width", [16, 32, 64])
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_sanitizers_find_nothing(scalar: str, width: int, tmp_path: Path) -> None:
+    """Any count reads and writes its own states only; nothing is undefined."""
+    generated = made("puma560", "builtin")
+    generated = in_single(generated) if scalar == "float" else generated
+    first = replace(generated.unit, functions=generated.unit.functions[:1])
+    files = replace(generated, unit=first).files(("c",), batch=True)
+    write(tmp_path, {**files, "main.c": MAIN.replace("NAME", "puma560")})
+    flags = ("-std=c99", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    width_flag = f"-DPUMA560_BATCH_BYTES={width}"
+    command = [require_tool("gcc"), *flags, width_flag, "puma560_batch.c", "main.c", "-lm", "-o", "main"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    done = subprocess.run(["./main"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
