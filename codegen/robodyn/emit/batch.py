@@ -1,9 +1,9 @@
 """Batches: a function on many states at once, as lanes of the processor's vectors.
 
-Three files beside ``NAME.h``: ``NAME_batch.h``, ``NAME_batch.c``, and ``NAME_lanes.h``, the kernels on as many
-states as a vector has lanes, which ``NAME_batch.c`` includes once for each width of vectors that it may meet.
-Vectors are those of gcc and clang (``vector_size``), which every target has, by instructions or one by one;
-other compilers get lanes of one state. Each lane is rounded as the operation alone is.
+Three files beside ``NAME.h``: ``NAME_batch.h``, ``NAME_batch.c``, and ``NAME_lanes.h``, the kernels on as
+many states as a vector has lanes, which ``NAME_batch.c`` includes once for each width of vectors that it may
+meet. Vectors are those of gcc and clang (``vector_size``), which every target has, by instructions or one by
+one; other compilers get lanes of one state. Each lane is rounded as the operation alone is.
 """
 
 from __future__ import annotations
