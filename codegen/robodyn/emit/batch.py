@@ -21,6 +21,7 @@ from robodyn.emit.trig import trig_context
 from robodyn.errors import InputError
 from robodyn.ir.program import Input
 from robodyn.ir.signature import Signature
+from robodyn.passes.registers import registers
 
 #: States that one call of a kernel on rows turns into columns: enough for the widest vectors, few enough for
 #: the stack of a thread.
@@ -52,7 +53,9 @@ def batch_files(unit: Unit) -> dict[str, str]:
         )
     name = unit.robot.name
     single = able[0][0].scalar == "float"
-    functions = [_Function(signature, statements(program)) for signature, program in able]
+    functions = [
+        _Function(signature, statements(registers(program), in_order=True)) for signature, program in able
+    ]
     used = {helper for function in functions for helper in function.helpers}
     context: dict[str, Any] = {
         "name": name,
@@ -172,12 +175,21 @@ class _Lines:
         for s in body.statements:
             if self._from_inputs(s):
                 self._statement(s)
+        # Results as soon as they are there: what is written needs no register any more.
+        due: dict[Expression, list[tuple[str, int]]] = {}
+        for array, elements in body.outputs:
+            for j, e in enumerate(elements):
+                due.setdefault(e, []).append((array, j))
         for s in body.statements:
             if not self._from_inputs(s):
                 self._statement(s)
-        for array, elements in body.outputs:
-            for j, e in enumerate(elements):
-                self._add(f"LANES_PUT({array}, {j}, {self._lanes(e)});")
+                self._results(s.name, due.pop(s.name, []))
+        for e, places in due.items():
+            self._results(e, places)
+
+    def _results(self, e: Expression, places: list[tuple[str, int]]) -> None:
+        for array, j in places:
+            self._add(f"LANES_PUT({array}, {j}, {self._lanes(e)});")
 
     def _from_inputs(self, statement: Statement) -> bool:
         e = statement.expression
