@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     show_default=True,
     help="Sine and cosine: libm, builtin (no library at all), or given in sc.",
 )
+@click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states in a call, with SIMD.")
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @model_options
 @search_options
@@ -57,6 +58,7 @@ def command(
     compile_: bool,
     scalar: str,
     trig: str,
+    batch: bool,
     functions: str | None,
     formulation: str,
     optimize: str,
@@ -95,7 +97,7 @@ def command(
         prune=tolerance(prune),
     )
     if firmware:
-        options = for_firmware(options, target, compile=compile_, latex=latex)
+        options = for_firmware(options, target, compile=compile_, latex=latex, batch=batch)
     else:
         refuse_target(target)
     languages = listed(lang)
@@ -118,7 +120,11 @@ def command(
     if firmware:
         write_firmware(made, folder, languages, target, check=check, as_json=as_json)
         return
-    files = made.files(languages)
+    files = made.files(languages, batch=batch)
+    if batch:
+        for interface in made.signatures:
+            if interface.states:
+                talk(f"robodyn: note: no batch of {interface.function}, which remembers between calls")
     if latex:
         files[f"{described.name}.tex"] = _typeset(described, formulation)
     if check:
@@ -133,7 +139,8 @@ def command(
         else:
             click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
-    built = _compiled(made, languages, explicit=lang != "c,fortran") if compile_ else None
+    explicit = lang != "c,fortran"
+    built = _compiled(made, languages, explicit=explicit, batch=batch) if compile_ else None
     write_files(folder, files)
     if as_json:
         echo_json(
@@ -162,7 +169,7 @@ def command(
         click.echo(f"{language}: {text}")
 
 
-def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool) -> dict[str, Any]:
+def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
     """Build and load each language; where both are there, compare them bit by bit."""
     from robodyn.build import load as load_kernel
     from robodyn.errors import CheckError, ToolError
@@ -171,7 +178,8 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool) ->
     said: dict[str, Any] = {}
     for language in languages:
         try:
-            kernel = load_kernel(made.signatures, made.files((language,)), language=language)  # type: ignore[arg-type]
+            files = made.files((language,), batch=batch and language == "c")
+            kernel = load_kernel(made.signatures, files, language=language)  # type: ignore[arg-type]
         except ToolError as error:
             if language == "fortran" and not explicit:
                 said[language] = f"written, not compiled: {error}"

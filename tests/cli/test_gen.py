@@ -470,3 +470,17 @@ def test_different_bits_are_a_failed_check(
     _, err = gen(capsys, "stanford_3dof", "-o", "out", "--compile", code=1)
     assert "different bits" in err
     assert not (elsewhere / "out").exists()
+
+
+def test_batch(capsys: Capture, elsewhere: Path) -> None:
+    """The files of batches, compiled with the kernels; checked like them."""
+    require_tool("cc")
+    arguments = ("stanford_3dof", "--batch", "--functions", "inverse_dynamics", "--lang", "c")
+    gen(capsys, *arguments, "--compile", "-o", "out")
+    made = generate(load("stanford_3dof", warn=lambda _: None), Options(functions=("inverse_dynamics",)))
+    assert tree(elsewhere / "out") == made.files(("c",), batch=True)
+    gen(capsys, *arguments, "--check", "-o", "out")
+    (elsewhere / "out" / "stanford_3dof_lanes.h").unlink()
+    gen(capsys, *arguments, "--check", "-o", "out", code=1)
+    _, err = gen(capsys, "stanford_3dof", "--batch", "--lang", "fortran", code=2)
+    assert "batches are in C only" in err

@@ -35,14 +35,7 @@ def read_input(where: str, name: str, length: int, value: object, dtype: np.dtyp
     ------
     InputError: not an array of real numbers, or of another shape.
     """
-    array = value if type(value) is np.ndarray else _as_array(where, name, length, value)
-    if array.dtype.kind not in _REAL:
-        found = _KINDS.get(array.dtype.kind, f"{array.dtype}")
-        raise InputError(
-            f"{where}: {name} is not an array of real numbers",
-            found=f"{found} of shape {shape_text(array.shape)}",
-            expected=f"{dtype}, or real numbers that can be converted to it",
-        )
+    array = _real_array(where, name, length, value, dtype)
     shape = array.shape
     if not 1 <= len(shape) <= 2 or shape[-1] != length:
         raise InputError(
@@ -52,6 +45,45 @@ def read_input(where: str, name: str, length: int, value: object, dtype: np.dtyp
         return array
     with np.errstate(over="ignore"):
         return np.array(array, dtype=dtype, order="C", copy=True, subok=False)
+
+
+def read_states(where: str, name: str, length: int, value: object, dtype: np.dtype[Any]) -> Array:
+    """``value`` as an array of real numbers ``[N, length]``, of any type and layout.
+
+    Raises
+    ------
+    InputError: not an array of real numbers, or of another shape.
+    """
+    array = _real_array(where, name, length, value, dtype)
+    if array.ndim != 2 or array.shape[1] != length:
+        raise InputError(
+            f"{where}: {name} is not a batch of states",
+            found=shape_text(array.shape),
+            expected=shape_text(["N", length]),
+            remedy=f"for a single state call kernel.{where.partition('.')[2]}" if array.ndim == 1 else None,
+        )
+    return array
+
+
+def laid_out(array: Array, dtype: np.dtype[Any], *, columns: bool) -> Array:
+    """``array`` in the kernel's type, row by row, or column by column; itself where it is so already."""
+    fits = array.flags.f_contiguous if columns else array.flags.c_contiguous
+    if array.dtype == dtype and fits and array.flags.aligned:
+        return array
+    with np.errstate(over="ignore"):
+        return np.array(array, dtype=dtype, order="F" if columns else "C", copy=True, subok=False)
+
+
+def _real_array(where: str, name: str, length: int, value: object, dtype: np.dtype[Any]) -> Array:
+    array = value if type(value) is np.ndarray else _as_array(where, name, length, value)
+    if array.dtype.kind not in _REAL:
+        found = _KINDS.get(array.dtype.kind, f"{array.dtype}")
+        raise InputError(
+            f"{where}: {name} is not an array of real numbers",
+            found=f"{found} of shape {shape_text(array.shape)}",
+            expected=f"{dtype}, or real numbers that can be converted to it",
+        )
+    return array
 
 
 def _as_array(where: str, name: str, length: int, value: object) -> Array:
@@ -88,28 +120,58 @@ def common_lead(where: str, names: Sequence[str], arrays: Sequence[Array]) -> Sh
 
 
 def check_output(
-    where: str, name: str, shape: Shape, value: object, dtype: np.dtype[Any], inputs: Mapping[str, object]
+    where: str,
+    name: str,
+    shape: Shape,
+    value: object,
+    dtype: np.dtype[Any],
+    inputs: Mapping[str, object],
+    *,
+    columns: bool = False,
 ) -> Array:
-    """``value`` if the kernel can write its result straight into it.
+    """``value`` if the kernel can write its result straight into it; ``columns``: it may also hold the values
+    of each element of the result one after another.
 
     Raises
     ------
     InputError: another shape or type, not contiguous, read-only, or in memory that an input lies in.
     """
-    wanted = f"{dtype} {shape_text(shape)}, contiguous and writable"
-    what = f"{where}: out cannot take {name}"
+    problem = _output_problem(shape, value, dtype, inputs, columns=columns)
+    if problem is None:
+        assert isinstance(value, np.ndarray)
+        return value
+    found, expected = problem
+    raise InputError(
+        f"{where}: out cannot take {name}",
+        found=found,
+        expected=expected or f"{dtype} {shape_text(shape)}, contiguous and writable",
+    )
+
+
+def _output_problem(
+    shape: Shape, value: object, dtype: np.dtype[Any], inputs: Mapping[str, object], *, columns: bool
+) -> tuple[str, str | None] | None:
+    """What is wrong with an array to write to: what was found, and what was expected if that is special."""
     if not isinstance(value, np.ndarray):
-        raise InputError(what, found=type(value).__name__, expected=f"an array, {wanted}")
+        return type(value).__name__, f"an array, {dtype} {shape_text(shape)}, contiguous and writable"
     if value.shape != shape or value.dtype != dtype:
-        raise InputError(what, found=f"{value.dtype} {shape_text(value.shape)}", expected=wanted)
-    if not value.flags.c_contiguous or not value.flags.aligned:
-        raise InputError(what, found="an array with gaps or out of line (a slice?)", expected=wanted)
-    if not value.flags.writeable:
-        raise InputError(what, found="a read-only array", expected=wanted)
+        return f"{value.dtype} {shape_text(value.shape)}", None
+    flags = value.flags
+    whole = flags.c_contiguous or (columns and states_last(value).flags.c_contiguous)
+    if not whole or not flags.aligned:
+        return "an array with gaps or out of line (a slice?)", None
+    if not flags.writeable:
+        return "a read-only array", None
     for other, array in inputs.items():
         if isinstance(array, np.ndarray) and np.shares_memory(value, array):
-            raise InputError(what, found=f"memory that {other} lies in", expected="memory of its own")
-    return value
+            return f"memory that {other} lies in", "memory of its own"
+    return None
+
+
+def states_last(array: Array) -> Array:
+    """A view of ``array`` ``[N, ...]`` with its first axis last; contiguous where the states' index runs
+    fastest in memory."""
+    return array.T if array.ndim == 2 else array.transpose(*range(1, array.ndim), 0)
 
 
 def read_parameters(

@@ -74,7 +74,7 @@ class Function:
         **named: object,
     ) -> Any:
         if named or len(arrays) != len(self._inputs):
-            arrays = self._bind(arrays, named)
+            arrays = self.bind(arrays, named)
         where, dtype = self.where, self.dtype
         inputs = [
             read_input(where, name, length, value, dtype)
@@ -120,7 +120,7 @@ class Function:
             )
         return state
 
-    def _bind(self, arrays: tuple[object, ...], named: dict[str, object]) -> tuple[object, ...]:
+    def bind(self, arrays: tuple[object, ...], named: dict[str, object]) -> tuple[object, ...]:
         """Positional and named arguments in the order of the signature."""
         names = self._inputs
         given = dict(zip(names, arrays, strict=False))

@@ -28,9 +28,7 @@ from robodyn.build.compiler import (
     find_fortran,
     split_flags,
 )
-from robodyn.build.wrapper import prototypes, wrapper
 from robodyn.errors import InputError, ToolError
-from robodyn.ir.signature import Signature
 
 Mode = Literal["auto", "api", "abi"]
 
@@ -38,6 +36,14 @@ _WRAPPER = "robodyn_calls.c"
 _STRICT = ("-Werror=incompatible-pointer-types", "-Werror=implicit-function-declaration")
 _loaded: dict[str, Library] = {}
 _lock = threading.Lock()
+
+
+@dataclass(frozen=True, slots=True)
+class Calls:
+    """The C between Python and the kernels: its source, and its prototypes as cffi reads them."""
+
+    prototypes: str
+    source: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +59,7 @@ class Library:
 
 
 def open_library(
-    signatures: Sequence[Signature],
+    calls: Calls,
     files: Mapping[str, str],
     *,
     language: Language,
@@ -70,10 +76,9 @@ def open_library(
     default = C_FLAGS if language == "c" else FORTRAN_FLAGS
     chosen = default if flags is None else split_flags(flags)
     around = chosen if language == "c" else C_FLAGS
-    text = wrapper(signatures, files, language)
     content = {
         "files": dict(files),
-        "wrapper": text,
+        "wrapper": calls.source,
         "language": language,
         "flags": [chosen, around],
         "compilers": [[k.command, k.identity] for k in (c, main)],
@@ -88,20 +93,20 @@ def open_library(
         name = f"_robodyn_{key}"
 
         def build(folder: Path) -> str:
-            for path, source in {**files, _WRAPPER: text}.items():
+            for path, source in {**files, _WRAPPER: calls.source}.items():
                 target = folder / path
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_text(source, encoding="utf-8", newline="\n")
             objects = [main.compile(source, flags=chosen, folder=folder) for source in sources]
             objects.append(c.compile(_WRAPPER, flags=(*around, *_STRICT), folder=folder))
             if way == "api":
-                objects.append(_binding(name, signatures, c, folder))
+                objects.append(_binding(name, calls.prototypes, c, folder))
             suffix = str(sysconfig.get_config_var("EXT_SUFFIX")) if way == "api" else ".so"
             main.link(objects, name + suffix, flags=chosen, folder=folder, extension=way == "api")
             return name + suffix
 
         path = _fetch(Cache(cache), key, build)
-        ffi, lib = _load_api(name, path) if way == "api" else _load_abi(prototypes(signatures), path)
+        ffi, lib = _load_api(name, path) if way == "api" else _load_abi(calls.prototypes, path)
         library = Library(ffi, lib, way, path, main.version, chosen)
         with _lock:
             return _loaded.setdefault(key, library)
@@ -153,11 +158,10 @@ def _headers() -> bool:
     return (Path(sysconfig.get_path("include")) / "Python.h").is_file()
 
 
-def _binding(name: str, signatures: Sequence[Signature], c: Compiler, folder: Path) -> str:
+def _binding(name: str, declared: str, c: Compiler, folder: Path) -> str:
     """Write and compile cffi's glue; the object's name. No arithmetic is in it, so any flags will do."""
     import cffi
 
-    declared = prototypes(signatures)
     ffi = cffi.FFI()
     ffi.cdef(declared)
     ffi.set_source(name, "#include <stddef.h>\n" + declared, compiler_verbose=0)

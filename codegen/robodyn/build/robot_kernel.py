@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from robodyn.build.kernel import Kernel, load
+from robodyn.emit import render
+from robodyn.emit.batch import batch_files
 from robodyn.generation import Options, generate
 from robodyn.robot.model import Robot
 
@@ -47,4 +50,19 @@ def compile(
         engine=engine,  # type: ignore[arg-type]
     )
     made = generate(robot, options)
-    return load(made.signatures, made.files((language,)), language=language, **build)
+    batch = _Batches(robot, options)
+    return load(made.signatures, made.files((language,)), language=language, batch=batch, **build)
+
+
+@dataclass(frozen=True)
+class _Batches:
+    """Hands over the files of a function's batch; generated when they are asked for."""
+
+    robot: Robot
+    options: Options
+
+    def __call__(self, function: str) -> dict[str, str]:
+        unit = generate(self.robot, self.options).unit
+        one = replace(unit, functions=tuple((s, p) for s, p in unit.functions if s.function == function))
+        header = {path: text for path, text in render(one, ("c",)).items() if path.endswith(".h")}
+        return {**header, **batch_files(one)}

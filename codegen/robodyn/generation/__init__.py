@@ -14,20 +14,25 @@ from typing import TYPE_CHECKING
 from robodyn.counts import Count, count
 from robodyn.dynamics.functions import FUNCTIONS, Choice, NoForwardDynamics, signature
 from robodyn.emit import Unit, render
+from robodyn.errors import InputError
 from robodyn.generation.drafts import Drafts, SingularArm
 from robodyn.generation.options import (
     ENGINES,
     LANGUAGES,
     LEVELS,
+    ORDERS,
     TRIGONOMETRY,
     Engine,
     Level,
     Options,
+    Order,
     Trigonometry,
     check_languages,
 )
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
+from robodyn.passes.angles import angles_first
+from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
 from robodyn.prune import Pruning, notes_of
 from robodyn.robot.model import Robot
@@ -39,6 +44,7 @@ __all__ = [
     "ENGINES",
     "LANGUAGES",
     "LEVELS",
+    "ORDERS",
     "TRIGONOMETRY",
     "Drafts",
     "Engine",
@@ -46,6 +52,7 @@ __all__ = [
     "Level",
     "NoForwardDynamics",
     "Options",
+    "Order",
     "SingularArm",
     "Trigonometry",
     "check_languages",
@@ -73,10 +80,18 @@ class Generated:
         """Interfaces of the functions, in order."""
         return tuple(interface for interface, _ in self.unit.functions)
 
-    def files(self, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
-        """Header, source and Fortran module: text by file name. Writes nothing."""
+    def files(self, languages: Sequence[str] = LANGUAGES, *, batch: bool = False) -> dict[str, str]:
+        """Header, source and Fortran module: text by file name; with ``batch`` those of batches in C too.
+        Writes nothing."""
         check_languages(languages)
-        return render(self.unit, languages)
+        files = render(self.unit, languages)
+        if batch:
+            from robodyn.emit.batch import batch_files
+
+            if "c" not in languages:
+                raise InputError("batches are in C only", found=", ".join(languages), expected="c among them")
+            files.update(batch_files(self.unit))
+        return files
 
 
 def generate(
@@ -116,6 +131,10 @@ def generate(
         described = tuple(describe(given) for given in layout)
         programs = {f: trig_given(p, layout) for f, p in programs.items()}
         interfaces = {f: _with_sc(interface, max(1, len(layout))) for f, interface in interfaces.items()}
+    if options.trig == "builtin":
+        programs = {f: angles_first(p) for f, p in programs.items()}
+    if options.by_registers:
+        programs = {f: registers(p) for f, p in programs.items()}
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),
@@ -125,6 +144,7 @@ def generate(
         + notes_of(tuple(drafts.prunings.values()))
         + (("sc is not read: there is no angle.",) if no_angle else ()),
         builtin=options.trig == "builtin",
+        soon=options.by_registers,
     )
     counts = {f: count(p) for f, p in programs.items()}
     rigid = {f: made.rigid_count(f) for f in programs}
