@@ -37,6 +37,11 @@ if TYPE_CHECKING:
 @click.option("--scalar", default="double", show_default=True, help="double or float.")
 @click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm, or given in sc.")
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
+@click.option(
+    "--misra",
+    is_flag=True,
+    help="C for MISRA C:2012: the same operations, grouped by parentheses throughout.",
+)
 @model_options
 @search_options
 @prune_option
@@ -51,6 +56,7 @@ def command(
     scalar: str,
     trig: str,
     functions: str | None,
+    misra: bool,
     formulation: str,
     optimize: str,
     no_regroup: bool,
@@ -84,6 +90,7 @@ def command(
         trig=trig,  # type: ignore[arg-type]
         engine=engine,  # type: ignore[arg-type]
         prune=tolerance(prune),
+        misra=misra,
     )
     languages = listed(lang)
     if not languages:

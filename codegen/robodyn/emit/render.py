@@ -46,13 +46,14 @@ class Unit:
     """What goes into one header and one source: a robot's functions with their programs.
 
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
-    are lines for the head of the file.
+    are lines for the head of the file; ``misra``: C with products within sums in parentheses.
     """
 
     robot: Robot
     functions: tuple[tuple[Signature, Program], ...]
     sc: tuple[str, ...] = ()
     notes: tuple[str, ...] = field(default=())
+    misra: bool = False
 
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
@@ -73,7 +74,7 @@ def _render(unit: Unit, languages: Sequence[str]) -> dict[str, str]:
     bodies = [(signature, count(program), statements(program)) for signature, program in unit.functions]
     files: dict[str, str] = {}
     if "c" in languages:
-        context = _context(unit, [_c_function(*body) for body in bodies], "c")
+        context = _context(unit, [_c_function(*body, misra=unit.misra) for body in bodies], "c")
         files[f"{name}.h"] = _template("c/kernel.h.j2").render(context)
         files[f"{name}.c"] = _template("c/kernel.c.j2").render(context)
     if "fortran" in languages:
@@ -183,8 +184,8 @@ def comment(text: str) -> str:
     return text
 
 
-def _c_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:
-    spelling = c_spelling(single=signature.scalar == "float", states=signature.states)
+def _c_function(signature: Signature, counted: Count, body: Body, *, misra: bool) -> dict[str, Any]:
+    spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=misra)
     real = f"{signature.robot}_real"
     arguments = [f"const {real} {array}[{size}]" for array, size in signature.inputs]
     arguments += [f"{real} {array}[{size}]" for array, size in signature.outputs]
