@@ -35,7 +35,12 @@ if TYPE_CHECKING:
 @click.option("--lang", default="c,fortran", show_default=True, help="Languages, with commas.")
 @click.option("--compile", "compile_", is_flag=True, help="Build and load the kernels, too.")
 @click.option("--scalar", default="double", show_default=True, help="double or float.")
-@click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm, or given in sc.")
+@click.option(
+    "--trig",
+    default="libm",
+    show_default=True,
+    help="Sine and cosine: libm, builtin (no library at all), or given in sc.",
+)
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @click.option(
     "--misra",

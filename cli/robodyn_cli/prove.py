@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     help="qd=3,qdd=10,q2=-pi/2:pi/2, or a YAML file with such keys.  [default: the joints' limits]",
 )
 @click.option("--scalar", default="float", show_default=True, help="float or double.")
-@click.option("--trig", metavar="KIND", help="Sine and cosine, as in gen.  [default: builtin]")
+@click.option("--trig", default="builtin", show_default=True, help="Sine and cosine: builtin, libm or given.")
 @click.option("--functions", default="inverse_dynamics", show_default=True, help="Functions, with commas.")
 @click.option("--only", metavar="A,B", help="Some of gappa, eva, stack, misra.  [default: all]")
 @click.option(
@@ -48,7 +48,7 @@ def command(
     output: str | None,
     ranges: str | None,
     scalar: str,
-    trig: str | None,
+    trig: str,
     functions: str,
     only: str | None,
     seconds: float,
@@ -72,7 +72,7 @@ def command(
     from robodyn.build.program import cores
     from robodyn.errors import CheckError, ToolError
     from robodyn.generation import Options
-    from robodyn.prove import PROOFS, Asked, default_trig, prove
+    from robodyn.prove import PROOFS, Asked, prove
     from robodyn_cli.progress import line
 
     options = Options(
@@ -81,7 +81,7 @@ def command(
         optimize=optimize,  # type: ignore[arg-type]  # checked by Options
         regroup=not no_regroup,
         scalar=scalar,  # type: ignore[arg-type]
-        trig=trig or default_trig(),  # type: ignore[arg-type]
+        trig=trig,  # type: ignore[arg-type]
         engine=engine,  # type: ignore[arg-type]
     )
     asked = Asked(PROOFS if only is None else listed(only), seconds, workers or cores(), _share(tolerance))

@@ -1,4 +1,4 @@
-"""Fuzz the reader of robot files with atheris: whatever the bytes are, the answer is a robot or an InputError.
+"""Fuzz the reader of robot files with atheris: any bytes give a robot or an InputError.
 
     python tests/prove/fuzz_reader.py CORPUS_FOLDER -max_total_time=600
 
@@ -7,6 +7,7 @@ needs ``pip install atheris`` beside robodyn. The corpus may begin empty; argume
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from pathlib import Path
 
@@ -19,9 +20,9 @@ with atheris.instrument_imports(include=["robodyn"]):
     from robodyn.robot.reader import read_bytes
 
 #: Words that mutation takes long to find.
-WORDS = """name links joint revolute prismatic alpha a d theta mass com inertia xx yy zz xy motor_inertia limits
-position velocity acceleration torque confidence friction viscous coulomb effects effect gravity compare convention
-sdh torque_side link motor smooth exact friction_at_rest dead_band spring stiffness payload efficiency
+WORDS = """name links joint revolute prismatic alpha a d theta mass com inertia xx yy zz xy motor_inertia
+limits position velocity acceleration torque confidence friction viscous coulomb effects effect gravity compare
+convention sdh torque_side link motor smooth exact friction_at_rest dead_band spring stiffness payload efficiency
 transmission_loss m_tool pi qd qdd""".split()  # noqa: SIM905 (it reads as the list that it is)
 
 
@@ -36,10 +37,8 @@ def one(data: bytes) -> None:
     else:
         again = read_text(to_yaml(robot), warn=lambda _: None)
         assert again.n == robot.n
-    try:
+    with contextlib.suppress(InputError):
         with_ranges(PUMA, "r.yaml", data)
-    except InputError as error:
-        assert "\n" not in str(error)
 
 
 def seeds(folder: Path) -> None:

@@ -63,7 +63,9 @@ static uint64_t draw(void)
 
 int main(void)
 {
-    static const double special[] = {0.0, -0.0, 1e-310, 1e308, 1e30, 6434.0, 411775.0, 1.5707963267948966, INFINITY, NAN};
+    static const double special[] = {
+        0.0, -0.0, 1e-310, 1e308, 1e30, 6434.0, 411775.0, 1.5707963267948966, INFINITY, NAN,
+    };
     uint8_t data[64*sizeof(NAME_real)];
     for (int run = 0; run < 20000; run++) {
         for (size_t i = 0; i < sizeof data; i += sizeof(NAME_real)) {

@@ -1,4 +1,4 @@
-"""Kernels under the sanitizers and the analyser, on any bytes; fuzzers for minutes where they are asked for."""
+"""Kernels under the sanitizers and the analyser, on any bytes; fuzzers where they are asked for."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ import pytest
 
 from prove.harness import harness
 from robodyn.generation import TRIGONOMETRY, Generated, Options, generate
-from robodyn.prove import default_trig
 from robodyn.robot import load
 from robodyn_testing import require_module, require_tool
 
@@ -75,9 +74,9 @@ def test_gcc_analyzer_finds_nothing(tmp_path: Path, trig: str) -> None:
 def test_libfuzzer_finds_nothing(tmp_path: Path, scalar: str) -> None:
     """Half of the time for each type; what it ran is printed."""
     clang = require_tool("clang")
-    written(tmp_path, "puma560", default_trig(), scalar)
+    written(tmp_path, "puma560", "builtin", scalar)
     probe = [clang, "-fsanitize=fuzzer,address", "-x", "c", "-", "-o", "probe"]
-    text = "#include <stddef.h>\nint LLVMFuzzerTestOneInput(const unsigned char *d, size_t n)\n{ return !d && n; }\n"
+    text = "int LLVMFuzzerTestOneInput(const char *d, unsigned long n)\n{ return !d && n; }\n"
     if subprocess.run(
         probe, cwd=tmp_path, input=text, text=True, capture_output=True, check=False
     ).returncode:
@@ -91,7 +90,7 @@ def test_libfuzzer_finds_nothing(tmp_path: Path, scalar: str) -> None:
     done = re.search(r"Done ([0-9]+) runs in ([0-9]+) second", told)
     assert done is not None
     print(f"libFuzzer, {scalar}: {done[1]} runs in {done[2]} s")
-    assert int(done[1]) > 1000 * seconds
+    assert int(done[1]) > 100_000
 
 
 @pytest.mark.slow
@@ -103,4 +102,4 @@ def test_atheris_finds_nothing_in_the_reader(tmp_path: Path) -> None:
     done = re.search(r"Done ([0-9]+) runs in ([0-9]+) second", told)
     assert done is not None
     print(f"atheris: {done[1]} runs in {done[2]} s")
-    assert int(done[1]) > FUZZ_SECONDS
+    assert int(done[1]) > 1000

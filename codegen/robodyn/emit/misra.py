@@ -1,4 +1,4 @@
-"""MISRA C:2012 in emitted C: which rules are not kept, and why. The rules' own words are not ours to print."""
+"""MISRA C:2012 in emitted C: which rules are not kept, and why. The rules' words are not ours to print."""
 
 from __future__ import annotations
 

@@ -9,8 +9,10 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts.count import Count, count
+from robodyn.emit.sines import angles_first, c_lines, fortran_lines
 from robodyn.emit.spelling import WIDTH, Spelling, c_spelling, fortran_spelling
 from robodyn.emit.statements import Apply, Body, Expression, statements
+from robodyn.emit.trig import trig_context
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
@@ -47,6 +49,7 @@ class Unit:
 
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
     are lines for the head of the file; ``misra``: C with products within sums in parentheses.
+    ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time.
     """
 
     robot: Robot
@@ -54,6 +57,8 @@ class Unit:
     sc: tuple[str, ...] = ()
     notes: tuple[str, ...] = field(default=())
     misra: bool = False
+    builtin: bool = False
+    lanes: int = 4
 
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
@@ -71,14 +76,17 @@ def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
 
 def _render(unit: Unit, languages: Sequence[str]) -> dict[str, str]:
     name = unit.robot.name
-    bodies = [(signature, count(program), statements(program)) for signature, program in unit.functions]
+    bodies = [
+        (signature, count(program), statements(angles_first(program) if unit.builtin else program))
+        for signature, program in unit.functions
+    ]
     files: dict[str, str] = {}
     if "c" in languages:
-        context = _context(unit, [_c_function(*body, misra=unit.misra) for body in bodies], "c")
+        context = _context(unit, [_c_function(*body, unit) for body in bodies], "c")
         files[f"{name}.h"] = _template("c/kernel.h.j2").render(context)
         files[f"{name}.c"] = _template("c/kernel.c.j2").render(context)
     if "fortran" in languages:
-        context = _context(unit, [_fortran_function(*body) for body in bodies], "fortran")
+        context = _context(unit, [_fortran_function(*body, unit) for body in bodies], "fortran")
         files[f"{name}.f90"] = _template("fortran/kernel.f90.j2").render(context)
     return files
 
@@ -105,8 +113,14 @@ def _template(name: str) -> jinja2.Template:
 def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict[str, Any]:
     signature = unit.functions[0][0]
     single = signature.scalar == "float"
+    if language == "c":
+        trig = trig_context(c_spelling(single=single), f"const {unit.robot.name}_real ", ";")
+    else:
+        trig = trig_context(fortran_spelling(single=single))
     return {
         "name": unit.robot.name,
+        "trig": trig if unit.builtin else None,
+        "math": not unit.builtin or any(count(program).other for _, program in unit.functions),
         "guard": f"{unit.robot.name.upper()}_H",
         "scalar": signature.scalar,
         "kind": "c_float" if single else "c_double",
@@ -184,8 +198,8 @@ def comment(text: str) -> str:
     return text
 
 
-def _c_function(signature: Signature, counted: Count, body: Body, *, misra: bool) -> dict[str, Any]:
-    spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=misra)
+def _c_function(signature: Signature, counted: Count, body: Body, unit: Unit) -> dict[str, Any]:
+    spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=unit.misra)
     real = f"{signature.robot}_real"
     arguments = [f"const {real} {array}[{size}]" for array, size in signature.inputs]
     arguments += [f"{real} {array}[{size}]" for array, size in signature.outputs]
@@ -200,9 +214,9 @@ def _c_function(signature: Signature, counted: Count, body: Body, *, misra: bool
         text = spelling.text(argument)
         return text.replace("q[", "again[", 1)
 
-    reads_angle = any(_sine_of_input(s.expression) for s in body.statements)
-    lines: list[str] = []
-    for statement in body.statements:
+    reads_angle = not unit.builtin and any(_sine_of_input(s.expression) for s in body.statements)
+    lines: list[str] = c_lines(body, unit.lanes, signature.robot, spelling) if unit.builtin else []
+    for statement in () if unit.builtin else body.statements:
         if statement.heading:
             lines.append(f"    /* {statement.heading} */")
         kind = f"const volatile {real}" if statement.angle else f"const {real}"
@@ -241,10 +255,13 @@ def _prototype(head: str, arguments: list[str]) -> str:
     return head + (",\n" + " " * 4).join(["\n    " + arguments[0], *arguments[1:]])
 
 
-def _fortran_function(signature: Signature, counted: Count, body: Body) -> dict[str, Any]:
+def _fortran_function(signature: Signature, counted: Count, body: Body, unit: Unit) -> dict[str, Any]:
     spelling = fortran_spelling(single=signature.scalar == "float", states=signature.states)
     lines: list[str] = []
-    for statement in body.statements:
+    arrays: list[str] = []
+    if unit.builtin:
+        lines, arrays = fortran_lines(body, unit.lanes, signature.robot, spelling)
+    for statement in () if unit.builtin else body.statements:
         if statement.heading:
             lines.append(f"    ! {statement.heading}")
         lines.extend(spelling.wrapped(f"{statement.name} = {spelling.text(statement.expression)}", "    "))
@@ -254,7 +271,7 @@ def _fortran_function(signature: Signature, counted: Count, body: Body) -> dict[
         for i, e in enumerate(elements)
         for line in spelling.wrapped(f"{spelling.element(array, i)} = {spelling.text(e)}", "    ")
     ]
-    names = [statement.name for statement in body.statements]
+    names = [statement.name for statement in body.statements] + arrays
     locals_ = [line.rstrip(",") for line in textwrap.wrap(", ".join(names), WIDTH - 16)]
     arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
     if signature.parameters:

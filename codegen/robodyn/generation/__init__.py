@@ -126,6 +126,7 @@ def generate(
         + (("sc is not read: there is no angle.",) if no_angle else ())
         + (misra.notes(options.trig) if options.misra else ()),
         misra=options.misra,
+        builtin=options.trig == "builtin",
     )
     counts = {f: count(p) for f, p in programs.items()}
     rigid = {f: made.rigid_count(f) for f in programs}

@@ -15,11 +15,11 @@ from robodyn.prune import check_asked
 from robodyn.records import Record
 
 Level = Literal["none", "fast", "search", "full", "record"]
-Trigonometry = Literal["libm", "given"]
+Trigonometry = Literal["libm", "builtin", "given"]
 Engine = Literal["graph", "sympy"]
 
 LEVELS: tuple[Level, ...] = ("none", "fast", "search", "full", "record")
-TRIGONOMETRY: tuple[Trigonometry, ...] = ("libm", "given")
+TRIGONOMETRY: tuple[Trigonometry, ...] = ("libm", "builtin", "given")
 ENGINES: tuple[Engine, ...] = ("graph", "sympy")
 LANGUAGES = ("c", "fortran")
 

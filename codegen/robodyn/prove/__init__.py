@@ -7,6 +7,5 @@ from robodyn.prove.finding import Finding
 from robodyn.prove.plan import PROOFS, Asked
 from robodyn.prove.ranges import with_ranges
 from robodyn.prove.run import Proof, prove
-from robodyn.prove.trig import default_trig
 
-__all__ = ["PROOFS", "Asked", "Finding", "Proof", "default_trig", "prove", "with_ranges"]
+__all__ = ["PROOFS", "Asked", "Finding", "Proof", "prove", "with_ranges"]

@@ -158,8 +158,8 @@ def _finding(subject: Subject, rows: list[dict[str, Any]], files: dict[str, str]
         "gappa",
         "failed" if any(row["reason"] for row in rows) else "proved",
         f"Within the ranges, every torque computed in {subject.scalar} (IEEE 754, to nearest even, every "
-        "operation rounded, no contraction) is at most the bound [N m, prismatic N] away from the torque of the "
-        "model in real numbers, and nothing overflows.",
+        "operation rounded, no contraction) is at most the bound [N m, prismatic N] away from the torque of "
+        "the model in real numbers, and nothing overflows.",
         tuple(lines),
         {"bounds": rows, "sine_and_cosine": known.text},
         (GAPPA.version(),),

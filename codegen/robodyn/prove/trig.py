@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robodyn.generation import TRIGONOMETRY
+from robodyn.emit.trig import DOUBLE, FLOAT, told
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,11 +17,6 @@ class Claim:
     text: str
 
 
-def default_trig() -> str:
-    """Our own sine and cosine, where they are offered."""
-    return "builtin" if "builtin" in TRIGONOMETRY else "libm"
-
-
 def claim(trig: str, scalar: str) -> Claim:
     """What is known of the sine and cosine of kind ``trig``."""
     if trig == "given":
@@ -32,4 +27,9 @@ def claim(trig: str, scalar: str) -> Claim:
             None,
             "Assumed, not proven: errors of libm's sine and cosine are at most 1 unit in the last place.",
         )
-    raise ValueError(trig)
+    numbers = FLOAT if scalar == "float" else DOUBLE
+    return Claim(
+        1.0,
+        numbers.exact,
+        "Stated of the kernel's sine and cosine: " + " ".join(told(single=scalar == "float")),
+    )
