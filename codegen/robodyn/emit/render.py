@@ -9,6 +9,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts.count import Count, count
+from robodyn.emit import misra
 from robodyn.emit.sines import angles_first, c_lines, fortran_lines
 from robodyn.emit.spelling import WIDTH, Spelling, c_spelling, fortran_spelling
 from robodyn.emit.statements import Apply, Body, Expression, statements
@@ -168,6 +169,9 @@ def _head(unit: Unit, language: str) -> list[str]:
             say(f"  sc[{k}] = {text}" if language == "c" else f"  sc({k + 1}) = {text}")
     for note in unit.notes:
         say(note)
+    if unit.misra and language == "c":
+        for note in misra.notes("builtin" if unit.builtin else "libm"):
+            say(note)
     lines.append("")
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")
     for signature, program in unit.functions:

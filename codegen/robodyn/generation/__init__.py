@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
 from robodyn.dynamics.functions import FUNCTIONS, Choice, NoForwardDynamics, signature
-from robodyn.emit import Unit, misra, render
+from robodyn.emit import Unit, render
 from robodyn.generation.drafts import Drafts, SingularArm
 from robodyn.generation.options import (
     ENGINES,
@@ -123,8 +123,7 @@ def generate(
         notes=_notes(drafts)
         + (() if isinstance(made, Drafts) else made.notes)
         + notes_of(tuple(drafts.prunings.values()))
-        + (("sc is not read: there is no angle.",) if no_angle else ())
-        + (misra.notes(options.trig) if options.misra else ()),
+        + (("sc is not read: there is no angle.",) if no_angle else ()),
         misra=options.misra,
         builtin=options.trig == "builtin",
     )

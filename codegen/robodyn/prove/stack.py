@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import platform
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -10,6 +11,15 @@ from pathlib import Path
 from robodyn.build.compiler import C_FLAGS
 from robodyn.prove.tools import ARM_GCC, GCC, Tool, last_lines, run
 
+#: A folder with a math.h, for compilers that have none: whatever a kernel may call.
+STAND_IN = "stand_in"
+MATH_H = "".join(
+    f"{real} {name}{end}({real}{', ' + real if name == 'pow' else ''});\n"
+    for name in ("sin", "cos", "tanh", "sqrt", "fabs", "exp", "pow")
+    for real, end in (("double", ""), ("float", "f"))
+)
+#: The compiler's own arithmetic, on machines that lack it: its stack comes on top.
+_HELPER = re.compile(r"__(aeabi_|gnu_|[a-z]+[sd]f[0-9]?$)")
 _NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*)"', re.M)
 _EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', re.M)
 _BYTES = re.compile(r"\\n([0-9]+) bytes \(([a-z,]+)\)")
@@ -24,8 +34,10 @@ class Machine:
     flags: tuple[str, ...]
 
 
+#: Without the red zone, which gcc does not count.
+_HERE = ("-mno-red-zone",) if platform.machine() in ("x86_64", "AMD64") else ()
 MACHINES = (
-    Machine("this machine, gcc -O2", GCC, C_FLAGS),
+    Machine("this machine, gcc -O2", GCC, (*C_FLAGS, *_HERE)),
     Machine(
         "cortex-m4f, gcc -O2",
         ARM_GCC,
@@ -46,10 +58,25 @@ class Depth:
     #: Functions of other files on the way, whose own stack comes on top.
     beyond: tuple[str, ...] = ()
 
+    @property
+    def only_helpers(self) -> bool:
+        """Whether nothing of other files is called but the compiler's own arithmetic."""
+        return all(_HELPER.match(name) for name in self.beyond)
+
 
 def command(machine: Machine, source: str) -> list[str]:
     """What compiles ``source`` and writes what each function needs."""
-    return [machine.tool.name, *machine.flags, "-fcallgraph-info=su", "-c", source, "-o", "stack.o"]
+    return [
+        machine.tool.name,
+        *machine.flags,
+        "-idirafter",
+        STAND_IN,
+        "-fcallgraph-info=su",
+        "-c",
+        source,
+        "-o",
+        "stack.o",
+    ]
 
 
 def measure(machine: Machine, source: str, functions: Iterable[str], folder: Path) -> list[Depth] | str:
@@ -98,7 +125,7 @@ def deepest(graph: str, function: str) -> Depth:
     except _UnboundedError as reason:
         return Depth(function, None, (), str(reason))
     if beyond:
-        reason_ = f"{', '.join(sorted(beyond))} of another file, whose stack nobody states, is called"
+        reason_ = f"and what {', '.join(sorted(beyond))} need on top, which gcc does not state"
         return Depth(function, size, chain, reason_, tuple(sorted(beyond)))
     return Depth(function, size, chain)
 
