@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from robodyn.build import load
-from robodyn.errors import InputError, ToolError
+from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.prove import rounding
@@ -16,6 +16,7 @@ from robodyn.prove.forward import Forward
 from robodyn.prove.gappa import Scripts
 from robodyn.prove.observed import peaks, worst_errors
 from robodyn.prove.plan import Asked, Subject, ranges_of
+from robodyn.prove.readback import check_read_back
 from robodyn.prove.tools import GAPPA
 from robodyn.prove.trig import claim
 
@@ -33,7 +34,10 @@ def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fi
         return _failed("no function of this kernel gives torques: ask for inverse_dynamics, gravity or bias")
     try:
         scripts = {s.function: _scripts(subject, s, p) for s, p in functions}
-    except InputError as error:
+        source = subject.files[f"{subject.made.unit.robot.name}.c"]
+        for signature, program in functions:
+            check_read_back(source, signature, program)
+    except (InputError, CheckError) as error:
         return _failed(str(error))
     (folder / FOLDER).mkdir()
     files = {f"{FOLDER}/{name}": text for made in scripts.values() for name, (text, _) in made.items()}
