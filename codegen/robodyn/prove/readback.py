@@ -73,7 +73,7 @@ class _Reader:
     """The statements of one function, run on values."""
 
     def __init__(self, text: str, signature: Signature, values: Values) -> None:
-        from pycparser import CParser, c_ast  # type: ignore[import-untyped, unused-ignore]
+        from pycparser import CParser, c_ast
 
         self.c = c_ast
         self.signature, self.values = signature, values
