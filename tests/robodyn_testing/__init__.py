@@ -28,8 +28,10 @@ PREFIX: Final = "missing: "
 """How the reason of every skip made here begins; ``tests/conftest.py`` lists those skips at the end."""
 
 _TOOLS: Final = {
+    "arm-none-eabi-gcc": "gcc-arm-none-eabi",
     "cc": "gcc",
     "chromedriver": "chromium-driver",
+    "frama-c": "frama-c-base",
     "g++": "g++",
     "nm": "binutils",
 }
