@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from fractions import Fraction
 from pathlib import Path
 
@@ -86,6 +87,20 @@ def test_gappa_and_we_agree_and_nothing_worse_is_found(tmp_path: Path, scalar: s
         assert row.low is not None
         assert row.high is not None
         assert row.low <= near.min() <= near.max() <= row.high
+
+
+def test_an_interrupted_proof_leaves_nothing_behind(tmp_path: Path) -> None:
+    sleeper = tmp_path / "sleeper"
+    sleeper.write_text("#!/bin/sh\nif [ $1 = quick ]; then exit 0; fi\nsleep 100\n")
+    sleeper.chmod(0o755)
+
+    def interrupted(done: int) -> None:
+        raise KeyboardInterrupt
+
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        prove(str(sleeper), tmp_path, ["slow", "quick"], seconds=90, workers=2, told=interrupted)
+    assert time.monotonic() - began < 60
 
 
 @pytest.mark.parametrize("what", ["a constant", "a sign", "a range"])

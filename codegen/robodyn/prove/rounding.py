@@ -11,7 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from robodyn.errors import ToolError
-from robodyn.prove.tools import Done, last_lines, run
+from robodyn.prove.tools import Done, end_all, last_lines, run
 
 #: Gappa's enclosure: ``[low, high]``, each a dyadic number, and decimals in braces for people.
 _ENCLOSURE = r"\[(\S+)(?: \{[^}]*\})?, (\S+?)(?: \{[^}]*\})?\]"
@@ -51,7 +51,8 @@ def prove(
                 found[jobs[job]] = read(job.result(), seconds)
                 told(len(found))
         except BaseException:
-            pool.shutdown(cancel_futures=True)
+            pool.shutdown(wait=False, cancel_futures=True)
+            end_all()
             raise
     return [found[name] for name in scripts]
 

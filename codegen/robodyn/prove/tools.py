@@ -89,6 +89,7 @@ def run(command: Sequence[str], folder: Path, seconds: float) -> Done:
         )
     except OSError as error:
         raise ToolError(f"{command[0]} cannot be started", found=error.strerror or str(error)) from None
+    _running.add(process)
     code: int | None
     try:
         said, _ = process.communicate(timeout=seconds)
@@ -100,7 +101,19 @@ def run(command: Sequence[str], folder: Path, seconds: float) -> Done:
         _end(process)
         process.communicate()
         raise
+    finally:
+        _running.discard(process)
     return Done(code, said, time.monotonic() - began)
+
+
+#: What runs now, in whatever thread.
+_running: set[subprocess.Popen[str]] = set()
+
+
+def end_all() -> None:
+    """End all that :func:`run` has started, in other threads too: nothing is left behind."""
+    for process in list(_running):
+        _end(process)
 
 
 def _end(process: subprocess.Popen[str]) -> None:
