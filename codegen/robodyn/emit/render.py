@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 from robodyn.counts.count import Count, count
 from robodyn.emit import misra
-from robodyn.emit.sines import angles_first, c_lines, fortran_lines
+from robodyn.emit.body import Lines, Said, body_lines, inputs_read
+from robodyn.emit.results import Result
+from robodyn.emit.sines import COSINES, SINES, c_sines, fortran_sines
 from robodyn.emit.spelling import WIDTH, Spelling, c_spelling, fortran_spelling
-from robodyn.emit.statements import Apply, Body, Expression, statements
+from robodyn.emit.statements import Apply, Body, Expression, Statement, statements
 from robodyn.emit.trig import trig_context
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
@@ -50,7 +52,8 @@ class Unit:
 
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
     are lines for the head of the file; ``misra``: C with products within sums in parentheses.
-    ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time.
+    ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
+    written as soon as they are there.
     """
 
     robot: Robot
@@ -60,6 +63,7 @@ class Unit:
     misra: bool = False
     builtin: bool = False
     lanes: int = 4
+    soon: bool = False
 
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
@@ -78,7 +82,11 @@ def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
 def _render(unit: Unit, languages: Sequence[str]) -> dict[str, str]:
     name = unit.robot.name
     bodies = [
-        (signature, count(program), statements(angles_first(program) if unit.builtin else program))
+        (
+            signature,
+            count(program),
+            statements(program, in_order=unit.soon),
+        )
         for signature, program in unit.functions
     ]
     files: dict[str, str] = {}
@@ -219,20 +227,19 @@ def _c_function(signature: Signature, counted: Count, body: Body, unit: Unit) ->
         return text.replace("q[", "again[", 1)
 
     reads_angle = not unit.builtin and any(_sine_of_input(s.expression) for s in body.statements)
-    lines: list[str] = c_lines(body, unit.lanes, signature.robot, spelling) if unit.builtin else []
-    for statement in () if unit.builtin else body.statements:
-        if statement.heading:
-            lines.append(f"    /* {statement.heading} */")
-        kind = f"const volatile {real}" if statement.angle else f"const {real}"
+
+    def declared(statement: Statement) -> list[str]:
+        kind = f"const volatile {real}" if statement.angle and not unit.builtin else f"const {real}"
         text = f"{kind} {statement.name} = {spelling.text(statement.expression, second_read)};"
-        lines.extend(spelling.wrapped(text, "    "))
-    results = [
-        line
-        for array, elements in body.outputs
-        for i, e in enumerate(elements)
-        for line in spelling.wrapped(f"{spelling.element(array, i)} = {spelling.text(e)};", "    ")
-    ]
-    read = _inputs_read(body)
+        return spelling.wrapped(text, "    ")
+
+    def written(result: Result) -> list[str]:
+        element = spelling.element(result.array, result.place)
+        return spelling.wrapped(f"{element} = {spelling.text(result.expression)};", "    ")
+
+    said = Said("/* %s */", declared, written, c_sines(signature.robot, spelling))
+    lines = body_lines(body, said, builtin=unit.builtin, lanes=unit.lanes, soon=unit.soon)
+    read = inputs_read(body)
     unused = [array for array, _ in signature.inputs if array not in read]
     if signature.parameters and not any(name in read for name in signature.parameters):
         unused.append("p")
@@ -244,10 +251,30 @@ def _c_function(signature: Signature, counted: Count, body: Body, unit: Unit) ->
         "prototype": _prototype(f"void {signature.symbol}(", arguments),
         "purpose": PURPOSES[signature.function],
         "counted": textwrap.wrap(_counted(counted), WIDTH, break_on_hyphens=False),
-        "lines": lines,
-        "results": results,
+        "lines": lines.statements,
+        "results": lines.results,
         "unused": unused,
         "again": reads_angle,
+        "inner": _inner(signature, lines, arguments) if lines.angles else None,
+    }
+
+
+def _inner(signature: Signature, lines: Lines, arguments: list[str]) -> dict[str, Any]:
+    """The part of a function that is given sines and cosines: what it is called with, and how."""
+    taken = [f"const {signature.robot}_real {array}[{lines.arrays[array]}]" for array in (SINES, COSINES)]
+    passed = [SINES, COSINES]
+    outputs = {array for array, _ in signature.outputs}
+    members = lines.reads & {*signature.parameters}
+    for argument in arguments:
+        name = argument.split()[-1].lstrip("*").partition("[")[0]
+        if name in lines.reads | outputs or (name == "p" and members) or name == "state":
+            taken.append(argument)
+            passed.append(name)
+    symbol = f"{signature.symbol}_given_"
+    return {
+        "prototype": _prototype(f"{signature.robot}_APART_ void {symbol}(", taken),
+        "angles": lines.angles,
+        "call": f"{symbol}({', '.join(passed)});",
     }
 
 
@@ -261,28 +288,24 @@ def _prototype(head: str, arguments: list[str]) -> str:
 
 def _fortran_function(signature: Signature, counted: Count, body: Body, unit: Unit) -> dict[str, Any]:
     spelling = fortran_spelling(single=signature.scalar == "float", states=signature.states)
-    lines: list[str] = []
-    arrays: list[str] = []
-    if unit.builtin:
-        lines, arrays = fortran_lines(body, unit.lanes, signature.robot, spelling)
-    for statement in () if unit.builtin else body.statements:
-        if statement.heading:
-            lines.append(f"    ! {statement.heading}")
-        lines.extend(spelling.wrapped(f"{statement.name} = {spelling.text(statement.expression)}", "    "))
-    results = [
-        line
-        for array, elements in body.outputs
-        for i, e in enumerate(elements)
-        for line in spelling.wrapped(f"{spelling.element(array, i)} = {spelling.text(e)}", "    ")
-    ]
-    names = [statement.name for statement in body.statements] + arrays
+
+    def assigned(statement: Statement) -> list[str]:
+        return spelling.wrapped(f"{statement.name} = {spelling.text(statement.expression)}", "    ")
+
+    def written(result: Result) -> list[str]:
+        element = spelling.element(result.array, result.place)
+        return spelling.wrapped(f"{element} = {spelling.text(result.expression)}", "    ")
+
+    said = Said("! %s", assigned, written, fortran_sines(signature.robot, spelling))
+    lines = body_lines(body, said, builtin=unit.builtin, lanes=unit.lanes, soon=unit.soon)
+    names = [*lines.names, *(f"{array}({size})" for array, size in lines.arrays.items())]
     locals_ = [line.rstrip(",") for line in textwrap.wrap(", ".join(names), WIDTH - 16)]
     arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
     if signature.parameters:
         arguments.append("p")
     if signature.states:
         arguments += ["state", "dt"]
-    read = _inputs_read(body)
+    read = inputs_read(body)
     unused = [array for array, _ in signature.inputs if array not in read]
     if signature.parameters and not any(name in read for name in signature.parameters):
         unused.append("p%" + signature.parameters[0])
@@ -298,8 +321,8 @@ def _fortran_function(signature: Signature, counted: Count, body: Body, unit: Un
         "purpose": PURPOSES[signature.function],
         "counted": textwrap.wrap(_counted(counted), WIDTH, break_on_hyphens=False),
         "locals": locals_,
-        "lines": lines,
-        "results": results,
+        "lines": lines.angles + lines.statements,
+        "results": lines.results,
         "unused": unused,
     }
 
@@ -308,20 +331,6 @@ def _sine_of_input(expression: Expression) -> bool:
     return (
         isinstance(expression, Apply) and expression.op == "sin" and not isinstance(expression.args[0], str)
     )
-
-
-def _inputs_read(body: Body) -> set[str]:
-    """Names of arrays and parameters that the statements and results read."""
-    found: set[str] = set()
-    stack: list[Expression] = [s.expression for s in body.statements]
-    stack += [e for _, elements in body.outputs for e in elements]
-    while stack:
-        expression = stack.pop()
-        if isinstance(expression, Apply):
-            stack.extend(expression.args)
-        elif not isinstance(expression, str) and hasattr(expression, "array"):
-            found.add(expression.array)
-    return found
 
 
 __all__ = ["ARRAYS", "LANGUAGES", "PURPOSES", "Spelling", "Unit", "render"]

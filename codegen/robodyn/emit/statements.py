@@ -90,9 +90,10 @@ class Body:
 _LONGEST = 10
 
 
-def statements(program: Program) -> Body:
+def statements(program: Program, *, in_order: bool = False) -> Body:
     """``program`` as statements: labelled values and values used twice have names, the rest is written
-    where it is used. The order and grouping of operations are the program's."""
+    where it is used. The order and grouping of operations are the program's; ``in_order``: also the order
+    in which compilers come upon them, so that more values have names."""
     uses = program.uses()
     operations = program.operations
     in_output = {x for x in program.results() if isinstance(x, int)}
@@ -105,6 +106,7 @@ def statements(program: Program) -> Body:
     taken: set[str] = set()
     heading: str | None = None
     serial = 0
+    following = _written_in_order(program) if in_order else None
 
     def expression(operand: Operand) -> Expression:
         return text[operand] if isinstance(operand, int) else operand
@@ -121,6 +123,7 @@ def statements(program: Program) -> Body:
             or i in arguments
             or i in compared
             or steps >= _LONGEST
+            or (following is not None and i not in following)
         )
         if not named:
             text.append(whole)
@@ -136,6 +139,22 @@ def statements(program: Program) -> Body:
         size.append(0)
     outputs = tuple((name, tuple(map(expression, elements))) for name, elements in program.outputs)
     return Body(tuple(made), outputs)
+
+
+def _written_in_order(program: Program) -> set[int]:
+    """Operations that may be written where they are used: a compiler that reads from left to right comes
+    upon them in their place."""
+    found: set[int] = set()
+    first: list[int] = []
+    for i, (_, args, _) in enumerate(program.operations):
+        start = i
+        for arg in reversed(args):
+            if arg == start - 1:
+                assert isinstance(arg, int)
+                found.add(arg)
+                start = first[arg]
+        first.append(start)
+    return found
 
 
 def _name(label: Label | None, serial: int) -> str:

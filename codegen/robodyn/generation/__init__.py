@@ -19,15 +19,19 @@ from robodyn.generation.options import (
     ENGINES,
     LANGUAGES,
     LEVELS,
+    ORDERS,
     TRIGONOMETRY,
     Engine,
     Level,
     Options,
+    Order,
     Trigonometry,
     check_languages,
 )
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
+from robodyn.passes.angles import angles_first
+from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
 from robodyn.prune import Pruning, notes_of
 from robodyn.robot.model import Robot
@@ -39,6 +43,7 @@ __all__ = [
     "ENGINES",
     "LANGUAGES",
     "LEVELS",
+    "ORDERS",
     "TRIGONOMETRY",
     "Drafts",
     "Engine",
@@ -46,6 +51,7 @@ __all__ = [
     "Level",
     "NoForwardDynamics",
     "Options",
+    "Order",
     "SingularArm",
     "Trigonometry",
     "check_languages",
@@ -116,6 +122,10 @@ def generate(
         described = tuple(describe(given) for given in layout)
         programs = {f: trig_given(p, layout) for f, p in programs.items()}
         interfaces = {f: _with_sc(interface, max(1, len(layout))) for f, interface in interfaces.items()}
+    if options.trig == "builtin":
+        programs = {f: angles_first(p) for f, p in programs.items()}
+    if options.by_registers:
+        programs = {f: registers(p) for f, p in programs.items()}
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),
@@ -126,6 +136,7 @@ def generate(
         + (("sc is not read: there is no angle.",) if no_angle else ()),
         misra=options.misra,
         builtin=options.trig == "builtin",
+        soon=options.by_registers,
     )
     counts = {f: count(p) for f, p in programs.items()}
     rigid = {f: made.rigid_count(f) for f in programs}

@@ -17,10 +17,12 @@ from robodyn.records import Record
 Level = Literal["none", "fast", "search", "full", "record"]
 Trigonometry = Literal["libm", "builtin", "given"]
 Engine = Literal["graph", "sympy"]
+Order = Literal["auto", "recursion", "registers"]
 
 LEVELS: tuple[Level, ...] = ("none", "fast", "search", "full", "record")
 TRIGONOMETRY: tuple[Trigonometry, ...] = ("libm", "builtin", "given")
 ENGINES: tuple[Engine, ...] = ("graph", "sympy")
+ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
 LANGUAGES = ("c", "fortran")
 
 
@@ -35,6 +37,8 @@ class Options:
     fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
     in ``records``. ``regroup=False`` leaves out base-parameter regrouping only. ``engine="sympy"`` builds the
     same model through sympy with named intermediates and ``sympy.cse``: a cross-check, slower and no smaller.
+    ``order="recursion"`` is the order of the book, ``"registers"`` one in which few values wait in memory
+    (:func:`robodyn.passes.registers.registers`); ``"auto"`` is the latter unless sine and cosine are libm's.
 
     ``records`` are records at hand, and ``record_folders`` where more may lie, before the bundled ones.
     ``misra`` writes C for MISRA C:2012: the same operations, products within sums in parentheses, and every
@@ -49,6 +53,7 @@ class Options:
     scalar: ScalarType = "double"
     trig: Trigonometry = "libm"
     engine: Engine = "graph"
+    order: Order = "auto"
     objective: str = "total"
     records: tuple[Record, ...] = ()
     record_folders: tuple[Path, ...] = ()
@@ -63,6 +68,7 @@ class Options:
         _one_of("scalar", self.scalar, ("double", "float"))
         _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)
         _one_of("engine", self.engine, ENGINES)
+        _one_of("order", self.order, ORDERS)
         if self.prune is not None:
             check_asked(self.prune, self.functions)
 
@@ -72,6 +78,11 @@ class Options:
         if self.formulation != "modified_newton_euler" or self.optimize == "none" or not self.regroup:
             return (as_in_the_book,)
         return ()
+
+    @property
+    def by_registers(self) -> bool:
+        """Whether operations come in the order for registers: unless libm takes most of the time anyway."""
+        return self.order == "registers" or (self.order == "auto" and self.trig != "libm")
 
     @property
     def takes_records(self) -> bool:

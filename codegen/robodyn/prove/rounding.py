@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
@@ -52,7 +53,9 @@ def prove(
                 told(len(found))
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
-            end_all()
+            while not all(job.done() for job in jobs):  # one may just be starting
+                end_all()
+                time.sleep(0.02)
             raise
     return [found[name] for name in scripts]
 

@@ -1,0 +1,80 @@
+"""The lines of a function: its statements with their headings, its sines and cosines, its results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from robodyn.emit.results import Result, inputs_of, results_after
+from robodyn.emit.sines import ANGLES, COSINES, SINES, Sines, together
+from robodyn.emit.statements import Body, Statement
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """A language: a comment (``%s`` its text), a statement, a result, our sine and cosine."""
+
+    comment: str
+    statement: Callable[[Statement], list[str]]
+    result: Callable[[Result], list[str]]
+    sines: Sines
+
+
+@dataclass(frozen=True, slots=True)
+class Lines:
+    """A function in lines: ``angles`` with the loop of our sine and cosine, which stands before the body (or
+    nothing), the statements, the results at the end, the names that are defined, local arrays with their
+    sizes, and the names of arrays and parameters that the body reads."""
+
+    angles: list[str]
+    statements: list[str]
+    results: list[str]
+    names: list[str]
+    arrays: dict[str, int]
+    reads: set[str]
+
+
+def body_lines(body: Body, said: Said, *, builtin: bool, lanes: int, soon: bool) -> Lines:
+    """``body`` in lines.
+
+    ``builtin``: sines and cosines are our own, those of ``lanes`` angles at a time; ``soon``: results are
+    written as soon as they are there, among the statements.
+    """
+    angles: list[str] = []
+    lines: list[str] = []
+    names = [statement.name for statement in body.statements]
+    arrays: dict[str, int] = {}
+    waiting = {}
+
+    def say(statement: Statement) -> list[str]:
+        heading = ["    " + said.comment % statement.heading] if statement.heading else []
+        return heading + said.statement(statement)
+
+    if builtin:
+        found = together(body, lanes)
+        body, waiting = found.body, dict(found.later)
+        names = list(dict.fromkeys(s.name for s in (*found.sums, *body.statements)))
+        if found.angles:
+            angles = [line for statement in found.sums for line in say(statement)]
+            angles += said.sines.all(found.angles)
+            arrays |= dict.fromkeys((ANGLES, SINES, COSINES), len(found.angles))
+        arrays |= dict.fromkeys(found.later, 2)
+    reads = inputs_read(body)
+    for angle in waiting.values():
+        reads |= inputs_read(Body((Statement("", angle),), ()))
+    results = results_after(body.statements, body, soon=soon)
+    for k, statement in enumerate(body.statements):
+        for read in (x.array for x in inputs_of(statement.expression)):
+            if read in waiting:
+                lines += said.sines.pair(read, waiting.pop(read))
+        lines += say(statement)
+        for result in results.get(k, ()):
+            lines += said.result(result)
+    end = [line for result in results.get(-1, ()) for line in said.result(result)]
+    return Lines(angles, lines, end, names, arrays, reads)
+
+
+def inputs_read(body: Body) -> set[str]:
+    """Names of arrays and parameters that the statements and results read."""
+    expressions = [s.expression for s in body.statements] + [e for _, es in body.outputs for e in es]
+    return {x.array for expression in expressions for x in inputs_of(expression)}

@@ -1,0 +1,54 @@
+"""Where results are written: at the end, or as soon as they are there.
+
+Written soon, they need no register to wait in, and a compiler that has to reckon with ``tau`` being one of
+the inputs reads inputs afresh instead of keeping them. So an element is written no sooner than the inputs of
+its index have been read for the last time: ``tau`` may be the very array ``q``, ``qd`` or ``qdd``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from robodyn.emit.statements import Apply, Body, Expression, Statement
+from robodyn.ir.program import Input
+
+#: Inputs in whose place results may be written.
+_IN_PLACE = ("q", "qd", "qdd", "tau")
+
+
+class Result(NamedTuple):
+    """``array[place] = expression``."""
+
+    array: str
+    place: int
+    expression: Expression
+
+
+def results_after(statements: Sequence[Statement], body: Body, *, soon: bool) -> dict[int, list[Result]]:
+    """The results to write after statement k of ``statements``; those that wait for the end stand at -1.
+
+    What a function remembers is written at the end.
+    """
+    last: dict[int, int] = {}
+    made: dict[str, int] = {}
+    for k, statement in enumerate(statements):
+        made[statement.name] = k
+        for read in inputs_of(statement.expression):
+            if read.index is not None and read.array in _IN_PLACE:
+                last[read.index] = k
+    found: dict[int, list[Result]] = {}
+    for array, elements in body.outputs:
+        for i, expression in enumerate(elements):
+            place = -1
+            if soon and array != "state" and isinstance(expression, str):
+                place = max(made.get(expression, -1), last.get(i, -1))
+            found.setdefault(place, []).append(Result(array, i, expression))
+    return found
+
+
+def inputs_of(expression: Expression) -> list[Input]:
+    """The inputs that ``expression`` reads."""
+    if isinstance(expression, Apply):
+        return [x for arg in expression.args for x in inputs_of(arg)]
+    return [expression] if isinstance(expression, Input) else []
