@@ -81,20 +81,29 @@ class _Reader:
         self.places: dict[tuple[str, int], int] = {
             (array, i): values.of("input", array, i) for array, size in signature.inputs for i in range(size)
         }
-        plain = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
-        match = re.search(rf"^void {signature.symbol}\(.*?^}}", plain, re.M | re.S)
-        if match is None:
-            raise ValueError("there is no such function")
-        real = f"typedef {signature.scalar} {signature.robot}_real;\n"
+        self.plain = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
+        self.parse = CParser().parse
         if signature.parameters:
             raise ValueError("run-time parameters")
-        body = CParser().parse(real + match[0]).ext[-1].body
-        for statement in body.block_items or []:
-            self._run(statement)
+        self._enter(signature.symbol)
 
     def outputs(self) -> list[int]:
         """The values of all outputs, one after another."""
         return [self.places[array, i] for array, size in self.signature.outputs for i in range(size)]
+
+    def _enter(self, symbol: str, given: list[str] | None = None) -> None:
+        """Run a function; a second one, on the arrays ``given``, calls them as the first does."""
+        found = re.findall(rf"^(?:\w+ )?(void {symbol}\(.*?^}})", self.plain, re.M | re.S)
+        if len(found) != 1:
+            raise ValueError(f"there is no function {symbol}, or more than one")
+        real = f"typedef {self.signature.scalar} {self.signature.robot}_real;\n"
+        function = self.parse(real + found[0]).ext[-1]
+        if given is not None and given != [p.name for p in function.decl.type.args.params]:
+            raise ValueError(f"{symbol} calls its arrays otherwise")
+        outside, self.names = self.names, {}
+        for statement in function.body.block_items or []:
+            self._run(statement)
+        self.names = outside
 
     def _run(self, statement: Any) -> None:
         c = self.c
@@ -108,6 +117,9 @@ class _Reader:
                 for inner in statement.stmt.block_items:
                     self._run(inner)
         elif isinstance(statement, c.FuncCall):
+            if statement.name.name == f"{self.signature.symbol}_given_":
+                self._enter(statement.name.name, [x.name for x in statement.args.exprs])
+                return
             angle, sine, cosine = statement.args.exprs
             if not statement.name.name.endswith("_sincos_"):
                 raise ValueError(f"a call of {statement.name.name}")
