@@ -136,10 +136,10 @@ def test_the_emitted_c_reads_back(robot: str, trig: str) -> None:
 @pytest.mark.parametrize(
     ("old", "new"),
     [
-        (r"= (\w+\*\w+) \+ (\w+\*\w+);", r"= \2 + \1;"),
+        (r"= (\w+) \+ (\w+);", r"= \2 + \1;"),
         (r"qdd\[1\] \+ qdd\[2\]", "qdd[1] - qdd[2]"),
         (r"0\.0013f", "0.0013001f"),
-        (r" \+ \((\w+ \+ \w+)\)", r" + \1"),
+        (r"\*\((\w+) - (\w+)\)", r"*\1 - \2"),
         (r"angles\[4\] = \{(\w+), (\S+),", r"angles[4] = {\2, \1,"),
         (r"tau\[1\] = tau2;", "tau[1] = tau1;"),
         (r"tau\[5\] = tau6;", ""),
