@@ -26,7 +26,8 @@ test: $(VENV)/.installed-dev
 
 .PHONY: prove-all
 prove-all: $(VENV)/.installed-dev  ## the long comparisons that `make test` leaves out
-	$(PYTEST) -m slow
+	@$(PIP) 'atheris>=2.3' || echo "no atheris for this Python: the robot files are not fuzzed" >&2
+	$(PYTEST) -m slow -rP
 
 .PHONY: generated
 generated: $(VENV)/.installed  ## write the kernels of all bundled robots into generated/

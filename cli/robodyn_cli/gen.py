@@ -44,6 +44,11 @@ if TYPE_CHECKING:
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states in a call, with SIMD.")
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
+@click.option(
+    "--misra",
+    is_flag=True,
+    help="C for MISRA C:2012: the same operations, grouped by parentheses throughout.",
+)
 @model_options
 @search_options
 @prune_option
@@ -60,6 +65,7 @@ def command(
     trig: str,
     batch: bool,
     functions: str | None,
+    misra: bool,
     formulation: str,
     optimize: str,
     no_regroup: bool,
@@ -95,6 +101,7 @@ def command(
         trig=trig,  # type: ignore[arg-type]
         engine=engine,  # type: ignore[arg-type]
         prune=tolerance(prune),
+        misra=misra,
     )
     if firmware:
         options = for_firmware(options, target, compile=compile_, latex=latex, batch=batch)

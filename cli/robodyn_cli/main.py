@@ -42,6 +42,10 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "hide": ("robodyn_cli.hide", "Hide effects in simulated logs, and seal the answer: a blind test."),
     "excite": ("robodyn_cli.excite", "Design a motion inside the limits that tells effects apart."),
     "verify": ("robodyn_cli.verify", "Set the compiled kernels against independent references."),
+    "prove": (
+        "robodyn_cli.prove",
+        "Prove a kernel: rounding errors, no run-time errors, stack, MISRA C:2012.",
+    ),
     "case-study": ("robodyn_cli.case_study", "Run the thesis's case study of friction (chapter 3) anew."),
     "effects": ("robodyn_cli.effects", "List the effects that a robot may have, or tell all of one."),
     "robots": ("robodyn_cli.robots", "List the bundled robots."),

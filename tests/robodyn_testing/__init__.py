@@ -31,6 +31,7 @@ _TOOLS: Final = {
     "arm-none-eabi-gcc": "gcc-arm-none-eabi",
     "cc": "gcc",
     "chromedriver": "chromium-driver",
+    "frama-c": "frama-c-base",
     "g++": "g++",
     "nm": "binutils",
 }

@@ -9,6 +9,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts.count import Count, count
+from robodyn.emit import misra
 from robodyn.emit.body import Lines, Said, body_lines, inputs_read
 from robodyn.emit.results import Result
 from robodyn.emit.sines import COSINES, SINES, c_sines, fortran_sines
@@ -50,14 +51,16 @@ class Unit:
     """What goes into one header and one source: a robot's functions with their programs.
 
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
-    are lines for the head of the file. ``builtin``: with our own sine and cosine, those of ``lanes`` angles
-    at a time. ``soon``: results are written as soon as they are there.
+    are lines for the head of the file; ``misra``: C with products within sums in parentheses.
+    ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
+    written as soon as they are there.
     """
 
     robot: Robot
     functions: tuple[tuple[Signature, Program], ...]
     sc: tuple[str, ...] = ()
     notes: tuple[str, ...] = field(default=())
+    misra: bool = False
     builtin: bool = False
     lanes: int = 4
     soon: bool = False
@@ -183,6 +186,9 @@ def _head(unit: Unit, language: str) -> list[str]:
             say(f"  sc[{k}] = {text}" if language == "c" else f"  sc({k + 1}) = {text}")
     for note in unit.notes:
         say(note)
+    if unit.misra and language == "c":
+        for note in misra.notes("builtin" if unit.builtin else "libm"):
+            say(note)
     lines.append("")
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")
     for signature, program in unit.functions:
@@ -214,7 +220,7 @@ def comment(text: str) -> str:
 
 
 def _c_function(signature: Signature, counted: Count, body: Body, unit: Unit) -> dict[str, Any]:
-    spelling = c_spelling(single=signature.scalar == "float", states=signature.states)
+    spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=unit.misra)
     real = f"{signature.robot}_real"
     arguments = [f"const {real} {array}[{size}]" for array, size in signature.inputs]
     arguments += [f"{real} {array}[{size}]" for array, size in signature.outputs]

@@ -27,6 +27,8 @@ class Spelling:
     functions: Mapping[str, Callable[..., str]]
     single: bool
     continuation: str
+    #: Whether products within sums stand in parentheses, as MISRA C:2012 wants it.
+    explicit: bool = False
 
     def number(self, value: Fraction) -> str:
         """``value`` rounded once to the scalar type, in the fewest digits that give it back."""
@@ -60,9 +62,10 @@ class Spelling:
         symbol, own = _OPERATORS[op]
         left, left_strength = self._text(args[0], twice)
         right, right_strength = self._text(args[1], twice)
-        if left_strength < own:
+        if left_strength < own or (self.explicit and own < left_strength < _ATOM):
             left = f"({left})"
-        if right_strength <= own or right.startswith("-"):  # Fortran forbids two signs in a row
+        explicit = self.explicit and own < right_strength < _ATOM
+        if explicit or right_strength <= own or right.startswith("-"):  # Fortran forbids two signs in a row
             right = f"({right})"
         return (f"{left}*{right}" if op == "mul" else f"{left} {symbol} {right}"), own
 
@@ -127,9 +130,9 @@ def nearest_float(value: Fraction) -> float:
     return float(rounded if value > 0 else -rounded)
 
 
-def c_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
+def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = False) -> Spelling:
     """C99, also valid C++. ``states`` are the members of ``state``, where a function has one; it has ``dt``
-    then."""
+    then. ``explicit``: products within sums stand in parentheses."""
 
     def element(array: str, i: int) -> str:
         if array == "dt":
@@ -138,6 +141,9 @@ def c_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
 
     f = "f" if single else ""
     zero, one = (f"0.0{f}", f"1.0{f}")
+    positive, negative = (
+        ("({} > " + zero + ")", "({} < " + zero + ")") if explicit else ("{} > " + zero, "{} < " + zero)
+    )
     return Spelling(
         literal=lambda digits: digits + f,
         element=element,
@@ -150,10 +156,11 @@ def c_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
             "abs": lambda x: f"fabs{f}({x})",
             "exp": lambda x: f"exp{f}({x})",
             "pow": lambda x, y: f"pow{f}({x}, {y})",
-            "sign": lambda x: f"({x} > {zero} ? {one} : ({x} < {zero} ? -{one} : {zero}))",
+            "sign": lambda x: f"({positive.format(x)} ? {one} : ({negative.format(x)} ? -{one} : {zero}))",
         },
         single=single,
         continuation="",
+        explicit=explicit,
     )
 
 

@@ -129,10 +129,10 @@ def trig_context(spelling: Spelling, declared: str = "", end: str = "") -> dict[
 
 def _polynomial(terms: list[str]) -> str:
     """``a - b z + c zz - d z zz ...`` in pairs: as few operations as Horner's, half as deep."""
-    pairs = [f"({a} - z*{b})" for a, b in zip(terms[::2], terms[1::2], strict=False)]
+    pairs = [f"({a} - (z*{b}))" for a, b in zip(terms[::2], terms[1::2], strict=False)]
     text = terms[-1] if len(terms) % 2 else pairs.pop()
     for pair in reversed(pairs):
-        text = f"({pair} + zz*{text})"
+        text = f"({pair} + (zz*{text}))"
     return text[1:-1]
 
 

@@ -143,6 +143,7 @@ def generate(
         + (() if isinstance(made, Drafts) else made.notes)
         + notes_of(tuple(drafts.prunings.values()))
         + (("sc is not read: there is no angle.",) if no_angle else ()),
+        misra=options.misra,
         builtin=options.trig == "builtin",
         soon=options.by_registers,
     )

@@ -41,6 +41,8 @@ class Options:
     (:func:`robodyn.passes.registers.registers`); ``"auto"`` is the latter unless sine and cosine are libm's.
 
     ``records`` are records at hand, and ``record_folders`` where more may lie, before the bundled ones.
+    ``misra`` writes C for MISRA C:2012: the same operations, products within sums in parentheses, and every
+    rule that is not kept explained in the head.
     ``prune`` is the share of each joint's peak torque that may be wrong (:mod:`robodyn.prune`).
     """
 
@@ -56,6 +58,7 @@ class Options:
     records: tuple[Record, ...] = ()
     record_folders: tuple[Path, ...] = ()
     prune: Fraction | None = None
+    misra: bool = False
 
     def __post_init__(self) -> None:
         if self.functions is not None:

@@ -1,0 +1,151 @@
+"""``robodyn prove``: proofs of a kernel, to be filed."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument, write_files
+from robodyn_cli.options import listed, load, model_options
+
+if TYPE_CHECKING:
+    from robodyn.prove import Proof
+    from robodyn.robot import Robot
+
+
+@click.command()
+@robot_argument
+@click.option("-o", "--output", metavar="DIR", help="Where the proof goes.  [default: proof/NAME]")
+@click.option(
+    "--ranges",
+    metavar="R",
+    help="qd=3,qdd=10,q2=-pi/2:pi/2, or a YAML file with such keys.  [default: the joints' limits]",
+)
+@click.option("--scalar", default="float", show_default=True, help="float or double.")
+@click.option("--trig", default="builtin", show_default=True, help="Sine and cosine: builtin, libm or given.")
+@click.option("--functions", default="inverse_dynamics", show_default=True, help="Functions, with commas.")
+@click.option("--only", metavar="A,B", help="Some of gappa, eva, stack, misra.  [default: all]")
+@click.option(
+    "--seconds",
+    type=click.FloatRange(min=1),
+    default=300.0,
+    show_default=True,
+    help="How long Gappa may take for a torque.",
+)
+@click.option("--workers", type=click.IntRange(min=1), help="Torques at a time.  [default: one a core]")
+@click.option(
+    "--tolerance",
+    metavar="T",
+    help="Fail if a bound is above this share of the joint's largest torque: 0.01% or 1e-4.",
+)
+@model_options
+@json_option
+def command(
+    robot: str,
+    output: str | None,
+    ranges: str | None,
+    scalar: str,
+    trig: str,
+    functions: str,
+    only: str | None,
+    seconds: float,
+    workers: int | None,
+    tolerance: str | None,
+    formulation: str,
+    optimize: str,
+    no_regroup: bool,
+    engine: str,
+    fold_rotor: bool,
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Prove a kernel: rounding errors, no run-time errors, stack, MISRA C:2012.
+
+    DIR gets the kernel as "gen --misra" writes it, the scripts, what the tools said, PROOF.md and
+    proof.json. Gappa bounds the rounding error of every torque within the ranges; Frama-C Eva shows that no
+    input whatsoever leads to undefined behaviour; gcc tells the stack, cppcheck the deviations from MISRA.
+    Exits 1 if a proof failed, 3 if a tool is missing.
+    """
+    from robodyn.build.program import cores
+    from robodyn.errors import CheckError, ToolError
+    from robodyn.generation import Options
+    from robodyn.prove import PROOFS, Asked, prove
+    from robodyn_cli.progress import line
+
+    options = Options(
+        functions=listed(functions),
+        formulation=formulation,
+        optimize=optimize,  # type: ignore[arg-type]  # checked by Options
+        regroup=not no_regroup,
+        scalar=scalar,  # type: ignore[arg-type]
+        trig=trig,  # type: ignore[arg-type]
+        engine=engine,  # type: ignore[arg-type]
+    )
+    asked = Asked(PROOFS if only is None else listed(only), seconds, workers or cores(), _share(tolerance))
+    described = load(robot, strict=strict, fold_rotor=fold_rotor)
+    ranged = _ranged(described, ranges, needed="gappa" in asked.only)
+    folder = output_folder(output) if output is not None else Path("proof") / described.name
+    with line() as shown:
+        proof = prove(described, ranged, options, asked, lambda text: shown.tell(f"robodyn: {text}"))
+    write_files(folder, proof.files())
+    if as_json:
+        echo_json({**proof.to_dict(), "folder": str(folder)})
+    else:
+        _print(proof, folder)
+    if proof.failed:
+        raise CheckError(f"{described.name}: not proven: {', '.join(proof.failed)}")
+    if proof.missing:
+        told = "; ".join(f"{name} {remedy}" for name, remedy in proof.missing.items())
+        raise ToolError(f"{described.name}: not run for want of tools", found=told)
+
+
+def _ranged(described: Robot, ranges: str | None, *, needed: bool) -> Robot:
+    """The robot with the ranges as its limits; where none are needed, its own will do."""
+    from robodyn.errors import InputError
+    from robodyn.prove import with_ranges
+
+    if ranges is None and not needed:
+        return described
+    if ranges is None or "=" in ranges:
+        return with_ranges(described, ranges)
+    path = Path(ranges)
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(
+            f"cannot read the ranges {printable(path)}: {error.strerror or error}",
+            expected="a YAML file, or ranges as qd=3,qdd=10",
+        ) from None
+    return with_ranges(described, printable(path), data)
+
+
+def _share(text: str | None) -> Fraction | None:
+    """``--tolerance`` as a share."""
+    from robodyn.errors import InputError
+    from robodyn.robot.numbers import NumberError, number
+
+    if text is None:
+        return None
+    plain = text.strip()
+    try:
+        share = number(plain.removesuffix("%")) / (100 if plain.endswith("%") else 1)
+    except NumberError:
+        share = Fraction(0)
+    if not 0 < share < 1:
+        raise InputError(
+            "a tolerance that is no share", found=repr(text), expected="more than 0 and less than 100%"
+        )
+    return share
+
+
+def _print(proof: Proof, folder: Path) -> None:
+    for finding in proof.findings:
+        click.echo(f"{finding.name}: {finding.status}")
+        if finding.status != "not run":
+            click.echo(f"  {finding.claim}")
+        for text in finding.lines:
+            click.echo(f"  {text}")
+    click.echo(f"wrote {printable(folder / 'PROOF.md')}")
