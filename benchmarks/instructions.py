@@ -50,7 +50,7 @@ def measure(
     subprocess.CalledProcessError: the compiler or valgrind fails.
     """
     options = Options(functions=(function,), trig=trig, scalar=scalar)  # type: ignore[arg-type]
-    made = generate(load(robot), options)
+    made = generate(load(robot, warn=lambda _: None), options)
     (interface,) = made.signatures
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -82,7 +82,8 @@ def measure(
 
 
 def _collected(folder: Path, turns: int, options: list[str]) -> int:
-    command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *options, "./main", str(turns)]
+    valgrind = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"]
+    command = [*valgrind, *options, "./main", str(turns)]
     done = subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True)
     found = re.search(r"Collected\s*:\s*(\d+)", done.stderr)
     if found is None:

@@ -25,7 +25,7 @@ from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, wit
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
-    from robodyn.generation import Generated
+    from robodyn.generation import Generated, Options
     from robodyn.robot import Robot
 
 
@@ -41,6 +41,22 @@ if TYPE_CHECKING:
     show_default=True,
     help="Sine and cosine: libm, builtin (no library at all), or given in sc.",
 )
+@click.option(
+    "--order",
+    default="auto",
+    show_default=True,
+    help="recursion (as the book has it), registers (few values wait in memory), or auto: registers unless "
+    "sine and cosine are libm's.",
+)
+@click.option(
+    "--contraction", help="Whether C compilers may fuse products and sums: off or on.  [default: their flags]"
+)
+@click.option(
+    "--target",
+    metavar="NAME",
+    help="Choose scalar, trig, order, contraction and objective for cortex-m3, cortex-m4f, cortex-m7, "
+    "x86-64, x86-64-v3, x86-64-v4 or aarch64; each of these options goes before it.",
+)
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @model_options
 @search_options
@@ -55,6 +71,9 @@ def command(
     compile_: bool,
     scalar: str,
     trig: str,
+    order: str,
+    contraction: str | None,
+    target: str | None,
     functions: str | None,
     formulation: str,
     optimize: str,
@@ -78,16 +97,22 @@ def command(
     """
     from robodyn.dynamics.functions import FUNCTIONS
     from robodyn.errors import CheckError, InputError
-    from robodyn.generation import Options, check_languages, generate
+    from robodyn.generation import check_languages, generate
 
-    options = Options(
+    options = _options(
+        target,
+        {
+            "scalar": scalar,
+            "trig": trig,
+            "order": order,
+            "contraction": contraction,
+            "objective": objective,
+        },
         functions=None if functions is None else listed(functions),
         formulation=formulation,
-        optimize=optimize,  # type: ignore[arg-type]  # checked by Options
+        optimize=optimize,
         regroup=not no_regroup,
-        scalar=scalar,  # type: ignore[arg-type]
-        trig=trig,  # type: ignore[arg-type]
-        engine=engine,  # type: ignore[arg-type]
+        engine=engine,
         prune=tolerance(prune),
     )
     languages = listed(lang)
@@ -100,7 +125,7 @@ def command(
         raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
-    options = Search(robot, budget_seconds, seed, objective, keep).applied(
+    options = Search(robot, budget_seconds, seed, options.objective, keep).applied(
         described, options, options.functions or tuple(FUNCTIONS)
     )
     with told() as tell:
@@ -128,6 +153,7 @@ def command(
         echo_json(
             {
                 "robot": described.name,
+                **_profile(options),
                 "files": [str(folder / name) for name in files],
                 "functions": [
                     with_pruning(
@@ -149,6 +175,33 @@ def command(
         click.echo(line)
     for language, text in (built or {}).items():
         click.echo(f"{language}: {text}")
+
+
+def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Options:
+    """The options; those of ``chosen`` that stand on the command line go before what ``target`` says."""
+    from click.core import ParameterSource
+
+    from robodyn.generation import Options
+
+    if target is None:
+        return Options(**chosen, **others)
+    context = click.get_current_context()
+    said = {
+        what: value
+        for what, value in chosen.items()
+        if context.get_parameter_source(what) is not ParameterSource.DEFAULT
+    }
+    return Options.for_target(target, **said, **others)
+
+
+def _profile(options: Options) -> dict[str, Any]:
+    """What the options choose for the processor, as JSON has it."""
+    from robodyn.generation import CHOSEN
+
+    found: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
+    target = options.profile
+    flags = None if target is None else target.compiled(options.contraction or "off")
+    return {"target": options.target, **found, "flags": flags}
 
 
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool) -> dict[str, Any]:
