@@ -21,24 +21,13 @@ FOLDER = "firmware"
 
 
 def firmware_option(command: Command) -> Command:
-    """Add ``--firmware`` and ``--target``, passed to `command` as ``firmware: bool, target: str | None``."""
-    for option in reversed(
-        (
-            click.option(
-                "--firmware",
-                is_flag=True,
-                help="Write DIR/firmware instead: kernel (inverse_dynamics unless --functions says else) "
-                "with sines of its own, self-test, CMake, an image for qemu, a README with what it costs.",
-            ),
-            click.option(
-                "--target",
-                metavar="T",
-                help="With --firmware: cortex-m3, cortex-m4f, cortex-m7, with commas.  [default: all]",
-            ),
-        )
-    ):
-        command = option(command)
-    return command
+    """Add ``--firmware``, passed to `command` as ``firmware: bool``."""
+    return click.option(
+        "--firmware",
+        is_flag=True,
+        help="Write DIR/firmware instead: kernel (inverse_dynamics unless --functions says else) with sines "
+        "of its own, self-test, CMake, an image for qemu, a README with what it costs.",
+    )(command)
 
 
 def for_firmware(options: Options, target: str | None, **others: object) -> Options:
@@ -60,14 +49,6 @@ def for_firmware(options: Options, target: str | None, **others: object) -> Opti
         scalar=options.scalar if _said("scalar") else None,
         trig=options.trig if _said("trig") else None,
     )
-
-
-def refuse_target(target: str | None) -> None:
-    """:class:`InputError` where there is a target and no firmware."""
-    from robodyn.errors import InputError
-
-    if target is not None:
-        raise InputError("--target goes with --firmware", found=target, remedy="add --firmware")
 
 
 def write_firmware(

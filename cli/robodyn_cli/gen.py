@@ -20,13 +20,13 @@ from robodyn_cli.common import (
     write_files,
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
-from robodyn_cli.firmware import firmware_option, for_firmware, refuse_target, write_firmware
+from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
-    from robodyn.generation import Generated
+    from robodyn.generation import Generated, Options
     from robodyn.robot import Robot
 
 
@@ -43,6 +43,23 @@ if TYPE_CHECKING:
     help="Sine and cosine: libm, builtin (no library at all), or given in sc.",
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states in a call, with SIMD.")
+@click.option(
+    "--order",
+    default="auto",
+    show_default=True,
+    help="recursion (as the book has it), registers (few values wait in memory), or auto: registers unless "
+    "sine and cosine are libm's.",
+)
+@click.option(
+    "--contraction", help="Whether C compilers may fuse products and sums: off or on.  [default: their flags]"
+)
+@click.option(
+    "--target",
+    metavar="NAME",
+    help="Choose scalar, trig, order, contraction and objective for cortex-m3, cortex-m4f, cortex-m7, "
+    "x86-64, x86-64-v3, x86-64-v4 or aarch64; each of these options goes before it. With --firmware: "
+    "cortex-m3, cortex-m4f, cortex-m7, with commas (all, unless told).",
+)
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @click.option(
     "--misra",
@@ -64,6 +81,9 @@ def command(
     scalar: str,
     trig: str,
     batch: bool,
+    order: str,
+    contraction: str | None,
+    target: str | None,
     functions: str | None,
     misra: bool,
     formulation: str,
@@ -78,7 +98,6 @@ def command(
     keep: bool,
     prune: str | None,
     firmware: bool,
-    target: str | None,
     latex: bool,
     check: bool,
     as_json: bool,
@@ -90,23 +109,28 @@ def command(
     """
     from robodyn.dynamics.functions import FUNCTIONS
     from robodyn.errors import CheckError, InputError
-    from robodyn.generation import Options, check_languages, generate
+    from robodyn.generation import check_languages, generate
 
-    options = Options(
+    options = _options(
+        None if firmware else target,
+        {
+            "scalar": scalar,
+            "trig": trig,
+            "order": order,
+            "contraction": contraction,
+            "objective": objective,
+        },
         functions=None if functions is None else listed(functions),
         formulation=formulation,
-        optimize=optimize,  # type: ignore[arg-type]  # checked by Options
+        optimize=optimize,
         regroup=not no_regroup,
-        scalar=scalar,  # type: ignore[arg-type]
-        trig=trig,  # type: ignore[arg-type]
-        engine=engine,  # type: ignore[arg-type]
+        engine=engine,
         prune=tolerance(prune),
         misra=misra,
     )
     if firmware:
-        options = for_firmware(options, target, compile=compile_, latex=latex, batch=batch)
-    else:
-        refuse_target(target)
+        unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
+        options = for_firmware(options, target, **unfit)
     languages = listed(lang)
     if not languages:
         raise InputError("no language asked for", expected="c, fortran or both")
@@ -117,7 +141,7 @@ def command(
         raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
-    options = Search(robot, budget_seconds, seed, objective, keep).applied(
+    options = Search(robot, budget_seconds, seed, options.objective, keep).applied(
         described, options, options.functions or tuple(FUNCTIONS)
     )
     with told() as tell:
@@ -153,6 +177,7 @@ def command(
         echo_json(
             {
                 "robot": described.name,
+                **_profile(options),
                 "files": [str(folder / name) for name in files],
                 "functions": [
                     with_pruning(
@@ -174,6 +199,33 @@ def command(
         click.echo(line)
     for language, text in (built or {}).items():
         click.echo(f"{language}: {text}")
+
+
+def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Options:
+    """The options; those of ``chosen`` that stand on the command line go before what ``target`` says."""
+    from click.core import ParameterSource
+
+    from robodyn.generation import Options
+
+    if target is None:
+        return Options(**chosen, **others)
+    context = click.get_current_context()
+    said = {
+        what: value
+        for what, value in chosen.items()
+        if context.get_parameter_source(what) is not ParameterSource.DEFAULT
+    }
+    return Options.for_target(target, **said, **others)
+
+
+def _profile(options: Options) -> dict[str, Any]:
+    """What the options choose for the processor, as JSON has it."""
+    from robodyn.generation import CHOSEN
+
+    found: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
+    target = options.profile
+    flags = None if target is None else target.compiled(options.contraction or "off")
+    return {"target": options.target, **found, "flags": flags}
 
 
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 )
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the sample.")
 @click.option("--scalar", default="double", show_default=True, help="double or float.")
+@click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm or builtin.")
 @click.option("--lang", default="c", show_default=True, help="c or fortran.")
 @model_options
 @json_option
@@ -29,6 +30,7 @@ def command(
     states: int,
     seed: int,
     scalar: str,
+    trig: str,
     lang: str,
     formulation: str,
     optimize: str,
@@ -52,7 +54,10 @@ def command(
 
     if lang not in ("c", "fortran"):
         raise InputError(f"unknown language {lang!r}", expected="c or fortran")
+    if trig == "given":
+        raise InputError("a kernel that is given sines has no angles to verify", expected="libm or builtin")
     options = Options(
+        trig=trig,  # type: ignore[arg-type]
         formulation=formulation,
         optimize=optimize,  # type: ignore[arg-type]  # checked by Options
         regroup=not no_regroup,

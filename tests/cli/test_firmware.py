@@ -68,7 +68,8 @@ def test_without_tools_it_says_what_was_not_measured(
         (("--firmware", "--compile"), "--compile does not go with --firmware"),
         (("--firmware", "--latex"), "--latex does not go with --firmware"),
         (("--firmware", "--lang", "fortran"), "a firmware folder is for C"),
-        (("--target", "cortex-m3"), "--target goes with --firmware"),
+        (("--firmware", "--batch"), "--batch does not go with --firmware"),
+        (("--firmware", "--contraction", "on"), "--contraction on does not go with --firmware"),
     ],
 )
 def test_what_does_not_go_together_is_refused(

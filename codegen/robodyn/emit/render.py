@@ -53,7 +53,7 @@ class Unit:
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
     are lines for the head of the file; ``misra``: C with products within sums in parentheses.
     ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
-    written as soon as they are there.
+    written as soon as they are there. ``contraction``, on or off, stands in a pragma.
     """
 
     robot: Robot
@@ -64,6 +64,7 @@ class Unit:
     builtin: bool = False
     lanes: int = 4
     soon: bool = False
+    contraction: str | None = None
 
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
@@ -129,6 +130,7 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict
     return {
         "name": unit.robot.name,
         "trig": trig if unit.builtin and _calls(unit) & {"sin", "cos"} else None,
+        "contraction": None if unit.contraction is None else unit.contraction.upper(),
         "math": not unit.builtin or bool(_calls(unit) & _OF_LIBM),
         "guard": f"{unit.robot.name.upper()}_H",
         "scalar": signature.scalar,

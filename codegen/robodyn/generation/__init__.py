@@ -17,6 +17,7 @@ from robodyn.emit import Unit, render
 from robodyn.errors import InputError
 from robodyn.generation.drafts import Drafts, SingularArm
 from robodyn.generation.options import (
+    CHOSEN,
     ENGINES,
     LANGUAGES,
     LEVELS,
@@ -29,6 +30,7 @@ from robodyn.generation.options import (
     Trigonometry,
     check_languages,
 )
+from robodyn.generation.targets import TARGETS
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.passes.angles import angles_first
@@ -41,10 +43,12 @@ if TYPE_CHECKING:
     from robodyn.generation.layered import Layered
 
 __all__ = [
+    "CHOSEN",
     "ENGINES",
     "LANGUAGES",
     "LEVELS",
     "ORDERS",
+    "TARGETS",
     "TRIGONOMETRY",
     "Drafts",
     "Engine",
@@ -134,7 +138,8 @@ def generate(
     if options.trig == "builtin":
         programs = {f: angles_first(p) for f, p in programs.items()}
     if options.by_registers:
-        programs = {f: registers(p) for f, p in programs.items()}
+        available = {} if options.profile is None else {"available": options.profile.registers}
+        programs = {f: registers(p, **available) for f, p in programs.items()}
     unit = Unit(
         robot=robot,
         functions=tuple((interfaces[f], programs[f]) for f in programs),
@@ -142,10 +147,13 @@ def generate(
         notes=_notes(drafts)
         + (() if isinstance(made, Drafts) else made.notes)
         + notes_of(tuple(drafts.prunings.values()))
-        + (("sc is not read: there is no angle.",) if no_angle else ()),
+        + (("sc is not read: there is no angle.",) if no_angle else ())
+        + _told(options),
         misra=options.misra,
         builtin=options.trig == "builtin",
         soon=options.by_registers,
+        contraction=options.contraction or ("off" if options.trig == "builtin" else None),
+        lanes=4 if options.profile is None else options.profile.lanes,
     )
     counts = {f: count(p) for f, p in programs.items()}
     rigid = {f: made.rigid_count(f) for f in programs}
@@ -204,6 +212,31 @@ def _notes(drafts: Drafts) -> tuple[str, ...]:
         f"without being written like it: {found}."
         for found, functions in told.items()
     )
+
+
+def _told(options: Options) -> tuple[str, ...]:
+    """What the head of the files says of the target, of bits and of arrays."""
+    told: tuple[str, ...] = ()
+    target = options.profile
+    contraction = options.contraction or "off"
+    if target is not None:
+        told += (f"Target: {target.name} ({target.why}); compile C with {target.compiled(contraction)}.",)
+    if options.trig == "builtin":
+        told += (
+            "Sine and cosine are built in: no libm. "
+            + (
+                "Products and sums may be fused (-ffp-contract=fast): bits depend on the compiler."
+                if contraction == "on"
+                else "The same bits on every machine with IEEE arithmetic, in C and in Fortran, where "
+                "products and sums are not fused: -ffp-contract=off (gcc -std=c99 implies it)."
+            ),
+        )
+    if options.by_registers:
+        told += (
+            "Results are written early: they may take the place of q, qd or qdd (the very same array), and "
+            "must not overlap them otherwise.",
+        )
+    return told
 
 
 def _method(choice: Choice) -> tuple[str, ...]:

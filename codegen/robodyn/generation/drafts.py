@@ -154,11 +154,11 @@ class Drafts:
     def _record(self, function: str) -> Record | None:
         if function not in self._records:
             given = [r for r in self.options.records if r.function == function]
-            self._records[function] = (
-                given[0]
-                if given
-                else best_record(self.robot, function, self.options.objective, self.options.record_folders)
-            )
+            folders = self.options.record_folders
+            found = given[0] if given else best_record(self.robot, function, self.options.objective, folders)
+            if found is None and self.options.target is not None:
+                found = best_record(self.robot, function, folders=folders)  # fewest operations: close enough
+            self._records[function] = found
         return self._records[function]
 
     def draft(self, function: str) -> Program:

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS, Choice
 from robodyn.errors import InputError
+from robodyn.generation.targets import Contraction, Target, target_named
 from robodyn.ir.signature import ScalarType
 from robodyn.prune import check_asked
 from robodyn.records import Record
@@ -23,6 +24,8 @@ LEVELS: tuple[Level, ...] = ("none", "fast", "search", "full", "record")
 TRIGONOMETRY: tuple[Trigonometry, ...] = ("libm", "builtin", "given")
 ENGINES: tuple[Engine, ...] = ("graph", "sympy")
 ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
+#: What a target chooses.
+CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
 LANGUAGES = ("c", "fortran")
 
 
@@ -43,6 +46,8 @@ class Options:
     ``records`` are records at hand, and ``record_folders`` where more may lie, before the bundled ones.
     ``misra`` writes C for MISRA C:2012: the same operations, products within sums in parentheses, and every
     rule that is not kept explained in the head.
+    ``target`` names the processor (:meth:`for_target` takes what it chooses); ``contraction``, on or off, is
+    whether compilers may fuse products and sums; None leaves that to their flags.
     ``prune`` is the share of each joint's peak torque that may be wrong (:mod:`robodyn.prune`).
     """
 
@@ -55,6 +60,8 @@ class Options:
     engine: Engine = "graph"
     order: Order = "auto"
     objective: str = "total"
+    target: str | None = None
+    contraction: Contraction | None = None
     records: tuple[Record, ...] = ()
     record_folders: tuple[Path, ...] = ()
     prune: Fraction | None = None
@@ -69,8 +76,29 @@ class Options:
         _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)
         _one_of("engine", self.engine, ENGINES)
         _one_of("order", self.order, ORDERS)
+        if self.target is not None:
+            target_named(self.target)
+        if self.contraction is not None:
+            _one_of("contraction", self.contraction, ("off", "on"))
         if self.prune is not None:
             check_asked(self.prune, self.functions)
+
+    @classmethod
+    def for_target(cls, name: str, **chosen: Any) -> Options:
+        """What :data:`~robodyn.generation.targets.TARGETS` says of ``name``; ``chosen`` goes before it.
+
+        Raises
+        ------
+        InputError: there is no such target, or a choice is unknown.
+        """
+        target = target_named(name)
+        own = {what: getattr(target, what) for what in CHOSEN}
+        return cls(**{**own, **chosen, "target": name})
+
+    @property
+    def profile(self) -> Target | None:
+        """The target, if one is named."""
+        return None if self.target is None else target_named(self.target)
 
     def choices(self) -> tuple[Choice, ...]:
         """The one way of writing the recursion that is asked for; none where the robot decides."""
