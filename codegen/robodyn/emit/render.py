@@ -52,7 +52,7 @@ class Unit:
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
     are lines for the head of the file. ``builtin``: with our own sine and cosine, those of ``lanes`` angles
     at a time. ``soon``: results are written as soon as they are there.
-    ``contraction``, on or off, stands in a pragma.
+    ``contraction``, on or off, stands in a pragma; ``advice`` is for the head too, with flags of compilers.
     """
 
     robot: Robot
@@ -63,6 +63,7 @@ class Unit:
     lanes: int = 4
     soon: bool = False
     contraction: str | None = None
+    advice: tuple[str, ...] = ()
 
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
@@ -146,8 +147,9 @@ def _head(unit: Unit, language: str) -> list[str]:
     width = WIDTH - 4
     lines: list[str] = []
 
-    def say(text: str, indent: str = "") -> None:
-        lines.extend(textwrap.wrap(comment(text), width, subsequent_indent=indent + "  ") or [""])
+    def say(text: str, indent: str = "", *, hyphens: bool = True) -> None:
+        told = textwrap.wrap(comment(text), width, subsequent_indent=indent + "  ", break_on_hyphens=hyphens)
+        lines.extend(told or [""])
 
     say(f"{robot.name}: {robot.title or 'a serial arm'}")
     if robot.source:
@@ -177,6 +179,8 @@ def _head(unit: Unit, language: str) -> list[str]:
             say(f"  sc[{k}] = {text}" if language == "c" else f"  sc({k + 1}) = {text}")
     for note in unit.notes:
         say(note)
+    for note in unit.advice:
+        say(note, hyphens=False)
     lines.append("")
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")
     for signature, program in unit.functions:

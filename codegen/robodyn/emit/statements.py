@@ -149,8 +149,7 @@ def _written_in_order(program: Program) -> set[int]:
     for i, (_, args, _) in enumerate(program.operations):
         start = i
         for arg in reversed(args):
-            if arg == start - 1:
-                assert isinstance(arg, int)
+            if isinstance(arg, int) and arg == start - 1:  # a constant may equal it
                 found.add(arg)
                 start = first[arg]
         first.append(start)
