@@ -128,7 +128,7 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict
         trig = trig_context(fortran_spelling(single=single))
     return {
         "name": unit.robot.name,
-        "trig": trig if unit.builtin else None,
+        "trig": trig if has_sines(unit) else None,
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
         "math": not unit.builtin or any(count(program).other for _, program in unit.functions),
         "guard": f"{unit.robot.name.upper()}_H",
@@ -139,6 +139,11 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict
         "functions": functions,
         "head": _head(unit, language),
     }
+
+
+def has_sines(unit: Unit) -> bool:
+    """Whether a function of ``unit`` calls our own sine and cosine."""
+    return unit.builtin and any(count(program).sincos for _, program in unit.functions)
 
 
 def _head(unit: Unit, language: str) -> list[str]:
@@ -262,13 +267,14 @@ def _c_function(signature: Signature, counted: Count, body: Body, unit: Unit) ->
 
 def _inner(signature: Signature, lines: Lines, arguments: list[str]) -> dict[str, Any]:
     """The part of a function that is given sines and cosines: what it is called with, and how."""
-    taken = [f"const {signature.robot}_real {array}[{lines.arrays[array]}]" for array in (SINES, COSINES)]
-    passed = [SINES, COSINES]
+    passed = [array for array in (SINES, COSINES) if array in lines.reads]
+    taken = [f"const {signature.robot}_real {array}[{lines.arrays[array]}]" for array in passed]
     outputs = {array for array, _ in signature.outputs}
-    members = lines.reads & {*signature.parameters}
     for argument in arguments:
         name = argument.split()[-1].lstrip("*").partition("[")[0]
-        if name in lines.reads | outputs or (name == "p" and members) or name == "state":
+        is_parameters = argument.endswith("_params *p")
+        read = lines.parameters if is_parameters else name in lines.reads | outputs
+        if read or name == "state":
             taken.append(argument)
             passed.append(name)
     symbol = f"{signature.symbol}_given_"
