@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from emit.kernels import ODD, STRICT, STRICT_CPP, STRICT_FORTRAN, robots, write
 from robodyn.build import load as compiled
 from robodyn.generation import Generated, Options, generate
 from robodyn.ir.evaluate import fingerprint
@@ -92,3 +94,53 @@ def test_a_call_takes_no_more_instructions_than_allowed(trig: str, scalar: str) 
     require_tool("gcc")
     benchmark = _benchmark()
     assert benchmark.measure("puma560", trig, scalar, "x86-64-v3").call <= benchmark.CEILINGS[trig]
+
+
+# --- all kinds of arms, with built-in sines ---------------------------------------------------------------
+
+
+def _strange(name: str, **options: Any) -> Generated:
+    return generate(robots()[name], Options(trig="builtin", **options))
+
+
+@pytest.mark.parametrize("name", ODD)
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_compilers_have_nothing_to_say(name: str, scalar: str, tmp_path: Path) -> None:
+    if (name, scalar) == ("huge_and_tiny", "float"):
+        return  # not for float
+    paths = write(tmp_path, _strange(name, scalar=scalar).files())
+    source = next(path for path in paths if path.endswith(".c"))
+    module = next(path for path in paths if path.endswith(".f90"))
+    for command in (
+        ["gcc", *STRICT, source],
+        ["clang", *STRICT, source],
+        ["g++", *STRICT_CPP, source],
+        ["gfortran", *STRICT_FORTRAN, module],
+    ):
+        require_tool(command[0])
+        done = subprocess.run(
+            [*command, "-O2", "-c", "-o", "x.o"], cwd=tmp_path, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+        assert done.stderr == ""
+
+
+@pytest.mark.parametrize("name", ODD)
+def test_sines_of_what_is_remembered_and_of_positions_agree_with_libm(name: str) -> None:
+    require_tool("gfortran")
+    found = [_strange(name), _strange(name), generate(robots()[name])]
+    kernels = [
+        compiled(g.signatures, g.files((language,)), language=language)  # type: ignore[arg-type]
+        for g, language in zip(found, ("c", "fortran", "c"), strict=True)
+    ]
+    random = np.random.default_rng(0)
+    params = dict.fromkeys(kernels[0].parameters, 1.0) or None
+    for function, interface in kernels[0].signatures.items():
+        arrays = [random.uniform(-1, 1, (50, size)) for _, size in interface.inputs]
+        dt = 1e-3 if interface.states else None
+        c, fortran, libm = (getattr(k, function)(*arrays, params=params, dt=dt) for k in kernels)
+        pairs = zip(*(x if isinstance(x, tuple) else (x,) for x in (c, fortran, libm)), strict=True)
+        for one, other, reference in pairs:
+            assert np.array_equal(one, other, equal_nan=True)
+            size = np.nanmax(np.abs(reference), initial=1.0)
+            assert np.allclose(one, reference, rtol=0, atol=1e-9 * size, equal_nan=True)

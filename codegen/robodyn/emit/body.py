@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from robodyn.emit.results import Result, inputs_of, results_after
 from robodyn.emit.sines import ANGLES, COSINES, SINES, Sines, together
-from robodyn.emit.statements import Body, Statement
+from robodyn.emit.statements import Body, Expression, Statement
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class Said:
 class Lines:
     """A function in lines: ``angles`` with the loop of our sine and cosine, which stands before the body (or
     nothing), the statements, the results at the end, the names that are defined, local arrays with their
-    sizes, and the names of arrays and parameters that the body reads."""
+    sizes, the arrays that the body reads, and whether it reads run-time parameters."""
 
     angles: list[str]
     statements: list[str]
@@ -32,6 +32,7 @@ class Lines:
     names: list[str]
     arrays: dict[str, int]
     reads: set[str]
+    parameters: bool
 
 
 def body_lines(body: Body, said: Said, *, builtin: bool, lanes: int, soon: bool) -> Lines:
@@ -59,9 +60,10 @@ def body_lines(body: Body, said: Said, *, builtin: bool, lanes: int, soon: bool)
             angles += said.sines.all(found.angles)
             arrays |= dict.fromkeys((ANGLES, SINES, COSINES), len(found.angles))
         arrays |= dict.fromkeys(found.later, 2)
-    reads = inputs_read(body)
-    for angle in waiting.values():
-        reads |= inputs_read(Body((Statement("", angle),), ()))
+    expressions = [*_expressions(body), *waiting.values()]
+    inputs = [x for expression in expressions for x in inputs_of(expression)]
+    reads = {x.array for x in inputs if x.index is not None}
+    parameters = any(x.index is None for x in inputs)
     results = results_after(body.statements, body, soon=soon)
     for k, statement in enumerate(body.statements):
         for read in (x.array for x in inputs_of(statement.expression)):
@@ -71,10 +73,13 @@ def body_lines(body: Body, said: Said, *, builtin: bool, lanes: int, soon: bool)
         for result in results.get(k, ()):
             lines += said.result(result)
     end = [line for result in results.get(-1, ()) for line in said.result(result)]
-    return Lines(angles, lines, end, names, arrays, reads)
+    return Lines(angles, lines, end, names, arrays, reads, parameters)
+
+
+def _expressions(body: Body) -> list[Expression]:
+    return [s.expression for s in body.statements] + [e for _, es in body.outputs for e in es]
 
 
 def inputs_read(body: Body) -> set[str]:
     """Names of arrays and parameters that the statements and results read."""
-    expressions = [s.expression for s in body.statements] + [e for _, es in body.outputs for e in es]
-    return {x.array for expression in expressions for x in inputs_of(expression)}
+    return {x.array for expression in _expressions(body) for x in inputs_of(expression)}

@@ -53,7 +53,8 @@ class Unit:
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
     are lines for the head of the file; ``misra``: C with products within sums in parentheses.
     ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
-    written as soon as they are there. ``contraction``, on or off, stands in a pragma.
+    written as soon as they are there. ``contraction``, on or off, stands in a pragma; ``advice`` is for the
+    head too, with flags of compilers.
     """
 
     robot: Robot
@@ -65,6 +66,7 @@ class Unit:
     lanes: int = 4
     soon: bool = False
     contraction: str | None = None
+    advice: tuple[str, ...] = ()
 
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
@@ -129,7 +131,7 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict
         trig = trig_context(fortran_spelling(single=single))
     return {
         "name": unit.robot.name,
-        "trig": trig if unit.builtin and _calls(unit) & {"sin", "cos"} else None,
+        "trig": trig if has_sines(unit) else None,
         "contraction": None if unit.contraction is None else unit.contraction.upper(),
         "math": not unit.builtin or bool(_calls(unit) & _OF_LIBM),
         "guard": f"{unit.robot.name.upper()}_H",
@@ -151,14 +153,20 @@ def _calls(unit: Unit) -> set[str]:
     return {operation.op for _, program in unit.functions for operation in program.operations}
 
 
+def has_sines(unit: Unit) -> bool:
+    """Whether a function of ``unit`` calls our own sine and cosine."""
+    return unit.builtin and any(count(program).sincos for _, program in unit.functions)
+
+
 def _head(unit: Unit, language: str) -> list[str]:
     """The comment at the top: what this is, units, argument order, counts by kind."""
     robot = unit.robot
     width = WIDTH - 4
     lines: list[str] = []
 
-    def say(text: str, indent: str = "") -> None:
-        lines.extend(textwrap.wrap(comment(text), width, subsequent_indent=indent + "  ") or [""])
+    def say(text: str, indent: str = "", *, hyphens: bool = True) -> None:
+        told = textwrap.wrap(comment(text), width, subsequent_indent=indent + "  ", break_on_hyphens=hyphens)
+        lines.extend(told or [""])
 
     say(f"{robot.name}: {robot.title or 'a serial arm'}")
     if robot.source:
@@ -191,6 +199,8 @@ def _head(unit: Unit, language: str) -> list[str]:
     if unit.misra and language == "c":
         for note in misra.notes("builtin" if unit.builtin else "libm"):
             say(note)
+    for note in unit.advice:
+        say(note, hyphens=False)
     lines.append("")
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")
     for signature, program in unit.functions:
@@ -272,13 +282,14 @@ def _c_function(signature: Signature, counted: Count, body: Body, unit: Unit) ->
 
 def _inner(signature: Signature, lines: Lines, arguments: list[str]) -> dict[str, Any]:
     """The part of a function that is given sines and cosines: what it is called with, and how."""
-    taken = [f"const {signature.robot}_real {array}[{lines.arrays[array]}]" for array in (SINES, COSINES)]
-    passed = [SINES, COSINES]
+    passed = [array for array in (SINES, COSINES) if array in lines.reads]
+    taken = [f"const {signature.robot}_real {array}[{lines.arrays[array]}]" for array in passed]
     outputs = {array for array, _ in signature.outputs}
-    members = lines.reads & {*signature.parameters}
     for argument in arguments:
         name = argument.split()[-1].lstrip("*").partition("[")[0]
-        if name in lines.reads | outputs or (name == "p" and members) or name == "state":
+        is_parameters = argument.endswith("_params *p")
+        read = lines.parameters if is_parameters else name in lines.reads | outputs
+        if read or name == "state":
             taken.append(argument)
             passed.append(name)
     symbol = f"{signature.symbol}_given_"

@@ -147,8 +147,8 @@ def generate(
         notes=_notes(drafts)
         + (() if isinstance(made, Drafts) else made.notes)
         + notes_of(tuple(drafts.prunings.values()))
-        + (("sc is not read: there is no angle.",) if no_angle else ())
-        + _told(options),
+        + (("sc is not read: there is no angle.",) if no_angle else ()),
+        advice=_told(options),
         misra=options.misra,
         builtin=options.trig == "builtin",
         soon=options.by_registers,

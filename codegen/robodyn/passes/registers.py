@@ -18,7 +18,7 @@ from robodyn.passes.angles import of_positions
 from robodyn.passes.dce import kept
 
 #: How many operations all estimates of one program may look at, so that long arms stay fast.
-_EFFORT = 24_000
+_EFFORT = 16_000
 #: How many levels of depth a reader outweighs.
 _READER = 3
 #: Inputs in whose place results may be written (:mod:`robodyn.emit.results`).
@@ -69,7 +69,12 @@ class _Orders:
         for _, args, _ in self.operations:
             depth.append(1 + max((depth[x] for x in args if isinstance(x, int)), default=0))
         self.rank = [(depth[i] - _READER * uses, -i) for i, uses in enumerate(self.uses)]
-        self.outputs = {x for x in self.results if isinstance(x, int)}
+        outputs = {x for x in self.results if isinstance(x, int)}
+        self._inner = [uses == 1 and i not in outputs for i, uses in enumerate(self.uses)]
+        self._trees: dict[int, list[int]] = {}
+        self._read = [[x for x in op.args if isinstance(x, int)] for op in self.operations]
+        for read in self._read:
+            read.sort(key=self.rank.__getitem__)
 
     def _reading(self, operation: Operation) -> Operation:
         """``operation`` with the sines and cosines of positions as inputs: they are there before all else."""
@@ -91,8 +96,7 @@ class _Orders:
                     placed.append(i)
                     continue
                 stack.append((i, True))
-                args = {x for x in self.operations[i].args if isinstance(x, int)}
-                stack.extend((x, False) for x in sorted(args, key=self.rank.__getitem__))
+                stack.extend((x, False) for x in self._read[i])
         return placed
 
     def whole(self, results: Sequence[int]) -> list[int]:
@@ -143,23 +147,23 @@ class _Orders:
 
     def _merged(self, order: Sequence[int]) -> list[int]:
         """``order`` as compilers take it: what is read once moves to where it is read."""
-        merged: list[int] = []
-        for root in order:
-            if self._is_inner(root):
-                continue
+        return [i for root in order if not self._inner[root] for i in self._tree(root)]
+
+    def _tree(self, root: int) -> list[int]:
+        """``root`` after what only it reads, from left to right."""
+        if root not in self._trees:
+            tree: list[int] = []
             stack: list[tuple[int, bool]] = [(root, False)]
             while stack:
                 i, ready = stack.pop()
                 if ready:
-                    merged.append(i)
+                    tree.append(i)
                     continue
                 stack.append((i, True))
-                args = [x for x in self.operations[i].args if isinstance(x, int) and self._is_inner(x)]
+                args = [x for x in self.operations[i].args if isinstance(x, int) and self._inner[x]]
                 stack.extend((x, False) for x in reversed(args))
-        return merged
-
-    def _is_inner(self, i: int) -> bool:
-        return self.uses[i] == 1 and i not in self.outputs
+            self._trees[root] = tree
+        return self._trees[root]
 
 
 #: A value: an operation's, or an input's between two writes of results, after which it is read again.
