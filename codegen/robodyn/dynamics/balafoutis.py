@@ -32,8 +32,9 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, Symmetric, into_parent
 from robodyn.dynamics.joints import joint_torque
+from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.modified_newton_euler import Kinematics, forward_pass
-from robodyn.dynamics.regroup import Lump, lumps_of
+from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import ZERO, Mark, Vector, cross, named, plus, scaled, unmarked
 
 

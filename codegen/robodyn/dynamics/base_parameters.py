@@ -27,9 +27,10 @@ from robodyn.dynamics.lazy import (
     turned_x,
     turned_z,
 )
+from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.moments import Rates, Wrench, lumped, row_times, spin, spin_about, with_point, wrist
 from robodyn.dynamics.parallel import Turns
-from robodyn.dynamics.regroup import Lump, about_axis_z
+from robodyn.dynamics.regroup import about_axis_z
 from robodyn.dynamics.vectors import Mark, unmarked
 from robodyn.dynamics.writing import LinkWriting, Writing
 from robodyn.ir.program import Label

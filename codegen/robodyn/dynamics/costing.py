@@ -18,6 +18,7 @@ from robodyn.dynamics.gauge import (
     check_size,
     give,
     in_scalars,
+    point_of,
     with_displacements,
 )
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
@@ -106,6 +107,7 @@ class Costing:
                 found = self._given[tail] = self._give(i, how, given[i + 1])
             if isinstance(found, Unsuited):
                 raise found
+            point_of(i, found.own, how)  # a form that does not suit says so before the links below are made
             given[i] = found
         return given
 

@@ -14,12 +14,12 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Body, Symmetric
+from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.regroup import (
-    Lump,
-    about_axis_x,
     about_axis_z,
     lumps_of,
     merged,
+    moved_into,
     shifted,
 )
 from robodyn.dynamics.vectors import Vector
@@ -112,7 +112,7 @@ def assembled(arm: Arm, writing: Writing, given: Sequence[Given]) -> tuple[list[
     """The links, from what each gave, lengths in the unit of ``writing``; and that unit [m]."""
     made = []
     for i, body in enumerate(arm.bodies):
-        point = _point(i, given[i].own, writing.links[i])
+        point = point_of(i, given[i].own, writing.links[i])
         lift = -given[i - 1].slid if i else 0
         made.append(Regrouped(given[i].own, body.a, lift, given[i].d, point))
     if writing.unit == "metre":
@@ -150,8 +150,8 @@ def give(arm: Arm, lumps: Sequence[Lump], i: int, rules: LinkWriting, child: Giv
 
 def in_parent(lump: Lump, body: Body, d: Any) -> Lump:
     """``lump``, given along the axes of a body's frame before its turn about z, in the parent's frame."""
-    turned = about_axis_x(lump, body.cos_alpha, body.sin_alpha)
-    return shifted(turned, (body.a, -(body.sin_alpha * d), body.cos_alpha * d))
+    p = (body.a, -(body.sin_alpha * d), body.cos_alpha * d)
+    return moved_into(lump, body.cos_alpha, body.sin_alpha, p)
 
 
 def _known(*values: Any) -> bool:
@@ -260,7 +260,7 @@ def diagonal(k: Symmetric) -> Vector:
     return k.xx, k.yy, k.zz
 
 
-def _point(i: int, lump: Lump, rules: LinkWriting) -> Point | None:
+def point_of(i: int, lump: Lump, rules: LinkWriting) -> Point | None:
     """The point mass that the form of link ``i`` asks for."""
     form = rules.form
     if form == "spin":

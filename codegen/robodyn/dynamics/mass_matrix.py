@@ -10,8 +10,9 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion, Symmetric, about_x, about_z, origin
+from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.parallel import Turns
-from robodyn.dynamics.regroup import Lump, about_axis_x, about_axis_z, merged, shifted
+from robodyn.dynamics.regroup import about_axis_x, about_axis_z, merged, shifted
 from robodyn.dynamics.vectors import Mark, Vector, cross, named, plus, unmarked
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.program import Label

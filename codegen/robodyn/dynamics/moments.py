@@ -13,7 +13,7 @@ from typing import Any
 from robodyn.dynamics.arm import Symmetric
 from robodyn.dynamics.gauge import Point
 from robodyn.dynamics.lazy import NOTHING, Components, Lazy, added, lever, weighted
-from robodyn.dynamics.regroup import Lump
+from robodyn.dynamics.lump import Lump
 
 
 @dataclass(frozen=True, slots=True)

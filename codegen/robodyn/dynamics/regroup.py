@@ -12,32 +12,15 @@ must be fixed.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, Symmetric, origin
+from robodyn.dynamics.carried import carried
+from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.vectors import Vector
 from robodyn.dynamics.writing import MomentForm
 from robodyn.effects.scalars import is_zero
-
-
-@dataclass(frozen=True, slots=True)
-class Lump:
-    """A link's mass [kg], first moment [kg m] and second moment [kg m^2] about its frame's origin.
-
-    ``second`` is the integral of ``r r^T`` over the mass; the inertia tensor is its trace times the
-    identity less itself.
-    """
-
-    mass: Any
-    first: Vector
-    second: Symmetric
-
-    def inertia(self) -> Symmetric:
-        """Inertia tensor about the frame's origin [kg m^2]."""
-        k = self.second
-        return Symmetric(k.yy + k.zz, k.xx + k.zz, k.xx + k.yy, -k.xy, -k.xz, -k.yz)
 
 
 def lumps_of(arm: Arm) -> list[Lump]:
@@ -173,4 +156,10 @@ def shifted(lump: Lump, p: Vector) -> Lump:
 def in_parent(lump: Lump, arm: Arm, i: int, d: Any) -> Lump:
     """``lump``, given along the axes of frame i before its turn about z, in the parent's frame."""
     body = arm.bodies[i]
-    return shifted(about_axis_x(lump, body.cos_alpha, body.sin_alpha), origin(body, d))
+    return moved_into(lump, body.cos_alpha, body.sin_alpha, origin(body, d))
+
+
+def moved_into(lump: Lump, c: Any, s: Any, p: Vector) -> Lump:
+    """``lump`` turned about x, and then about a point from which its own origin lies at ``p`` [m]."""
+    found = carried(lump, c, s, p)
+    return shifted(about_axis_x(lump, c, s), p) if found is None else found

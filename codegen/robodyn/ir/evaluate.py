@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import math
 from collections.abc import Callable, Mapping
@@ -163,6 +164,13 @@ def evaluate_exact(
 PRIME = (1 << 61) - 1
 
 
+@functools.lru_cache(maxsize=1 << 14)
+def _place(numerator: int, denominator: int) -> int:
+    """A rational in the field. Remembered: a program is looked at before and after the passes, at several
+    points, and an inverse takes as long as dozens of additions."""
+    return numerator * pow(denominator, -1, PRIME) % PRIME
+
+
 def fingerprint(
     program: Program,
     seed: int,
@@ -186,7 +194,7 @@ def fingerprint(
         return random(f"{x.array} {x.index}") % (1 << 40)
 
     def number(x: Fraction) -> int:
-        return x.numerator * pow(x.denominator, -1, PRIME) % PRIME
+        return _place(x.numerator, x.denominator)
 
     def angle(x: Input, parts: int) -> int:
         return variable(x) if parts == 1 else random(f"{x.array} {x.index} / {parts}") % (1 << 40)

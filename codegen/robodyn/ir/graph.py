@@ -400,7 +400,7 @@ def lower(graph: Graph, outputs: Outputs, stored: Mapping[int, int] | None = Non
             right = place[j]
             place[position] = emit("add" if second > 0 else "sub", left, right, label=label)
         elif op == "scale":
-            factor = key[1] * own * signs.get(key[2], 1)
+            factor = key[1] if own == signs.get(key[2], 1) else -key[1]
             place[position] = emit("mul", factor, place[key[2]], label=label)
         elif op in ("mul", "div"):
             sign = own * signs.get(key[1], 1) * signs.get(key[2], 1)

@@ -1,0 +1,59 @@
+"""Arms made by rule: what growth is measured on, and that generation grows with the number of joints."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import pytest
+
+from robodyn import InputError
+from robodyn.counts import count
+from robodyn.generation import Options, program
+from robodyn.robot import Robot, read_text
+from robodyn.robot.family import family_text
+
+FAST = Options(("inverse_dynamics",), optimize="fast")
+
+
+def family(joints: int) -> Robot:
+    return read_text(family_text(joints), warn=lambda _: None)
+
+
+def test_longer_arms_begin_with_the_shorter_ones() -> None:
+    assert family(9).links[:4] == family(4).links
+    assert family(7).name == "serial7"
+
+
+@pytest.mark.parametrize("joints", [0, -1, 201])
+def test_refused(joints: int) -> None:
+    with pytest.raises(InputError):
+        family_text(joints)
+
+
+def test_operations_grow_by_the_same_with_every_joint() -> None:
+    totals = [count(program(family(n), "inverse_dynamics", FAST)).total for n in (9, 12, 15, 30)]
+    joint = (totals[1] - totals[0]) // 3
+    assert totals == [totals[0] + joint * (n - 9) for n in (9, 12, 15, 30)]
+
+
+def calls(joints: int) -> int:
+    """How many Python functions a generation calls: what its time goes by, and the same on any machine."""
+    robot = family(joints)
+    made = 0
+
+    def watch(frame: Any, event: str, argument: Any) -> None:
+        nonlocal made
+        made += event in ("call", "c_call")
+
+    program(robot, "inverse_dynamics", FAST)  # what is remembered is remembered
+    sys.setprofile(watch)
+    try:
+        program(robot, "inverse_dynamics", FAST)
+    finally:
+        sys.setprofile(None)
+    return made
+
+
+def test_generation_grows_with_the_number_of_joints() -> None:
+    assert calls(30) <= 2.15 * calls(15)
