@@ -1,4 +1,4 @@
-"""``robodyn bench``: what a call takes here, serial, packed and on threads, and when threads would win."""
+"""``robodyn bench``: what a call takes here, beside the installed peers; and when threads would win."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from robodyn_cli.searching import Search
 @click.option("--lanes", metavar="W", type=int, default=4, show_default=True, help="Of the packed form.")
 @click.option("--states", metavar="N", type=int, help="States of a measurement.")
 @click.option("--cc", metavar="CC", help="The C compiler.")
+@click.option("--no-peers", is_flag=True, help="Leave out the peers and the calls from Python.")
 @model_options
 @json_option
 def command(
@@ -27,6 +28,7 @@ def command(
     lanes: int,
     states: int | None,
     cc: str | None,
+    no_peers: bool,
     formulation: str,
     optimize: str,
     no_regroup: bool,
@@ -35,14 +37,17 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Time a kernel here: serial, packed, and on threads, with what waiting costs.
+    """Time a kernel here: alone, beside its peers, packed, and on threads, with what waiting costs.
 
-    All bits are compared first. For every number of threads the table says what meeting costs, whether
-    threads win, and from how many operations a task (and in all) they would.
+    First nanoseconds and instructions a call, beside those of pin, mujoco and casadi that are installed, each
+    timed only if it gives the same torques. Then threads; all bits are compared first. For every number of
+    threads the table says what meeting costs, whether threads win, and from how many operations a task (and
+    in all) they would.
     """
     from robodyn.build.program import cores
     from robodyn.errors import InputError
     from robodyn.generation import Options, generate
+    from robodyn.report.kernel_bench import kernel_bench, kernel_text
     from robodyn.report.parallel_bench import bench, bench_text
     from robodyn.report.schedules import processors_of
     from robodyn.schedule.cutting import cut as cut_program
@@ -57,6 +62,9 @@ def command(
     ((interface, program),) = generate(described, options).unit.functions
     tasks = cut_program(program, cut)
     with line() as shown:
+        beside = None
+        if function == "inverse_dynamics" and not no_peers:
+            beside = kernel_bench(described, options, cc=cc, tell=lambda text: shown.tell(f"robodyn: {text}"))
         found = bench(
             described,
             interface,
@@ -68,6 +76,8 @@ def command(
             tell=lambda text: shown.tell(f"robodyn: {text}"),
         )
     if as_json:
-        echo_json(found.to_dict())
+        echo_json({**found.to_dict(), **({} if beside is None else beside.to_dict())})
     else:
+        if beside is not None:
+            click.echo(kernel_text(beside))
         click.echo(bench_text(found), nl=False)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
+import shutil
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -10,7 +13,7 @@ import pytest
 from robodyn import InputError
 from robodyn.report.parallel_bench import Measured
 from robodyn.report.plan import KNOWN, chosen, parse_deadline, parse_target, plans, spelled
-from robodyn.robot import load
+from robodyn.robot import bundled_text, load
 from robodyn_cli.main import main
 from robodyn_testing import require_tool
 
@@ -40,6 +43,53 @@ def test_bench_measures_and_says_what_follows(capsys: Capture) -> None:
         assert row["schedule_speedup"] > 1
         even = row["break_even"]
         assert even is None or even["operations_in_all"] > 0
+    assert {row["key"] for row in found["kernels"]} >= {"builtin", "libm", "given"}
+    assert found["kernels"][0]["ratio"] == 1
+    assert {row["key"] for row in found["python"]} >= {"workspace", "function", "batch-F", "batch-C"}
+    assert all(row["ns"] > 0 for row in [*found["kernels"], *found["python"]])
+
+
+def test_bench_counts_instructions(capsys: Capture) -> None:
+    require_tool("gcc")
+    require_tool("valgrind")
+    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200", "--cc", "gcc", "--json")
+    counts = {row["key"]: row["instructions"] for row in json.loads(out)["kernels"]}
+    assert 80 < counts["given"] < counts["libm"]  # it has 80 operations
+
+
+def test_bench_names_what_is_not_measured(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    require_tool("gcc")
+    gcc = shutil.which("gcc")
+    find = shutil.which
+    monkeypatch.setattr(
+        shutil, "which", lambda name, *a, **k: None if name == "valgrind" else find(name, *a, **k)
+    )
+    known = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util,
+        "find_spec",
+        lambda name, *a: None if name in ("pinocchio", "casadi") else known(name, *a),
+    )
+    out, _ = run(capsys, "bench", "puma560_3dof", "-p", "2", "--states", "200", "--cc", str(gcc))
+    assert "not measured: instructions: needs valgrind" in out
+    assert "not measured: pin: not installed (pip install pin)" in out
+    assert "not measured: casadi: not installed" in out
+    assert "pin.rnea" not in out
+
+
+def test_bench_beside_peers_that_do_not_know_the_robot(capsys: Capture, tmp_path: Path) -> None:
+    require_tool("gcc")
+    before, at, after = bundled_text("puma560_3dof").partition("    motor_inertia: 1.14\n")
+    path = tmp_path / "rubbing.yaml"
+    path.write_text(f"{before}{at}    friction: {{viscous: 1, coulomb: 2}}\n{after}")
+    arguments = ("bench", str(path), "-p", "2", "--states", "200", "--cc", "gcc")
+    out, _ = run(capsys, *arguments)
+    assert "not measured: pin: puma560_3dof has friction" in out
+    assert "robodyn, built-in sine and cosine" in out
+    assert "one state after another" not in run(capsys, *arguments, "--no-peers")[0]
+    path.write_text(f"{before}    motor_inertia: rotor\n{after}")
+    out, _ = run(capsys, *arguments)
+    assert "not measured: calls beside peers: puma560_3dof has run-time parameters" in out
 
 
 def test_bench_as_text(capsys: Capture) -> None:

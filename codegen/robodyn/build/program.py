@@ -6,7 +6,8 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from robodyn.build.compiler import find_c
@@ -31,6 +32,20 @@ def run_program(
     ToolError: no compiler, it refuses the files, this system has no POSIX threads, or the program takes
         longer than ``seconds``.
     """
+    with built(files, cc=cc, flags=flags) as path:
+        return _run([str(path), *arguments], seconds)
+
+
+@contextmanager
+def built(
+    files: Mapping[str, str], *, cc: str | None = None, flags: Sequence[str] = THREADED_FLAGS
+) -> Iterator[Path]:
+    """The program of the C sources among ``files`` ({path: text}), for as long as the context lasts.
+
+    Raises
+    ------
+    ToolError: no compiler, it refuses the files, or this system has no POSIX threads.
+    """
     if sys.platform == "win32":
         raise ToolError("parallel C needs POSIX threads", remedy="run it under Linux, macOS or WSL")
     compiler = find_c(cc)
@@ -40,22 +55,26 @@ def run_program(
             (folder / path).write_text(text, encoding="utf-8", newline="\n")
         sources = [path for path in files if path.endswith(".c")]
         compiler.run([*flags, *sources, "-lm", "-o", "program"], folder=folder, doing=", ".join(sources))
-        try:
-            done = subprocess.run(
-                [str(folder / "program"), *arguments],
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                text=True,
-                timeout=seconds,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            raise ToolError(
-                "the compiled program does not come to an end", expected=f"{seconds:g} s at most"
-            ) from None
-        except OSError as error:
-            raise ToolError("the compiled program cannot be started", found=error.strerror) from None
-        return done.returncode, done.stdout
+        yield folder / "program"
+
+
+def _run(command: Sequence[str], seconds: float) -> tuple[int, str]:
+    try:
+        done = subprocess.run(
+            command,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=seconds,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        raise ToolError(
+            "the compiled program does not come to an end", expected=f"{seconds:g} s at most"
+        ) from None
+    except OSError as error:
+        raise ToolError("the compiled program cannot be started", found=error.strerror) from None
+    return done.returncode, done.stdout
 
 
 def cores() -> int:

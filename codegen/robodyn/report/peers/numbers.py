@@ -1,0 +1,111 @@
+"""A rigid arm in plain doubles, which is what the peers take."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError
+from robodyn.robot.model import Link, Robot
+from robodyn.robot.values import Affine, Value
+
+Floats = NDArray[np.float64]
+
+
+class NumbersLacking(InputError):
+    """The robot is not one that the peers can be given."""
+
+
+@dataclass(frozen=True, slots=True)
+class LinkNumbers:
+    """A link and the joint that carries it: modified DH, mass [kg], centre of mass [3] (m), inertia about it
+    [3, 3] (kg m^2), rotor at the joint (kg m^2, prismatic kg). ``rotation`` [3, 3] and ``position`` [3] place
+    the joint's frame at q = 0 in the frame before it."""
+
+    revolute: bool
+    alpha: tuple[float, float, float]
+    a: float
+    d: float
+    theta: tuple[float, float, float]
+    mass: float
+    com: Floats
+    inertia: Floats
+    rotor: float
+
+    @property
+    def rotation(self) -> Floats:
+        """Rot(x, alpha) Rot(z, theta)."""
+        _, ca, sa = self.alpha
+        _, ct, st = self.theta
+        about_x = np.array([[1, 0, 0], [0, ca, -sa], [0, sa, ca]])
+        return np.asarray(about_x @ np.array([[ct, -st, 0], [st, ct, 0], [0, 0, 1]]), dtype=np.float64)
+
+    @property
+    def position(self) -> Floats:
+        """Where the frame's origin is [3]."""
+        return np.array([self.a, -self.alpha[2] * self.d, self.alpha[1] * self.d])
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """The arm: gravity [3] (m/s^2) in the base frame, and its links."""
+
+    name: str
+    gravity: Floats
+    links: tuple[LinkNumbers, ...]
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return len(self.links)
+
+    def text(self) -> str:
+        """All numbers to the last digit, for programs in C and C++ (``benchmarks/peers/native/peer.h``)."""
+        rows = [[float(self.n), *self.gravity]]
+        for link in self.links:
+            rows.append([float(link.revolute), *link.alpha, link.a, link.d, *link.theta])
+            rows[-1] += [link.mass, *link.com, *link.inertia.ravel(), link.rotor]
+            rows[-1] += [*link.rotation.ravel(), *link.position]
+        return "".join(" ".join(repr(float(x)) for x in row) + "\n" for row in rows)
+
+
+def numbers_of(robot: Robot) -> Numbers:
+    """``robot`` in plain numbers.
+
+    Raises
+    ------
+    NumbersLacking: run-time parameters, effects, friction: peers know none of them.
+    """
+    if robot.parameters:
+        raise NumbersLacking(f"{robot.name} has run-time parameters", found=", ".join(robot.parameters))
+    if robot.effects:
+        found = ", ".join(sorted({entry.effect for entry in robot.effects}))
+        raise NumbersLacking(f"{robot.name} has effects that peers do not know", found=found)
+    motor = robot.torque_side == "motor"
+    if motor and any(link.joint.viscous or link.joint.coulomb for link in robot.links):
+        raise NumbersLacking(f"{robot.name} has friction, which the peers' inverse dynamics leave out")
+    links = tuple(_link(link, motor) for link in robot.links)
+    return Numbers(robot.name, np.array([float(g) for g in robot.gravity]), links)
+
+
+def _link(link: Link, motor: bool) -> LinkNumbers:
+    i, joint = link.inertia, link.joint
+    xx, yy, zz, xy, xz, yz = (_float(x) for x in (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz))
+    return LinkNumbers(
+        revolute=joint.kind == "revolute",
+        alpha=(joint.alpha.radians, float(joint.alpha.cos), float(joint.alpha.sin)),
+        a=_float(joint.a),
+        d=_float(joint.d),
+        theta=(joint.theta.radians, float(joint.theta.cos), float(joint.theta.sin)),
+        mass=_float(link.mass),
+        com=np.array([_float(x) for x in link.com]),
+        inertia=np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]),
+        rotor=_float(joint.motor_inertia) if motor else 0.0,
+    )
+
+
+def _float(value: Value) -> float:
+    assert not isinstance(value, Affine)  # there are no parameters
+    return float(value)
