@@ -7,6 +7,7 @@ ROBOT ?= puma560.yaml
 WORKERS ?= 2
 
 VENV := .venv
+PEERS := .venv-peers
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check --no-input install --quiet --quiet
 PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup
@@ -42,6 +43,10 @@ generated-check: $(VENV)/.installed  ## hold generated/ against what would be wr
 flops-record: $(VENV)/.installed  ## recompute and prove the shipped record; fail where a count got worse
 	$(BIN)/python benchmarks/flops_record.py $(UPDATE)
 
+.PHONY: benchmarks
+benchmarks: $(PEERS)/.peers  ## race our kernels against their peers; writes benchmarks/results/
+	$(PEERS)/bin/python -m benchmarks.peers $(BENCHMARKS)
+
 .PHONY: lint
 lint: $(VENV)/.installed-dev  ## ruff and mypy
 	$(BIN)/ruff check .
@@ -55,7 +60,7 @@ format: $(VENV)/.installed-dev  ## let ruff mend what it can
 
 .PHONY: clean
 clean:  ## remove the environment, build outputs and caches; generated/ stays
-	rm -rf $(VENV) build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(PEERS) build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find benchmarks cli codegen tests -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .PHONY: help
@@ -78,6 +83,15 @@ $(VENV)/.created:
 	         && $(PYTHON) -m pip --disable-pip-version-check --python $(VENV)/bin/python install --quiet --quiet pip; } \
 	    || { rm -rf $(VENV); \
 	         echo "Could not set up $(VENV); on Debian and Ubuntu: apt-get install python3-venv python3-pip" >&2; exit 1; }
+	@touch $@
+
+# The peers are optional, one by one: what cannot be installed is named in the results.
+$(PEERS)/.peers: pyproject.toml benchmarks/peers/requirements.txt
+	@$(MAKE) --no-print-directory VENV=$(PEERS) $(PEERS)/.created
+	@$(PEERS)/bin/python -m pip --disable-pip-version-check --no-input install --quiet --quiet --editable .
+	@grep -v '^#' benchmarks/peers/requirements.txt | while read -r peer; do \
+	    $(PEERS)/bin/python -m pip --disable-pip-version-check --no-input install --quiet --quiet "$$peer" \
+	        || echo "$$peer cannot be installed; it will not race" >&2; done
 	@touch $@
 
 $(VENV)/.installed: pyproject.toml $(VENV)/.created

@@ -1,0 +1,1 @@
+"""Our kernels raced against Pinocchio, CasADi, SymForce, wrenfold, MuJoCo, KDL and the Robotics Toolbox."""

@@ -1,0 +1,121 @@
+"""Our kernels as runners: one state a call, and batches."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from benchmarks.peers.building import NATIVE, STRICT, Source, library
+from benchmarks.peers.candidates import Candidate
+from benchmarks.peers.race import Floats, States
+
+from robodyn.build import C_FLAGS
+from robodyn.generation import Options, generate, program
+from robodyn.passes.trig_given import given_layout
+from robodyn.robot import Robot
+
+_TRIG = {
+    "builtin": "built-in sine and cosine",
+    "libm": "libm's sine and cosine",
+    "given": "sines and cosines given",
+}
+#: How our kernels are compiled for the clock: as all that is timed, with gcc's scheduler before the registers
+#: are given out, as what instructions are counted in, and as robodyn compiles by itself.
+BUILDS: dict[str, tuple[str, ...]] = {
+    "native": NATIVE,
+    "scheduled": (*NATIVE, "-fschedule-insns"),
+    "v3": STRICT,
+    "default": C_FLAGS,
+}
+#: Names of the widths of vectors, by their bytes.
+VECTORS = {32: "AVX2", 64: "AVX-512"}
+#: As all that is timed, and for any processor, which is asked at run time what it has: the same bits on all.
+_BATCHES = {"native": NATIVE, "portable": ("-std=c99", "-O2", "-fno-math-errno")}
+
+
+def kernels(
+    robot: Robot, folder: Path, states: States, builds: Sequence[str], optimize: str = "record"
+) -> list[Candidate]:
+    """The inverse dynamics of ``robot``, one state a call, with every kind of sine and cosine."""
+    made = []
+    for trig, title in _TRIG.items():
+        options = Options(("inverse_dynamics",), trig=trig, optimize=optimize)  # type: ignore[arg-type]
+        place = folder / trig
+        files = _write(place, generate(robot, options).files(("c",)))
+        defines = _defines(robot, f"{robot.name}.h", "")
+        if trig == "given":
+            width = write_given(robot, states, folder / "given.bin", optimize)
+            defines = (*defines, ("GIVEN", str(width)))
+        source = Source(("robodyn.c", *files), (f"-I{place}",), defines=defines)
+        counted = library(folder / f"robodyn-{trig}-counted.so", source, STRICT)
+        for build in builds:
+            timed = library(folder / f"robodyn-{trig}-{build}.so", source, BUILDS[build])
+            key = f"robodyn-{trig}" + ("" if build == "native" else f"-{build}")
+            flags = " ".join(BUILDS[build])
+            made.append(Candidate(key, f"robodyn, {title}", flags, timed, counted, ours=True))
+    return made
+
+
+def batches(robot: Robot, folder: Path) -> list[Candidate]:
+    """Batches in double and float, with vectors of either width; ``given.bin`` is there."""
+    made = []
+    for scalar in ("double", "float"):
+        for trig in ("builtin", "given"):
+            options = Options(("inverse_dynamics",), trig=trig, scalar=scalar)  # type: ignore[arg-type]
+            generated = generate(robot, options)
+            place = folder / f"batch-{trig}-{scalar}"
+            files = _write(place, generated.files(("c",), batch=True))
+            defines = _defines(robot, f"{robot.name}_batch.h", "_batch")
+            if trig == "given":
+                defines = (*defines, ("GIVEN", str(dict(generated.signatures[0].inputs)["sc"])))
+            sources = ("batch.c", *(file for file in files if file.name.endswith("_batch.c")))
+            for width, vectors in VECTORS.items():
+                limit = (f"{robot.name.upper()}_BATCH_BYTES", str(width))
+                source = Source(sources, (f"-I{place}",), defines=(*defines, limit))
+                key = f"batch-{trig}-{scalar}-{width}"
+                title = f"robodyn, batch, {scalar}, {_TRIG[trig]}, {vectors}"
+                counted = library(folder / f"{key}-counted.so", source, STRICT) if width == 32 else None
+                for build, flags in _BATCHES.items():
+                    if trig == "given" and build != "native":
+                        continue
+                    built = library(folder / f"{key}-{build}.so", source, flags)
+                    own = key if build == "native" else f"{key}-{build}"
+                    said, single = " ".join(flags), scalar == "float"
+                    made.append(Candidate(own, title, said, built, counted, ours=True, single=single))
+    return made
+
+
+def write_given(robot: Robot, states: States, path: Path, optimize: str = "record") -> int:
+    """Sines and cosines of ``states`` as the kernel with ``--trig given`` takes them; how many a state."""
+    options = Options(("inverse_dynamics",), optimize=optimize)  # type: ignore[arg-type]
+    layout = given_layout([program(robot, "inverse_dynamics", options)])
+    columns = []
+    functions: dict[str, Callable[[Any], Any]] = {"sin": np.sin, "cos": np.cos, "q": lambda x: x}
+    for kind, terms, constant in layout:
+        angle = float(constant) + sum(float(m) * states.q[:, x.index] for x, m in terms)
+        columns.append(functions[kind](angle))
+    path.write_bytes(np.ascontiguousarray(np.array(columns).T).tobytes())
+    return len(layout)
+
+
+def reference(robot: Robot, states: States) -> Floats:
+    """Torques [N, n] of the plain textbook in double precision, which shares nothing with the kernels."""
+    from robodyn.verify.reference import Reference
+
+    return Reference(robot).inverse_dynamics(states.q, states.qd, states.qdd)
+
+
+def _defines(robot: Robot, header: str, ending: str) -> tuple[tuple[str, str], ...]:
+    name = robot.name
+    kernel = f"{name}_inverse_dynamics{ending}"
+    return ("HEADER", f'"{header}"'), ("REAL", f"{name}_real"), ("KERNEL", kernel)
+
+
+def _write(folder: Path, files: dict[str, str]) -> list[Path]:
+    """Write the files; those in C that are compiled by themselves."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return [folder / name for name in sorted(files) if name.endswith(".c")]
