@@ -37,9 +37,12 @@ REFERENCE = "robodyn-builtin"
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Measure, write, and return the exit code."""
-    options = _parser().parse_args(arguments)
+    parser = _parser()
+    options = parser.parse_args(arguments)
     out = Path(options.out)
     if options.render:
+        if not (out / "peers.json").is_file():
+            parser.error(f"{out} has no peers.json; leave out --render to measure")
         found = json.loads((out / "peers.json").read_text(encoding="utf-8"))
         write(found, out)
     else:
