@@ -109,7 +109,7 @@ def test_errors_stay_below_a_unit_in_the_last_place(case: tuple[str, Pair]) -> N
     with mpmath.workprec(120):
         exact = [mpmath.mpf(float(v)) for v in x]
         for found, function in zip(pair(x), (mpmath.sin, mpmath.cos), strict=True):
-            assert errors(found, [function(v) for v in exact]).max() < (0.91 if scalar == "float" else 0.95)
+            assert errors(found, [function(v) for v in exact]).max() < (0.94 if scalar == "float" else 0.95)
 
 
 def test_they_do_near_multiples_of_a_quarter_turn(case: tuple[str, Pair]) -> None:
@@ -132,7 +132,7 @@ def test_errors_beyond_the_exact_range_of_floats(tmp_path: Path) -> None:
     for found, exact in zip(
         compiled(tmp_path, "float", "-O2")(x), (np.sin(x.astype(float)), np.cos(x.astype(float))), strict=True
     ):
-        assert np.abs(found - exact).max() < 5.5e-8
+        assert np.abs(found - exact).max() < 5.7e-8
 
 
 # --- the ends of the range --------------------------------------------------------------------------------
@@ -261,6 +261,6 @@ def test_every_float(tmp_path: Path) -> None:
     subprocess.run(command, cwd=tmp_path, check=True)
     said = subprocess.run([tmp_path / "every"], check=True, capture_output=True, text=True).stdout
     one, beyond, wrong = said.split()
-    assert float(one) < 0.91
-    assert float(beyond) < 5.5e-8
+    assert float(one) < 0.94
+    assert float(beyond) < 5.7e-8
     assert int(wrong) == 0
