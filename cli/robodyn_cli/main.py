@@ -29,7 +29,7 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "plan": ("robodyn_cli.plan", "Say which formulation, which schedule and which target meet a deadline."),
     "bench": (
         "robodyn_cli.bench",
-        "Time a kernel here: serial, packed, and on threads, with what waiting costs.",
+        "Time a kernel here: alone, beside its peers, packed, and on threads, with what waiting costs.",
     ),
     "simulate": (
         "robodyn_cli.simulate",

@@ -216,7 +216,7 @@ class TestHelp:
     def test_no_command_file_is_forgotten(self) -> None:
         folder = Path(frame.__file__).parent
         shared = {
-            "__init__", "__main__", "main", "common", "counted", "driving", "options", "progress", "pruned",
+            "__init__", "__main__", "main", "common", "counted", "driving", "firmware", "options", "progress", "pruned",
             "schedule_options", "searching", "simulate_options",
         }  # fmt: skip
         files = {path.stem for path in folder.glob("*.py")} - shared
