@@ -70,10 +70,10 @@ def batches(robot: Robot, folder: Path) -> list[Candidate]:
             defines = _defines(robot, f"{robot.name}_batch.h", "_batch")
             if trig == "given":
                 defines = (*defines, ("GIVEN", str(dict(generated.signatures[0].inputs)["sc"])))
-            sources = ("batch.c", *(file for file in files if file.name.endswith("_batch.c")))
+            sources = ("robodyn.c", *(file for file in files if file.name.endswith("_batch.c")))
             for width, vectors in VECTORS.items():
                 limit = (f"{robot.name.upper()}_BATCH_BYTES", str(width))
-                source = Source(sources, (f"-I{place}",), defines=(*defines, limit))
+                source = Source(sources, (f"-I{place}",), defines=(*defines, limit, ("BATCH", "1")))
                 key = f"batch-{trig}-{scalar}-{width}"
                 title = f"robodyn, batch, {scalar}, {_TRIG[trig]}, {vectors}"
                 counted = library(folder / f"{key}-counted.so", source, STRICT) if width == 32 else None

@@ -1,6 +1,13 @@
-/* Our kernel, one state a call. HEADER, REAL, KERNEL: of the kernel; GIVEN: sines and cosines are in given.bin. */
+/* Our kernel, one state a call, or with BATCH all in one, every joint's values one after another. HEADER, REAL,
+ * KERNEL: of the kernel; GIVEN: sines and cosines are in given.bin. */
 #include HEADER
 #include "peer.h"
+
+#ifdef BATCH
+#define AT(k, j, size) ((j) * count + (k))
+#else
+#define AT(k, j, size) ((k) * (size) + (j))
+#endif
 
 static int count, n, width;
 static REAL *angle, *qd, *qdd, *tau;
@@ -8,9 +15,10 @@ static REAL *angle, *qd, *qdd, *tau;
 static REAL *kept(const double *from, int size)
 {
     REAL *to = malloc((size_t)count * (size_t)size * sizeof(REAL));
-    int k;
-    for (k = 0; k < count * size; k++)
-        to[k] = (REAL)from[k];
+    int k, j;
+    for (k = 0; k < count; k++)
+        for (j = 0; j < size; j++)
+            to[AT(k, j, size)] = (REAL)from[k * size + j];
     return to;
 }
 
@@ -48,14 +56,19 @@ int peer_open(const char *folder, int states, int joints, const double *q, const
 
 void peer_run(void)
 {
+#ifdef BATCH
+    KERNEL((size_t)count, (size_t)count, angle, qd, qdd, tau);
+#else
     int k;
     for (k = 0; k < count; k++)
         KERNEL(angle + k * width, qd + k * n, qdd + k * n, tau + k * n);
+#endif
 }
 
 void peer_result(double *out)
 {
-    int k;
-    for (k = 0; k < count * n; k++)
-        out[k] = (double)tau[k];
+    int k, j;
+    for (k = 0; k < count; k++)
+        for (j = 0; j < n; j++)
+            out[k * n + j] = (double)tau[AT(k, j, n)];
 }

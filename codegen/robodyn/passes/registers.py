@@ -16,6 +16,7 @@ from itertools import combinations
 from robodyn.ir.program import Input, Operation, Program
 from robodyn.passes.angles import of_positions
 from robodyn.passes.dce import kept
+from robodyn.passes.order import before_use
 
 #: How many operations all estimates of one program may look at, so that long arms stay fast.
 _EFFORT = 16_000
@@ -83,21 +84,7 @@ class _Orders:
 
     def order(self, results: Sequence[int]) -> list[int]:
         """The operations, result by result."""
-        placed: list[int] = []
-        done: set[int] = set()
-        for root in results:
-            stack = [(root, False)]
-            while stack:
-                i, ready = stack.pop()
-                if i in done:
-                    continue
-                if ready:
-                    done.add(i)
-                    placed.append(i)
-                    continue
-                stack.append((i, True))
-                stack.extend((x, False) for x in self._read[i])
-        return placed
+        return before_use(results, self._read)
 
     def whole(self, results: Sequence[int]) -> list[int]:
         """:meth:`order` after the sines and cosines of positions, and what these need."""
