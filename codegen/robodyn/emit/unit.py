@@ -1,0 +1,74 @@
+"""What goes into one header and one source: functions with their programs, and words about them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from robodyn.counts.count import Count, count
+from robodyn.ir.program import Program
+from robodyn.ir.signature import Signature
+from robodyn.robot.model import Robot
+
+LANGUAGES = ("c", "fortran")
+
+#: What an array of an interface holds; the unit at prismatic joints stands in brackets.
+ARRAYS: dict[str, str] = {
+    "q": "joint positions [rad, prismatic m]",
+    "qd": "joint velocities [rad/s, prismatic m/s]",
+    "qdd": "joint accelerations [rad/s^2, prismatic m/s^2]",
+    "tau": "joint torques [N m, prismatic N]",
+    "M": "mass matrix, row by row [kg m^2, kg m, kg]",
+    "sc": "sines and cosines, as listed below",
+}
+
+PURPOSES: dict[str, str] = {
+    "inverse_dynamics": "torques that give the accelerations qdd",
+    "gravity": "torques that hold the arm at rest",
+    "bias": "torques at zero acceleration: Coriolis, centrifugal, gravity, friction",
+    "mass_matrix": "mass matrix, rotor inertias on its diagonal",
+    "forward_dynamics": "accelerations that the torques tau give",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """What goes into one header and one source: a robot's functions with their programs.
+
+    ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
+    are lines for the head of the file; ``misra``: C with products within sums in parentheses.
+    ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
+    written as soon as they are there. ``contraction``, on or off, stands in a pragma; ``advice`` is for the
+    head too, with flags of compilers.
+    """
+
+    robot: Robot
+    functions: tuple[tuple[Signature, Program], ...]
+    sc: tuple[str, ...] = ()
+    notes: tuple[str, ...] = field(default=())
+    misra: bool = False
+    builtin: bool = False
+    lanes: int = 4
+    soon: bool = False
+    contraction: str | None = None
+    advice: tuple[str, ...] = ()
+
+
+#: What is libm's, whoever makes the sines.
+OF_LIBM = frozenset({"tanh", "sqrt", "abs", "exp", "pow"})
+
+
+def calls(unit: Unit) -> set[str]:
+    """The operations of all functions."""
+    return {operation.op for _, program in unit.functions for operation in program.operations}
+
+
+def has_sines(unit: Unit) -> bool:
+    """Whether a function of ``unit`` calls our own sine and cosine."""
+    return unit.builtin and any(count(program).sincos for _, program in unit.functions)
+
+
+def counted_text(found: Count) -> str:
+    parts = [str(found), f"{found.neg} unary minus", f"{found.sincos} sine/cosine"]
+    if found.other:
+        parts.append(f"{found.other} other calls")
+    return "; ".join(parts)
