@@ -30,6 +30,9 @@ _PRICE = 0.3
 _FEW = 6
 #: One law with a power of the speed at the same joint.
 _BENT = ("viscous_friction", "coulomb_friction")
+#: With an exponent below this a power of the speed is a level, and below this share of its top speed a joint
+#: stands.
+_LEVEL, _STANDS = 0.15, 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,6 +72,8 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
             break
         _take(last, found, digest)
         _refit(robot, found, first)
+        if _levelled(found, first):
+            _refit(robot, found, first)
         _pruned(robot, found, first)
         keys = frozenset(found)
         if keys in seen:  # what was left out comes again
@@ -116,6 +121,32 @@ def _refit(robot: Robot, found: dict[Key, Found], begun: Selection) -> None:
     better = refined(robot, _amendments(found), begun.contexts, begun.start)
     for key, one in zip(list(found), better, strict=True):
         found[key] = replace(found[key], parameters=dict(one.parameters))
+
+
+def _levelled(found: dict[Key, Found], begun: Selection) -> bool:
+    """Whether a power of the speed was no more than a level: it is Coulomb friction then."""
+    flat = [
+        (effect, joint)
+        for (effect, joint), one in found.items()
+        if effect == "power_law_friction" and float(one.parameters["exponent"]) < _LEVEL
+    ]
+    for key in flat:
+        one, j = found.pop(key), (key[1] or 1) - 1
+        speed = np.abs(begun.context.signals.qd[:, j])
+        usual = float(np.median(speed[speed > _STANDS * speed.max()]))
+        velocity = float(one.parameters.get("velocity", 1.0))
+        level = float(one.parameters["level"]) * (usual / velocity) ** float(one.parameters["exponent"])
+        plain = ("coulomb_friction", key[1])
+        if plain in found:
+            before = found[plain]
+            level += float(before.parameters["level"])
+            found[plain] = replace(before, parameters={"level": level})
+            continue
+        candidate = replace(one.named.trial.candidate, effect=plain[0], signs=(1,), given={}, order=1)
+        named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
+        errors = {"level": one.errors["level"]} if "level" in one.errors else {}
+        found[plain] = Found(named, {"level": level}, errors, one.first)
+    return bool(flat)
 
 
 def _take(step: Selection, found: dict[Key, Found], digest: str) -> None:
