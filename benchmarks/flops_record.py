@@ -20,8 +20,8 @@ from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.generation import Options, program
 from robodyn.records import Record, best_record, bundled_records, parse_record
-from robodyn.records.identity import identity
 from robodyn.robot import bundled_names, load
+from robodyn.robot.identity import identity
 
 COUNTS = bundled_records() / "counts.csv"
 FIELDS = ("robot", "function", "level", "mul", "add", "total", "sincos")

@@ -58,7 +58,7 @@ def command(
         raise InputError("a measurement needs states", found=f"--states {states}", expected="1 or more")
     counts = processors_of(processors or f"2..{max(2, min(4, cores()))}")
     options = Options((function,), formulation, optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
-    options = Search(robot, None, 0, "total", False).applied(described, options, (function,))
+    options = Search(None, 0, "total", False).applied(described, options, (function,))
     ((interface, program),) = generate(described, options).unit.functions
     tasks = cut_program(program, cut)
     with line() as shown:

@@ -57,7 +57,7 @@ def command(
     options = Options(functions, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
     options = replace(options, prune=tolerance(prune))
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    options = Search(robot, budget_seconds, seed, objective, keep).applied(described, options, functions)
+    options = Search(budget_seconds, seed, objective, keep).applied(described, options, functions)
     choices = [
         (f, form, replace(options, functions=(f,), formulation=form))
         for form in formulations

@@ -143,7 +143,7 @@ def command(
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
-    options = Search(robot, budget_seconds, seed, options.objective, keep).applied(
+    options = Search(budget_seconds, seed, options.objective, keep).applied(
         described, options, options.functions or tuple(FUNCTIONS)
     )
     with told() as tell:

@@ -145,9 +145,7 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
     from robodyn.generation import Options, generate
 
     options = Options((asked.function,), **asked.model())
-    options = Search(asked.robot, None, asked.seed, "total", False).applied(
-        described, options, (asked.function,)
-    )
+    options = Search(None, asked.seed, "total", False).applied(described, options, (asked.function,))
     ((interface, program),) = generate(described, options).unit.functions
     costs = None if asked.cost is None else parse_costs(asked.cost)
     made = cut(program, asked.operations, costs)

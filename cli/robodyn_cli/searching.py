@@ -1,10 +1,9 @@
-"""``--optimize search`` and ``full`` for the commands that take them, and where records lie."""
+"""``--optimize search`` and ``full`` for the commands that take them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -20,19 +19,10 @@ _FIRST = 0.8
 class Search:
     """What the options say of a search: see :func:`robodyn_cli.options.model_options`."""
 
-    robot: str
     budget_seconds: float | None
     seed: int
     objective: str
     keep: bool
-
-    @property
-    def folder(self) -> Path:
-        """The folder of the records beside the robot's file."""
-        from robodyn.records import FOLDER, bundled_records
-
-        path = Path(self.robot)
-        return path.parent / FOLDER if path.is_file() else bundled_records()
 
     def applied(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
         """``options`` with what a search for ``functions`` finds, if they ask for one.
@@ -45,10 +35,10 @@ class Search:
 
         objective = self.objective
         if objective != "total":
-            from robodyn.search.objective import parse_objective
+            from robodyn.counts.objective import parse_objective
 
             objective = parse_objective(objective).key
-        options = replace(options, objective=objective, record_folders=(self.folder,))
+        options = replace(options, objective=objective)
         if options.optimize not in ("search", "full"):
             for given, name in ((self.budget_seconds, "--budget-seconds"), (self.keep or None, "--keep")):
                 if given is not None:
@@ -68,13 +58,16 @@ class Search:
         return self._searched(robot, options, functions)
 
     def _searched(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
+        from robodyn.counts.objective import parse_objective
         from robodyn.dynamics.drive import rigid_part
         from robodyn.errors import InputError
+        from robodyn.records import folder_beside
+        from robodyn.resources import from_here
         from robodyn.search.improve import BUDGET, improved, write_record
-        from robodyn.search.objective import parse_objective
         from robodyn_cli.common import printable, talk
         from robodyn_cli.progress import line
 
+        folder = folder_beside(robot)
         wanted = _searchable(functions, options.optimize)
         budget = BUDGET[options.optimize] if self.budget_seconds is None else self.budget_seconds
         records = []
@@ -95,16 +88,15 @@ class Search:
                     seconds=share * budget,
                     seed=self.seed,
                     objective=parse_objective(self.objective),
-                    folders=(self.folder,),
                     progress=tell,
                 )
             records.append(record)
             if self.keep:
                 try:
-                    talk(f"robodyn: wrote {printable(write_record(record, self.folder))}")
+                    talk(f"robodyn: wrote {printable(from_here(write_record(record, folder)))}")
                 except OSError as error:
                     raise InputError(
-                        f"cannot write into {printable(self.folder)}: {error.strerror or error}",
+                        f"cannot write into {printable(from_here(folder))}: {error.strerror or error}",
                         remedy="leave out --keep, or make room there",
                     ) from error
         return replace(options, records=tuple(records))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 from typing import Literal
 
@@ -9,6 +10,13 @@ from robodyn.errors import ToolError
 
 Kind = Literal["robots", "templates"]
 _KINDS = ("robots", "templates")
+
+
+def from_here(path: Path) -> Path:
+    """``path`` as one would write it in the working folder: relative where it lies below that."""
+    with contextlib.suppress(OSError, ValueError):  # no working folder, or a path elsewhere
+        return path.relative_to(Path.cwd())
+    return path
 
 
 def data_dir(kind: Kind) -> Path:

@@ -17,14 +17,14 @@
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
  * Of mass_matrix the best program known for these parameters, equal to the recursion without being
- *   written like it: robodyn --optimize full, seed 1.
+ *   written like it: robodyn --optimize full, seed 4.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
  *   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
  *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 56 multiplications, 50 additions = 106; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 259 multiplications, 201 additions, 6 divisions = 466; 4 unary minus; 8
+ *   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 260 multiplications, 200 additions, 6 divisions = 466; 3 unary minus; 8
  *       sine/cosine
  */
 #include "puma560_d2.h"
@@ -381,7 +381,7 @@ void puma560_d2_bias(
 }
 
 /* mass matrix, rotor inertias on its diagonal
- * 56 multiplications, 50 additions = 106; 0 unary minus; 8 sine/cosine */
+ * 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine */
 void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
 {
     /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
@@ -398,74 +398,73 @@ void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
     const puma560_d2_real c23 = cos(angle23);
     const puma560_d2_real s23 = sin(angle23);
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real nu5_x = 0.193*s5;
     const puma560_d2_real neg_nu5_y = 0.193*c5;
+    const puma560_d2_real t1 = 5.8464e-05*s5;
+    const puma560_d2_real nu5_x = 3301.176792556103*t1;
     /* link 4: moment for a unit acceleration of a joint further out */
     const puma560_d2_real nu4_y = s4*nu5_x;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h5_y = -0.00288*c5;
-    const puma560_d2_real t1 = 5.8464e-05*s5;
     const puma560_d2_real t2 = c4*t1;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_d2_real h4_x = 49.26108374384236*t2;
-    const puma560_d2_real t3 = 0.861795 - h5_y;
-    const puma560_d2_real t4 = h4_x - 0.025375;
+    const puma560_d2_real t3 = 0.9982675647668394*c5;
+    const puma560_d2_real t4 = 0.0012494926651166237*t3 + 3.105981847;
+    const puma560_d2_real t5 = t4 - 2.926247487;
+    const puma560_d2_real t6 = 2.3089355806972987*t5 + 0.4467999411221427;
+    const puma560_d2_real t7 = s23*t6;
+    const puma560_d2_real t8 = h4_x - 0.025375;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h3_x = s23*t3 + c23*t4;
-    const puma560_d2_real t5 = 0.001247328*c5;
-    const puma560_d2_real t6 = t5 + 0.8284901365;
-    const puma560_d2_real t7 = 800.3248261618751*t6 - 663.0676873105689;
-    const puma560_d2_real t8 = neg_nu5_y*t7;
+    const puma560_d2_real h3_x = t7 + c23*t8;
+    const puma560_d2_real t9 = neg_nu5_y*t3;
+    const puma560_d2_real t10 = t9 + 3.008941183;
+    const puma560_d2_real t11 = 0.0022398341968911917*nu4_y;
+    const puma560_d2_real t12 = t2 - t11;
+    const puma560_d2_real t13 = t3 - 0.006462839378238342;
+    const puma560_d2_real t14 = c4*s23;
+    const puma560_d2_real t15 = nu5_x*t14;
+    const puma560_d2_real t16 = t13*t15;
+    const puma560_d2_real t17 = 1.682287602*c2;
+    const puma560_d2_real t18 = 0.25667430437378924*t17;
+    const puma560_d2_real t19 = h3_x*t18;
+    const puma560_d2_real t20 = t12 - c23*(0.0068208*s23 - (t16 + 0.0203*t7)) - t19;
+    const puma560_d2_real t21 = t1 - c4*(t9 - 0.01356564);
+    const puma560_d2_real t22 = c4*(t1 + t21);
+    const puma560_d2_real t23 = t4 - (t10 - t5);
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_d2_real m1_1 = t10 - (t20 - s23*(s23*(t22 + t23))) - (t20 - c2*t17);
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_d2_real m3_4 = nu4_y*t13;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_d2_real h3_y = s23*t8 - c23*t6;
+    const puma560_d2_real t24 = s4*s23;
+    const puma560_d2_real t25 = 0.1501*h3_y;
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_d2_real m1_3 = c23*m3_4 - (t21*t24 - t25);
+    const puma560_d2_real t26 = 2.876748834110593*s2;
+    const puma560_d2_real m1_2 = m1_3 + t26*(t11 + 0.036155585696850394);
     /* link 4: mass matrix, its row of this joint */
-    const puma560_d2_real m4_4 = t5 + 0.20193436 + t8;
-    const puma560_d2_real t9 = s23*nu5_x;
-    const puma560_d2_real t10 = c4*t9;
-    const puma560_d2_real t11 = t7*t10;
-    const puma560_d2_real t12 = 0.4318*c2;
-    const puma560_d2_real t13 = t12*h3_x;
-    const puma560_d2_real t14 = 0.0022398341968911917*nu4_y;
-    const puma560_d2_real t15 = m4_4 + t14 - t2;
-    const puma560_d2_real t16 = c23*(s23*(5.8464e-05*c5 + 0.0106736385) + t11) - 3.3587219355 - (t13
-        + t15);
-    const puma560_d2_real t17 = t6 - t8;
-    const puma560_d2_real t18 = t1 - c4*(m4_4 - 0.2155);
-    const puma560_d2_real t19 = c4*t18 + (t2 - 0.5517151125);
+    const puma560_d2_real m4_4 = t9 + 0.20193436;
+    const puma560_d2_real t27 = 0.014922279792746114*t18;
+    const puma560_d2_real t28 = nu5_x*t27;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_1 = c2*(1.682287602*c2) - (t16 + (m4_4 - (t17 + t19)*(s23*s23))) - (t16
-        + 3.910437048);
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_4 = nu4_y*t7;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real neg_h3_y = c23*t3 - s23*t4;
-    const puma560_d2_real t20 = s4*s23;
-    const puma560_d2_real t21 = 0.1501*neg_h3_y;
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_3 = c23*m3_4 - (t18*t20 + t21);
-    const puma560_d2_real t22 = 2.876748834110593*s2;
-    const puma560_d2_real m1_2 = m1_3 + t22*(t14 + 0.036155585696850394);
-    const puma560_d2_real t23 = c2*(0.001243584*s5);
-    const puma560_d2_real m1_4 = c23*t15 - (t11 - c4*t23);
-    const puma560_d2_real t24 = t5 + 0.17973436;
-    const puma560_d2_real t25 = c23*neg_nu5_y;
-    const puma560_d2_real t26 = h5_y*t12;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real neg_nu2_y = s4*(s23*t24 - 0.0003029222797927461*t25 - t26);
-    const puma560_d2_real t27 = 0.0022398341968911917*(t9 - c4*t25);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_5 = neg_nu2_y + t27;
+    const puma560_d2_real m1_4 = c4*t28 - t16 - c23*(t12 - m4_4);
+    const puma560_d2_real t29 = c23*neg_nu5_y;
+    const puma560_d2_real t30 = 0.0003029222797927461*t29;
+    const puma560_d2_real t31 = 7.394088669950739*(s23*t1 - c4*t30);
+    const puma560_d2_real t32 = neg_nu5_y*t27;
+    const puma560_d2_real m1_5 = t31 - s4*(t30 - t32) + t5*t24;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real neg_nu3_y = t25 - t10;
+    const puma560_d2_real neg_nu3_y = t29 - t15;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_3 = t17 - t19;
-    const puma560_d2_real t28 = t13 - t21*t22;
+    const puma560_d2_real m3_3 = t23 - (t22 - 1.103430225);
+    const puma560_d2_real t33 = t19 + t25*t26;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_3 = t28 + m3_3;
-    const puma560_d2_real m2_2 = t28 + (m2_3 + 6.538587602);
-    const puma560_d2_real m2_4 = m3_4 + (t14*(c23*t22) - t20*t23);
+    const puma560_d2_real m2_3 = t33 + m3_3;
+    const puma560_d2_real m2_2 = m2_3 + (t33 + 6.538587602);
+    const puma560_d2_real m2_4 = m3_4 - (t24*t28 - t11*(c23*t26));
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_5 = c4*t24 - t1;
+    const puma560_d2_real m3_5 = c4*t5 - t1;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_5 = c23*t23 + m3_5 + (t22*t27 - s23*(c4*t26));
+    const puma560_d2_real m2_5 = t26*t31 + (t14*t32 + c23*t28 + m3_5);
     M[0] = m1_1;
     M[1] = m1_2;
     M[2] = m1_3;
@@ -505,7 +504,7 @@ void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
 }
 
 /* accelerations that the torques tau give
- * 259 multiplications, 201 additions, 6 divisions = 466; 4 unary minus; 8 sine/cosine */
+ * 260 multiplications, 200 additions, 6 divisions = 466; 3 unary minus; 8 sine/cosine */
 void puma560_d2_forward_dynamics(
     const puma560_d2_real q[6],
     const puma560_d2_real qd[6],
@@ -639,72 +638,70 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real n02_z = t12*(t10 + t31) + (n3_z + t7*(c23*t30 - (s23*t29 +
         0.40978507086614174)));
     /* link 5: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real nu5_x = 0.193*s5;
     const puma560_d2_real neg_nu5_y = 0.193*c5;
+    const puma560_d2_real nu5_x = 0.193*s5;
     /* link 4: moment for a unit acceleration of a joint further out */
     const puma560_d2_real nu4_y = s4*nu5_x;
-    /* link 5: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real neg_h5_y = 0.00288*c5;
     const puma560_d2_real t32 = c4*t20;
     /* link 4: first moment of the composite body, about the frame's origin [kg m] */
     const puma560_d2_real h4_x = 49.26108374384236*t32;
-    const puma560_d2_real t33 = neg_h5_y + 0.861795;
-    const puma560_d2_real t34 = h4_x - 0.025375;
+    const puma560_d2_real t33 = 0.001247328*c5;
+    const puma560_d2_real t34 = t33 + 0.17973436;
+    const puma560_d2_real t35 = 2.3089355806972987*t34 + 0.4467999411221427;
+    const puma560_d2_real t36 = s23*t35;
+    const puma560_d2_real t37 = h4_x - 0.025375;
     /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h3_x = s23*t33 + c23*t34;
-    const puma560_d2_real t35 = 0.001247328*c5;
-    const puma560_d2_real t36 = t35 + 0.8284901365;
-    const puma560_d2_real t37 = 800.3248261618751*t36 - 663.0676873105689;
-    const puma560_d2_real t38 = neg_nu5_y*t37;
+    const puma560_d2_real h3_x = t36 + c23*t37;
+    const puma560_d2_real t38 = 0.9982675647668394*c5;
+    const puma560_d2_real t39 = neg_nu5_y*t38;
+    const puma560_d2_real t40 = 0.0022398341968911917*nu4_y;
+    const puma560_d2_real t41 = t32 - t40;
+    const puma560_d2_real t42 = t38 - 0.006462839378238342;
+    const puma560_d2_real t43 = s23*c4;
+    const puma560_d2_real t44 = nu5_x*t43;
+    const puma560_d2_real t45 = t42*t44;
+    const puma560_d2_real t46 = h3_x*(0.4318*c2);
+    const puma560_d2_real t47 = t41 - c23*(0.0068208*s23 - (t45 + 0.0203*t36)) - t46;
+    const puma560_d2_real t48 = t20 - c4*(t39 - 0.01356564);
+    const puma560_d2_real t49 = c4*(t20 + t48);
+    const puma560_d2_real t50 = t33 + (t33 - t39);
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_d2_real m1_1 = t39 + 3.008941183 - (t47 - s23*(s23*(t49 + (t50 + 0.276775024)))) -
+        (t47 - c2*(1.682287602*c2));
+    /* link 3: mass matrix, its row of this joint */
+    const puma560_d2_real m3_4 = nu4_y*t42;
+    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
+    const puma560_d2_real h3_y = s23*t37 - c23*t35;
+    const puma560_d2_real t51 = s23*s4;
+    const puma560_d2_real t52 = 0.1501*h3_y;
+    /* link 1: mass matrix, its row of this joint */
+    const puma560_d2_real m1_3 = c23*m3_4 - (t48*t51 - t52);
+    const puma560_d2_real t53 = 2.876748834110593*s2;
+    const puma560_d2_real m1_2 = m1_3 + t53*(t40 + 0.036155585696850394);
     /* link 4: mass matrix, its row of this joint */
-    const puma560_d2_real m4_4 = t35 + 0.20193436 + t38;
-    const puma560_d2_real t39 = s23*nu5_x;
-    const puma560_d2_real t40 = c4*t39;
-    const puma560_d2_real t41 = t37*t40;
-    const puma560_d2_real t42 = 0.4318*c2;
-    const puma560_d2_real t43 = h3_x*t42;
-    const puma560_d2_real t44 = 0.0022398341968911917*nu4_y;
-    const puma560_d2_real t45 = t32 - (m4_4 + t44);
-    const puma560_d2_real t46 = c23*(s23*(t21 + 0.0106736385) + t41) - 3.3587219355 - (t43 - t45);
-    const puma560_d2_real t47 = t36 - t38;
-    const puma560_d2_real t48 = t20 - c4*(m4_4 - 0.2155);
-    const puma560_d2_real t49 = c4*t48 + (t32 - 0.5517151125);
+    const puma560_d2_real m4_4 = t39 + 0.20193436;
+    const puma560_d2_real t54 = 0.006443440414507772*c2;
+    const puma560_d2_real t55 = nu5_x*t54;
     /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_1 = c2*(1.682287602*c2) - (t46 + (m4_4 - (t47 + t49)*(s23*s23))) - (t46
-        + 3.910437048);
-    /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_4 = nu4_y*t37;
-    /* link 3: first moment of the composite body, about the frame's origin [kg m] */
-    const puma560_d2_real h3_y = s23*t34 - c23*t33;
-    const puma560_d2_real t50 = s23*s4;
-    const puma560_d2_real t51 = -0.1501*h3_y;
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_3 = c23*m3_4 - (t48*t50 + t51);
-    const puma560_d2_real t52 = 2.876748834110593*s2;
-    const puma560_d2_real m1_2 = m1_3 + t52*(t44 + 0.036155585696850394);
-    const puma560_d2_real t53 = c2*(0.001243584*s5);
-    const puma560_d2_real neg_m1_4 = c23*t45 + (t41 - c4*t53);
-    const puma560_d2_real t54 = t35 + 0.17973436;
-    const puma560_d2_real t55 = c23*neg_nu5_y;
-    const puma560_d2_real t56 = neg_h5_y*t42;
-    /* link 2: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real neg_nu2_y = s4*(s23*t54 - 0.0003029222797927461*t55 + t56);
-    const puma560_d2_real t57 = 0.0022398341968911917*(t39 - c4*t55);
-    /* link 1: mass matrix, its row of this joint */
-    const puma560_d2_real m1_5 = neg_nu2_y + t57;
+    const puma560_d2_real neg_m1_4 = t45 - c4*t55 + c23*(t41 - m4_4);
+    const puma560_d2_real t56 = c23*neg_nu5_y;
+    const puma560_d2_real t57 = 0.0003029222797927461*t56;
+    const puma560_d2_real t58 = 7.394088669950739*(s23*t20 - c4*t57);
+    const puma560_d2_real t59 = neg_nu5_y*t54;
+    const puma560_d2_real m1_5 = t58 - s4*(t57 - t59) + t34*t51;
     /* link 3: moment for a unit acceleration of a joint further out */
-    const puma560_d2_real nu3_y = t40 - t55;
+    const puma560_d2_real nu3_y = t44 - t56;
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real m3_3 = t47 - t49;
-    const puma560_d2_real t58 = t43 - t51*t52;
+    const puma560_d2_real m3_3 = 1.380205249 - (t49 - t50);
+    const puma560_d2_real t60 = t46 + t52*t53;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_3 = m3_3 + t58;
-    const puma560_d2_real m2_2 = t58 + (m2_3 + 6.538587602);
-    const puma560_d2_real m2_4 = m3_4 + (t44*(c23*t52) - t50*t53);
+    const puma560_d2_real m2_3 = m3_3 + t60;
+    const puma560_d2_real m2_2 = m2_3 + (t60 + 6.538587602);
+    const puma560_d2_real m2_4 = m3_4 - (t51*t55 - t40*(c23*t53));
     /* link 3: mass matrix, its row of this joint */
-    const puma560_d2_real neg_m3_5 = t20 - c4*t54;
+    const puma560_d2_real neg_m3_5 = t20 - c4*t34;
     /* link 2: mass matrix, its row of this joint */
-    const puma560_d2_real m2_5 = t52*t57 + s23*(c4*t56) - (neg_m3_5 - c23*t53);
+    const puma560_d2_real m2_5 = t53*t58 - (neg_m3_5 - (t43*t59 + c23*t55));
     /* link 1: forward substitution */
     const puma560_d2_real neg_y1 = n1_z - tau[0];
     /* factorisation M = L D L^T */
@@ -714,50 +711,51 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real neg_l4_1 = neg_m1_4*ipivot1;
     const puma560_d2_real l5_1 = m1_5*ipivot1;
     const puma560_d2_real neg_l6_1 = nu3_y*ipivot1;
-    const puma560_d2_real pivot2 = m2_2 - m1_2*l2_1;
-    const puma560_d2_real ipivot2 = 1.0 / pivot2;
-    const puma560_d2_real ld3_2 = m2_3 - m1_2*l3_1;
-    const puma560_d2_real l3_2 = ipivot2*ld3_2;
+    const puma560_d2_real neg_pivot2 = m1_2*l2_1 - m2_2;
+    const puma560_d2_real neg_ipivot2 = 1.0 / neg_pivot2;
+    const puma560_d2_real neg_ld3_2 = m1_2*l3_1 - m2_3;
+    const puma560_d2_real l3_2 = neg_ipivot2*neg_ld3_2;
     const puma560_d2_real ld4_2 = m2_4 + m1_2*neg_l4_1;
-    const puma560_d2_real l4_2 = ipivot2*ld4_2;
-    const puma560_d2_real neg_ld5_2 = m1_2*l5_1 - m2_5;
-    const puma560_d2_real neg_l5_2 = ipivot2*neg_ld5_2;
+    const puma560_d2_real neg_l4_2 = neg_ipivot2*ld4_2;
+    const puma560_d2_real ld5_2 = m2_5 - m1_2*l5_1;
+    const puma560_d2_real neg_l5_2 = neg_ipivot2*ld5_2;
     const puma560_d2_real ld6_2 = nu4_y + m1_2*neg_l6_1;
-    const puma560_d2_real l6_2 = ipivot2*ld6_2;
-    const puma560_d2_real pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2;
-    const puma560_d2_real ipivot3 = 1.0 / pivot3;
-    const puma560_d2_real ld4_3 = m3_4 + m1_3*neg_l4_1 - ld3_2*l4_2;
-    const puma560_d2_real l4_3 = ipivot3*ld4_3;
-    const puma560_d2_real neg_ld5_3 = neg_m3_5 + m1_3*l5_1 - ld3_2*neg_l5_2;
-    const puma560_d2_real neg_l5_3 = ipivot3*neg_ld5_3;
-    const puma560_d2_real ld6_3 = nu4_y + m1_3*neg_l6_1 - ld3_2*l6_2;
-    const puma560_d2_real l6_3 = ipivot3*ld6_3;
-    const puma560_d2_real pivot4 = m4_4 - neg_m1_4*neg_l4_1 - ld4_2*l4_2 - ld4_3*l4_3;
+    const puma560_d2_real neg_l6_2 = neg_ipivot2*ld6_2;
+    const puma560_d2_real neg_pivot3 = m1_3*l3_1 - m3_3 - neg_ld3_2*l3_2;
+    const puma560_d2_real neg_ipivot3 = 1.0 / neg_pivot3;
+    const puma560_d2_real ld4_3 = m3_4 + m1_3*neg_l4_1 - neg_ld3_2*neg_l4_2;
+    const puma560_d2_real neg_l4_3 = neg_ipivot3*ld4_3;
+    const puma560_d2_real neg_ld5_3 = neg_m3_5 + m1_3*l5_1 + neg_ld3_2*neg_l5_2;
+    const puma560_d2_real l5_3 = neg_ipivot3*neg_ld5_3;
+    const puma560_d2_real ld6_3 = nu4_y + m1_3*neg_l6_1 - neg_ld3_2*neg_l6_2;
+    const puma560_d2_real neg_l6_3 = neg_ipivot3*ld6_3;
+    const puma560_d2_real pivot4 = m4_4 - neg_m1_4*neg_l4_1 + ld4_2*neg_l4_2 + ld4_3*neg_l4_3;
     const puma560_d2_real ipivot4 = 1.0 / pivot4;
-    const puma560_d2_real ld5_4 = neg_m1_4*l5_1 + ld4_2*neg_l5_2 + ld4_3*neg_l5_3;
+    const puma560_d2_real ld5_4 = neg_m1_4*l5_1 + ld4_2*neg_l5_2 - ld4_3*l5_3;
     const puma560_d2_real l5_4 = ipivot4*ld5_4;
-    const puma560_d2_real ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 - ld4_2*l6_2 - ld4_3*l6_3;
+    const puma560_d2_real ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 + ld4_2*neg_l6_2 + ld4_3*neg_l6_3;
     const puma560_d2_real l6_4 = ipivot4*ld6_4;
-    const puma560_d2_real pivot5 = 0.17973436 - m1_5*l5_1 - neg_ld5_2*neg_l5_2 - neg_ld5_3*neg_l5_3
-        - ld5_4*l5_4;
+    const puma560_d2_real pivot5 = 0.17973436 - m1_5*l5_1 + ld5_2*neg_l5_2 + neg_ld5_3*l5_3 -
+        ld5_4*l5_4;
     const puma560_d2_real ipivot5 = 1.0 / pivot5;
-    const puma560_d2_real ld6_5 = m1_5*neg_l6_1 + neg_ld5_2*l6_2 + neg_ld5_3*l6_3 - ld5_4*l6_4;
+    const puma560_d2_real ld6_5 = m1_5*neg_l6_1 + ld5_2*neg_l6_2 - neg_ld5_3*neg_l6_3 - ld5_4*l6_4;
     const puma560_d2_real l6_5 = ipivot5*ld6_5;
-    const puma560_d2_real neg_pivot6 = nu3_y*neg_l6_1 - 0.193 + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4
-        + ld6_5*l6_5;
+    const puma560_d2_real neg_pivot6 = nu3_y*neg_l6_1 - 0.193 - ld6_2*neg_l6_2 - ld6_3*neg_l6_3 +
+        ld6_4*l6_4 + ld6_5*l6_5;
     const puma560_d2_real neg_ipivot6 = 1.0 / neg_pivot6;
     /* link 2: forward substitution */
     const puma560_d2_real neg_y2 = n02_z - tau[1] - neg_y1*l2_1;
     /* link 3: forward substitution */
     const puma560_d2_real neg_y3 = n3_z - tau[2] - neg_y1*l3_1 - l3_2*neg_y2;
     /* link 4: forward substitution */
-    const puma560_d2_real y4 = neg_n4_z + tau[3] - neg_y1*neg_l4_1 + l4_2*neg_y2 + l4_3*neg_y3;
+    const puma560_d2_real y4 = neg_n4_z + tau[3] - neg_y1*neg_l4_1 - neg_l4_2*neg_y2 -
+        neg_l4_3*neg_y3;
     /* link 5: forward substitution */
-    const puma560_d2_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 + neg_l5_3*neg_y3 +
+    const puma560_d2_real neg_y5 = n5_z - tau[4] - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 +
         l5_4*y4;
     /* link 6: forward substitution */
-    const puma560_d2_real y6 = tau[5] - n06_z - neg_y1*neg_l6_1 + l6_2*neg_y2 + l6_3*neg_y3 -
-        l6_4*y4 + l6_5*neg_y5;
+    const puma560_d2_real y6 = tau[5] - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3
+        - l6_4*y4 + l6_5*neg_y5;
     /* link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_d2_real neg_qdd6 = neg_ipivot6*y6;
     /* link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
@@ -765,20 +763,20 @@ void puma560_d2_forward_dynamics(
     /* link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
     const puma560_d2_real qdd4 = ipivot4*y4 + l5_4*neg_qdd5 + l6_4*neg_qdd6;
     /* link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_d2_real neg_qdd3 = ipivot3*neg_y3 + l4_3*qdd4 + neg_l5_3*neg_qdd5 - l6_3*neg_qdd6;
+    const puma560_d2_real qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 + l5_3*neg_qdd5 -
+        neg_l6_3*neg_qdd6;
     /* link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_d2_real qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - l3_2*neg_qdd3 + l4_2*qdd4 +
-        neg_l5_2*neg_qdd5);
+    const puma560_d2_real qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 + neg_l4_2*qdd4 - neg_l5_2*neg_qdd5
+        - neg_l6_2*neg_qdd6;
     /* link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2] */
-    const puma560_d2_real qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3 -
+    const puma560_d2_real qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 + l3_1*qdd3 -
         neg_l4_1*qdd4 - l5_1*neg_qdd5);
-    const puma560_d2_real t59 = -neg_qdd3;
-    const puma560_d2_real t60 = -neg_qdd5;
-    const puma560_d2_real t61 = -neg_qdd6;
+    const puma560_d2_real t61 = -neg_qdd5;
+    const puma560_d2_real t62 = -neg_qdd6;
     qdd[0] = qdd1;
     qdd[1] = qdd2;
-    qdd[2] = t59;
+    qdd[2] = qdd3;
     qdd[3] = qdd4;
-    qdd[4] = t60;
-    qdd[5] = t61;
+    qdd[4] = t61;
+    qdd[5] = t62;
 }

@@ -16,14 +16,14 @@
 ! Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
 !   to the recursion without being written like it: robodyn --optimize full, seed 6.
 ! Of mass_matrix the best program known for these parameters, equal to the recursion without being
-!   written like it: robodyn --optimize full, seed 1.
+!   written like it: robodyn --optimize full, seed 4.
 !
 ! Operations (every binary * is a multiplication, every binary + or - an addition):
 !   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
 !   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
 !   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
-!   mass_matrix: 56 multiplications, 50 additions = 106; 0 unary minus; 8 sine/cosine
-!   forward_dynamics: 259 multiplications, 201 additions, 6 divisions = 466; 4 unary minus; 8
+!   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
+!   forward_dynamics: 260 multiplications, 200 additions, 6 divisions = 466; 3 unary minus; 8
 !       sine/cosine
 module puma560_d2_dynamics
   use, intrinsic :: iso_c_binding, only: rk => c_double
@@ -398,15 +398,15 @@ contains
   end subroutine
 
   ! mass matrix, rotor inertias on its diagonal
-  ! 56 multiplications, 50 additions = 106; 0 unary minus; 8 sine/cosine
+  ! 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
   pure subroutine puma560_d2_mass_matrix(q, M) &
       bind(c, name="puma560_d2_mass_matrix_f")
     real(rk), intent(in) :: q(6)
     real(rk), intent(out) :: M(36)
-    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, nu5_x, neg_nu5_y, nu4_y, h5_y, t1, t2
-    real(rk) :: h4_x, t3, t4, h3_x, t5, t6, t7, t8, m4_4, t9, t10, t11, t12, t13, t14, t15, t16
-    real(rk) :: t17, t18, t19, m1_1, m3_4, neg_h3_y, t20, t21, m1_3, t22, m1_2, t23, m1_4, t24, t25
-    real(rk) :: t26, neg_nu2_y, t27, m1_5, neg_nu3_y, m3_3, t28, m2_3, m2_2, m2_4, m3_5, m2_5
+    real(rk) :: c2, s2, c4, s4, c5, s5, angle23, c23, s23, neg_nu5_y, t1, nu5_x, nu4_y, t2, h4_x
+    real(rk) :: t3, t4, t5, t6, t7, t8, h3_x, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19
+    real(rk) :: t20, t21, t22, t23, m1_1, m3_4, h3_y, t24, t25, m1_3, t26, m1_2, m4_4, t27, t28
+    real(rk) :: m1_4, t29, t30, t31, t32, m1_5, neg_nu3_y, m3_3, t33, m2_3, m2_2, m2_4, m3_5, m2_5
 
     ! sines and cosines of the joint angles
     c2 = cos(q(2))
@@ -419,73 +419,73 @@ contains
     c23 = cos(angle23)
     s23 = sin(angle23)
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.193_rk*s5
     neg_nu5_y = 0.193_rk*c5
+    t1 = 5.8464e-05_rk*s5
+    nu5_x = 3301.176792556103_rk*t1
     ! link 4: moment for a unit acceleration of a joint further out
     nu4_y = s4*nu5_x
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    h5_y = -0.00288_rk*c5
-    t1 = 5.8464e-05_rk*s5
     t2 = c4*t1
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = 49.26108374384236_rk*t2
-    t3 = 0.861795_rk - h5_y
-    t4 = h4_x - 0.025375_rk
+    t3 = 0.9982675647668394_rk*c5
+    t4 = 0.0012494926651166237_rk*t3 + 3.105981847_rk
+    t5 = t4 - 2.926247487_rk
+    t6 = 2.3089355806972987_rk*t5 + 0.4467999411221427_rk
+    t7 = s23*t6
+    t8 = h4_x - 0.025375_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = s23*t3 + c23*t4
-    t5 = 0.001247328_rk*c5
-    t6 = t5 + 0.8284901365_rk
-    t7 = 800.3248261618751_rk*t6 - 663.0676873105689_rk
-    t8 = neg_nu5_y*t7
+    h3_x = t7 + c23*t8
+    t9 = neg_nu5_y*t3
+    t10 = t9 + 3.008941183_rk
+    t11 = 0.0022398341968911917_rk*nu4_y
+    t12 = t2 - t11
+    t13 = t3 - 0.006462839378238342_rk
+    t14 = c4*s23
+    t15 = nu5_x*t14
+    t16 = t13*t15
+    t17 = 1.682287602_rk*c2
+    t18 = 0.25667430437378924_rk*t17
+    t19 = h3_x*t18
+    t20 = t12 - c23*(0.0068208_rk*s23 - (t16 + 0.0203_rk*t7)) - t19
+    t21 = t1 - c4*(t9 - 0.01356564_rk)
+    t22 = c4*(t1 + t21)
+    t23 = t4 - (t10 - t5)
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t10 - (t20 - s23*(s23*(t22 + t23))) - (t20 - c2*t17)
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = nu4_y*t13
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s23*t8 - c23*t6
+    t24 = s4*s23
+    t25 = 0.1501_rk*h3_y
+    ! link 1: mass matrix, its row of this joint
+    m1_3 = c23*m3_4 - (t21*t24 - t25)
+    t26 = 2.876748834110593_rk*s2
+    m1_2 = m1_3 + t26*(t11 + 0.036155585696850394_rk)
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t5 + 0.20193436_rk + t8
-    t9 = s23*nu5_x
-    t10 = c4*t9
-    t11 = t7*t10
-    t12 = 0.4318_rk*c2
-    t13 = t12*h3_x
-    t14 = 0.0022398341968911917_rk*nu4_y
-    t15 = m4_4 + t14 - t2
-    t16 = c23*(s23*(5.8464e-05_rk*c5 + 0.0106736385_rk) + t11) - 3.3587219355_rk - (t13 + t15)
-    t17 = t6 - t8
-    t18 = t1 - c4*(m4_4 - 0.2155_rk)
-    t19 = c4*t18 + (t2 - 0.5517151125_rk)
+    m4_4 = t9 + 0.20193436_rk
+    t27 = 0.014922279792746114_rk*t18
+    t28 = nu5_x*t27
     ! link 1: mass matrix, its row of this joint
-    m1_1 = c2*(1.682287602_rk*c2) - (t16 + (m4_4 - (t17 + t19)*(s23*s23))) - (t16 + &
-        3.910437048_rk)
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = nu4_y*t7
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    neg_h3_y = c23*t3 - s23*t4
-    t20 = s4*s23
-    t21 = 0.1501_rk*neg_h3_y
-    ! link 1: mass matrix, its row of this joint
-    m1_3 = c23*m3_4 - (t18*t20 + t21)
-    t22 = 2.876748834110593_rk*s2
-    m1_2 = m1_3 + t22*(t14 + 0.036155585696850394_rk)
-    t23 = c2*(0.001243584_rk*s5)
-    m1_4 = c23*t15 - (t11 - c4*t23)
-    t24 = t5 + 0.17973436_rk
-    t25 = c23*neg_nu5_y
-    t26 = h5_y*t12
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = s4*(s23*t24 - 0.0003029222797927461_rk*t25 - t26)
-    t27 = 0.0022398341968911917_rk*(t9 - c4*t25)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = neg_nu2_y + t27
+    m1_4 = c4*t28 - t16 - c23*(t12 - m4_4)
+    t29 = c23*neg_nu5_y
+    t30 = 0.0003029222797927461_rk*t29
+    t31 = 7.394088669950739_rk*(s23*t1 - c4*t30)
+    t32 = neg_nu5_y*t27
+    m1_5 = t31 - s4*(t30 - t32) + t5*t24
     ! link 3: moment for a unit acceleration of a joint further out
-    neg_nu3_y = t25 - t10
+    neg_nu3_y = t29 - t15
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t17 - t19
-    t28 = t13 - t21*t22
+    m3_3 = t23 - (t22 - 1.103430225_rk)
+    t33 = t19 + t25*t26
     ! link 2: mass matrix, its row of this joint
-    m2_3 = t28 + m3_3
-    m2_2 = t28 + (m2_3 + 6.538587602_rk)
-    m2_4 = m3_4 + (t14*(c23*t22) - t20*t23)
+    m2_3 = t33 + m3_3
+    m2_2 = m2_3 + (t33 + 6.538587602_rk)
+    m2_4 = m3_4 - (t24*t28 - t11*(c23*t26))
     ! link 3: mass matrix, its row of this joint
-    m3_5 = c4*t24 - t1
+    m3_5 = c4*t5 - t1
     ! link 2: mass matrix, its row of this joint
-    m2_5 = c23*t23 + m3_5 + (t22*t27 - s23*(c4*t26))
+    m2_5 = t26*t31 + (t14*t32 + c23*t28 + m3_5)
     M(1) = m1_1
     M(2) = m1_2
     M(3) = m1_3
@@ -525,7 +525,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
-  ! 259 multiplications, 201 additions, 6 divisions = 466; 4 unary minus; 8 sine/cosine
+  ! 260 multiplications, 200 additions, 6 divisions = 466; 3 unary minus; 8 sine/cosine
   pure subroutine puma560_d2_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="puma560_d2_forward_dynamics_f")
     real(rk), intent(in) :: q(6)
@@ -538,16 +538,16 @@ contains
     real(rk) :: t1, alpha4_x, alpha5_y, n06_z, lam5_32, neg_lam2_33, neg_w2_x, ww3_xx, ww3_yy
     real(rk) :: neg_lam3_11, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17
     real(rk) :: neg_n4_z, t18, alpha4_y, lam5_12, t19, t20, t21, t22, t23, t24, t25, n3_y
-    real(rk) :: neg_lam3_22, t26, n5_z, t27, t28, n3_x, t29, t30, t31, n1_z, n3_z, n02_z, nu5_x
-    real(rk) :: neg_nu5_y, nu4_y, neg_h5_y, t32, h4_x, t33, t34, h3_x, t35, t36, t37, t38, m4_4
-    real(rk) :: t39, t40, t41, t42, t43, t44, t45, t46, t47, t48, t49, m1_1, m3_4, h3_y, t50, t51
-    real(rk) :: m1_3, t52, m1_2, t53, neg_m1_4, t54, t55, t56, neg_nu2_y, t57, m1_5, nu3_y, m3_3
-    real(rk) :: t58, m2_3, m2_2, m2_4, neg_m3_5, m2_5, neg_y1, ipivot1, l2_1, l3_1, neg_l4_1, l5_1
-    real(rk) :: neg_l6_1, pivot2, ipivot2, ld3_2, l3_2, ld4_2, l4_2, neg_ld5_2, neg_l5_2, ld6_2
-    real(rk) :: l6_2, pivot3, ipivot3, ld4_3, l4_3, neg_ld5_3, neg_l5_3, ld6_3, l6_3, pivot4
-    real(rk) :: ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5, neg_pivot6
-    real(rk) :: neg_ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, neg_qdd6, neg_qdd5, qdd4, neg_qdd3
-    real(rk) :: qdd2, qdd1, t59, t60, t61
+    real(rk) :: neg_lam3_22, t26, n5_z, t27, t28, n3_x, t29, t30, t31, n1_z, n3_z, n02_z, neg_nu5_y
+    real(rk) :: nu5_x, nu4_y, t32, h4_x, t33, t34, t35, t36, t37, h3_x, t38, t39, t40, t41, t42
+    real(rk) :: t43, t44, t45, t46, t47, t48, t49, t50, m1_1, m3_4, h3_y, t51, t52, m1_3, t53, m1_2
+    real(rk) :: m4_4, t54, t55, neg_m1_4, t56, t57, t58, t59, m1_5, nu3_y, m3_3, t60, m2_3, m2_2
+    real(rk) :: m2_4, neg_m3_5, m2_5, neg_y1, ipivot1, l2_1, l3_1, neg_l4_1, l5_1, neg_l6_1
+    real(rk) :: neg_pivot2, neg_ipivot2, neg_ld3_2, l3_2, ld4_2, neg_l4_2, ld5_2, neg_l5_2, ld6_2
+    real(rk) :: neg_l6_2, neg_pivot3, neg_ipivot3, ld4_3, neg_l4_3, neg_ld5_3, l5_3, ld6_3
+    real(rk) :: neg_l6_3, pivot4, ipivot4, ld5_4, l5_4, ld6_4, l6_4, pivot5, ipivot5, ld6_5, l6_5
+    real(rk) :: neg_pivot6, neg_ipivot6, neg_y2, neg_y3, y4, neg_y5, y6, neg_qdd6, neg_qdd5, qdd4
+    real(rk) :: qdd3, qdd2, qdd1, t61, t62
 
     ! link 3: angular velocity [rad/s]
     w3_z = qd(2) + qd(3)
@@ -670,72 +670,70 @@ contains
     ! link 2: moment through the joint, along the axes that its turn starts from [N m]
     n02_z = t12*(t10 + t31) + (n3_z + t7*(c23*t30 - (s23*t29 + 0.40978507086614174_rk)))
     ! link 5: moment for a unit acceleration of a joint further out
-    nu5_x = 0.193_rk*s5
     neg_nu5_y = 0.193_rk*c5
+    nu5_x = 0.193_rk*s5
     ! link 4: moment for a unit acceleration of a joint further out
     nu4_y = s4*nu5_x
-    ! link 5: first moment of the composite body, about the frame's origin [kg m]
-    neg_h5_y = 0.00288_rk*c5
     t32 = c4*t20
     ! link 4: first moment of the composite body, about the frame's origin [kg m]
     h4_x = 49.26108374384236_rk*t32
-    t33 = neg_h5_y + 0.861795_rk
-    t34 = h4_x - 0.025375_rk
+    t33 = 0.001247328_rk*c5
+    t34 = t33 + 0.17973436_rk
+    t35 = 2.3089355806972987_rk*t34 + 0.4467999411221427_rk
+    t36 = s23*t35
+    t37 = h4_x - 0.025375_rk
     ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_x = s23*t33 + c23*t34
-    t35 = 0.001247328_rk*c5
-    t36 = t35 + 0.8284901365_rk
-    t37 = 800.3248261618751_rk*t36 - 663.0676873105689_rk
-    t38 = neg_nu5_y*t37
+    h3_x = t36 + c23*t37
+    t38 = 0.9982675647668394_rk*c5
+    t39 = neg_nu5_y*t38
+    t40 = 0.0022398341968911917_rk*nu4_y
+    t41 = t32 - t40
+    t42 = t38 - 0.006462839378238342_rk
+    t43 = s23*c4
+    t44 = nu5_x*t43
+    t45 = t42*t44
+    t46 = h3_x*(0.4318_rk*c2)
+    t47 = t41 - c23*(0.0068208_rk*s23 - (t45 + 0.0203_rk*t36)) - t46
+    t48 = t20 - c4*(t39 - 0.01356564_rk)
+    t49 = c4*(t20 + t48)
+    t50 = t33 + (t33 - t39)
+    ! link 1: mass matrix, its row of this joint
+    m1_1 = t39 + 3.008941183_rk - (t47 - s23*(s23*(t49 + (t50 + 0.276775024_rk)))) - (t47 - &
+        c2*(1.682287602_rk*c2))
+    ! link 3: mass matrix, its row of this joint
+    m3_4 = nu4_y*t42
+    ! link 3: first moment of the composite body, about the frame's origin [kg m]
+    h3_y = s23*t37 - c23*t35
+    t51 = s23*s4
+    t52 = 0.1501_rk*h3_y
+    ! link 1: mass matrix, its row of this joint
+    m1_3 = c23*m3_4 - (t48*t51 - t52)
+    t53 = 2.876748834110593_rk*s2
+    m1_2 = m1_3 + t53*(t40 + 0.036155585696850394_rk)
     ! link 4: mass matrix, its row of this joint
-    m4_4 = t35 + 0.20193436_rk + t38
-    t39 = s23*nu5_x
-    t40 = c4*t39
-    t41 = t37*t40
-    t42 = 0.4318_rk*c2
-    t43 = h3_x*t42
-    t44 = 0.0022398341968911917_rk*nu4_y
-    t45 = t32 - (m4_4 + t44)
-    t46 = c23*(s23*(t21 + 0.0106736385_rk) + t41) - 3.3587219355_rk - (t43 - t45)
-    t47 = t36 - t38
-    t48 = t20 - c4*(m4_4 - 0.2155_rk)
-    t49 = c4*t48 + (t32 - 0.5517151125_rk)
+    m4_4 = t39 + 0.20193436_rk
+    t54 = 0.006443440414507772_rk*c2
+    t55 = nu5_x*t54
     ! link 1: mass matrix, its row of this joint
-    m1_1 = c2*(1.682287602_rk*c2) - (t46 + (m4_4 - (t47 + t49)*(s23*s23))) - (t46 + &
-        3.910437048_rk)
-    ! link 3: mass matrix, its row of this joint
-    m3_4 = nu4_y*t37
-    ! link 3: first moment of the composite body, about the frame's origin [kg m]
-    h3_y = s23*t34 - c23*t33
-    t50 = s23*s4
-    t51 = -0.1501_rk*h3_y
-    ! link 1: mass matrix, its row of this joint
-    m1_3 = c23*m3_4 - (t48*t50 + t51)
-    t52 = 2.876748834110593_rk*s2
-    m1_2 = m1_3 + t52*(t44 + 0.036155585696850394_rk)
-    t53 = c2*(0.001243584_rk*s5)
-    neg_m1_4 = c23*t45 + (t41 - c4*t53)
-    t54 = t35 + 0.17973436_rk
-    t55 = c23*neg_nu5_y
-    t56 = neg_h5_y*t42
-    ! link 2: moment for a unit acceleration of a joint further out
-    neg_nu2_y = s4*(s23*t54 - 0.0003029222797927461_rk*t55 + t56)
-    t57 = 0.0022398341968911917_rk*(t39 - c4*t55)
-    ! link 1: mass matrix, its row of this joint
-    m1_5 = neg_nu2_y + t57
+    neg_m1_4 = t45 - c4*t55 + c23*(t41 - m4_4)
+    t56 = c23*neg_nu5_y
+    t57 = 0.0003029222797927461_rk*t56
+    t58 = 7.394088669950739_rk*(s23*t20 - c4*t57)
+    t59 = neg_nu5_y*t54
+    m1_5 = t58 - s4*(t57 - t59) + t34*t51
     ! link 3: moment for a unit acceleration of a joint further out
-    nu3_y = t40 - t55
+    nu3_y = t44 - t56
     ! link 3: mass matrix, its row of this joint
-    m3_3 = t47 - t49
-    t58 = t43 - t51*t52
+    m3_3 = 1.380205249_rk - (t49 - t50)
+    t60 = t46 + t52*t53
     ! link 2: mass matrix, its row of this joint
-    m2_3 = m3_3 + t58
-    m2_2 = t58 + (m2_3 + 6.538587602_rk)
-    m2_4 = m3_4 + (t44*(c23*t52) - t50*t53)
+    m2_3 = m3_3 + t60
+    m2_2 = m2_3 + (t60 + 6.538587602_rk)
+    m2_4 = m3_4 - (t51*t55 - t40*(c23*t53))
     ! link 3: mass matrix, its row of this joint
-    neg_m3_5 = t20 - c4*t54
+    neg_m3_5 = t20 - c4*t34
     ! link 2: mass matrix, its row of this joint
-    m2_5 = t52*t57 + s23*(c4*t56) - (neg_m3_5 - c23*t53)
+    m2_5 = t53*t58 - (neg_m3_5 - (t43*t59 + c23*t55))
     ! link 1: forward substitution
     neg_y1 = n1_z - tau(1)
     ! factorisation M = L D L^T
@@ -745,46 +743,48 @@ contains
     neg_l4_1 = neg_m1_4*ipivot1
     l5_1 = m1_5*ipivot1
     neg_l6_1 = nu3_y*ipivot1
-    pivot2 = m2_2 - m1_2*l2_1
-    ipivot2 = 1.0_rk / pivot2
-    ld3_2 = m2_3 - m1_2*l3_1
-    l3_2 = ipivot2*ld3_2
+    neg_pivot2 = m1_2*l2_1 - m2_2
+    neg_ipivot2 = 1.0_rk / neg_pivot2
+    neg_ld3_2 = m1_2*l3_1 - m2_3
+    l3_2 = neg_ipivot2*neg_ld3_2
     ld4_2 = m2_4 + m1_2*neg_l4_1
-    l4_2 = ipivot2*ld4_2
-    neg_ld5_2 = m1_2*l5_1 - m2_5
-    neg_l5_2 = ipivot2*neg_ld5_2
+    neg_l4_2 = neg_ipivot2*ld4_2
+    ld5_2 = m2_5 - m1_2*l5_1
+    neg_l5_2 = neg_ipivot2*ld5_2
     ld6_2 = nu4_y + m1_2*neg_l6_1
-    l6_2 = ipivot2*ld6_2
-    pivot3 = m3_3 - m1_3*l3_1 - ld3_2*l3_2
-    ipivot3 = 1.0_rk / pivot3
-    ld4_3 = m3_4 + m1_3*neg_l4_1 - ld3_2*l4_2
-    l4_3 = ipivot3*ld4_3
-    neg_ld5_3 = neg_m3_5 + m1_3*l5_1 - ld3_2*neg_l5_2
-    neg_l5_3 = ipivot3*neg_ld5_3
-    ld6_3 = nu4_y + m1_3*neg_l6_1 - ld3_2*l6_2
-    l6_3 = ipivot3*ld6_3
-    pivot4 = m4_4 - neg_m1_4*neg_l4_1 - ld4_2*l4_2 - ld4_3*l4_3
+    neg_l6_2 = neg_ipivot2*ld6_2
+    neg_pivot3 = m1_3*l3_1 - m3_3 - neg_ld3_2*l3_2
+    neg_ipivot3 = 1.0_rk / neg_pivot3
+    ld4_3 = m3_4 + m1_3*neg_l4_1 - neg_ld3_2*neg_l4_2
+    neg_l4_3 = neg_ipivot3*ld4_3
+    neg_ld5_3 = neg_m3_5 + m1_3*l5_1 + neg_ld3_2*neg_l5_2
+    l5_3 = neg_ipivot3*neg_ld5_3
+    ld6_3 = nu4_y + m1_3*neg_l6_1 - neg_ld3_2*neg_l6_2
+    neg_l6_3 = neg_ipivot3*ld6_3
+    pivot4 = m4_4 - neg_m1_4*neg_l4_1 + ld4_2*neg_l4_2 + ld4_3*neg_l4_3
     ipivot4 = 1.0_rk / pivot4
-    ld5_4 = neg_m1_4*l5_1 + ld4_2*neg_l5_2 + ld4_3*neg_l5_3
+    ld5_4 = neg_m1_4*l5_1 + ld4_2*neg_l5_2 - ld4_3*l5_3
     l5_4 = ipivot4*ld5_4
-    ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 - ld4_2*l6_2 - ld4_3*l6_3
+    ld6_4 = neg_nu5_y - neg_m1_4*neg_l6_1 + ld4_2*neg_l6_2 + ld4_3*neg_l6_3
     l6_4 = ipivot4*ld6_4
-    pivot5 = 0.17973436_rk - m1_5*l5_1 - neg_ld5_2*neg_l5_2 - neg_ld5_3*neg_l5_3 - ld5_4*l5_4
+    pivot5 = 0.17973436_rk - m1_5*l5_1 + ld5_2*neg_l5_2 + neg_ld5_3*l5_3 - ld5_4*l5_4
     ipivot5 = 1.0_rk / pivot5
-    ld6_5 = m1_5*neg_l6_1 + neg_ld5_2*l6_2 + neg_ld5_3*l6_3 - ld5_4*l6_4
+    ld6_5 = m1_5*neg_l6_1 + ld5_2*neg_l6_2 - neg_ld5_3*neg_l6_3 - ld5_4*l6_4
     l6_5 = ipivot5*ld6_5
-    neg_pivot6 = nu3_y*neg_l6_1 - 0.193_rk + ld6_2*l6_2 + ld6_3*l6_3 + ld6_4*l6_4 + ld6_5*l6_5
+    neg_pivot6 = nu3_y*neg_l6_1 - 0.193_rk - ld6_2*neg_l6_2 - ld6_3*neg_l6_3 + ld6_4*l6_4 + &
+        ld6_5*l6_5
     neg_ipivot6 = 1.0_rk / neg_pivot6
     ! link 2: forward substitution
     neg_y2 = n02_z - tau(2) - neg_y1*l2_1
     ! link 3: forward substitution
     neg_y3 = n3_z - tau(3) - neg_y1*l3_1 - l3_2*neg_y2
     ! link 4: forward substitution
-    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 + l4_2*neg_y2 + l4_3*neg_y3
+    y4 = neg_n4_z + tau(4) - neg_y1*neg_l4_1 - neg_l4_2*neg_y2 - neg_l4_3*neg_y3
     ! link 5: forward substitution
-    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 + neg_l5_3*neg_y3 + l5_4*y4
+    neg_y5 = n5_z - tau(5) - neg_y1*l5_1 + neg_l5_2*neg_y2 - l5_3*neg_y3 + l5_4*y4
     ! link 6: forward substitution
-    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 + l6_2*neg_y2 + l6_3*neg_y3 - l6_4*y4 + l6_5*neg_y5
+    y6 = tau(6) - n06_z - neg_y1*neg_l6_1 - neg_l6_2*neg_y2 - neg_l6_3*neg_y3 - l6_4*y4 + &
+        l6_5*neg_y5
     ! link 6: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     neg_qdd6 = neg_ipivot6*y6
     ! link 5: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
@@ -792,20 +792,19 @@ contains
     ! link 4: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
     qdd4 = ipivot4*y4 + l5_4*neg_qdd5 + l6_4*neg_qdd6
     ! link 3: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    neg_qdd3 = ipivot3*neg_y3 + l4_3*qdd4 + neg_l5_3*neg_qdd5 - l6_3*neg_qdd6
+    qdd3 = neg_ipivot3*neg_y3 + neg_l4_3*qdd4 + l5_3*neg_qdd5 - neg_l6_3*neg_qdd6
     ! link 2: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd2 = l6_2*neg_qdd6 - (ipivot2*neg_y2 - l3_2*neg_qdd3 + l4_2*qdd4 + neg_l5_2*neg_qdd5)
+    qdd2 = neg_ipivot2*neg_y2 - l3_2*qdd3 + neg_l4_2*qdd4 - neg_l5_2*neg_qdd5 - neg_l6_2*neg_qdd6
     ! link 1: joint acceleration [rad/s^2], at a prismatic joint [m/s^2]
-    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 - l3_1*neg_qdd3 - neg_l4_1*qdd4 - &
+    qdd1 = -neg_l6_1*neg_qdd6 - (neg_y1*ipivot1 + l2_1*qdd2 + l3_1*qdd3 - neg_l4_1*qdd4 - &
         l5_1*neg_qdd5)
-    t59 = -neg_qdd3
-    t60 = -neg_qdd5
-    t61 = -neg_qdd6
+    t61 = -neg_qdd5
+    t62 = -neg_qdd6
     qdd(1) = qdd1
     qdd(2) = qdd2
-    qdd(3) = t59
+    qdd(3) = qdd3
     qdd(4) = qdd4
-    qdd(5) = t60
-    qdd(6) = t61
+    qdd(5) = t61
+    qdd(6) = t62
   end subroutine
 end module

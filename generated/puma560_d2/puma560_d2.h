@@ -17,14 +17,14 @@
  * Of inverse_dynamics, bias, forward_dynamics the best program known for these parameters, equal
  *   to the recursion without being written like it: robodyn --optimize full, seed 6.
  * Of mass_matrix the best program known for these parameters, equal to the recursion without being
- *   written like it: robodyn --optimize full, seed 1.
+ *   written like it: robodyn --optimize full, seed 4.
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 128 multiplications, 101 additions = 229; 0 unary minus; 8 sine/cosine
  *   gravity: 15 multiplications, 6 additions = 21; 1 unary minus; 7 sine/cosine
  *   bias: 119 multiplications, 83 additions = 202; 0 unary minus; 8 sine/cosine
- *   mass_matrix: 56 multiplications, 50 additions = 106; 0 unary minus; 8 sine/cosine
- *   forward_dynamics: 259 multiplications, 201 additions, 6 divisions = 466; 4 unary minus; 8
+ *   mass_matrix: 56 multiplications, 49 additions = 105; 0 unary minus; 8 sine/cosine
+ *   forward_dynamics: 260 multiplications, 200 additions, 6 divisions = 466; 3 unary minus; 8
  *       sine/cosine
  */
 #ifndef PUMA560_D2_H

@@ -22,7 +22,7 @@ from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.functions import exact, turned
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir import Graph, Program
-from robodyn.ir.evaluate import fingerprint
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.graph import lower
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot

@@ -15,7 +15,8 @@ from robodyn import Options, program
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.ir import Input, Operation, Program
-from robodyn.ir.evaluate import evaluate, fingerprint
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, fold_rotor, read_text
 from robodyn.robot.values import circle_point
 

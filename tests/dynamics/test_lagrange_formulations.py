@@ -30,7 +30,7 @@ from robodyn.dynamics.lagrange_4x4 import lagrange_4x4
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir import Graph, Program
-from robodyn.ir.evaluate import fingerprint
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.graph import lower
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot

@@ -7,10 +7,11 @@ from typing import Any
 
 from robodyn.dynamics.merging import MergingGraph
 from robodyn.dynamics.tally import Circle, Tally
+from robodyn.ir.field import Field
 
 
 def test_equal_values_are_one_node() -> None:
-    graph = MergingGraph()
+    graph = MergingGraph(Field("here"))
     x, y = graph.input("qd", 0), graph.input("qd", 1)
     assert (x + y) * (x - y) == x * x - y * y
     assert (x + y) * Fraction(1, 3) == x * Fraction(1, 3) + y * Fraction(1, 3)
@@ -20,7 +21,7 @@ def test_equal_values_are_one_node() -> None:
 
 
 def test_sines_and_cosines_obey_the_addition_theorems() -> None:
-    graph = MergingGraph()
+    graph = MergingGraph(Field("here"))
     p, q = graph.input("q", 0), graph.input("q", 1)
     c, s, e, f = graph.cos(p), graph.sin(p), graph.cos(q), graph.sin(q)
     assert c * c + s * s == 1  # type: ignore[operator]

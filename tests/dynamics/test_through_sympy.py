@@ -16,7 +16,8 @@ from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS, Choice
 from robodyn.generation import generate
 from robodyn.ir import Input
-from robodyn.ir.evaluate import angle_form, fingerprint
+from robodyn.ir.evaluate import angle_form
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot
 from robodyn.robot import read_text as read
 from robodyn.robot.values import circle_point

@@ -14,7 +14,7 @@ import pytest
 from emit.kernels import ODD, STRICT, STRICT_CPP, STRICT_FORTRAN, robots, write
 from robodyn.build import load as compiled
 from robodyn.generation import Generated, Options, generate
-from robodyn.ir.evaluate import fingerprint
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.passes.registers import registers
 from robodyn.robot import load
 from robodyn.robot.values import circle_point

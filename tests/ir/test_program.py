@@ -15,7 +15,9 @@ from hypothesis import strategies as st
 from ir.programs import EVERYTHING, EXACT, Point, exactly, interpreted, points, programs, results
 from robodyn import load, program
 from robodyn.ir import Graph, Input, Label, Operand, Operation, Program, Signature
-from robodyn.ir.evaluate import PRIME, angle_form, evaluate, evaluate_exact, fingerprint, turn
+from robodyn.ir.evaluate import angle_form, evaluate, evaluate_exact, turn
+from robodyn.ir.field import Field
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.graph import lower
 from robodyn.robot.values import circle_point
 
@@ -260,7 +262,7 @@ def test_the_same_function_has_the_same_fingerprint(made: Program, seed: int, fo
     again = lower(graph, [("all", graph.replay(made))])
     assert fingerprint(again, seed, circle_point) == expected
     assert len(expected) == len(made.results())
-    assert all(0 <= x < PRIME for x in expected)
+    assert all(0 <= x < Field(f"seed {seed}").prime for x in expected)
 
 
 @settings(deadline=None, max_examples=70)
@@ -343,9 +345,10 @@ def test_fingerprints_of_functions_without_theorems() -> None:
         graph.sqrt(x),
         graph.sqrt(y),
     ]
-    a, minus_a, b, minus_b, c, d = fingerprint(lower(graph, [("t", values)]), 1, circle_point)
-    assert (a + minus_a) % PRIME == 0
-    assert (b + minus_b) % PRIME == 0
+    field = Field("here")
+    a, minus_a, b, minus_b, c, d = fingerprint(lower(graph, [("t", values)]), field, circle_point)
+    assert (a + minus_a) % field.prime == 0
+    assert (b + minus_b) % field.prime == 0
     assert len({a, minus_a, b, minus_b, c, d}) == 6
 
 

@@ -20,7 +20,7 @@ from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS, Choice, build
 from robodyn.generation import SingularArm
 from robodyn.ir import Graph, Input, Label, Operand, Operation, Program
-from robodyn.ir.evaluate import fingerprint
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.graph import lower
 from robodyn.passes import FAST, FRESH, SPELLING, PassError, cse, dce, factor, fold, negate, order, run
 from robodyn.passes.trig_given import describe, given_layout, trig_given
@@ -104,7 +104,7 @@ def test_any_order_of_passes_is_accepted(made: Program, steps: list[Any], seed: 
         before = fingerprint(made, seed, circle_point)
     except ZeroDivisionError:
         reject()
-    assert fingerprint(run(made, steps, seed=seed + 1), seed, circle_point) == before
+    assert fingerprint(run(made, steps), seed, circle_point) == before
 
 
 @pytest.mark.parametrize("step", [*PASSES, "FAST", "FRESH", "SPELLING"], ids=name_of)

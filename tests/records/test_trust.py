@@ -12,7 +12,7 @@ from robodyn import InputError, Options, program
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Input, Operand, Operation, Program
-from robodyn.ir.evaluate import fingerprint
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.passes import FAST
 from robodyn.passes.specialise import at_rest
 from robodyn.records import Record, bundled_records, identity, parse_record
@@ -198,10 +198,9 @@ def test_a_program_made_for_the_points_of_comparison_is_refused(seeds: tuple[int
     [
         [Operation("div", (Input("q", 0), Fraction(0)))],
         [Operation("sub", (Input("q", 0), Input("q", 0))), Operation("div", (Input("q", 0), 0))],
-        [Operation("mul", (Input("q", 0), Fraction(1, (1 << 61) - 1)))],
         [Operation("mul", (Input("q", 0), Input("q", 1))), Operation("sin", (0,))],
     ],
-    ids=["by zero", "by what is zero", "by the prime", "no angle"],
+    ids=["by zero", "by what is zero", "no angle"],
 )
 def test_what_cannot_be_compared_is_refused(operations: list[Operation]) -> None:
     n = len(PROGRAM.operations)

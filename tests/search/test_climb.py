@@ -12,15 +12,16 @@ import pytest
 
 from records.made import ELBOW, SMOOTH, TOOL, arm, better, fast
 from robodyn import Options, program
+from robodyn.counts.objective import Objective, operations_of, parse_objective
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Input, Label, Operation, Program
-from robodyn.ir.evaluate import PRIME, fingerprint
+from robodyn.ir.field import Field
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot.values import circle_point
 from robodyn.search import climb as climbing
 from robodyn.search.climb import Climbed, climb
 from robodyn.search.labels import labelled
 from robodyn.search.network import NoWalk
-from robodyn.search.objective import Objective, operations_of, parse_objective
 from robodyn.search.walk import Walk
 from search.arms import bundled
 
@@ -173,7 +174,8 @@ def test_values_get_their_names_back(text: str) -> None:
     bare = replace(plain, operations=tuple(op._replace(label=None) for op in plain.operations), origin=None)
     named = labelled(bare, plain)
     everything = replace(plain, outputs=(("all", tuple(range(len(plain.operations)))),), origin=None)
-    values = [min(v, PRIME - v) for v in fingerprint(everything, 99, circle_point)]
+    field = Field("here")
+    values = [min(v, field.prime - v) for v in fingerprint(everything, field, circle_point)]
     known = {v for v, op in zip(values, plain.operations, strict=True) if op.label is not None}
     with_names = {v for v, op in zip(values, named.operations, strict=True) if op.label is not None}
     assert len(known) > 10
@@ -187,20 +189,22 @@ def test_labels_are_true() -> None:
     walk.run(2000, 0.3)
     named = labelled(walk.best(), PLAIN)
 
+    field = Field("here")
+
     def values(made: Program) -> list[int]:
-        everything = tuple(range(len(made.operations)))
-        return list(fingerprint(replace(made, outputs=(("all", everything),), origin=None), 99, circle_point))
+        everything = replace(made, outputs=(("all", tuple(range(len(made.operations)))),), origin=None)
+        return list(fingerprint(everything, field, circle_point))
 
     truth: dict[Label, int] = {}
     for value, op in zip(values(PLAIN), PLAIN.operations, strict=True):
         if op.label is not None:
             plus = op.label._replace(negative=False)
-            truth.setdefault(plus, (PRIME - value) % PRIME if op.label.negative else value)
+            truth.setdefault(plus, (field.prime - value) % field.prime if op.label.negative else value)
     seen = set()
     for value, op in zip(values(named), named.operations, strict=True):
         if op.label is not None:
             plus = op.label._replace(negative=False)
-            assert truth[plus] == ((PRIME - value) % PRIME if op.label.negative else value), op
+            assert truth[plus] == ((field.prime - value) % field.prime if op.label.negative else value), op
             assert plus not in seen
             seen.add(plus)
     assert len(seen) > 10

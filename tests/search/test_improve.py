@@ -15,6 +15,7 @@ import pytest
 from records.made import ELBOW, SMOOTH, arm, better, fast, recorded
 from robodyn import InputError, Options, program
 from robodyn.counts import count
+from robodyn.counts.objective import Objective, parse_objective
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Operation, Program
 from robodyn.records import FOLDER, Record, identity, parse_record
@@ -22,7 +23,6 @@ from robodyn.robot import Robot
 from robodyn.search import improve as improving
 from robodyn.search.climb import climb
 from robodyn.search.improve import Told, cost, improved, kept_folder, write_record
-from robodyn.search.objective import Objective, parse_objective
 from robodyn.search.walk import library
 from search.arms import SPECIAL, bundled
 

@@ -11,10 +11,11 @@ import pytest
 from records.made import fast
 from robodyn import InputError
 from robodyn.counts import count
+from robodyn.counts.objective import operations_of
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input, Operand, Operation, Program
-from robodyn.ir.evaluate import fingerprint
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.search.network import (
@@ -29,7 +30,6 @@ from robodyn.search.network import (
     NoWalk,
     network,
 )
-from robodyn.search.objective import operations_of
 from robodyn.search.recovery import fraction, rebuilt
 from search.arms import SPECIAL, bundled, random_arms
 

@@ -11,6 +11,7 @@ import pytest
 from dynamics.direct import exact_arm
 from robodyn import InputError, Options, load, program
 from robodyn.counts import count
+from robodyn.counts.objective import Objective, operations_of
 from robodyn.dynamics.costing import Costing
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.fast import literature
@@ -18,7 +19,6 @@ from robodyn.dynamics.functions import Choice, build
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot
 from robodyn.search import structured
-from robodyn.search.objective import Objective, operations_of
 from robodyn.search.structured import Progress, search
 from robodyn.search.workers import Workers
 

@@ -18,10 +18,12 @@ import pytest
 from records.made import ELBOW, arm, fast, recorded
 from robodyn import InputError
 from robodyn.counts import count
+from robodyn.counts.objective import operations_of
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input, Operation, Program
-from robodyn.ir.evaluate import evaluate, fingerprint
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.fingerprint import fingerprint
 from robodyn.passes import SPELLING, run
 from robodyn.records import parse_record
 from robodyn.robot import Robot, bundled_names
@@ -29,7 +31,6 @@ from robodyn.robot.values import circle_point
 from robodyn.search import walk as walking
 from robodyn.search.labels import labelled
 from robodyn.search.network import NoWalk
-from robodyn.search.objective import operations_of
 from robodyn.search.walk import CHAIN, FUSED, SUM, TOLERANCE, Walk
 from robodyn_testing import require_module, require_tool
 from robodyn_testing.random_robots import random_states

@@ -1,92 +1,157 @@
 """A program against the plain recursion, without rounding: equal, not close.
 
-Both run on ``Fraction`` at random rational points, the sines and cosines of joint angles among them being
-rational points of the unit circle. The plain recursion is conventional Newton-Euler on the numbers of the
-description; graph, passes and regrouping have no part in it.
+Both run at a random point: on elements of a finite field (:func:`same_in_field`), or on ``Fraction``
+(:func:`equals_recursion`), the sines and cosines of joint angles being points of the unit circle there. The
+plain recursion is conventional Newton-Euler on the numbers of the description; graph, passes and regrouping
+have no part in it.
 """
 
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
 from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.errors import InputError
 from robodyn.ir.evaluate import evaluate_exact, turn
+from robodyn.ir.field import Field
+from robodyn.ir.fingerprint import digest, fingerprint, in_drawn_field
 from robodyn.ir.program import Input, Program
+from robodyn.ir.residue import Residue
+from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import circle_point
 
-Point = tuple[Fraction, Fraction]
+Point = tuple[Any, Any]
+
+#: Points at which a program is compared, each in a field of its own.
+_FIELDS = (b"one", b"two")
+#: Rational points are drawn from so many numbers.
+_RANGE = 1 << 32
+
+
+@dataclass(frozen=True, slots=True)
+class _State:
+    """Where an arm is, in scalars of one kind: ``inputs`` by name; ``circle`` (cos, sin) by joint."""
+
+    number: Callable[[Fraction], Any]
+    inputs: Mapping[Input, Any]
+    circle: Sequence[Point]
+    run: Callable[[Program], Sequence[Any]]
+
+
+def same_in_field(robot: Robot, function: str, program: Program) -> bool:
+    """Whether ``program`` is ``function`` of ``robot``: equal to the plain recursion at two random points,
+    each of a field that is drawn from a hash of the robot's numbers and of the program.
+
+    Smooth friction is compared as well: its tanh is a random function. Effects of drives are not part of
+    the plain recursion (:class:`ValueError`).
+    """
+    _check_rigid(robot)
+    seed = (identity(robot).encode(), function.encode(), digest(program))
+    return all(
+        in_drawn_field(lambda field: _equal(robot, function, program, _field_state(robot, field)), *seed, tag)
+        for tag in _FIELDS
+    )
 
 
 def equals_recursion(
     robot: Robot, function: str, program: Program, *, points: int = 2, seed: int = 0
 ) -> bool:
-    """Whether ``program`` gives, at ``points`` random rational points, exactly what the plain recursion
-    gives. ``program`` computes ``function`` from ``q`` (not from given sines).
+    """Whether ``program`` gives, at ``points`` rational points that are drawn from a hash of it, exactly what
+    the plain recursion gives. ``program`` computes ``function`` from ``q`` (not from given sines).
 
     :class:`ValueError` where friction is smooth at rest, its tanh has no exact value, and where drives have
     effects.
     """
     if robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links):
         raise ValueError("tanh has no exact value")
+    _check_rigid(robot)
+    chance = random.Random(f"{digest(program).hex()} {identity(robot)} {function} {seed}")
+    return all(_equal(robot, function, program, _rational_state(robot, chance)) for _ in range(points))
+
+
+def _check_rigid(robot: Robot) -> None:
     if any(entry.effect != "payload" for entry in robot.effects):
         raise ValueError("the plain recursion is that of the rigid arm")
-    chance = random.Random(f"{robot.name} {function} {seed}")
-    return all(_equal_at(robot, function, program, chance) for _ in range(points))
 
 
-def _equal_at(robot: Robot, function: str, program: Program, chance: random.Random) -> bool:
-    n = robot.n
+def _inputs(robot: Robot) -> list[Input]:
+    arrays = [Input(array, i) for array in ("q", "qd", "qdd", "tau") for i in range(robot.n)]
+    return arrays + [Input(name, None) for name in robot.parameters]
 
+
+def _field_state(robot: Robot, field: Field) -> _State:
+    def element(value: int) -> Residue:
+        return Residue(field, value)
+
+    def number(x: Fraction) -> int | Residue:
+        return x.numerator if x.denominator == 1 else element(field.number(x))
+
+    points = [field.angle(Input("q", i)) for i in range(robot.n)]
+    return _State(
+        number,
+        {x: element(field.variable(x)) for x in _inputs(robot)},
+        [(element(c), element(s)) for c, s in points],
+        lambda program: [element(value) for value in fingerprint(program, field, circle_point)],
+    )
+
+
+def _rational_state(robot: Robot, chance: random.Random) -> _State:
     def number() -> Fraction:
-        return Fraction(chance.randint(-40, 40), chance.randint(1, 9))
+        return Fraction(chance.randint(-_RANGE, _RANGE), chance.randint(1, 99))
 
-    inputs: dict[Input, Fraction] = {}
-    circle: dict[Input, Point] = {}
-    for i in range(n):
-        t = Fraction(chance.randint(-20, 20), chance.randint(1, 20))
-        circle[Input("q", i)] = ((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t))
-        for array in ("q", "qd", "qdd", "tau"):
-            inputs[Input(array, i)] = number()
-    parameters = {name: abs(number()) + 1 for name in robot.parameters}
-    inputs.update({Input(name, None): value for name, value in parameters.items()})
-    arm = build_arm(robot, lambda x: x, parameters.__getitem__)
+    inputs = {x: number() if x.index is not None else abs(number()) + 1 for x in _inputs(robot)}
+    circle = []
+    for _ in range(robot.n):
+        t = Fraction(chance.randint(-_RANGE, _RANGE), chance.randint(1, _RANGE))
+        circle.append(((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)))
+    points = {Input("q", i): point for i, point in enumerate(circle)}
 
-    def row(array: str) -> list[Fraction]:
-        return [inputs[Input(array, i)] for i in range(n)]
+    def run(program: Program) -> list[Fraction]:
+        return [x for row in evaluate_exact(program, inputs, points, circle_point).values() for x in row]
+
+    return _State(lambda x: x, inputs, circle, run)
+
+
+def _equal(robot: Robot, function: str, program: Program, state: _State) -> bool:
+    n = robot.n
+    arm = build_arm(robot, state.number, lambda name: state.inputs[Input(name, None)])
+
+    def row(array: str) -> list[Any]:
+        return [state.inputs[Input(array, i)] for i in range(n)]
+
+    def torques(qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        return newton_euler(arm, _motion(arm, row("q"), qd, qdd, state))
 
     zeros = [Fraction(0)] * n
-
-    def torques(qd: Sequence[Any], qdd: Sequence[Any]) -> list[Fraction]:
-        return newton_euler(arm, _motion(arm, row("q"), qd, qdd, circle))
-
-    ((_, found),) = evaluate_exact(program, inputs, circle, circle_point).items()
+    outputs = list(state.run(program))
     if function == "inverse_dynamics":
-        return found == torques(row("qd"), row("qdd"))
+        return outputs == torques(row("qd"), row("qdd"))
     if function == "gravity":
-        return found == torques(zeros, zeros)
+        return outputs == torques(zeros, zeros)
     if function == "bias":
-        return found == torques(row("qd"), zeros)
+        return outputs == torques(row("qd"), zeros)
     if function == "forward_dynamics":
-        return torques(row("qd"), found) == row("tau")
+        return torques(row("qd"), outputs) == row("tau")
+    if function != "mass_matrix":
+        raise InputError(f"there is no plain recursion of the function {function!r}")
     # M x for a random x: as telling as all columns of M, at a fraction of the cost.
     x = row("qdd")
-    product = [sum((found[n * i + j] * x[j] for j in range(n)), Fraction(0)) for i in range(n)]
+    product = [sum((outputs[n * i + j] * x[j] for j in range(n)), Fraction(0)) for i in range(n)]
     return product == [t - g for t, g in zip(torques(zeros, x), torques(zeros, zeros), strict=True)]
 
 
-def _motion(
-    arm: Arm, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any], circle: dict[Input, Point]
-) -> Motion:
+def _motion(arm: Arm, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any], state: _State) -> Motion:
     def trigonometry(angle: JointAngle) -> Point:
-        total = (angle.offset.cos, angle.offset.sin)
+        total: Point = (state.number(angle.offset.cos), state.number(angle.offset.sin))
         for joint, sign in angle.terms:
-            c, s = circle[Input("q", joint)]
+            c, s = state.circle[joint]
             total = turn(total, (c, sign * s))
         return total
 
-    return build_motion(arm, q, qd, qdd, trigonometry, lambda x: x)
+    return build_motion(arm, q, qd, qdd, trigonometry, state.number)

@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Any
 
-from robodyn.dynamics.tally import ADD, MUL, OFFSET, SCALE, Entry
-from robodyn.ir.evaluate import PRIME
+from robodyn.dynamics.tally import ADD, MUL, OFFSET, PRIME, SCALE, Entry
 
 
 def saved(made: dict[int, Entry], wanted: Collection[int]) -> int:

@@ -26,8 +26,10 @@ from robodyn.dynamics.vectors import Mark
 from robodyn.dynamics.writing import MomentForm, Writing
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
+from robodyn.ir.fingerprint import in_drawn_field
 from robodyn.ir.graph import lower
 from robodyn.ir.signature import ScalarType
+from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
 #: Inputs of each function, beside what it returns.
@@ -142,7 +144,16 @@ def _states(robot: Robot) -> tuple[str, ...]:
 def build(robot: Robot, function: str, choice: Choice) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
     nothing dead, no pass run yet."""
-    graph: Graph = Graph() if choice.writing is None else MergingGraph()
+    if choice.writing is None:
+        return _built(Graph(), robot, function, choice)
+    seed = (b"merging", identity(robot).encode(), function.encode())
+    program: Program = in_drawn_field(
+        lambda field: _built(MergingGraph(field), robot, function, choice), *seed
+    )
+    return program
+
+
+def _built(graph: Graph, robot: Robot, function: str, choice: Choice) -> Program:
     interface = signature(robot, function)
     given = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
     arm = build_arm(robot, exact, graph.input)

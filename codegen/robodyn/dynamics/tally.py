@@ -4,18 +4,23 @@ The same policy as :class:`~robodyn.dynamics.merging.MergingGraph`, which builds
 found: values that are equal are one, constants fold. Here a quantity *is* its value at the random point,
 constants are integers modulo the prime, and nothing exact is computed. Speed is the only reason for this
 second graph; a test holds the two together.
+
+The prime is fixed, and small enough for a machine word. A description may be written so that numbers
+vanish or coincide in this field; the count is then wrong, and a dearer writing may be chosen. No program is
+built here, so none can be wrong.
 """
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any, Final
 
 from robodyn.dynamics.arm import JointAngle
-from robodyn.dynamics.merging import random_residue, residue, turned_by
-from robodyn.ir.evaluate import PRIME
 
+#: A Mersenne prime.
+PRIME: Final = (1 << 61) - 1
 _HALF: Final = PRIME // 2
 
 #: How a value came by. An entry is ``(kind, the positions that it reads, more)``: for ``OFFSET``, u + k, more
@@ -24,11 +29,31 @@ ADD, OFFSET, MUL, SCALE, INPUT, COS, SIN, CALL, NUMBER = range(9)
 Entry = tuple[int, tuple[int, ...], Any]
 
 
+def random_residue(name: str) -> int:
+    """A number of the field, the same for the same name."""
+    digest = hashlib.blake2b(f"merging {name}".encode(), digest_size=16).digest()
+    return int.from_bytes(digest, "little") % PRIME
+
+
+def residue(x: Fraction | int) -> int:
+    """A rational's place in the field, never 0 of one that is not 0; of one that has none a random place."""
+    if x.denominator % PRIME and (x.numerator % PRIME or not x):
+        return x.numerator * pow(x.denominator, -1, PRIME) % PRIME
+    return random_residue(f"number {x}")
+
+
+def turned_by(first: tuple[int, int], second: tuple[int, int]) -> tuple[int, int]:
+    """The point of the circle whose angle is the sum of two angles, each as (cos, sin)."""
+    (c, s), (e, f) = first, second
+    return (c * e - s * f) % PRIME, (s * e + c * f) % PRIME
+
+
 def in_field(x: Any) -> Any:
-    """A constant as an integer: whole ones as they are, others modulo the prime. A value is one already."""
-    if isinstance(x, (int, Value)):
+    """A constant as an integer: small whole ones as they are, others modulo the prime. A value is one
+    already."""
+    if isinstance(x, Value):
         return x
-    return x.numerator if x.denominator == 1 else residue(x)
+    return x.numerator if x.denominator == 1 and -PRIME < x < PRIME else residue(x)
 
 
 class Circle:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from robodyn.counts import Count, count
+from robodyn.counts.objective import operations_of, parse_objective
 from robodyn.dynamics.compose import composed_forward_dynamics
 from robodyn.dynamics.fast import fast_choices
 from robodyn.dynamics.functions import Choice, NoForwardDynamics, build, signature
@@ -15,7 +16,7 @@ from robodyn.passes import FAST, FRESH, SPELLING, Pass, run
 from robodyn.passes.specialise import at_rest
 from robodyn.prune import PRUNED, Pruning, prune
 from robodyn.records import Record, best_record
-from robodyn.records.trust import trusted
+from robodyn.records.trust import check_length, trusted
 from robodyn.robot.model import Robot
 
 #: The passes take less than a tenth of a draft away; a record that is further below need not wait for them.
@@ -86,7 +87,7 @@ class Drafts:
             found = self._recorded(function)
             if found is None or not self._clearly_better(function, found):
                 passed = self._passed(function)
-                if found is None or count(passed).total <= count(found).total:
+                if found is None or self._cost(passed) <= self._cost(found):
                     found = passed
                     self.taken.pop(function, None)
             prove(self.robot, function, found)
@@ -109,11 +110,16 @@ class Drafts:
 
     def _clearly_better(self, function: str, found: Program) -> bool:
         """Whether no pass will bring the recursion down to what a record has."""
-        record = self._record(function)
-        if record is not None and record.objective != "total":
-            return True  # best at something else, whatever its total
+        if function == "gravity" or self.options.objective != "total":
+            return False
         draft = count(self.draft(function)).total
-        return function != "gravity" and draft > _SMALL and count(found).total <= _CLEARLY * draft
+        return draft > _SMALL and count(found).total <= _CLEARLY * draft
+
+    def _cost(self, program: Program) -> float:
+        """What ``program`` costs by the objective asked for."""
+        if self.options.objective == "total":
+            return count(program).total
+        return parse_objective(self.options.objective).cost(operations_of(program))
 
     def _recorded(self, function: str) -> Program | None:
         """What the records have for ``function``, compared with the recursion: its own, for gravity and bias
@@ -129,8 +135,9 @@ class Drafts:
                 continue
             made = record.program if source == function else at_rest(record.program, function)
             passes = SPELLING if source == function else FAST
-            made = trusted(made, self.draft(function), record, passes, self._inputs(function))
-            if best is None or count(made).total < count(best).total:
+            recursions = self.draft(function), self.draft(source)
+            made = trusted(made, recursions[0], record, passes, self._inputs(function), recursions[1])
+            if best is None or self._cost(made) < self._cost(best):
                 best = made
                 self.taken[function] = record.found
         return best
@@ -158,6 +165,8 @@ class Drafts:
             found = given[0] if given else best_record(self.robot, function, self.options.objective, folders)
             if found is None and self.options.target is not None:
                 found = best_record(self.robot, function, folders=folders)  # fewest operations: close enough
+            if found is not None:
+                check_length(found, self.draft(function))
             self._records[function] = found
         return self._records[function]
 

@@ -10,10 +10,11 @@ from robodyn.errors import InputError
 from robodyn.generation.drafts import Drafts
 from robodyn.generation.options import Options
 from robodyn.generation.proof import Unequal
-from robodyn.ir.evaluate import fingerprint
+from robodyn.ir.fingerprint import agree
 from robodyn.ir.program import Program
 from robodyn.passes import FRESH, SPELLING, run
 from robodyn.prune import Pruning
+from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import circle_point
 
@@ -76,17 +77,15 @@ class Layered:
         return made
 
     def _prove(self, function: str, made: Program) -> None:
-        """Compare with the recursion of the book: in a finite field, where roots and the like are random
+        """Compare with the recursion of the book: in finite fields, where roots and the like are random
         functions, so that their arguments must be equal as well."""
         rigid = None
         if function == "mass_matrix":
             rigid = self.rigid.best(function)  # proven there; the rotors are put on it here
         plain = with_effects(self.robot, function, rigid, "newton_euler")
-        for seed in (3, 4):
-            if fingerprint(made, seed, circle_point) != fingerprint(plain, seed, circle_point):
-                raise Unequal(
-                    f"{function} of {self.robot.name} differs from plain Newton-Euler with its effects"
-                )
+        context = (identity(self.robot).encode(), function.encode())
+        if not all(agree(made, plain, circle_point, *context, tag) for tag in (b"one", b"two")):
+            raise Unequal(f"{function} of {self.robot.name} differs from plain Newton-Euler with its effects")
 
     def rigid_count(self, function: str) -> Count | None:
         """Operations of the rigid arm beneath; None of functions that are composed."""

@@ -43,7 +43,8 @@ class Options:
     ``order="recursion"`` is the order of the book, ``"registers"`` one in which few values wait in memory
     (:func:`robodyn.passes.registers.registers`); ``"auto"`` is the latter unless sine and cosine are libm's.
 
-    ``records`` are records at hand, and ``record_folders`` where more may lie, before the bundled ones.
+    ``records`` are records at hand; ``record_folders`` are looked through for more, before the folder beside
+    the robot's file and the bundled one.
     ``misra`` writes C for MISRA C:2012: the same operations, products within sums in parentheses, and every
     rule that is not kept explained in the head.
     ``target`` names the processor (:meth:`for_target` takes what it chooses); ``contraction``, on or off, is

@@ -1,9 +1,7 @@
-"""Evaluation of a program over any scalar, and its fingerprint in a finite field."""
+"""Evaluation of a program over any scalar: floats, arrays, exact rationals."""
 
 from __future__ import annotations
 
-import functools
-import hashlib
 import math
 from collections.abc import Callable, Mapping
 from fractions import Fraction
@@ -17,7 +15,7 @@ REAL_FUNCTIONS: dict[str, Callable[..., Any]] = {
     "cos": math.cos,
     "sqrt": math.sqrt,
     "tanh": math.tanh,
-    "sign": lambda x: (x > 0) - (x < 0),
+    "sign": lambda x: float((x > 0) - (x < 0)),
     "abs": abs,
     "exp": math.exp,
     "pow": math.pow,
@@ -158,108 +156,3 @@ def evaluate_exact(
         "abs": abs,
     }
     return evaluate(program, inputs, number=lambda x: x, functions=functions)
-
-
-#: A Mersenne prime: the field in which programs are compared.
-PRIME = (1 << 61) - 1
-
-
-@functools.lru_cache(maxsize=1 << 14)
-def _place(numerator: int, denominator: int) -> int:
-    """A rational in the field. Remembered: a program is looked at before and after the passes, at several
-    points, and an inverse takes as long as dozens of additions."""
-    return numerator * pow(denominator, -1, PRIME) % PRIME
-
-
-def fingerprint(
-    program: Program,
-    seed: int,
-    constant_point: Callable[[Fraction], Circle],
-) -> tuple[int, ...]:
-    """The outputs at one random point of GF(2^61 - 1), where every rational constant has its place.
-
-    Two programs that are the same rational function (of inputs, sines and cosines) agree at every
-    point; two that differ agree with a probability of about degree / 2^61. Exact as ``Fraction``s are,
-    and a hundred times faster, so that every pass can be checked on every run. Angles are exponents in
-    the circle group, so that sines of sums obey the addition theorems; a sine of anything but
-    multiples of inputs, sqrt, exp, pow, tanh, sign and abs are random functions (tanh and sign odd, abs
-    even) with their own values at zero. :class:`ZeroDivisionError` where a divisor is zero as a function.
-    """
-
-    def random(name: str) -> int:
-        digest = hashlib.blake2b(f"{seed} {name}".encode(), digest_size=16).digest()
-        return int.from_bytes(digest, "little") % PRIME
-
-    def variable(x: Input) -> int:
-        return random(f"{x.array} {x.index}") % (1 << 40)
-
-    def number(x: Fraction) -> int:
-        return _place(x.numerator, x.denominator)
-
-    def angle(x: Input, parts: int) -> int:
-        return variable(x) if parts == 1 else random(f"{x.array} {x.index} / {parts}") % (1 << 40)
-
-    t = random("circle")
-    inverse = pow(1 + t * t, -1, PRIME)
-    base = ((1 - t * t) * inverse % PRIME, 2 * t * inverse % PRIME)
-    powers: dict[AngleForm, tuple[int, int]] = {}
-    forms: dict[int, AngleForm] = {}
-
-    def circle(operand: Operand) -> tuple[int, int]:
-        form = angle_form(program, operand, forms)
-        if form not in powers:
-            terms, constant = form
-            exponent = sum(m.numerator * angle(name, m.denominator) for name, m in terms)
-            c, s = base if exponent >= 0 else (base[0], -base[1])
-            exponent = abs(exponent)
-            total = (1, 0)
-            if constant:
-                cosine, sine = constant_point(constant)
-                total = (number(cosine), number(sine))
-            while exponent:
-                if exponent & 1:
-                    total = ((total[0] * c - total[1] * s) % PRIME, (total[1] * c + total[0] * s) % PRIME)
-                c, s = (c * c - s * s) % PRIME, 2 * s * c % PRIME
-                exponent >>= 1
-            powers[form] = total
-        return powers[form]
-
-    values: list[int] = []
-
-    def value(operand: Operand) -> int:
-        if isinstance(operand, int):
-            return values[operand]
-        if isinstance(operand, Input):
-            return variable(operand)
-        return number(operand)
-
-    for op, args, _ in program.operations:
-        if op in ("sin", "cos") and is_angle(program, args[0], forms):
-            values.append(circle(args[0])[op == "sin"] % PRIME)
-            continue
-        x = value(args[0])
-        if op == "add":
-            x = x + value(args[1])
-        elif op == "sub":
-            x = x - value(args[1])
-        elif op == "mul":
-            x = x * value(args[1])
-        elif op == "div":
-            divisor = value(args[1]) % PRIME
-            if not divisor:
-                raise ZeroDivisionError("division by what is zero at a random point")
-            x = x * pow(divisor, -1, PRIME)
-        elif op == "neg":
-            x = -x
-        elif op in ("sqrt", "exp"):
-            x = random(f"{op} {x % PRIME}") if x % PRIME else int(op == "exp")
-        elif op == "pow":
-            x = random(f"pow {x % PRIME} {value(args[1]) % PRIME}") if x % PRIME else 0
-        elif op in ("abs", "cos"):
-            y = min(x % PRIME, -x % PRIME)
-            x = random(f"{op} {y}") if y else int(op == "cos")
-        else:
-            y = min(x % PRIME, -x % PRIME)
-            x = random(f"{op} {y}") * (1 if y == x else -1) if y else 0
-        values.append(x % PRIME)
-    return tuple(value(operand) % PRIME for operand in program.results())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from robodyn.ir.evaluate import fingerprint
+from robodyn.ir.fingerprint import agree
 from robodyn.ir.program import Program
 from robodyn.robot.values import circle_point
 
@@ -15,20 +15,25 @@ class PassError(AssertionError):
     """A pass changed what a program computes: a defect of robodyn, never of its input."""
 
 
-def run(program: Program, passes: Sequence[Pass], *, seed: int = 1) -> Program:
-    """``program`` after ``passes``, which must mean exactly what it meant (over GF(2^61 - 1)).
+def run(program: Program, passes: Sequence[Pass]) -> Program:
+    """``program`` after ``passes``, which must mean exactly what it meant (in a field drawn from both).
 
     The end is compared with the beginning; where they differ, the passes run again one by one to name
     the one that went wrong.
+
+    Raises
+    ------
+    ZeroDivisionError: a divisor is zero as a function.
     """
-    meaning = fingerprint(program, seed, circle_point)
     result = program
     for step in passes:
         result = step(result)
-    if fingerprint(result, seed, circle_point) == meaning:
+    if agree(result, program, circle_point):
         return result
+    before = program
     for step in passes:
-        program = step(program)
-        if fingerprint(program, seed, circle_point) != meaning:
+        after = step(before)
+        if not agree(after, before, circle_point):
             raise PassError(f"pass {step.__module__} changed the program; please report the robot file")
+        before = after
     raise PassError("the passes do not give the same program twice; please report the robot file")

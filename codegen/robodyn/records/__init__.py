@@ -4,8 +4,8 @@ A record belongs to exact parameters, not to a name. It is read back without tru
 it with the recursion first (:mod:`robodyn.generation`).
 """
 
-from robodyn.records.find import FOLDER, best_record, bundled_records
-from robodyn.records.identity import identity
+from robodyn.records.find import FOLDER, best_record, bundled_records, folder_beside
 from robodyn.records.record import Record, parse_record
+from robodyn.robot.identity import identity
 
-__all__ = ["FOLDER", "Record", "best_record", "bundled_records", "identity", "parse_record"]
+__all__ = ["FOLDER", "Record", "best_record", "bundled_records", "folder_beside", "identity", "parse_record"]

@@ -1,20 +1,28 @@
-"""A record is text from a file: it is used only where it means exactly what the recursion means."""
+"""A record is text from a file: it is used only where it means exactly what the recursion means, and is as
+good as the recursion in the arithmetic of a machine."""
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 from robodyn.errors import InputError, Place
-from robodyn.ir.evaluate import fingerprint, is_angle
+from robodyn.ir.evaluate import is_angle
+from robodyn.ir.field import Field
+from robodyn.ir.fingerprint import agree, constants, digest, fingerprint, in_drawn_field
 from robodyn.ir.program import Input, Program
 from robodyn.passes import Pass, run
 from robodyn.records.record import Record
+from robodyn.records.rounding import precise
 from robodyn.robot.values import circle_point
 
-#: What the recursion must have, too, if a program is to have it: elsewhere it may have no value, as x / x has
-#: none at 0.
-_PARTIAL = frozenset(("div", "sqrt"))
+#: Operations that have a value everywhere, and whose rounding is bounded by magnitudes. All others must have
+#: the arguments that they have in the recursion: x / x has no value at 0, 0 times the root of -1 is none.
+_EVERYWHERE = frozenset(("add", "sub", "mul", "neg", "sin", "cos"))
+#: So many times the recursion's operations, and so many more, a record may have: it is here to have fewer.
+_TIMES, _MORE = 2, 100
+#: The same for the digits of all constants: those that searches find have about as many as the recursion.
+_DIGITS_TIMES, _DIGITS_MORE = 4, 4000
 
 
 def trusted(
@@ -23,31 +31,56 @@ def trusted(
     record: Record,
     passes: Sequence[Pass] = (),
     inputs: Collection[Input] = (),
+    source: Program | None = None,
 ) -> Program:
-    """``program``, made of ``record``, after ``passes``, if it computes what ``recursion`` does (in
-    GF(2^61 - 1)).
+    """``program``, made of ``record``, after ``passes``, if it computes what ``recursion`` does, and about as
+    precisely.
 
-    ``inputs`` are those that the function has, read by the recursion or not. The points at which the two are
-    compared depend on the record's text: nobody can write one that is right at these points only.
+    ``inputs`` are those that the function has, read by the recursion or not. ``source`` is the recursion of
+    the record's own function, where ``program`` was made for another one: it may lose as much. Field and
+    point of the comparison are drawn from both programs: whoever writes a record changes them with any digit.
 
     Raises
     ------
     InputError: it does not, or cannot be compared.
     """
+    known = {*recursion.inputs(), *inputs}
     try:
-        made = run(program, passes) if passes else program
-        if (
-            _angles_only(program)
-            and _comparable(made, recursion, {*recursion.inputs(), *inputs})
-            and _same(made, recursion, record)
-        ):
-            return made
+        if _angles_only(program) and _comparable(program, recursion, known):
+            made = run(program, passes) if passes else program
+            if agree(made, recursion, circle_point) and _same_arguments(made, recursion):
+                if precise(made, source or recursion):
+                    return made
+                raise _refused(record, "a program that loses too many digits to rounding")
     except (ValueError, ZeroDivisionError):  # a division by what is zero
         pass
-    raise InputError(
+    raise _refused(record, "a program that differs from the recursion")
+
+
+def check_length(record: Record, recursion: Program) -> None:
+    """:class:`InputError` where ``record`` has far more operations or digits than ``recursion``, of the same
+    function: then nothing else is looked at, which would take long."""
+    own, others = len(record.program.operations), len(recursion.operations)
+    if own > _TIMES * others + _MORE:
+        raise _refused(record, f"{own} operations, where the recursion has {others}")
+    digits, usual = _digits(record.program), _digits(recursion)
+    if digits > _DIGITS_TIMES * usual + _DIGITS_MORE:
+        raise _refused(
+            record, f"constants of {digits} digits in all, where those of the recursion have {usual}"
+        )
+
+
+def _digits(program: Program) -> int:
+    """How many decimal digits the constants have, about."""
+    bits = sum(x.numerator.bit_length() + x.denominator.bit_length() for x in constants(program))
+    return bits * 3 // 10
+
+
+def _refused(record: Record, found: str) -> InputError:
+    return InputError(
         f"the record of {record.robot} does not compute its {record.function}",
         where=Place(record.file) if record.file is not None else None,
-        found="a program that differs from the recursion",
+        found=found,
         remedy="delete the record, or make it anew: robodyn gen --optimize full",
     )
 
@@ -61,20 +94,28 @@ def _comparable(program: Program, recursion: Program, known: set[Input]) -> bool
     def interface(p: Program) -> list[tuple[str, int]]:
         return [(name, len(elements)) for name, elements in p.outputs]
 
-    def partial(p: Program) -> set[str]:
-        return {operation.op for operation in p.operations} & _PARTIAL
-
-    return (
-        interface(program) == interface(recursion)
-        and known.issuperset(program.inputs())
-        and partial(program) <= partial(recursion)
-    )
+    return interface(program) == interface(recursion) and known.issuperset(program.inputs())
 
 
-def _same(program: Program, recursion: Program, record: Record) -> bool:
-    digest = hashlib.blake2b(record.text().encode(), digest_size=16).digest()
-    seeds = (int.from_bytes(digest[:8], "little"), int.from_bytes(digest[8:], "little"))
-    return all(
-        fingerprint(program, seed, circle_point) == fingerprint(recursion, seed, circle_point)
-        for seed in seeds
-    )
+def _same_arguments(program: Program, recursion: Program) -> bool:
+    """Whether divisors, and arguments of roots, signs and the like, are those of the recursion."""
+    if all(op.op in _EVERYWHERE for op in program.operations):
+        return True
+
+    def subset(field: Field) -> bool:
+        return _arguments(program, field) <= _arguments(recursion, field)
+
+    return bool(in_drawn_field(subset, digest(program), digest(recursion), b"arguments"))
+
+
+def _arguments(program: Program, field: Field) -> set[tuple[str, tuple[int, ...]]]:
+    """What operations that are not :data:`_EVERYWHERE` are of, up to sign, at a random point of ``field``."""
+    partial = [op for op in program.operations if op.op not in _EVERYWHERE]
+    of = [op.args[1:] if op.op == "div" else op.args for op in partial]
+    outputs = tuple((str(k), args) for k, args in enumerate(of))
+    values = iter(fingerprint(replace(program, outputs=outputs, origin=None), field, circle_point))
+    result = set()
+    for op, args in zip(partial, of, strict=True):
+        here = [next(values) for _ in args]
+        result.add((op.op, tuple(min(value, field.prime - value) for value in here)))
+    return result

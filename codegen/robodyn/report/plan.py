@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
+from robodyn.counts.objective import TARGETS, Costs
 from robodyn.errors import InputError
 from robodyn.generation import Options, program
 from robodyn.ir.program import Program
@@ -20,7 +21,6 @@ from robodyn.schedule import Machine, solve
 from robodyn.schedule.cutting import COSTS, cut
 from robodyn.schedule.printed import LEVELS_STANFORD, TIMES_STANFORD
 from robodyn.schedule.tasks import FLOPS_PER_TASK
-from robodyn.search.objective import TARGETS, Costs
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import errno
 import os
+from dataclasses import replace
 from pathlib import Path
 from stat import S_ISDIR, S_ISREG
 
@@ -52,20 +53,22 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     InputError: no such file or name, an unreadable file, or one that is not a robot description.
     """
     name = os.fspath(spec)
+    path = Path(name)
     # What a file system allows and a terminal does not print is escaped in messages.
     label = ascii(name)[1:-1] if text_fault(name) else name
     try:
-        data = _start_of(Path(name), label)
+        data = _start_of(path, label)
     except (FileNotFoundError, NotADirectoryError, IsADirectoryError, ValueError):
-        path = _bundled_path(name)  # a folder of that name does not hide the robot
-        if path is None:
+        bundled = _bundled_path(name)  # a folder of that name does not hide the robot
+        if bundled is None:
             raise _not_there(name, label) from None
-        data, label = _start_of(path, path.name), path.name
+        path, label = bundled, bundled.name
+        data = _start_of(path, label)
     except OSError as error:
         raise InputError(
             "the file cannot be read", where=Place(label), found=(error.strerror or str(error)).lower()
         ) from None
-    return read_bytes(data, label, strict=strict, warn=warn)
+    return replace(read_bytes(data, label, strict=strict, warn=warn), file=path.absolute())
 
 
 def _start_of(path: Path, label: str) -> bytes:

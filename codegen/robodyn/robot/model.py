@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from pathlib import Path
 from typing import Any, Literal
 
 from robodyn.robot.values import ZERO, Affine, Angle, Value, parameters_of
@@ -138,6 +139,7 @@ class Robot:
     m/s] over which ``tanh(qd / rest_velocity)`` replaces the sign. ``torque_side`` says whether the
     joint torque is the motor's (rotor and friction are in it) or the link's (they are not).
     ``dead_band``: the sign is 0 below that velocity. ``effects``: base to tip, then those of the whole robot.
+    ``file`` is where the description was read, None if it came from no file; records may lie beside it.
     """
 
     name: str
@@ -150,6 +152,7 @@ class Robot:
     rest_velocity: Fraction | None = None
     dead_band: Fraction | None = None
     effects: tuple[EffectEntry, ...] = ()
+    file: Path | None = field(default=None, compare=False, repr=False)
 
     @property
     def n(self) -> int:

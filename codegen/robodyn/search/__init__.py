@@ -9,17 +9,17 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from robodyn.counts.objective import Objective
     from robodyn.search.improve import improved
-    from robodyn.search.objective import Objective
 
-_HOMES = {"Objective": "objective", "improved": "improve"}
+_HOMES = {"Objective": "robodyn.counts.objective", "improved": "robodyn.search.improve"}
 
 __all__ = ["Objective", "improved"]
 
 
 def __getattr__(name: str) -> Any:
     if name in _HOMES:
-        value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+        value = getattr(importlib.import_module(_HOMES[name]), name)
         globals()[name] = value
         return value
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

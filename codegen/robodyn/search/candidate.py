@@ -5,14 +5,26 @@ from __future__ import annotations
 from heapq import nsmallest
 from typing import Any
 
+from robodyn.counts.objective import Objective, Operations
 from robodyn.dynamics.costing import Costing, operations
 from robodyn.dynamics.factoring import saved
 from robodyn.dynamics.gauge import Unsuited
-from robodyn.dynamics.tally import ADD, CALL, COS, INPUT, MUL, NUMBER, OFFSET, SCALE, SIN, Tally, Value
+from robodyn.dynamics.tally import (
+    ADD,
+    CALL,
+    COS,
+    INPUT,
+    MUL,
+    NUMBER,
+    OFFSET,
+    PRIME,
+    SCALE,
+    SIN,
+    Tally,
+    Value,
+)
 from robodyn.dynamics.writing import Writing
-from robodyn.ir.evaluate import PRIME
 from robodyn.robot.model import Robot
-from robodyn.search.objective import Objective, Operations
 
 _KINDS = {ADD: "add", OFFSET: "add", MUL: "mul", SCALE: "mul", COS: "cos", SIN: "sin", CALL: "call"}
 

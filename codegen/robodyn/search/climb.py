@@ -8,9 +8,9 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from robodyn.counts.objective import TARGETS, Objective, operations_of
 from robodyn.ir.program import Program
 from robodyn.search.network import NoWalk
-from robodyn.search.objective import TARGETS, Objective, operations_of
 from robodyn.search.walk import CHAIN, FUSED, SUM, Walk
 
 #: Steps of one call into C: a tenth of a second or two, for interrupts and deadlines to be seen.

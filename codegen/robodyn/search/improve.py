@@ -2,7 +2,7 @@
 
 ``search`` goes through ways of writing the recursion, closed forms of short arms among them, and walks on
 from the best for a while; ``full`` walks on for long, by any identity that holds. Either ends in a record:
-proved equal to the plain recursion on exact fractions, or not handed out at all.
+compared with the plain recursion without rounding, or not handed out at all.
 """
 
 from __future__ import annotations
@@ -16,8 +16,9 @@ from pathlib import Path
 from typing import Any, Literal
 
 from robodyn.build.cache import default_root
+from robodyn.counts.objective import Objective, operations_of
 from robodyn.dynamics.closed_form import closed_forms
-from robodyn.dynamics.equality import equals_recursion
+from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import InputError, ToolError
 from robodyn.generation import Options
@@ -30,7 +31,6 @@ from robodyn.records.trust import trusted
 from robodyn.robot.model import Robot
 from robodyn.search.climb import Climbed, climb
 from robodyn.search.labels import labelled
-from robodyn.search.objective import Objective, operations_of
 from robodyn.search.structured import search
 from robodyn.search.walk import library
 
@@ -177,18 +177,15 @@ def _distinct(programs: Sequence[Program], objective: Objective) -> list[Program
 def _proved(
     robot: Robot, function: str, program: Program, recursion: Program, objective: Objective, how: str
 ) -> Record | None:
-    """``program`` as a record, named and spelled; None where it is not what the recursion is."""
+    """``program`` as a record, named and spelled; None where it is not what the recursion is, or loses too
+    many digits to rounding."""
     named = labelled(run(replace(program, origin=None), SPELLING), recursion)
     record = Record(robot.name, identity(robot), function, objective.key, how, named)
     try:
-        if not equals_recursion(robot, function, named):
-            return None
-    except ValueError:  # tanh has no exact value: the finite field has to do
-        try:
-            trusted(named, recursion, record)
-        except InputError:
-            return None
-    return record
+        trusted(named, recursion, record)
+    except InputError:
+        return None
+    return record if same_in_field(robot, function, named) else None
 
 
 def _known(

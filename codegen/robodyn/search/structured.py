@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from robodyn.counts.objective import Objective, operations_of
 from robodyn.dynamics.functions import Choice, build
 from robodyn.dynamics.suited import suited_writing
 from robodyn.dynamics.writing import Writing
@@ -21,7 +22,6 @@ from robodyn.ir.program import Program
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import Robot
 from robodyn.search.candidate import Candidates, Sketch
-from robodyn.search.objective import Objective, operations_of
 from robodyn.search.space import Space
 from robodyn.search.workers import Workers
 

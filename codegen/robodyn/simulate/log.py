@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
-from robodyn.records.identity import identity
+from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.names import text_fault
 from robodyn.robot.values import Affine

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from robodyn.ir.evaluate import PRIME
+from robodyn.dynamics.tally import residue
 
 
 class Numbers:
@@ -30,12 +30,10 @@ class Numbers:
         return self._values[k] if k > 0 else -self._values[-k]
 
     def residue(self, k: int) -> int:
-        """The size of what ``k`` stands for, in GF(2^61 - 1)."""
+        """The size of what ``k`` stands for, in GF(2^61 - 1); never 0."""
         known = self._residues.get(abs(k))
         if known is None:
-            value = self._values[abs(k)]
-            known = value.numerator * pow(value.denominator, -1, PRIME) % PRIME
-            self._residues[abs(k)] = known
+            known = self._residues[abs(k)] = residue(self._values[abs(k)])
         return known
 
     def quotient(self, k: int, l: int) -> int:

@@ -17,7 +17,7 @@ from typing import Any
 
 from robodyn.dynamics.closed_form.extraction import System
 from robodyn.dynamics.closed_form.numbers import Numbers
-from robodyn.ir.evaluate import PRIME
+from robodyn.dynamics.tally import PRIME
 
 #: Exponents of scales.
 Powers = dict[int, int]

@@ -8,11 +8,11 @@ import pytest
 
 from robodyn import InputError, load
 from robodyn.counts import count
+from robodyn.counts.objective import TARGETS, Objective, operations_of
 from robodyn.dynamics.functions import Choice, build
 from robodyn.dynamics.suited import suited_writing
 from robodyn.ir import Input, Operation, Program
 from robodyn.search.candidate import Candidates
-from robodyn.search.objective import TARGETS, Objective, operations_of
 from robodyn.search.space import Space
 
 X, Y, Q = Input("qd", 0), Input("qd", 1), Input("q", 0)

@@ -1,0 +1,161 @@
+"""Finite fields in which programs are compared, each drawn from a hash of what is compared in it.
+
+A fixed prime can be played against: a constant that is a multiple of it is 0 there and not in truth. Here
+the prime (120 bits, one of more than 2^111) and every point are drawn from a hash of all that is compared:
+whoever chooses a constant changes the prime that it would have to be a multiple of. How likely a false match
+is stands in ``docs/decisions/0017-proofs-against-intent.md``.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Iterable
+from fractions import Fraction
+
+from robodyn.ir.program import Input
+
+#: Primes have so many bits: four digits of Python's integers, and products fit eight.
+_BITS = 120
+_SMALL_PRIMES = tuple(p for p in range(3, 1000) if all(p % d for d in range(2, math.isqrt(p) + 1)))
+_PRODUCT = math.prod(_SMALL_PRIMES)
+#: Rounds of Miller and Rabin with bases of chance: a composite number of any kind passes one in four, a
+#: random one of this size hardly ever.
+_ROUNDS = 12
+
+
+class Vanishes(ArithmeticError):
+    """A constant that is not zero is zero in a field, or is divided by zero there."""
+
+
+class Field:
+    """The integers modulo a prime of 120 bits; prime and random values are drawn from ``seed``.
+
+    The prime is 3 modulo 4: ``1 + t * t`` is never 0, and every ``t`` gives a point of the circle.
+    """
+
+    __slots__ = ("_circles", "_inverses", "_key", "prime")
+
+    def __init__(self, seed: str | bytes) -> None:
+        text = seed.encode() if isinstance(seed, str) else seed
+        self._key = hashlib.blake2b(text, digest_size=32).digest()
+        self.prime = self._drawn_prime()
+        self._circles: dict[str, tuple[int, int]] = {}
+        self._inverses: dict[int, int] = {1: 1}
+
+    def random(self, name: str) -> int:
+        """An element of the field, the same for the same ``name``."""
+        return self._bits(name) % self.prime
+
+    def variable(self, x: Input) -> int:
+        """The value of an input, where it is no angle."""
+        return self.random(f"{x.array} {x.index}")
+
+    def angle(self, x: Input, parts: int = 1) -> tuple[int, int]:
+        """A random point (cos, sin) of the unit circle for an input that is an angle, or for a part of it."""
+        return self.circle(f"{x.array} {x.index} / {parts}")
+
+    def circle(self, name: str) -> tuple[int, int]:
+        """A random point (cos, sin) of the unit circle, the same for the same ``name``."""
+        point = self._circles.get(name)
+        if point is None:
+            p = self.prime
+            t = self.random(f"circle {name}")
+            inverse = pow(1 + t * t, -1, p)
+            point = self._circles[name] = ((1 - t * t) * inverse % p, 2 * t * inverse % p)
+        return point
+
+    def turn(self, first: tuple[int, int], second: tuple[int, int]) -> tuple[int, int]:
+        """The point of the circle whose angle is the sum of two angles."""
+        (c, s), (e, f) = first, second
+        return (c * e - s * f) % self.prime, (s * e + c * f) % self.prime
+
+    def multiple(self, point: tuple[int, int], times: int) -> tuple[int, int]:
+        """The point of the circle whose angle is a whole multiple of an angle."""
+        total = (1, 0)
+        if times < 0:
+            point, times = (point[0], -point[1]), -times
+        while times:
+            if times & 1:
+                total = self.turn(total, point)
+            point = self.turn(point, point)
+            times >>= 1
+        return total
+
+    def number(self, x: Fraction | int) -> int:
+        """The place of a rational number.
+
+        Raises
+        ------
+        Vanishes: it is not 0 and has the place of 0, or has no place.
+        """
+        p = self.prime
+        if isinstance(x, int):
+            place = x % p
+        else:
+            inverse = self._inverses.get(x.denominator)
+            if inverse is None:
+                self.prepare((x.denominator,))
+                inverse = self._inverses[x.denominator]
+            place = x.numerator * inverse % p
+        if not place and x:
+            raise Vanishes(f"a constant is a multiple of the prime {p}")
+        return place
+
+    def opaque(self, op: str, x: int, exponent: int | None = None) -> int:
+        """``op`` of ``x`` as a random function: odd or even as it is, with its own value at zero."""
+        p = self.prime
+        x %= p
+        if not x:
+            return int(op in ("exp", "cos"))
+        if op == "pow":
+            return self.random(f"pow {x} {exponent}")
+        if op in ("sqrt", "exp"):
+            return self.random(f"{op} {x}")
+        y = min(x, p - x)
+        drawn = self.random(f"{op} {y}")
+        return drawn if op in ("abs", "cos") or y == x else p - drawn
+
+    def prepare(self, denominators: Iterable[int]) -> None:
+        """Invert ``denominators`` together: one inversion and three products each (P. Montgomery 1987).
+
+        Raises
+        ------
+        Vanishes: one is a multiple of the prime.
+        """
+        p, known = self.prime, self._inverses
+        new = [d for d in dict.fromkeys(denominators) if d not in known]
+        products = [1]
+        for d in new:
+            products.append(products[-1] * d % p)
+        if not products[-1]:
+            raise Vanishes(f"a denominator is a multiple of the prime {p}")
+        inverse = pow(products[-1], -1, p)
+        for d, before in zip(reversed(new), reversed(products[:-1]), strict=True):
+            known[d] = inverse * before % p
+            inverse = inverse * d % p
+
+    def _bits(self, name: str) -> int:
+        return int.from_bytes(
+            hashlib.blake2b(name.encode(), digest_size=32, key=self._key).digest(), "little"
+        )
+
+    def _drawn_prime(self) -> int:
+        top = 1 << (_BITS - 1)
+        # Every number that is 3 modulo 4 is as likely as any other: no walk from a starting point, which
+        # would favour primes behind long gaps.
+        k = 0
+        while True:
+            number = self._bits(f"prime {k}") % top | top | 3
+            if math.gcd(number, _PRODUCT) == 1 and self._is_prime(number):
+                return number
+            k += 1
+
+    def _is_prime(self, number: int) -> bool:
+        """Miller's and Rabin's test of a number that is 3 modulo 4: ``a ^ ((n - 1) / 2)`` is 1 or -1."""
+        half = number >> 1
+        return all(
+            pow(base, half, number) in (1, number - 1)
+            for base in (2, *(self._bits(f"base {k}") % number for k in range(_ROUNDS)))
+            if base
+        )

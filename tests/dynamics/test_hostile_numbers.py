@@ -1,0 +1,108 @@
+"""Numbers chosen against the finite fields in which programs are merged and compared: no kernel is wrong.
+
+Each program is evaluated in many digits and set beside torques that :mod:`robodyn_testing.world_dynamics`
+balances in the world's frame.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from typing import Any
+
+import mpmath
+import pytest
+
+from robodyn import Options, generate
+from robodyn.errors import InputError
+from robodyn.generation import NoForwardDynamics
+from robodyn.ir import Input, Program
+from robodyn.ir.evaluate import evaluate
+from robodyn.robot import Robot, read_text
+from robodyn_testing.hostile_numbers import hostile
+from robodyn_testing.world_dynamics import number, torques
+
+FUNCTIONS: dict[str, Any] = {"sin": mpmath.sin, "cos": mpmath.cos, "tanh": mpmath.tanh, "sign": mpmath.sign}
+#: Numbers of the arms range over hundreds of powers of ten, and cancel.
+DIGITS = 800
+TOLERANCE = mpmath.mpf(10) ** -25
+
+
+def check(robot: Robot, options: Options | None = None) -> int:
+    """Compare every function of ``robot`` at a random state; how many there are."""
+    made = generate(robot, options or Options(optimize="fast"))
+    rng = random.Random(robot.name)
+    n = robot.n
+    with mpmath.workdps(DIGITS):
+        rows = {a: [mpmath.mpf(rng.uniform(-3, 3)) for _ in range(n)] for a in ("q", "qd", "qdd", "tau")}
+        inputs = {Input(a, i): x for a, row in rows.items() for i, x in enumerate(row)}
+        q, qd, qdd = rows["q"], rows["qd"], rows["qdd"]
+        zero = [mpmath.mpf(0)] * n
+        gravity, bias, full = (torques(robot, q, *at) for at in ((zero, zero), (qd, zero), (qd, qdd)))
+        still = torques(robot, q, zero, qdd)
+        for signature, program in made.unit.functions:
+            values = run(program, inputs)
+            if signature.function == "mass_matrix":
+                close([_dot(values[n * i : n * i + n], qdd) for i in range(n)], _less(still, gravity))
+            elif signature.function == "forward_dynamics":
+                close(torques(robot, q, qd, values), rows["tau"])
+            else:
+                close(
+                    values, {"inverse_dynamics": full, "gravity": gravity, "bias": bias}[signature.function]
+                )
+    return len(made.unit.functions)
+
+
+def run(program: Program, inputs: dict[Input, Any]) -> list[Any]:
+    found = evaluate(program, inputs, number=lambda x: number(x, {}), functions=FUNCTIONS)
+    return [x for row in found.values() for x in row]
+
+
+def _dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
+    return sum(x * y for x, y in zip(u, v, strict=True))
+
+
+def _less(u: Sequence[Any], v: Sequence[Any]) -> list[Any]:
+    return [x - y for x, y in zip(u, v, strict=True)]
+
+
+def close(found: Sequence[Any], expected: Sequence[Any]) -> None:
+    """Equal but for the rounding of hundreds of digits, torque by torque."""
+    for a, b in zip(found, expected, strict=True):
+        assert abs(a - b) <= TOLERANCE * abs(b) + mpmath.mpf(10) ** (-DIGITS // 2)
+
+
+MASS = "2.305843009213693951"
+
+
+@pytest.mark.parametrize("mass", [MASS, "2305843009213693951", "1/2305843009213693951", f"{MASS}*{MASS}"])
+@pytest.mark.parametrize(("joints", "rest"), [(1, ""), (2, "friction_at_rest: smooth\n"), (13, "")])
+def test_a_mass_that_is_zero_in_a_field(mass: str, joints: int, rest: str) -> None:
+    """2^61 - 1 was the prime, and fixed: the mass was gone from every function."""
+    link = f"  - {{joint: revolute, alpha: pi/2, mass: {mass}, com: [0.5, 0, 0], friction: {{coulomb: 2}},\n"
+    text = f"name: heavy\n{rest}links:\n" + joints * f"{link}     motor_inertia: 0.1}}\n"
+    robot = read_text(text)
+    made = generate(robot, Options(optimize="fast"))
+    gravity = next(p for s, p in made.unit.functions if s.function == "gravity")
+    assert Input("q", joints - 1) in gravity.inputs()
+    assert check(robot) == 5
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_hostile_arms(seed: int) -> None:
+    assert_right_or_refused(hostile(seed))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(24, 1000))
+def test_many_hostile_arms(seed: int) -> None:
+    assert_right_or_refused(hostile(seed, joints=seed % 30 + 1))
+
+
+def assert_right_or_refused(robot: Robot) -> None:
+    try:
+        assert check(robot) >= 4
+    except NoForwardDynamics:  # said of an arm in which something moves without inertia
+        check(robot, Options(("inverse_dynamics", "gravity", "bias", "mass_matrix"), optimize="fast"))
+    except InputError as error:
+        assert "does not fit" in str(error)  # noqa: PT017

@@ -1,0 +1,91 @@
+"""Arms whose numbers are chosen against checks in finite fields: multiples of primes and of their powers,
+denominators that are such multiples, numbers that are equal modulo a prime and not in truth, sums that cancel
+there."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from fractions import Fraction
+from typing import Final
+
+from robodyn.robot.model import Inertia, Link, Robot, Vector
+from robodyn.robot.values import Value
+from robodyn_testing.random_robots import random_robot
+
+#: Primes that programs like this one are known to calculate with: Mersenne primes, those that the walk takes,
+#: and others that fit a word.
+PRIMES: Final = (
+    2**61 - 1, 2**61 - 31, 2**61 - 45, 2**61 - 229, 2**31 - 1, 2**127 - 1, 2**89 - 1, 2**64 - 59, 998244353,
+    10**9 + 7,
+)  # fmt: skip
+
+
+def hostile(seed: int, *, joints: int | None = None) -> Robot:
+    """The arm number ``seed``: a random arm, some of whose numbers are replaced."""
+    rng = random.Random(f"hostile {seed}")
+    robot = random_robot(seed, joints=joints or rng.randint(1, 8))
+    prime = rng.choice(PRIMES) if seed % 3 else PRIMES[0]
+    chosen = [_number(rng, prime) for _ in range(3)]
+    share = rng.choice((0.1, 0.4, 1.0))
+
+    def swapped(value: Value, *, positive: bool = False) -> Value:
+        if rng.random() > share or not isinstance(value, Fraction):
+            return value
+        return _swapped(rng, prime, chosen, value, positive=positive)
+
+    def link(old: Link) -> Link:
+        joint, tensor = old.joint, old.inertia
+        x, y, z = old.com
+        com: Vector = (swapped(x), swapped(y), swapped(z))
+        principal = [swapped(i, positive=True) for i in (tensor.xx, tensor.yy, tensor.zz)]
+        products = [swapped(i) for i in (tensor.xy, tensor.xz, tensor.yz)]
+        return replace(
+            old,
+            mass=swapped(old.mass, positive=True),
+            com=com,
+            inertia=Inertia(*principal, *products),
+            joint=replace(
+                joint,
+                a=swapped(joint.a),
+                d=swapped(joint.d),
+                motor_inertia=swapped(joint.motor_inertia, positive=True),
+                viscous=swapped(joint.viscous, positive=True),
+                coulomb=swapped(joint.coulomb, positive=True),
+            ),
+        )
+
+    gx, gy, gz = robot.gravity
+    gravity = (gx, gy, _swapped(rng, prime, chosen, gz, positive=False) if rng.random() < share / 3 else gz)
+    return replace(robot, name=f"hostile{seed}", links=tuple(map(link, robot.links)), gravity=gravity)
+
+
+def _number(rng: random.Random, prime: int) -> Fraction:
+    k = rng.randint(1, 9)
+    size = 10 ** rng.randint(0, 2 * len(str(prime)))
+    return rng.choice(
+        (
+            Fraction(k * prime, size),
+            Fraction(k * prime**2, size * prime.bit_length()),
+            Fraction(k * prime, 1 << prime.bit_length()),
+            Fraction(k, prime),
+            Fraction(k * size, prime**2),
+            Fraction(k * prime + 1),
+            Fraction(k) + Fraction(prime, 1 << (prime.bit_length() + 3)),
+        )
+    )
+
+
+def _swapped(
+    rng: random.Random, prime: int, chosen: list[Fraction], value: Fraction, *, positive: bool
+) -> Fraction:
+    how = rng.randrange(4)
+    if how == 0:  # equal to the old one modulo the prime
+        new = value + Fraction(prime * rng.randint(1, 3), 1 << rng.randint(0, 70))
+    elif how == 1:  # a sum with another chosen one cancels there
+        new = Fraction(prime) - rng.choice(chosen)
+    elif how == 2:
+        new = -rng.choice(chosen)
+    else:
+        new = rng.choice(chosen)
+    return abs(new) if positive else new
