@@ -28,6 +28,9 @@ from robodyn.robot.values import circle_point
 
 Point = tuple[Any, Any]
 
+#: Numbers that stay integers: a recursion over them asks which are 0.
+_FEW = (0, 1, -1)
+
 #: Points at which a program is compared, each in a field of its own.
 _FIELDS = (b"one", b"two")
 #: Rational points are drawn from so many numbers.
@@ -90,7 +93,7 @@ def _field_state(robot: Robot, field: Field) -> _State:
         return Residue(field, value)
 
     def number(x: Fraction) -> int | Residue:
-        return x.numerator if x.denominator == 1 else element(field.number(x))
+        return int(x) if x in _FEW else element(field.number(x))
 
     points = [field.angle(Input("q", i)) for i in range(robot.n)]
     return _State(
@@ -128,7 +131,7 @@ def _equal(robot: Robot, function: str, program: Program, state: _State) -> bool
     def torques(qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         return newton_euler(arm, _motion(arm, row("q"), qd, qdd, state))
 
-    zeros = [Fraction(0)] * n
+    zeros = [0] * n
     outputs = list(state.run(program))
     if function == "inverse_dynamics":
         return outputs == torques(row("qd"), row("qdd"))
@@ -142,7 +145,7 @@ def _equal(robot: Robot, function: str, program: Program, state: _State) -> bool
         raise InputError(f"there is no plain recursion of the function {function!r}")
     # M x for a random x: as telling as all columns of M, at a fraction of the cost.
     x = row("qdd")
-    product = [sum((outputs[n * i + j] * x[j] for j in range(n)), Fraction(0)) for i in range(n)]
+    product = [sum(outputs[n * i + j] * x[j] for j in range(n)) for i in range(n)]
     return product == [t - g for t, g in zip(torques(zeros, x), torques(zeros, zeros), strict=True)]
 
 

@@ -146,9 +146,12 @@ def build(robot: Robot, function: str, choice: Choice) -> Program:
     nothing dead, no pass run yet."""
     if choice.writing is None:
         return _built(Graph(), robot, function, choice)
-    seed = (b"merging", identity(robot).encode(), function.encode())
+    numbers = identity(robot).encode()
     program: Program = in_drawn_field(
-        lambda field: _built(MergingGraph(field), robot, function, choice), *seed
+        lambda field: _built(MergingGraph(field), robot, function, choice),
+        function.encode(),
+        numbers,
+        prime_of=b"merging " + numbers,
     )
     return program
 

@@ -12,10 +12,11 @@ from robodyn.dynamics.functions import Choice, NoForwardDynamics, build, signatu
 from robodyn.generation.options import Options
 from robodyn.generation.proof import prove
 from robodyn.ir.program import Input, Program
-from robodyn.passes import FAST, FRESH, SPELLING, Pass, run
+from robodyn.passes import FAST, FRESH, SPELLING, Pass, unchecked
 from robodyn.passes.specialise import at_rest
 from robodyn.prune import PRUNED, Pruning, prune
 from robodyn.records import Record, best_record
+from robodyn.records.rounding import Bounds, rounding_bounds
 from robodyn.records.trust import check_length, trusted
 from robodyn.robot.model import Robot
 
@@ -42,6 +43,7 @@ class Drafts:
         self.choice = choices[0] if len(choices) == 1 else self._cheapest(choices)
         self._records: dict[str, Record | None] = {}
         self._best: dict[str, Program] = {}
+        self._bounds: dict[str, Bounds] = {}
         #: Functions whose program is a record's, or made of one, and how that was found.
         self.taken: dict[str, str] = {}
         #: What pruning did, by function.
@@ -50,7 +52,7 @@ class Drafts:
     def _cheapest(self, choices: Sequence[Choice]) -> Choice:
         """Of ``choices`` the one whose inverse dynamics takes the fewest operations after the passes."""
         drafts = [build(self.robot, "inverse_dynamics", choice) for choice in choices]
-        passed = [run(draft, FRESH) for draft in drafts]
+        passed = [unchecked(draft, FRESH) for draft in drafts]
         k = min(range(len(choices)), key=lambda k: count(passed[k]).total)
         if self.options.engine == "graph":
             self._drafts["inverse_dynamics"], self._after_passes["inverse_dynamics"] = drafts[k], passed[k]
@@ -84,15 +86,22 @@ class Drafts:
         """The optimised program of ``function``, exact: from the passes, or what a record has for it if that
         takes fewer operations."""
         if function not in self._best:
-            found = self._recorded(function)
-            if found is None or not self._clearly_better(function, found):
-                passed = self._passed(function)
-                if found is None or self._cost(passed) <= self._cost(found):
-                    found = passed
-                    self.taken.pop(function, None)
-            prove(self.robot, function, found)
-            self._best[function] = found
+            try:
+                self._best[function] = self._proven(function)
+            except ZeroDivisionError:  # a pivot that is zero, as a number or as a function
+                self.taken.pop(function, None)
+                raise self.singular() from None
         return self._best[function]
+
+    def _proven(self, function: str) -> Program:
+        found = self._recorded(function)
+        if found is None or not self._clearly_better(function, found):
+            passed = self._passed(function)
+            if found is None or self._cost(passed) <= self._cost(found):
+                found = passed
+                self.taken.pop(function, None)
+        prove(self.robot, function, found)
+        return found
 
     def _passed(self, function: str) -> Program:
         """The program of ``function`` after the passes of its level."""
@@ -101,11 +110,7 @@ class Drafts:
                 passes: Sequence[Pass] = SPELLING
             else:
                 passes = FAST if self.options.engine == "sympy" else FRESH
-            draft = self.draft(function)
-            try:
-                self._after_passes[function] = run(draft, passes)
-            except ZeroDivisionError:  # a pivot that is zero as a function
-                raise self.singular() from None
+            self._after_passes[function] = unchecked(self.draft(function), passes)
         return self._after_passes[function]
 
     def _clearly_better(self, function: str, found: Program) -> bool:
@@ -135,12 +140,18 @@ class Drafts:
                 continue
             made = record.program if source == function else at_rest(record.program, function)
             passes = SPELLING if source == function else FAST
-            recursions = self.draft(function), self.draft(source)
-            made = trusted(made, recursions[0], record, passes, self._inputs(function), recursions[1])
+            inputs = self._inputs(function)
+            made = trusted(made, self.draft(function), record, passes, inputs, self._rounding(source))
             if best is None or self._cost(made) < self._cost(best):
                 best = made
                 self.taken[function] = record.found
         return best
+
+    def _rounding(self, function: str) -> Bounds:
+        """What the recursion of ``function`` loses to rounding."""
+        if function not in self._bounds:
+            self._bounds[function] = rounding_bounds(self.draft(function))
+        return self._bounds[function]
 
     def _inputs(self, function: str) -> list[Input]:
         """What the kernel of ``function`` is given."""
@@ -150,13 +161,12 @@ class Drafts:
 
     def _forward_dynamics(self) -> Program | None:
         """Forward dynamics made of bias and mass matrix, if records have either."""
-        self._passed("forward_dynamics")  # an arm that has none says so
         parts = {f: self.best(f) for f in ("bias", "mass_matrix")}
         known = [self.taken[f] for f in parts if f in self.taken]
         if not known:
             return None
         self.taken["forward_dynamics"] = known[0]
-        return run(composed_forward_dynamics(parts["bias"], parts["mass_matrix"]), FRESH)
+        return unchecked(composed_forward_dynamics(parts["bias"], parts["mass_matrix"]), FRESH)
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:

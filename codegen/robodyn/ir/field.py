@@ -8,6 +8,7 @@ is stands in ``docs/decisions/0017-proofs-against-intent.md``.
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import math
 from collections.abc import Iterable
@@ -21,7 +22,7 @@ _SMALL_PRIMES = tuple(p for p in range(3, 1000) if all(p % d for d in range(2, m
 _PRODUCT = math.prod(_SMALL_PRIMES)
 #: Rounds of Miller and Rabin with bases of chance: a composite number of any kind passes one in four, a
 #: random one of this size hardly ever.
-_ROUNDS = 12
+_ROUNDS = 6
 
 
 class Vanishes(ArithmeticError):
@@ -29,23 +30,24 @@ class Vanishes(ArithmeticError):
 
 
 class Field:
-    """The integers modulo a prime of 120 bits; prime and random values are drawn from ``seed``.
+    """The integers modulo a prime of 120 bits. Random values are drawn from ``seed``, and so is the prime,
+    unless ``prime_seed`` is there for it.
 
     The prime is 3 modulo 4: ``1 + t * t`` is never 0, and every ``t`` gives a point of the circle.
     """
 
     __slots__ = ("_circles", "_inverses", "_key", "prime")
 
-    def __init__(self, seed: str | bytes) -> None:
+    def __init__(self, seed: str | bytes, prime_seed: bytes | None = None) -> None:
         text = seed.encode() if isinstance(seed, str) else seed
         self._key = hashlib.blake2b(text, digest_size=32).digest()
-        self.prime = self._drawn_prime()
+        self.prime = drawn_prime(text if prime_seed is None else prime_seed)
         self._circles: dict[str, tuple[int, int]] = {}
         self._inverses: dict[int, int] = {1: 1}
 
     def random(self, name: str) -> int:
         """An element of the field, the same for the same ``name``."""
-        return self._bits(name) % self.prime
+        return _drawn(self._key, name) % self.prime
 
     def variable(self, x: Input) -> int:
         """The value of an input, where it is no angle."""
@@ -135,27 +137,32 @@ class Field:
             known[d] = inverse * before % p
             inverse = inverse * d % p
 
-    def _bits(self, name: str) -> int:
-        return int.from_bytes(
-            hashlib.blake2b(name.encode(), digest_size=32, key=self._key).digest(), "little"
-        )
 
-    def _drawn_prime(self) -> int:
-        top = 1 << (_BITS - 1)
-        # Every number that is 3 modulo 4 is as likely as any other: no walk from a starting point, which
-        # would favour primes behind long gaps.
-        k = 0
-        while True:
-            number = self._bits(f"prime {k}") % top | top | 3
-            if math.gcd(number, _PRODUCT) == 1 and self._is_prime(number):
-                return number
-            k += 1
+def _drawn(key: bytes, name: str) -> int:
+    """256 bits, the same for the same key and name."""
+    return int.from_bytes(hashlib.blake2b(name.encode(), digest_size=32, key=key).digest(), "little")
 
-    def _is_prime(self, number: int) -> bool:
-        """Miller's and Rabin's test of a number that is 3 modulo 4: ``a ^ ((n - 1) / 2)`` is 1 or -1."""
-        half = number >> 1
-        return all(
-            pow(base, half, number) in (1, number - 1)
-            for base in (2, *(self._bits(f"base {k}") % number for k in range(_ROUNDS)))
-            if base
-        )
+
+@functools.lru_cache(maxsize=256)
+def drawn_prime(seed: bytes) -> int:
+    """The prime of 120 bits, 3 modulo 4, that belongs to ``seed``."""
+    key = hashlib.blake2b(seed, digest_size=32, person=b"robodyn prime").digest()
+    top = 1 << (_BITS - 1)
+    # Every number that is 3 modulo 4 is as likely as any other: no walk from a starting point, which would
+    # favour primes behind long gaps.
+    k = 0
+    while True:
+        number = _drawn(key, f"prime {k}") % top | top | 3
+        if math.gcd(number, _PRODUCT) == 1 and is_prime(number, key):
+            return number
+        k += 1
+
+
+def is_prime(number: int, key: bytes) -> bool:
+    """Miller's and Rabin's test of a number that is 3 modulo 4: ``a ^ ((n - 1) / 2)`` is 1 or -1."""
+    half = number >> 1
+    return all(
+        pow(base, half, number) in (1, number - 1)
+        for base in (2, *(_drawn(key, f"base {k}") % number for k in range(_ROUNDS)))
+        if base
+    )

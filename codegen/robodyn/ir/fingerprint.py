@@ -129,9 +129,11 @@ def _word(operand: Operand) -> str:
 _DRAWS = 4
 
 
-def in_drawn_field(decide: Callable[[Field], Any], *parts: bytes) -> Any:
+def in_drawn_field(decide: Callable[[Field], Any], *parts: bytes, prime_of: bytes | None = None) -> Any:
     """What ``decide`` makes of a field that is drawn from ``parts``: all that whoever would like another
     answer could change. Where a constant vanishes in the field, the next one is taken.
+
+    The first prime belongs to ``prime_of`` where that is given: comparisons that share it draw it but once.
 
     Raises
     ------
@@ -140,7 +142,7 @@ def in_drawn_field(decide: Callable[[Field], Any], *parts: bytes) -> Any:
     seed = b"".join(len(part).to_bytes(4, "big") + part for part in parts)
     for k in range(_DRAWS - 1):
         with contextlib.suppress(Vanishes):
-            return decide(Field(seed + bytes((k,))))
+            return decide(Field(seed + bytes((k,)), prime_of if k == 0 else None))
     return decide(Field(seed + bytes((_DRAWS - 1,))))
 
 
@@ -149,9 +151,10 @@ def agree(
     other: Program,
     constant_point: Callable[[Fraction], Circle],
     *context: bytes,
+    prime_of: bytes | None = None,
 ) -> bool:
     """Whether two programs compute the same function, by their :func:`fingerprint` in a field that is drawn
-    from both and from ``context``.
+    from both and from ``context``; its prime from ``prime_of`` where that is given.
 
     Raises
     ------
@@ -161,4 +164,4 @@ def agree(
     def same(field: Field) -> bool:
         return fingerprint(one, field, constant_point) == fingerprint(other, field, constant_point)
 
-    return bool(in_drawn_field(same, digest(one), digest(other), *context))
+    return bool(in_drawn_field(same, digest(one), digest(other), *context, prime_of=prime_of))

@@ -23,7 +23,9 @@ class Residue:
         return other.value if other.__class__ is Residue else self.field.number(other)  # type: ignore[arg-type]
 
     def __add__(self, other: Residue | Number) -> Residue:
-        return Residue(self.field, (self.value + self._of(other)) % self.field.prime)
+        field = self.field
+        value = other.value if other.__class__ is Residue else field.number(other)  # type: ignore[arg-type]
+        return Residue(field, (self.value + value) % field.prime)
 
     __radd__ = __add__
 
@@ -34,7 +36,9 @@ class Residue:
         return Residue(self.field, (self._of(other) - self.value) % self.field.prime)
 
     def __mul__(self, other: Residue | Number) -> Residue:
-        return Residue(self.field, self.value * self._of(other) % self.field.prime)
+        field = self.field
+        value = other.value if other.__class__ is Residue else field.number(other)  # type: ignore[arg-type]
+        return Residue(field, self.value * value % field.prime)
 
     __rmul__ = __mul__
 

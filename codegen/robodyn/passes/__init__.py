@@ -6,7 +6,7 @@ from robodyn.passes.factor import factor
 from robodyn.passes.fold import fold
 from robodyn.passes.negate import negate
 from robodyn.passes.order import order
-from robodyn.passes.pipeline import Pass, PassError, run
+from robodyn.passes.pipeline import Pass, PassError, run, unchecked
 
 #: Always run: they change signs and order, no operation.
 SPELLING: tuple[Pass, ...] = (negate, order)
@@ -28,4 +28,5 @@ __all__ = [
     "negate",
     "order",
     "run",
+    "unchecked",
 ]

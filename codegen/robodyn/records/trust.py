@@ -11,9 +11,9 @@ from robodyn.ir.evaluate import is_angle
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import agree, constants, digest, fingerprint, in_drawn_field
 from robodyn.ir.program import Input, Program
-from robodyn.passes import Pass, run
+from robodyn.passes import Pass, unchecked
 from robodyn.records.record import Record
-from robodyn.records.rounding import precise
+from robodyn.records.rounding import Bounds, precise, rounding_bounds
 from robodyn.robot.values import circle_point
 
 #: Operations that have a value everywhere, and whose rounding is bounded by magnitudes. All others must have
@@ -31,14 +31,15 @@ def trusted(
     record: Record,
     passes: Sequence[Pass] = (),
     inputs: Collection[Input] = (),
-    source: Program | None = None,
+    allowed: Bounds | None = None,
 ) -> Program:
     """``program``, made of ``record``, after ``passes``, if it computes what ``recursion`` does, and about as
     precisely.
 
-    ``inputs`` are those that the function has, read by the recursion or not. ``source`` is the recursion of
-    the record's own function, where ``program`` was made for another one: it may lose as much. Field and
-    point of the comparison are drawn from both programs: whoever writes a record changes them with any digit.
+    ``inputs`` are those that the function has, read by the recursion or not. ``allowed`` is what the
+    recursion of the record's own function loses to rounding, where ``program`` was made for another one.
+    Field and point of the comparison are drawn from the programs: whoever writes a record changes them with
+    every digit.
 
     Raises
     ------
@@ -47,9 +48,10 @@ def trusted(
     known = {*recursion.inputs(), *inputs}
     try:
         if _angles_only(program) and _comparable(program, recursion, known):
-            made = run(program, passes) if passes else program
-            if agree(made, recursion, circle_point) and _same_arguments(made, recursion):
-                if precise(made, source or recursion):
+            made = unchecked(program, passes)
+            prime = digest(record.program)
+            if agree(made, recursion, circle_point, prime_of=prime) and _same_arguments(made, recursion):
+                if precise(made, allowed or rounding_bounds(recursion)):
                     return made
                 raise _refused(record, "a program that loses too many digits to rounding")
     except (ValueError, ZeroDivisionError):  # a division by what is zero
