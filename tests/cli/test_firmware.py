@@ -40,9 +40,9 @@ def test_writes_a_folder_that_is_held_against_what_would_be_written(capsys: Capt
     assert gen(capsys, "--firmware", "--target", "cortex-m4f", "--check")[0].endswith("are up to date\n")
     (folder / "README.md").write_text("mine", encoding="utf-8")
     gen(capsys, "--firmware", "--target", "cortex-m4f", "--check")
-    (folder / "startup.c").unlink()
+    (folder / "stanford_3dof_startup.c").unlink()
     _, err = gen(capsys, "--firmware", "--target", "cortex-m4f", "--check", code=1)
-    assert "firmware/startup.c: not what robodyn generates" in err
+    assert "firmware/stanford_3dof_startup.c: not what robodyn generates" in err
 
 
 def test_without_tools_it_says_what_was_not_measured(

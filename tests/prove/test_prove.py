@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -149,6 +150,20 @@ def test_misra_sees_what_is_wrong(tmp_path: Path, new: str, rule: str) -> None:
     found = finding(parts.prove_misra, made, tmp_path)
     assert found.status == "failed"
     assert rule in found.data["unexplained"] or (rule == "others" and found.data["others"])
+
+
+@pytest.mark.parametrize("name", ["control", "eva_driver"])
+def test_robots_are_not_taken_for_files_of_the_proof(tmp_path: Path, name: str) -> None:
+    """The control file of MISRA's checker, Eva's driver: the kernel is what is looked at."""
+    require_tool("cppcheck")
+    require_tool("frama-c")
+    made = subject(*[replace(load("stanford_3dof"), name=name)] * 2, OPTIONS)
+    for part in (parts.prove_misra, parts.prove_eva):
+        folder = tmp_path / part.__name__
+        folder.mkdir()
+        found = finding(part, made, folder)
+        assert found.status == "proved", found.lines
+        assert not {*found.files} & {*made.files}
 
 
 def test_a_checker_that_sees_nothing_is_no_checker() -> None:

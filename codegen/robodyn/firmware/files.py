@@ -44,9 +44,9 @@ _C = {
     "NAME_selftest.h": "selftest.h.j2",
     "NAME_selftest.c": "selftest.c.j2",
     "NAME_selftest_main.c": "selftest_main.c.j2",
-    "semihosting.h": "semihosting.h.j2",
-    "startup.c": "startup.c.j2",
-    "main.c": "main.c.j2",
+    "NAME_semihosting.h": "semihosting.h.j2",
+    "NAME_startup.c": "startup.c.j2",
+    "NAME_image.c": "image.c.j2",
     "link.ld": "link.ld.j2",
     "CMakeLists.txt": "CMakeLists.txt.j2",
     "arm-none-eabi.cmake": "toolchain.cmake.j2",
@@ -62,10 +62,10 @@ _TOLD = {
     "the results at {states} states; it differs where a compiler contracts or reorders.",
     "NAME_selftest_main.c": "The self-test on this computer.",
     "NAME_selftest.f90": "Self-test of the Fortran kernel: the same digest of the bits as of the C.",
-    "semihosting.h": "Output and exit through a debugger, or qemu.",
-    "startup.c": "Start of a bare-metal image: vector table, floating-point unit, .data and .bss.",
-    "main.c": "The self-test as an image, and what a call costs: ticks of SysTick at the processor's clock "
-    "(cycles; in qemu with -icount shift=5 an instruction is 0.8 ticks), and bytes of stack.",
+    "NAME_semihosting.h": "Output and exit through a debugger, or qemu.",
+    "NAME_startup.c": "Start of a bare-metal image: vector table, floating-point unit, .data and .bss.",
+    "NAME_image.c": "The self-test as an image, and what a call costs: ticks of SysTick at the processor's "
+    "clock (cycles; in qemu with -icount shift=5 an instruction is 0.8 ticks), and bytes of stack.",
     "link.ld": "Memory of the boards mps2-an385, an386 and an500 of Arm, which qemu has: another board needs "
     "other addresses here.",
     "CMakeLists.txt": "The kernel as a library; alone, or with {prefix}_SELFTEST, its self-test.",
@@ -217,7 +217,7 @@ def _function(
         "fortran_call": ", ".join(
             [
                 *(f"{a}_drawn" for a in inputs),
-                f"found_{interface.function}",
+                f"{interface.function}_found",
                 *(["values"] if interface.parameters else []),
             ]
         ),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import keyword
 import re
+from collections.abc import Iterable
 
 from robodyn.errors import InputError
 
@@ -59,10 +60,14 @@ _LANGUAGES = {
 _VALUE_WORDS = frozenset(
     ["pi", "nan", "inf", "infinity", "null", "nil", "true", "false", "yes", "no", "on", "off"]
 )
-# NAME.h must not stand in for a header of the C library, and NAME.c must be a file on every system.
+# NAME.h must not stand in for a header that those of the C library include, and NAME.c must be a file on
+# every system. After the standard's: glibc's, musl's and newlib's, those of macOS and BSD, of Windows.
 _HEADERS = """
-assert complex ctype errno fenv inttypes iso646 limits locale math setjmp signal stdalign stdarg
-stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+assert complex ctype errno fenv inttypes iso646 limits locale math setjmp signal stdalign stdarg stdatomic
+stdbit stdbool stdckdint stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+alloca endian features malloc newlib pthread reent sched strings syslimits unistd xlocale availability
+availabilityinternal availabilitymacros availabilityversions gethostuuid osreldate runetype targetconditionals
+concurrencysal corecrt crtdbg crtdefs process sal sdkddkver vadefs vcruntime xkeycheck yvals
 """
 _DEVICES = ["con", "prn", "aux", "nul", *(f"{port}{i}" for port in ("com", "lpt") for i in range(1, 10))]
 
@@ -163,6 +168,26 @@ def check_robot_name(name: str) -> str:
             remedy="choose another name",
         )
     return name
+
+
+def check_names(robot: str, parameters: Iterable[str]) -> None:
+    """Make sure that a robot of the name ``robot`` with these run-time ``parameters`` can be emitted, whoever
+    made it: a description was checked when it was read.
+
+    Raises
+    ------
+    InputError: a name cannot stand in the emitted files.
+    """
+    check_robot_name(robot)
+    for name in parameters:
+        fault = parameter_name_fault(name) or parameter_clash(name, robot)
+        if fault:
+            raise InputError(
+                f"the run-time parameter {fault}",
+                found=shown(name),
+                expected=PARAMETER_NAME_EXPECTED,
+                remedy="choose another name",
+            )
 
 
 ROBOT_NAME_EXPECTED = (
