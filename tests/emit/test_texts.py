@@ -20,6 +20,7 @@ from robodyn.emit.spelling import c_spelling, fortran_spelling, shortest
 from robodyn.emit.statements import Apply, statements
 from robodyn.generation import Generated, generate
 from robodyn.ir import Input, Label, Operation, Program
+from robodyn.records import best_record
 from robodyn.robot import Robot, read_text
 from robodyn_testing import require_tool
 
@@ -118,6 +119,29 @@ def test_texts_stay_in_their_comments(text: str) -> None:
 @example("*\\", "")
 def test_any_text_stays_in_its_comment(title: str, source: str) -> None:
     check_only_comments_differ(files_of(named(title, source)))
+
+
+RECORD = best_record(load("stanford_3dof"), "inverse_dynamics")
+
+
+def test_labels_of_a_record_are_no_words_of_the_language(tmp_path: Path) -> None:
+    """INT8_MAX is link 8's quantity INT, component MAX; char16_t, int8_t and PRId16 are no better."""
+    assert RECORD is not None
+    labels = [Label(8, "INT", "MAX"), Label(8, "int", "t"), Label(16, "char", "t"), Label(16, "PRId", "")]
+    labels += [Label(386, "i", ""), Label(8, "INT", "C"), Label(2, "FE", "X"), Label(1, "tau", "")]
+    operations = tuple(
+        operation._replace(label=None if operation.op in ("sin", "cos") or not labels else labels.pop())
+        for operation in RECORD.program.operations
+    )
+    record = replace(RECORD, program=replace(RECORD.program, operations=operations))
+    robot = load("stanford_3dof")
+    made = generate(robot, Options(("inverse_dynamics",), records=(record,), trig="builtin"))
+    assert "INT8_MAX_2 = " in made.files()["stanford_3dof.c"]
+    write(tmp_path, made.files(batch=True))
+    files = ["stanford_3dof.c", "stanford_3dof_batch.c"]
+    for tool, flags in (("gcc", STRICT), ("g++", STRICT_CPP), ("gcc", ("-std=gnu17", "-D_GNU_SOURCE"))):
+        assert complaints(require_tool(tool), flags, files, tmp_path) == ""
+    assert complaints(require_tool("gfortran"), STRICT_FORTRAN, ["stanford_3dof.f90"], tmp_path) == ""
 
 
 def test_compilers_accept_any_text(tmp_path: Path) -> None:

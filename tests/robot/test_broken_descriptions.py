@@ -90,6 +90,7 @@ BROKEN = {
         HEAD + "    com: [0, 0, 2*¶arm_params]\n",
         "found 'arm_params'; choose another",
     ),
+    "parameter is another macro": (HEAD + "    mass: ¶Arm_Processors\n", "is a name of the emitted files"),
     "parameter is a macro": (HEAD + "    mass: ¶ARM_H\n", "is a name of the emitted files"),
     "name is empty": ("name:¶\nlinks: []\n", "has no value"),
     "name is null": ("name: ¶~\nlinks: []\n", "has no value"),
@@ -169,6 +170,9 @@ BROKEN = {
     "name for confidence": (HEAD + "    confidence: ¶good\n", "a name cannot stand here"),
     "keyword as name": (HEAD + "    mass: ¶register\n", "keyword of C"),
     "macro as name": (HEAD + "    mass: 2*¶M_PI\n", "macro of the C library"),
+    "macro of a number's limits": (HEAD + "    com: [0, 1 + ¶DBL_MAX, 0]\n", "macro of the C library"),
+    "macro of a compiler": (HEAD + "    mass: ¶linux\n", "macro of C compilers"),
+    "macro of ours": (HEAD + "    mass: ¶LANES_BYTES\n", "macro of the emitted files"),
     "names by case": (
         HEAD + "    d: m_tool\n    mass: 1 + ¶M_tool\n",
         "found 'M_tool' after 'm_tool' in line 4",

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 
 from robodyn.errors import InputError
+from robodyn.robot.macros import macro_of
 
 #: Longest name of a robot. Fortran allows 63 characters, and the longest suffix takes 20 of them.
 ROBOT_NAME_LENGTH = 40
@@ -37,15 +38,6 @@ namelist none nullify only open optional out parameter pointer precision print p
 pure read real recursive result return rewind save select sequence stop submodule subroutine target
 then to type use where write
 """
-# Object-like macros of <math.h>, <complex.h>, <stdio.h> and of gcc's GNU dialects: as a member of a
-# struct they would be replaced by a number.
-_MACROS = """
-M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2
-FP_NAN FP_INFINITE FP_ZERO FP_SUBNORMAL FP_NORMAL FP_FAST_FMA FP_FAST_FMAF FP_ILOGB0 FP_ILOGBNAN
-HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY MAXFLOAT MATH_ERRNO MATH_ERREXCEPT math_errhandling
-I NULL EOF BUFSIZ RAND_MAX stdin stdout stderr errno linux unix i386 signgam DOMAIN SING OVERFLOW
-UNDERFLOW PLOSS TLOSS
-"""
 _LANGUAGES = {
     word: language
     for language, words in (
@@ -71,6 +63,11 @@ concurrencysal corecrt crtdbg crtdefs process sal sdkddkver vadefs vcruntime xke
 """
 _DEVICES = ["con", "prn", "aux", "nul", *(f"{port}{i}" for port in ("com", "lpt") for i in range(1, 10))]
 
+# What NAME_ goes on with in types, macros and include guards of the emitted files.
+_ENDINGS = """
+real params state h batch_h packed_h parallel_h selftest_h semihosting_h batch_bytes processors spins inline_
+apart_ ik_max regressor_columns
+"""
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 # Line separators, and the marks that turn the direction of writing: in a comment the text would not be
 # what it looks like, and compilers warn of it.
@@ -124,18 +121,22 @@ def parameter_name_fault(name: str) -> str | None:
     if name.lower() in _VALUE_WORDS:
         return "is not a number, nor free to be a name"
     fault = _identifier_fault(name, PARAMETER_NAME_LENGTH)
-    if fault is None and name in _MACROS.split():
-        fault = "is a macro of the C library"
-    return fault
+    owner = macro_of(name)
+    return f"is a macro of {owner}" if fault is None and owner else fault
+
+
+def is_reserved(name: str) -> bool:
+    """Whether ``name`` may not be that of a variable: it is a keyword, a type or a macro somewhere."""
+    return name.lower() in _LANGUAGES or name.endswith("_t") or macro_of(name) is not None
 
 
 def parameter_clash(name: str, robot: str) -> str | None:
     """What keeps the parameter ``name`` out of a robot of the name ``robot``, or None.
 
-    The emitted files' types and include guard have these names: as a member, ``arm_real arm_real`` is no
-    C++, and ``ARM_H`` is nothing at all.
+    The emitted files' types, macros and include guards have these names: as a member, ``arm_real arm_real``
+    is no C++, and ``ARM_H`` is nothing at all.
     """
-    if name.lower() in (f"{robot}_{end}".lower() for end in ("real", "params", "state", "h")):
+    if name.lower().startswith(f"{robot}_".lower()) and name.lower()[len(robot) + 1 :] in _ENDINGS.split():
         return "is a name of the emitted files"
     return None
 
@@ -194,5 +195,6 @@ ROBOT_NAME_EXPECTED = (
     f"a letter, then letters, digits or underscores, at most {ROBOT_NAME_LENGTH} characters, no keyword"
 )
 PARAMETER_NAME_EXPECTED = (
-    f"a letter, then letters, digits or underscores, at most {PARAMETER_NAME_LENGTH} characters, no keyword"
+    f"a letter, then letters, digits or underscores, at most {PARAMETER_NAME_LENGTH} characters, no keyword, "
+    "no macro of C"
 )
