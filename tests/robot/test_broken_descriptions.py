@@ -98,6 +98,11 @@ BROKEN = {
     "title too long": (f"name: arm\ntitle: ¶{'x' * 201}\n" + HEAD[10:], "200 are allowed"),
     "title is a mapping": ("name: arm\ntitle: ¶{a: b}\nlinks: []\n", "must be a single value"),
     "title turns direction": ('name: arm\ntitle: ¶"a\\u202eb"\nlinks: []\n', "U+202E"),
+    "title with an Arabic letter mark": ('name: arm\ntitle: ¶"a\\u061cb"\nlinks: []\n', "U+061C"),
+    "link name with an invisible space": (
+        'name: arm\nlinks:\n  - {joint: revolute, name: ¶"a\\u200bb"}\n',
+        "U+200B",
+    ),
     "source with a bell": ('name: arm\nsource: ¶"a\\ab"\nlinks: []\n', "U+0007"),
     "gravity is a number": ("name: arm\ngravity: ¶-9.8\nlinks: []\n", "gravity must be a list; found '-9.8'"),
     "gravity has two": ("name: arm\ngravity: ¶[0, -9.8]\nlinks: []\n", "gravity must have 3 entries"),

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.emit.lines import head_of
+from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling, c_spelling, fortran_spelling
 from robodyn.errors import InputError
@@ -87,7 +88,9 @@ class Folder:
 
     def readme(self, figures: Sequence[Figures]) -> str:
         """``README.md``, with what was measured on this machine, or what that needs."""
-        return _template("README.md.j2").render(self._context, figures=figures)
+        name = Markdown(self._context["name"])  # an identifier
+        template = markdown_environment().get_template("firmware/README.md.j2")
+        return template.render(self._context, name=name, figures=figures)
 
 
 def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str] = LANGUAGES) -> Folder:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import keyword
 import re
+import unicodedata
 from collections.abc import Iterable
 
 from robodyn.errors import InputError
@@ -69,17 +70,19 @@ real params state h batch_h packed_h parallel_h selftest_h semihosting_h batch_b
 apart_ ik_max regressor_columns
 """
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
-# Line separators, and the marks that turn the direction of writing: in a comment the text would not be
-# what it looks like, and compilers warn of it.
-_INVISIBLE = frozenset("\u200e\u200f\u2028\u2029\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\ufeff")
+# Joiners, which some scripts and emoji need, and the hyphen that shows only where a line ends.
+_HARMLESS = frozenset("\u00ad\u200c\u200d")
+
+
+def is_unprintable(c: str) -> bool:
+    """Whether the character ``c`` is a control character, ends a line, is half of one, or cannot be seen:
+    such as the marks that turn the direction of writing, with which text is not what it looks like."""
+    return unicodedata.category(c) in ("Cc", "Cf", "Cs", "Zl", "Zp") and c not in _HARMLESS
 
 
 def _unprintable(text: str) -> str | None:
-    """The first control character, surrogate or invisible mark in ``text``."""
-    for c in text:
-        if c < " " or "\x7f" <= c <= "\x9f" or "\ud800" <= c <= "\udfff" or c in _INVISIBLE:
-            return c
-    return None
+    """The first unprintable character of ``text``."""
+    return None if text.isascii() and text.isprintable() else next(filter(is_unprintable, text), None)
 
 
 def shown(text: str, length: int = 40) -> str:
