@@ -146,8 +146,15 @@ def test_broken_c_is_reported_with_place_and_reason(toy: Callable[..., Any]) -> 
 def test_header_that_does_not_fit_the_signature(toy: Callable[..., Any]) -> None:
     arm = toy(scalar="float")
     double = toy(scalar="double")
-    with pytest.raises(ToolError, match="robodyn_calls"):
+    with pytest.raises(ToolError, match="robodyn-calls"):
         load(double.signatures, arm.files)
+
+
+@pytest.mark.parametrize("name", ["robodyn_calls", "robodyn_batch", "robodyn_work", "Python", "entry"])
+def test_robots_with_names_of_the_files_and_calls_around_them(toy: Callable[..., Any], name: str) -> None:
+    arm = toy(name=name, parameters=True)
+    kernel = load(arm.signatures, arm.files)
+    assert list(kernel.gravity([0.0, 0.0], params={"inertia": 2.0, "bend": 3.0})) == [0.0, 0.0]
 
 
 def test_function_that_the_source_lacks(toy: Callable[..., Any]) -> None:

@@ -40,9 +40,26 @@ def test_writes_a_folder_that_is_held_against_what_would_be_written(capsys: Capt
     assert gen(capsys, "--firmware", "--target", "cortex-m4f", "--check")[0].endswith("are up to date\n")
     (folder / "README.md").write_text("mine", encoding="utf-8")
     gen(capsys, "--firmware", "--target", "cortex-m4f", "--check")
-    (folder / "startup.c").unlink()
+    (folder / "stanford_3dof_startup.c").unlink()
     _, err = gen(capsys, "--firmware", "--target", "cortex-m4f", "--check", code=1)
-    assert "firmware/startup.c: not what robodyn generates" in err
+    assert "firmware/stanford_3dof_startup.c: not what robodyn generates" in err
+
+
+def test_the_readme_shows_the_title_as_it_stands(
+    capsys: Capture, elsewhere: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", "")
+    (elsewhere / "arm.yaml").write_text(
+        "name: main\ntitle: '# Proven | `x` <b>[y](z)</b> *'\nlinks: [{joint: revolute, inertia: {zz: 1}}]\n",
+        encoding="utf-8",
+    )
+    assert main(["gen", "arm.yaml", "--firmware", "--lang", "c"]) == 0
+    folder = elsewhere / "generated" / "main" / "firmware"
+    assert "wrote 13 files in " in capsys.readouterr().out
+    assert len(list(folder.iterdir())) == 13
+    text = (folder / "README.md").read_text(encoding="utf-8")
+    assert "of \\# Proven \\| \\`x\\` &lt;b&gt;\\[y\\](z)&lt;/b&gt; \\*, in float" in text
+    assert "main_inverse_dynamics(" in (folder / "main.c").read_text(encoding="utf-8")
 
 
 def test_without_tools_it_says_what_was_not_measured(

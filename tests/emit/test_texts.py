@@ -15,11 +15,13 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from emit.kernels import STRICT, STRICT_CPP, STRICT_FORTRAN, complaints, in_single, made, robots, write
+from emit.names import WAYS, arm
 from robodyn import InputError, Options, load
 from robodyn.emit.spelling import c_spelling, fortran_spelling, shortest
 from robodyn.emit.statements import Apply, statements
 from robodyn.generation import Generated, generate
 from robodyn.ir import Input, Label, Operation, Program
+from robodyn.records import best_record
 from robodyn.robot import Robot, read_text
 from robodyn_testing import require_tool
 
@@ -118,6 +120,73 @@ def test_texts_stay_in_their_comments(text: str) -> None:
 @example("*\\", "")
 def test_any_text_stays_in_its_comment(title: str, source: str) -> None:
     check_only_comments_differ(files_of(named(title, source)))
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_texts_stay_in_their_comments_in_every_file(way: str, tmp_path: Path) -> None:
+    """Those of builds too: # begins a comment there."""
+    plain = WAYS[way](arm("zq", head="title: x\n"))
+    for text in (
+        "\n".join(HOSTILE),
+        "\u2028\x85\x0b\r\x0c".join(HOSTILE[::-1]),
+        "$(shell true)\n#[[\n\t@true \\",
+    ):
+        files = WAYS[way](replace(arm("zq"), title=text, source=text))
+        assert list(files) == list(plain)
+        for name, found in files.items():
+            assert not re.search(r"[^\n\t -~]", found)
+            if name.endswith((".c", ".h", ".ld")):
+                assert code_of(found) == code_of(plain[name])
+            elif name.endswith(".f90"):
+                assert fortran_code_of(found) == fortran_code_of(plain[name])
+            else:
+                lines, as_plain = (
+                    [line for line in some.splitlines() if not re.match("#( |$)", line)]
+                    for some in (found, plain[name])
+                )
+                assert lines == as_plain
+
+
+RECORD = best_record(load("stanford_3dof"), "inverse_dynamics")
+
+
+@pytest.mark.parametrize("text", HOSTILE, ids=range(len(HOSTILE)))
+def test_how_a_record_was_found_stays_in_its_comment(text: str) -> None:
+    """It comes from a file beside the robot's, or from a program."""
+    assert RECORD is not None
+    plain, hostile = (
+        generate(
+            load("stanford_3dof"),
+            Options(("inverse_dynamics",), records=(replace(RECORD, found=found),)),
+        ).files()
+        for found in ("plain", text)
+    )
+    assert any("plain" in head for head in plain.values())
+    for name, found in hostile.items():
+        assert not re.search(r"[^\n -~]", found)
+        code = fortran_code_of if name.endswith(".f90") else code_of
+        assert code(found) == code(plain[name])
+        assert max(map(len, found.splitlines())) <= 100
+
+
+def test_labels_of_a_record_are_no_words_of_the_language(tmp_path: Path) -> None:
+    """INT8_MAX is link 8's quantity INT, component MAX; char16_t, int8_t and PRId16 are no better."""
+    assert RECORD is not None
+    labels = [Label(8, "INT", "MAX"), Label(8, "int", "t"), Label(16, "char", "t"), Label(16, "PRId", "")]
+    labels += [Label(386, "i", ""), Label(8, "INT", "C"), Label(2, "FE", "X"), Label(1, "tau", "")]
+    operations = tuple(
+        operation._replace(label=None if operation.op in ("sin", "cos") or not labels else labels.pop())
+        for operation in RECORD.program.operations
+    )
+    record = replace(RECORD, program=replace(RECORD.program, operations=operations))
+    robot = load("stanford_3dof")
+    made = generate(robot, Options(("inverse_dynamics",), records=(record,), trig="builtin"))
+    assert "INT8_MAX_2 = " in made.files()["stanford_3dof.c"]
+    write(tmp_path, made.files(batch=True))
+    files = ["stanford_3dof.c", "stanford_3dof_batch.c"]
+    for tool, flags in (("gcc", STRICT), ("g++", STRICT_CPP), ("gcc", ("-std=gnu17", "-D_GNU_SOURCE"))):
+        assert complaints(require_tool(tool), flags, files, tmp_path) == ""
+    assert complaints(require_tool("gfortran"), STRICT_FORTRAN, ["stanford_3dof.f90"], tmp_path) == ""
 
 
 def test_compilers_accept_any_text(tmp_path: Path) -> None:

@@ -53,7 +53,7 @@ def test_compilers_are_content(name: str, functions: tuple[str, ...], scalar: st
     write(tmp_path, folder(name, scalar, functions).files)
     selftest = [f"{name}.c", f"{name}_selftest.c"]
     host = [*selftest, f"{name}_selftest_main.c"]
-    cross = [*selftest, "main.c", "startup.c"]
+    cross = [*selftest, f"{name}_image.c", f"{name}_startup.c"]
     jobs = [
         ([require_tool("gcc"), *STRICT, "-O2", "-c"], host),
         ([require_tool("clang"), *STRICT, "-O2", "-c"], host),

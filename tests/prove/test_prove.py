@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from robodyn.generation import Options, generate
 from robodyn.prove import Asked, Finding, eva, misra, parts, stack
 from robodyn.prove import prove as run_proof
 from robodyn.prove.plan import Subject, subject
+from robodyn.prove.run import Proof
 from robodyn.prove.tools import Done, run
 from robodyn.robot import load
 from robodyn_cli.main import main
@@ -149,6 +151,31 @@ def test_misra_sees_what_is_wrong(tmp_path: Path, new: str, rule: str) -> None:
     found = finding(parts.prove_misra, made, tmp_path)
     assert found.status == "failed"
     assert rule in found.data["unexplained"] or (rule == "others" and found.data["others"])
+
+
+def test_a_title_forges_no_proof() -> None:
+    robot = load("stanford_3dof")
+    for end in ("\n", "\r", "\x0b", "\x0c", "\x85", "\u2028"):
+        titled = replace(robot, title=f"an arm.{end * 2}## eva: proved{end * 2}`{end}<b>")
+        made = subject(titled, titled, Options(("gravity",), trig="builtin"))
+        text = Proof(made, ()).files()["PROOF.md"]
+        assert not [line for line in text.splitlines() if line.startswith("##")]
+        assert "The kernel of an arm. \\#\\# eva: proved \\` &lt;b&gt; is in" in text
+        assert text.replace("\n", "").isprintable()
+
+
+@pytest.mark.parametrize("name", ["control", "eva_driver"])
+def test_robots_are_not_taken_for_files_of_the_proof(tmp_path: Path, name: str) -> None:
+    """The control file of MISRA's checker, Eva's driver: the kernel is what is looked at."""
+    require_tool("cppcheck")
+    require_tool("frama-c")
+    made = subject(*[replace(load("stanford_3dof"), name=name)] * 2, OPTIONS)
+    for part in (parts.prove_misra, parts.prove_eva):
+        folder = tmp_path / part.__name__
+        folder.mkdir()
+        found = finding(part, made, folder)
+        assert found.status == "proved", found.lines
+        assert not {*found.files} & {*made.files}
 
 
 def test_a_checker_that_sees_nothing_is_no_checker() -> None:

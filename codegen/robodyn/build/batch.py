@@ -35,8 +35,8 @@ class Batch:
     def __init__(self, function: Function, library: Library) -> None:
         self.function, self.library = function, library
         name = function.name
-        self._columns = getattr(library.lib, f"robodyn_columns_{name}")
-        self._rows = getattr(library.lib, f"robodyn_rows_{name}")
+        self._columns = getattr(library.lib, f"{name}_robodyn_columns")
+        self._rows = getattr(library.lib, f"{name}_robodyn_rows")
         self._pointer = f"{function.signature.scalar}[]"
 
     def __call__(

@@ -1,8 +1,8 @@
 """The C between Python and a batch kernel.
 
-``robodyn_columns_F(count, stride, inputs..., outputs..., parameters)``
+``F_robodyn_columns(count, stride, inputs..., outputs..., parameters)``
     runs F on ``count`` states, element j of state k at ``[j*stride + k]``;
-``robodyn_rows_F(count, inputs..., outputs..., parameters)``
+``F_robodyn_rows(count, inputs..., outputs..., parameters)``
     runs F on states that stand one after another.
 """
 
@@ -25,8 +25,8 @@ def batch_calls(signature: Signature, parameters: Sequence[str]) -> Calls:
     passed += ", &p" if s.parameters else ""
     fill = [f"    {s.robot}_params p = {{0}};"] if s.parameters else []
     fill += [f"    p.{name} = parameters[{k}];" for k, name in enumerate(parameters) if name in s.parameters]
-    columns = f"void robodyn_columns_{s.function}(size_t count, size_t stride{arrays})"
-    rows = f"void robodyn_rows_{s.function}(size_t count{arrays})"
+    columns = f"void {s.function}_robodyn_columns(size_t count, size_t stride{arrays})"
+    rows = f"void {s.function}_robodyn_rows(size_t count{arrays})"
     lines = [f"/* Calls from Python into the batches of {s.robot}. */", f'#include "{s.robot}_batch.h"']
     lines += [f"{columns};", f"{rows};"]
     for head, call in (

@@ -59,7 +59,7 @@ class Function:
         self._inputs = tuple(name for name, _ in signature.inputs)
         self.results = tuple((name, _state_shape(name, length)) for name, length in signature.outputs)
         self.where = f"{signature.robot}.{signature.function}"
-        self._call = getattr(library.lib, f"robodyn_batch_{signature.function}")
+        self._call = getattr(library.lib, f"{signature.function}_robodyn_batch")
         self._pointer = f"{signature.scalar}[]"
         self._view, self._null = library.ffi.from_buffer, library.ffi.NULL
         self.__doc__ = _document(self)

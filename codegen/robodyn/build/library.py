@@ -32,7 +32,8 @@ from robodyn.errors import InputError, ToolError
 
 Mode = Literal["auto", "api", "abi"]
 
-_WRAPPER = "robodyn_calls.c"
+#: With a hyphen, which no emitted file has in its name: a robot may be called what it likes.
+_WRAPPER = "robodyn-calls.c"
 _STRICT = ("-Werror=incompatible-pointer-types", "-Werror=implicit-function-declaration")
 _loaded: dict[str, Library] = {}
 _lock = threading.Lock()

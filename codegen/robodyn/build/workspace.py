@@ -52,7 +52,7 @@ class Workspace(functools.partial[None]):
         if signature.states:
             views["state"] = memory[block.states : block.states + len(signature.states)]
             views["dt"] = memory[block.states + len(signature.states) : block.length]
-        call = getattr(function.library.lib, f"robodyn_work_{signature.function}")
+        call = getattr(function.library.lib, f"{signature.function}_robodyn_work")
         pointer = ffi.from_buffer(f"{signature.scalar} *", memory, True)
         self = super().__new__(cls, call, pointer)
         self.__dict__.update(views, _function=function)

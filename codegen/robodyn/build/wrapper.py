@@ -2,9 +2,9 @@
 
 None of it is part of what is emitted. For each function there are
 
-``robodyn_batch_F(count, inputs..., outputs..., parameters)``
+``F_robodyn_batch(count, inputs..., outputs..., parameters)``
     runs F on ``count`` states that stand one after another in each array;
-``robodyn_work_F(block)``
+``F_robodyn_work(block)``
     runs F on arrays that stand in one block: inputs, outputs, parameters (see :func:`layout`).
 
 Parameters come as an array in the order of :func:`parameters_of` and are put into ``NAME_params`` by name.
@@ -100,11 +100,11 @@ def _batch(s: Signature) -> str:
     inputs = "".join(f", const {s.scalar} *i{k}" for k in range(len(s.inputs)))
     outputs = "".join(f", {s.scalar} *o{k}" for k in range(len(s.outputs)))
     past = f", {s.scalar} *states, {s.scalar} dt" if s.states else ""
-    return f"robodyn_batch_{s.function}(ptrdiff_t count{inputs}{outputs}, const {s.scalar} *parameters{past})"
+    return f"{s.function}_robodyn_batch(ptrdiff_t count{inputs}{outputs}, const {s.scalar} *parameters{past})"
 
 
 def _work(s: Signature) -> str:
-    return f"robodyn_work_{s.function}({s.scalar} *block)"
+    return f"{s.function}_robodyn_work({s.scalar} *block)"
 
 
 def _declarations(signatures: Sequence[Signature], parameters: Sequence[str]) -> list[str]:

@@ -123,7 +123,7 @@ class _Function:
         parameter = [f"const {s.robot}_params *p"] if s.parameters else []
         own = [f"const {real} *RESTRICT {array}" for array, _ in s.inputs]
         own += [f"{real} *RESTRICT {array}" for array, _ in s.outputs]
-        reads_parameters = any(name in {array for array, _ in read} for name in s.parameters)
+        reads_parameters = any(j is None for _, j in read)
         inputs = [array for array, _ in s.inputs]
         return {
             "name": s.function,
@@ -148,7 +148,7 @@ class _Function:
             "outputs": [{"name": a, "size": n} for a, n in s.outputs],
             "arrays": [*inputs, *(array for array, _ in s.outputs)],
             "reads": any(j is not None for _, j in read),
-            "unused": [array for array in inputs if not any(a == array for a, _ in read)]
+            "unused": [array for array in inputs if not any(a == array and j is not None for a, j in read)]
             + (["p"] if s.parameters and not reads_parameters else []),
             "p": ", p" if s.parameters else "",
             "lines": _Lines(s, self.body).lines,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from robodyn.emit.results import Result, inputs_of, results_after
 from robodyn.emit.sines import ANGLES, COSINES, SINES, Sines, together
 from robodyn.emit.statements import Body, Expression, Statement
+from robodyn.ir.program import Input
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +81,15 @@ def _expressions(body: Body) -> list[Expression]:
     return [s.expression for s in body.statements] + [e for _, es in body.outputs for e in es]
 
 
-def inputs_read(body: Body) -> set[str]:
-    """Names of arrays and parameters that the statements and results read."""
-    return {x.array for expression in _expressions(body) for x in inputs_of(expression)}
+def arrays_read(body: Body) -> set[str]:
+    """Names of the arrays that the statements and results read."""
+    return {x.array for x in _inputs(body) if x.index is not None}
+
+
+def reads_parameters(body: Body) -> bool:
+    """Whether a run-time parameter is read; it may be called like an array."""
+    return any(x.index is None for x in _inputs(body))
+
+
+def _inputs(body: Body) -> list[Input]:
+    return [x for expression in _expressions(body) for x in inputs_of(expression)]

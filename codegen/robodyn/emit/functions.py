@@ -6,7 +6,7 @@ import textwrap
 from typing import Any
 
 from robodyn.counts.count import Count
-from robodyn.emit.body import Lines, Said, body_lines, inputs_read
+from robodyn.emit.body import Lines, Said, arrays_read, body_lines, reads_parameters
 from robodyn.emit.results import Result
 from robodyn.emit.sines import COSINES, SINES, c_sines, fortran_sines
 from robodyn.emit.spelling import WIDTH, c_spelling, fortran_spelling
@@ -44,9 +44,9 @@ def c_function(signature: Signature, counted: Count, body: Body, unit: Unit) -> 
 
     said = Said("/* %s */", declared, written, c_sines(signature.robot, spelling))
     lines = body_lines(body, said, builtin=unit.builtin, lanes=unit.lanes, soon=unit.soon)
-    read = inputs_read(body)
+    read = arrays_read(body)
     unused = [array for array, _ in signature.inputs if array not in read]
-    if signature.parameters and not any(name in read for name in signature.parameters):
+    if signature.parameters and not reads_parameters(body):
         unused.append("p")
     if signature.states and "dt" not in read:
         unused.append("dt")
@@ -111,9 +111,9 @@ def fortran_function(signature: Signature, counted: Count, body: Body, unit: Uni
         arguments.append("p")
     if signature.states:
         arguments += ["state", "dt"]
-    read = inputs_read(body)
+    read = arrays_read(body)
     unused = [array for array, _ in signature.inputs if array not in read]
-    if signature.parameters and not any(name in read for name in signature.parameters):
+    if signature.parameters and not reads_parameters(body):
         unused.append("p%" + signature.parameters[0])
     if signature.states and "dt" not in read:
         unused.append("dt")

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 
 from robodyn.emit.render import comment
 from robodyn.emit.spelling import WIDTH, Spelling
-from robodyn.emit.statements import Apply, Expression
+from robodyn.emit.statements import Apply, Expression, unique
 from robodyn.ir.program import Operand, Program
 from robodyn.robot.model import Robot
 
@@ -103,13 +103,7 @@ class Writer:
 
     def _named(self, i: int) -> str:
         label = self.program.operations[i].label
-        base = f"t{i}" if label is None else str(label)
-        name, k = base, 2
-        while name in self._taken:
-            name = f"{base}_{k}"
-            k += 1
-        self._taken.add(name)
-        return name
+        return unique(f"t{i}" if label is None else str(label), self._taken)
 
 
 def head_of(robot: Robot, told: Sequence[str]) -> list[str]:

@@ -16,13 +16,20 @@ from robodyn.emit.trig import trig_context
 from robodyn.emit.unit import ARRAYS, LANGUAGES, OF_LIBM, PURPOSES, Unit, calls, counted_text, has_sines
 from robodyn.errors import InputError
 from robodyn.resources import data_dir
+from robodyn.robot.names import check_names
 
 if TYPE_CHECKING:
     import jinja2
 
 
 def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
-    """The files of ``unit`` in ``languages`` (``c``, ``fortran``): text by file name."""
+    """The files of ``unit`` in ``languages`` (``c``, ``fortran``): text by file name.
+
+    Raises
+    ------
+    InputError: a number does not fit, or a name cannot be emitted.
+    """
+    check_names(unit.robot.name, unit.functions[0][0].parameters)
     try:
         return _render(unit, languages)
     except InputError as error:  # a number that does not fit

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from robodyn.ir.program import Input, Label, Operand, Program
+from robodyn.robot.names import is_reserved
 
 #: What a quantity is, and its unit, for headings.
 QUANTITIES: dict[str, str] = {
@@ -131,7 +132,7 @@ def statements(program: Program, *, in_order: bool = False) -> Body:
             continue
         if label is None:
             serial += 1
-        name = _unique(_name(label, serial), taken)
+        name = unique(_name(label, serial), taken)
         group = _heading(label)
         made.append(Statement(name, whole, group if group != heading else None, i in arguments))
         heading = group if group is not None else heading
@@ -160,10 +161,12 @@ def _name(label: Label | None, serial: int) -> str:
     return f"t{serial}" if label is None else str(label)
 
 
-def _unique(name: str, taken: set[str]) -> str:
+def unique(name: str, taken: set[str]) -> str:
+    """``name``, from now on ``taken``; with a number if it is that already, or a word of a language (a label
+    may come from a file)."""
     # Fortran does not tell capitals apart.
     candidate, k = name, 2
-    while candidate.lower() in taken:
+    while candidate.lower() in taken or is_reserved(candidate):
         candidate = f"{name}_{k}"
         k += 1
     taken.add(candidate.lower())

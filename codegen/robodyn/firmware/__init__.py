@@ -1,7 +1,7 @@
 """A folder that drops into a firmware build: kernel, self-test, bare-metal image, and what they measure.
 
 >>> made = generate(load("puma560"), firmware_options(Options(), ("cortex-m4f",)))       # doctest: +SKIP
->>> firmware(made, targets_named(["cortex-m4f"])).files          # {"puma560.c": ..., "startup.c": ...}
+>>> firmware(made, targets_named(["cortex-m4f"])).files          # {"puma560.c": ..., "link.ld": ...}
 """
 
 from robodyn.firmware.files import Folder, firmware

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.emit.lines import head_of
+from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling, c_spelling, fortran_spelling
 from robodyn.errors import InputError
@@ -44,9 +45,9 @@ _C = {
     "NAME_selftest.h": "selftest.h.j2",
     "NAME_selftest.c": "selftest.c.j2",
     "NAME_selftest_main.c": "selftest_main.c.j2",
-    "semihosting.h": "semihosting.h.j2",
-    "startup.c": "startup.c.j2",
-    "main.c": "main.c.j2",
+    "NAME_semihosting.h": "semihosting.h.j2",
+    "NAME_startup.c": "startup.c.j2",
+    "NAME_image.c": "image.c.j2",
     "link.ld": "link.ld.j2",
     "CMakeLists.txt": "CMakeLists.txt.j2",
     "arm-none-eabi.cmake": "toolchain.cmake.j2",
@@ -62,10 +63,10 @@ _TOLD = {
     "the results at {states} states; it differs where a compiler contracts or reorders.",
     "NAME_selftest_main.c": "The self-test on this computer.",
     "NAME_selftest.f90": "Self-test of the Fortran kernel: the same digest of the bits as of the C.",
-    "semihosting.h": "Output and exit through a debugger, or qemu.",
-    "startup.c": "Start of a bare-metal image: vector table, floating-point unit, .data and .bss.",
-    "main.c": "The self-test as an image, and what a call costs: ticks of SysTick at the processor's clock "
-    "(cycles; in qemu with -icount shift=5 an instruction is 0.8 ticks), and bytes of stack.",
+    "NAME_semihosting.h": "Output and exit through a debugger, or qemu.",
+    "NAME_startup.c": "Start of a bare-metal image: vector table, floating-point unit, .data and .bss.",
+    "NAME_image.c": "The self-test as an image, and what a call costs: ticks of SysTick at the processor's "
+    "clock (cycles; in qemu with -icount shift=5 an instruction is 0.8 ticks), and bytes of stack.",
     "link.ld": "Memory of the boards mps2-an385, an386 and an500 of Arm, which qemu has: another board needs "
     "other addresses here.",
     "CMakeLists.txt": "The kernel as a library; alone, or with {prefix}_SELFTEST, its self-test.",
@@ -87,7 +88,9 @@ class Folder:
 
     def readme(self, figures: Sequence[Figures]) -> str:
         """``README.md``, with what was measured on this machine, or what that needs."""
-        return _template("README.md.j2").render(self._context, figures=figures)
+        name = Markdown(self._context["name"])  # an identifier
+        template = markdown_environment().get_template("firmware/README.md.j2")
+        return template.render(self._context, name=name, figures=figures)
 
 
 def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str] = LANGUAGES) -> Folder:
@@ -217,7 +220,7 @@ def _function(
         "fortran_call": ", ".join(
             [
                 *(f"{a}_drawn" for a in inputs),
-                f"found_{interface.function}",
+                f"{interface.function}_found",
                 *(["values"] if interface.parameters else []),
             ]
         ),

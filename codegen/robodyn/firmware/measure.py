@@ -154,7 +154,7 @@ def _built(name: str, target: Target, folder: Path) -> tuple[str, dict[str, int]
     """The image, and the worst stack of the kernel's functions by symbol."""
     compiler = ["arm-none-eabi-gcc", *target.flags, "-std=c99", *FLAGS]
     objects = []
-    for source in (name, f"{name}_selftest", "main", "startup"):
+    for source in (name, f"{name}_selftest", f"{name}_image", f"{name}_startup"):
         _run([*compiler, "-fcallgraph-info=su", "-c", f"{source}.c", "-o", f"{source}.o"], folder)
         objects.append(f"{source}.o")
     image = f"{name}.elf"

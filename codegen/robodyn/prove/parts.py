@@ -23,7 +23,7 @@ def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Findi
         return not_run("eva", FRAMA_C.remedy)
     name = subject.made.unit.robot.name
     context = eva.driver_context(name, subject.made.signatures)
-    driver = "eva_driver.c"
+    driver = f"{name}_eva.c"
     text = environment().get_template("prove/eva_driver.c.j2").render(context)
     (folder / driver).write_text(text, encoding="utf-8", newline="\n")
     arguments = [*eva.OPTIONS, f"{name}.c", driver]
@@ -114,7 +114,7 @@ def prove_misra(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
         return not_run("misra", CPPCHECK.remedy)
     source = f"{subject.made.unit.robot.name}.c"
     tell("MISRA C:2012")
-    control = folder / "control.c"
+    control = folder / f"{subject.made.unit.robot.name}_control.c"
     control.write_text(misra.CONTROL, encoding="utf-8", newline="\n")
     misra.check_control(run([cppcheck, *misra.OPTIONS, control.name], folder, PATIENCE))
     done = run([cppcheck, *misra.OPTIONS, source], folder, PATIENCE)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from robodyn.emit.render import environment
+from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.generation import Options
 from robodyn.prove.bounds import prove_bounds
 from robodyn.prove.finding import Finding, Tell
@@ -60,9 +60,13 @@ class Proof:
             files |= finding.files
         told = _without_times(self.to_dict())
         files["PROOF.md"] = (
-            environment()
+            markdown_environment()
             .get_template("prove/PROOF.md.j2")
-            .render(told, findings=self.findings, title=self.subject.robot.title)
+            .render(
+                {**told, "robot": Markdown(told["robot"])},  # an identifier
+                findings=self.findings,
+                title=self.subject.robot.title,
+            )
         )
         files["proof.json"] = json.dumps(told, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
         return files

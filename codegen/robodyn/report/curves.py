@@ -5,13 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
-from robodyn.resources import data_dir
-
-if TYPE_CHECKING:
-    import jinja2
+from robodyn.report.markup import markup_template
 
 BLUE, ORANGE, GREEN, RED, GREY = "#1f5fa8", "#d9822b", "#3a8f5c", "#b03a48", "#666666"
 COLOURS: Final = (BLUE, ORANGE, GREEN, RED, GREY)
@@ -40,7 +36,7 @@ class Panel:
 
 
 def figure(title: str, note: str, panels: Sequence[Panel]) -> str:
-    """An SVG of ``panels``, two beside each other, with ``note`` above. Text has none of the signs of XML."""
+    """An SVG of ``panels``, two beside each other, with ``note`` above."""
     keys = max(len(panel.curves) for panel in panels)
     pitch = _TOP + _HEIGHT + 40 + _KEY * keys
     columns = min(2, len(panels))
@@ -48,7 +44,7 @@ def figure(title: str, note: str, panels: Sequence[Panel]) -> str:
         _drawn(panel, _LEFT + (k % 2) * (_WIDTH + _GAP), _TOP + (k // 2) * pitch)
         for k, panel in enumerate(panels)
     ]
-    return _template().render(
+    return markup_template("curves.svg.j2").render(
         width=_LEFT + columns * _WIDTH + (columns - 1) * _GAP + 30,
         height=-(-len(panels) // 2) * pitch + 10,
         title=title,
@@ -58,21 +54,6 @@ def figure(title: str, note: str, panels: Sequence[Panel]) -> str:
     )
 
 
-@cache
-def _template() -> jinja2.Template:
-    import jinja2
-
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(data_dir("templates")),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,  # all text is ours, and none of it has a special character
-    )
-    return environment.get_template("report/curves.svg.j2")
-
-
 def _drawn(panel: Panel, x: int, y: int) -> dict[str, Any]:
     across = ticks([v for curve in panel.curves for v in curve.x], tight=True)
     up = ticks([v for curve in panel.curves for v in curve.y])
@@ -80,7 +61,7 @@ def _drawn(panel: Panel, x: int, y: int) -> dict[str, Any]:
     legend: list[dict[str, Any]] = []
     for k, curve in enumerate(panel.curves):
         stroke = COLOURS[k % len(COLOURS)]
-        dashes = ' stroke-dasharray="6 4"' if curve.dashed else ""
+        dashes = "6 4" if curve.dashed else ""
         points = " ".join(
             f"{_WIDTH * share(a, across):.1f},{_HEIGHT * (1 - share(b, up)):.1f}"
             for a, b in zip(curve.x, curve.y, strict=True)

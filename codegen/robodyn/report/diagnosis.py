@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -24,10 +23,7 @@ from robodyn.report.diagnosis_text import (
     units_of,
 )
 from robodyn.report.diagnosis_where import QUANTITIES, Localised, Travel, localised, travelled
-from robodyn.resources import data_dir
-
-if TYPE_CHECKING:
-    import jinja2
+from robodyn.report.markup import markup_template
 
 #: Joints that are drawn at most: those of findings, then those where most is left.
 MOST_JOINTS: Final = 12
@@ -55,7 +51,7 @@ def page(found: Diagnosis, *, validated: bool) -> str:
     windows = _windows(found)
     trained = [window for window in windows if window.name == "train"]
     asked = next_of(found)
-    return _template().render(
+    return markup_template("diagnosis.html.j2").render(
         robot=found.robot,
         verdict=found.verdict,
         verdict_words=VERDICTS[found.verdict],
@@ -85,21 +81,6 @@ def page(found: Diagnosis, *, validated: bool) -> str:
         logs=_logs(found, validated),
         version=version("robodyn"),
     )
-
-
-@cache
-def _template() -> jinja2.Template:
-    import jinja2
-
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(data_dir("templates")),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=True,
-    )
-    return environment.get_template("report/diagnosis.html.j2")
 
 
 def _windows(found: Diagnosis) -> list[Window]:

@@ -4,17 +4,13 @@ bytes at any time."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from robodyn.report.curves import Curve, Panel, figure
+from robodyn.report.markup import markup_template
 from robodyn.report.schedules import Source
-from robodyn.resources import data_dir
 from robodyn.schedule import Solved
 from robodyn.schedule.printed import TIMES_OTHERS, TIMES_STANFORD
-
-if TYPE_CHECKING:
-    import jinja2
 
 _CELL, _ROW, _LEFT, _TOP = 34, 26, 60, 70
 #: Pixels of the longest schedule.
@@ -42,7 +38,7 @@ def gantt_svg(source: Source, solved: Solved) -> str:
     p = table.machine.processors
     every = max(1, -(-table.span // 30))
     unit = "levels" if table.machine.synchronised else "units of time"
-    return _template("gantt").render(
+    return markup_template("gantt.svg.j2").render(
         width=_LEFT + round(scale * table.span) + 30,
         height=_TOP + _ROW * p + 50,
         left=_LEFT,
@@ -82,7 +78,7 @@ def layers_svg(source: Source) -> str:
         for task, needed in graph.after.items()
         for other in sorted(needed)
     ]
-    return _template("layers").render(
+    return markup_template("layers.svg.j2").render(
         width=_LEFT + widest * _STEP[0] + 30,
         height=_TOP + len(rows) * _STEP[1] + 20,
         left=_LEFT,
@@ -149,18 +145,3 @@ def _of_others() -> Panel:
             for name, times in columns.items()
         ),
     )
-
-
-@cache
-def _template(name: str) -> jinja2.Template:
-    import jinja2
-
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(data_dir("templates")),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=True,
-    )
-    return environment.get_template(f"report/{name}.svg.j2")

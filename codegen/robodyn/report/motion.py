@@ -57,7 +57,7 @@ def motion_picture(robot: Robot, log: Log, kind: str, reference: Trajectory | No
                         panel.plot(reference.t[seen], reference.q[seen, j], "--", color=colour, lw=0.7)
             axes[0][column].legend(fontsize="small", ncols=3, loc="best")
             axes[-1][column].set_xlabel("t [s]")
-        figure.suptitle(robot.title or robot.name)
+        figure.suptitle((robot.title or robot.name).replace("$", r"\$"))  # $ begins a formula
         stream = io.BytesIO()
         metadata = {"Date": None} if kind == "svg" else {"Software": None}
         canvas.print_figure(stream, format=kind, metadata=metadata, dpi=120)

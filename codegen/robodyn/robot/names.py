@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import keyword
 import re
+import unicodedata
+from collections.abc import Iterable
 
 from robodyn.errors import InputError
+from robodyn.robot.macros import macro_of
 
 #: Longest name of a robot. Fortran allows 63 characters, and the longest suffix takes 20 of them.
 ROBOT_NAME_LENGTH = 40
@@ -36,15 +39,6 @@ namelist none nullify only open optional out parameter pointer precision print p
 pure read real recursive result return rewind save select sequence stop submodule subroutine target
 then to type use where write
 """
-# Object-like macros of <math.h>, <complex.h>, <stdio.h> and of gcc's GNU dialects: as a member of a
-# struct they would be replaced by a number.
-_MACROS = """
-M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2
-FP_NAN FP_INFINITE FP_ZERO FP_SUBNORMAL FP_NORMAL FP_FAST_FMA FP_FAST_FMAF FP_ILOGB0 FP_ILOGBNAN
-HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY MAXFLOAT MATH_ERRNO MATH_ERREXCEPT math_errhandling
-I NULL EOF BUFSIZ RAND_MAX stdin stdout stderr errno linux unix i386 signgam DOMAIN SING OVERFLOW
-UNDERFLOW PLOSS TLOSS
-"""
 _LANGUAGES = {
     word: language
     for language, words in (
@@ -59,25 +53,36 @@ _LANGUAGES = {
 _VALUE_WORDS = frozenset(
     ["pi", "nan", "inf", "infinity", "null", "nil", "true", "false", "yes", "no", "on", "off"]
 )
-# NAME.h must not stand in for a header of the C library, and NAME.c must be a file on every system.
+# NAME.h must not stand in for a header that those of the C library include, and NAME.c must be a file on
+# every system. After the standard's: glibc's, musl's and newlib's, those of macOS and BSD, of Windows.
 _HEADERS = """
-assert complex ctype errno fenv inttypes iso646 limits locale math setjmp signal stdalign stdarg
-stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+assert complex ctype errno fenv inttypes iso646 limits locale math setjmp signal stdalign stdarg stdatomic
+stdbit stdbool stdckdint stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+alloca endian features malloc newlib pthread reent sched strings syslimits unistd xlocale availability
+availabilityinternal availabilitymacros availabilityversions gethostuuid osreldate runetype targetconditionals
+concurrencysal corecrt crtdbg crtdefs process sal sdkddkver vadefs vcruntime xkeycheck yvals
 """
 _DEVICES = ["con", "prn", "aux", "nul", *(f"{port}{i}" for port in ("com", "lpt") for i in range(1, 10))]
 
+# What NAME_ goes on with in types, macros and include guards of the emitted files.
+_ENDINGS = """
+real params state h batch_h packed_h parallel_h selftest_h semihosting_h batch_bytes processors spins inline_
+apart_ ik_max regressor_columns
+"""
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
-# Line separators, and the marks that turn the direction of writing: in a comment the text would not be
-# what it looks like, and compilers warn of it.
-_INVISIBLE = frozenset("\u200e\u200f\u2028\u2029\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\ufeff")
+# Joiners, which some scripts and emoji need, and the hyphen that shows only where a line ends.
+_HARMLESS = frozenset("\u00ad\u200c\u200d")
+
+
+def is_unprintable(c: str) -> bool:
+    """Whether the character ``c`` is a control character, ends a line, is half of one, or cannot be seen:
+    such as the marks that turn the direction of writing, with which text is not what it looks like."""
+    return unicodedata.category(c) in ("Cc", "Cf", "Cs", "Zl", "Zp") and c not in _HARMLESS
 
 
 def _unprintable(text: str) -> str | None:
-    """The first control character, surrogate or invisible mark in ``text``."""
-    for c in text:
-        if c < " " or "\x7f" <= c <= "\x9f" or "\ud800" <= c <= "\udfff" or c in _INVISIBLE:
-            return c
-    return None
+    """The first unprintable character of ``text``."""
+    return None if text.isascii() and text.isprintable() else next(filter(is_unprintable, text), None)
 
 
 def shown(text: str, length: int = 40) -> str:
@@ -119,18 +124,22 @@ def parameter_name_fault(name: str) -> str | None:
     if name.lower() in _VALUE_WORDS:
         return "is not a number, nor free to be a name"
     fault = _identifier_fault(name, PARAMETER_NAME_LENGTH)
-    if fault is None and name in _MACROS.split():
-        fault = "is a macro of the C library"
-    return fault
+    owner = macro_of(name)
+    return f"is a macro of {owner}" if fault is None and owner else fault
+
+
+def is_reserved(name: str) -> bool:
+    """Whether ``name`` may not be that of a variable: it is a keyword, a type or a macro somewhere."""
+    return name.lower() in _LANGUAGES or name.endswith("_t") or macro_of(name) is not None
 
 
 def parameter_clash(name: str, robot: str) -> str | None:
     """What keeps the parameter ``name`` out of a robot of the name ``robot``, or None.
 
-    The emitted files' types and include guard have these names: as a member, ``arm_real arm_real`` is no
-    C++, and ``ARM_H`` is nothing at all.
+    The emitted files' types, macros and include guards have these names: as a member, ``arm_real arm_real``
+    is no C++, and ``ARM_H`` is nothing at all.
     """
-    if name.lower() in (f"{robot}_{end}".lower() for end in ("real", "params", "state", "h")):
+    if name.lower().startswith(f"{robot}_".lower()) and name.lower()[len(robot) + 1 :] in _ENDINGS.split():
         return "is a name of the emitted files"
     return None
 
@@ -165,9 +174,30 @@ def check_robot_name(name: str) -> str:
     return name
 
 
+def check_names(robot: str, parameters: Iterable[str]) -> None:
+    """Make sure that a robot of the name ``robot`` with these run-time ``parameters`` can be emitted, whoever
+    made it: a description was checked when it was read.
+
+    Raises
+    ------
+    InputError: a name cannot stand in the emitted files.
+    """
+    check_robot_name(robot)
+    for name in parameters:
+        fault = parameter_name_fault(name) or parameter_clash(name, robot)
+        if fault:
+            raise InputError(
+                f"the run-time parameter {fault}",
+                found=shown(name),
+                expected=PARAMETER_NAME_EXPECTED,
+                remedy="choose another name",
+            )
+
+
 ROBOT_NAME_EXPECTED = (
     f"a letter, then letters, digits or underscores, at most {ROBOT_NAME_LENGTH} characters, no keyword"
 )
 PARAMETER_NAME_EXPECTED = (
-    f"a letter, then letters, digits or underscores, at most {PARAMETER_NAME_LENGTH} characters, no keyword"
+    f"a letter, then letters, digits or underscores, at most {PARAMETER_NAME_LENGTH} characters, no keyword, "
+    "no macro of C"
 )

@@ -9,27 +9,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import cache
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 from robodyn.counts.general import general_count
 from robodyn.counts.polynomial import value
 from robodyn.counts.printed import TABLE_1_1, TABLE_2_9
 from robodyn.dynamics.steps import Method
+from robodyn.report.markup import markup_template
 from robodyn.report.tables import table_2_9
 from robodyn.report.tables.table import summed
 from robodyn.report.tables.table_1_1 import DESCRIBED, formulation
-from robodyn.resources import data_dir
-
-if TYPE_CHECKING:
-    import jinja2
 
 WIDTH: Final = 1180
 HEIGHT: Final = 470
 PANEL_HEIGHT: Final = 270
 TOP: Final = 70
 _BLUE, _ORANGE, _GREEN, _RED, _GREY = "#1f5fa8", "#d9822b", "#3a8f5c", "#b03a48", "#666666"
-_DASHED: Final = ' stroke-dasharray="6 4"'
+_DASHED: Final = "6 4"
 _METHODS: Final[tuple[tuple[Method, str, str], ...]] = (("I", _BLUE, "#c6d8ec"), ("II", _ORANGE, "#f6dfc5"))
 _NAMES: Final = {
     "uicker_kahn": ("Lagrange, closed form (Uicker, Kahn)", _RED),
@@ -43,7 +39,7 @@ JOINTS: Final = range(1, 7)
 
 def operations_svg() -> str:
     """The picture, recomputed."""
-    return _template().render(
+    return markup_template("operations.svg.j2").render(
         width=WIDTH,
         height=HEIGHT,
         title="Operations of the inverse dynamics",
@@ -51,21 +47,6 @@ def operations_svg() -> str:
         "four formulations; printed in the thesis and recomputed.",
         panels=[_a_joint(60, 300), _an_arm(440, 300), _formulations(840, 300)],
     )
-
-
-@cache
-def _template() -> jinja2.Template:
-    import jinja2
-
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(data_dir("templates")),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,  # all text is ours, and none of it has a special character
-    )
-    return environment.get_template("report/operations.svg.j2")
 
 
 def _number(x: float) -> str:
