@@ -15,15 +15,17 @@ from hypothesis import strategies as st
 
 from dynamics.direct import exact_arm
 from ir.programs import EVERYTHING, EXACT, Point, every_value, exactly, points, programs, results
-from robodyn import load
+from robodyn import Options, load, program
 from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS, Choice, build
 from robodyn.generation import SingularArm
 from robodyn.ir import Graph, Input, Label, Operand, Operation, Program
-from robodyn.ir.fingerprint import fingerprint
+from robodyn.ir.fingerprint import agree, fingerprint
 from robodyn.ir.graph import lower
 from robodyn.passes import FAST, FRESH, SPELLING, PassError, cse, dce, factor, fold, negate, order, run
+from robodyn.passes.specialise import at_rest
 from robodyn.passes.trig_given import describe, given_layout, trig_given
+from robodyn.robot import read_text
 from robodyn.robot.values import circle_point
 
 PASSES = (fold, cse, dce, factor, negate, order)
@@ -523,3 +525,29 @@ def test_one_layout_serves_several_programs() -> None:
     assert [describe(given_) for given_ in layout] == ["cos(q2)", "sin(q2)", "q3"]
     reads = [{x.index for x in trig_given(p, layout).inputs() if x.array == "sc"} for p in made]
     assert reads[0] <= reads[1] <= {0, 1, 2}
+
+
+# --- run-time parameters that are called like arrays --------------------------------------------------------
+
+NAMED_LIKE_ARRAYS = """\
+name: awkward
+links:
+  - {joint: revolute, mass: 2, com: [qd, 0.1, 0], inertia: {zz: 0.3}, motor_inertia: qdd}
+  - {joint: revolute, alpha: pi/2, a: 0.3, mass: q, com: [0.2, 0, 0.1], friction: {viscous: tau}}
+"""
+
+
+def test_a_parameter_that_is_called_like_an_array_is_none() -> None:
+    """Neither given with the sines nor zero at rest."""
+    robot = read_text(NAMED_LIKE_ARRAYS)
+    inverse = program(robot, "inverse_dynamics", Options(optimize="fast"))
+    names = {Input(name, None) for name in ("q", "qd", "qdd")}
+    assert names <= set(inverse.inputs())
+    for function in ("gravity", "bias"):
+        plain = program(robot, function, Options(optimize="fast"))
+        for other in (at_rest(inverse, function), run(at_rest(inverse, function), FAST)):
+            assert agree(plain, other, circle_point)
+        assert Input("q", None) in plain.inputs()
+    layout = given_layout([inverse])
+    assert all(x.index is not None for _, terms, _ in layout for x, _ in terms)
+    assert names <= set(trig_given(inverse, layout).inputs())

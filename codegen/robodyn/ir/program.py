@@ -17,6 +17,10 @@ class Input(NamedTuple):
     def __str__(self) -> str:
         return self.array if self.index is None else f"{self.array}{self.index + 1}"
 
+    def is_of(self, *arrays: str) -> bool:
+        """Whether it is an element of one of ``arrays``; a run-time parameter may have an array's name."""
+        return self.index is not None and self.array in arrays
+
 
 class Label(NamedTuple):
     """What an operation completes: link (from 1; 0 the base), quantity, component.

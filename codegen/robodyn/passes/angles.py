@@ -16,7 +16,7 @@ SUMS = ("add", "sub", "mul", "neg")
 
 def is_position(operand: Input | Fraction) -> bool:
     """Whether the caller gives it with the positions: a constant, a run-time parameter, a position."""
-    return isinstance(operand, Fraction) or operand.index is None or operand.array == "q"
+    return isinstance(operand, Fraction) or operand.index is None or operand.is_of("q")
 
 
 def angles_first(program: Program) -> Program:

@@ -16,7 +16,7 @@ def at_rest(inverse_dynamics: Program, function: str) -> Program:
     zero = _ZERO[function]
 
     def known(operand: Operand) -> Operand:
-        return Fraction(0) if isinstance(operand, Input) and operand.array in zero else operand
+        return Fraction(0) if isinstance(operand, Input) and operand.is_of(*zero) else operand
 
     operations = tuple(
         Operation(op, tuple(map(known, args)), label) for op, args, label in inverse_dynamics.operations

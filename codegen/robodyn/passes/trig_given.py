@@ -30,7 +30,7 @@ def given_layout(programs: Sequence[Program]) -> tuple[Given, ...]:
 
 def _of_positions(program: Program, operand: Operand) -> bool:
     """Whether ``operand`` is an angle that the caller knows: what a kernel remembers is not his."""
-    return is_angle(program, operand) and all(x.array == "q" for x, _ in angle_form(program, operand)[0])
+    return is_angle(program, operand) and all(x.is_of("q") for x, _ in angle_form(program, operand)[0])
 
 
 def _displacements(program: Program) -> list[Input]:
@@ -40,7 +40,7 @@ def _displacements(program: Program) -> list[Input]:
     stack: list[Operand] = list(program.results())
     while stack:
         operand = stack.pop()
-        if isinstance(operand, Input) and operand.array == "q":
+        if isinstance(operand, Input) and operand.is_of("q"):
             found[operand] = None
         elif isinstance(operand, int) and operand not in seen:
             seen.add(operand)
@@ -59,7 +59,7 @@ def trig_given(program: Program, layout: Sequence[Given]) -> Program:
     def moved(operand: Operand) -> Operand:
         if isinstance(operand, int):
             return values[operand]
-        if isinstance(operand, Input) and operand.array == "q":
+        if isinstance(operand, Input) and operand.is_of("q"):
             return place.get(("q", ((operand, 1),), Fraction(0)), operand)
         return operand
 

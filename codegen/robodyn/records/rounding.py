@@ -67,7 +67,7 @@ def rounding_bounds(program: Program) -> Bounds:
         here = [constants.get(k, (0.0, 0.0)) for k in range(len(leaves))]
         for k, x in enumerate(leaves):
             if isinstance(x, Input):
-                here[k] = (_TURN if x in angles else sizes.get(x.array, 1.0)), 0.0
+                here[k] = (_TURN if x in angles else sizes[x.array] if x.is_of(*sizes) else 1.0), 0.0
         bounds.append(_run(steps, here, results))
     return bounds
 
