@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+from collections.abc import Iterable
 from io import FileIO
 from pathlib import Path
 from stat import S_ISREG
@@ -12,6 +13,7 @@ from typing import Any
 from robodyn.errors import InputError, Place
 
 MIB = 1 << 20
+_LEVELS, _DEEP = 100, "values nested too deeply"
 
 
 def label(path: str | os.PathLike[str]) -> str:
@@ -116,7 +118,8 @@ def decoded(data: bytes, name: str) -> str:
 
 
 def parsed_json(text: str | bytes) -> Any:
-    """What the JSON ``text`` says. Its numbers are finite and its words can be printed.
+    """What the JSON ``text`` says. Its numbers are finite, its words can be printed, and it is not nested
+    so deeply that code that goes through it would fail.
 
     Raises
     ------
@@ -128,10 +131,21 @@ def parsed_json(text: str | bytes) -> Any:
         found = json.loads(text, parse_constant=_no_number, parse_float=_float, parse_int=_int)
         json.dumps(found, ensure_ascii=False).encode()
     except RecursionError:
-        raise ValueError("it is nested too deeply") from None
+        raise ValueError(_DEEP) from None
     except UnicodeEncodeError:
         raise ValueError("half of a surrogate pair in a word") from None
-    return found
+    level = [found]
+    for _ in range(_LEVELS):
+        level = [inner for each in level for inner in _inside(each)]
+        if not level:
+            return found
+    raise ValueError(_DEEP)
+
+
+def _inside(value: Any) -> Iterable[Any]:
+    if isinstance(value, dict):
+        return value.values()
+    return value if isinstance(value, list) else ()
 
 
 def _no_number(word: str) -> float:
