@@ -69,7 +69,7 @@ class Search:
 
     def _searched(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
         from robodyn.dynamics.drive import rigid_part
-        from robodyn.errors import InputError
+        from robodyn.files import cannot_write
         from robodyn.search.improve import BUDGET, improved, write_record
         from robodyn.search.objective import parse_objective
         from robodyn_cli.common import printable, talk
@@ -103,9 +103,8 @@ class Search:
                 try:
                     talk(f"robodyn: wrote {printable(write_record(record, self.folder))}")
                 except OSError as error:
-                    raise InputError(
-                        f"cannot write into {printable(self.folder)}: {error.strerror or error}",
-                        remedy="leave out --keep, or make room there",
+                    raise cannot_write(
+                        f"into {printable(self.folder)}", error, "leave out --keep, or make room there"
                     ) from error
         return replace(options, records=tuple(records))
 

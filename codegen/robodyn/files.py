@@ -10,9 +10,14 @@ from pathlib import Path
 from stat import S_ISREG
 from typing import Any
 
-from robodyn.errors import InputError, Place
+from robodyn.errors import InputError, OutputError, Place, RobodynError
 
 MIB = 1 << 20
+#: Errors of a disk or a system that has no more room, or fails.
+_SYSTEM = {
+    getattr(errno, name, None)
+    for name in ("ENOSPC", "EDQUOT", "EFBIG", "EIO", "EMFILE", "ENFILE", "ENOMEM", "ENOBUFS")
+} - {None}
 _LEVELS, _DEEP = 100, "values nested too deeply"
 
 
@@ -115,6 +120,16 @@ def decoded(data: bytes, name: str) -> str:
             found=f"byte 0x{data[error.start]:02x}",
             remedy="save it as UTF-8",
         ) from None
+
+
+def cannot_write(place: str, error: OSError, remedy: str) -> RobodynError:
+    """The error of a ``place`` that could not be written: whose fault it is stands here alone.
+
+    :class:`OutputError` where there is no room or the device fails, :class:`InputError` where the place is
+    wrong: a folder that may not be written, a file in the way, a read-only disk.
+    """
+    kind = OutputError if error.errno in _SYSTEM else InputError
+    return kind(f"cannot write {place}: {error.strerror or error}", remedy=remedy)
 
 
 def parsed_json(text: str | bytes) -> Any:
