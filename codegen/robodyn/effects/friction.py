@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.effects.effect import Effect, Fault, Memory, Parameter, Site, Values
-from robodyn.effects.scalars import exponential, is_zero, magnitude, power, sign
+from robodyn.effects.scalars import exponential, is_finite, is_positive, is_zero, magnitude, power, sign
 
 TORQUE, FORCE = "N m", "N"
 
@@ -196,12 +196,17 @@ def _bristle_torque(p: Values, at: Site, state: tuple[Any, ...]) -> Any:
 
 
 def _bristle_step(p: Values, at: Site, state: tuple[Any, ...], dt: Any) -> tuple[tuple[Any, ...], Any]:
-    # Exact for a velocity that is constant over dt: stable for any dt, however stiff the bristles.
+    # Exact for a velocity that is constant over dt: stable for any dt, however stiff the bristles. Where the
+    # velocity or dt is infinite or no number, or dt negative, z stays, to the bit: left is 1 then, full 0.
     (z,) = state
-    left = exponential(-(p["stiffness"] * magnitude(at.qd) / p["level"] * dt))
-    full = p["level"] / p["stiffness"] * sign(at.qd)
+    way = p["stiffness"] * magnitude(at.qd) / p["level"] * dt
+    moving = is_positive(way) * is_finite(way)
+    left = power(exponential(-magnitude(way)), moving)
+    full = p["level"] / p["stiffness"] * (sign(at.qd) * moving)
     moved = (full + (z - full) * left,)
-    return moved, _bristle_torque(p, at, moved)
+    # That a velocity is no number shows in the torque all the same.
+    nothing = magnitude(at.qd) - sign(at.qd) * at.qd
+    return moved, _bristle_torque(p, at, moved) + nothing
 
 
 PRESLIDING = Effect(
@@ -225,7 +230,8 @@ PRESLIDING = Effect(
     ),
     latex=r"\dot z = \dot q - \frac{\sigma_0 |\dot q|}{F_c} z, \qquad \tau = \sigma_0 z + \sigma_1 \dot z",
     doc="The contact is a spring until it slides: friction depends on the way since the last reversal. "
-    "State z [rad or m] is how far it is bent; begun at z = 0 it never feeds energy in.",
+    "State z [rad or m] is how far it is bent; begun at z = 0 it never feeds energy in. In steady motion, "
+    "and in functions without memory, tau is F_c sgn(qd).",
     signature="after a reversal the torque follows the distance, not the velocity; a loop over position",
     rivals=("coulomb_friction", "stribeck_friction", "backlash", "joint_elasticity"),
     separates="reversals of several amplitudes below level/stiffness",
