@@ -76,9 +76,11 @@ POWER_LAW = Effect(
             symbol="v_1",
         ),
     ),
-    latex=r"\tau = F_a \left|\dot q/v_1\right|^a \operatorname{sgn}\dot q",
+    latex=r"\tau = F_a \frac{\dot q}{v_1}"
+    r" \left[\left(\frac{\dot q}{v_1}\right)^2 + 10^{-6}\right]^{(a - 1)/2}",
     doc="Friction of lubricants that thin as they are sheared, as in harmonic drives (a of 0.5 to 0.7), or "
-    "of air (a of 2). Within a thousandth of `velocity` of rest a straight line.",
+    "of air (a of 2): a power of the speed, within a thousandth of `velocity` of rest a straight line. It is "
+    "0 at rest by itself, whatever `friction_at_rest` says.",
     signature="a curve through zero over the joint's velocity, bent towards the axis or away from it",
     rivals=("viscous_friction", "coulomb_friction", "stribeck_friction"),
     separates="speeds over a range of five to one, in both directions",
@@ -108,10 +110,10 @@ COULOMB = Effect(
 
 
 def _asymmetric(p: Values, at: Site) -> Any:
-    # With a smoothed direction both halves fade together, so that no energy is fed in between.
+    # The cases of the equation as one: each level times the direction, whatever lies between -1 and 1.
     forward, backward = p["positive"], p["negative"]
     even = (forward - backward) / 2
-    return (forward + backward) / 2 * at.direction + even * (at.direction * at.direction)
+    return (forward + backward) / 2 * at.direction + even * magnitude(at.direction)
 
 
 ASYMMETRIC = Effect(
@@ -123,7 +125,8 @@ ASYMMETRIC = Effect(
         level("positive", "Level in the positive direction.", "F_c^+"),
         level("negative", "Level in the negative direction, as a size.", "F_c^-"),
     ),
-    latex=r"\tau = \begin{cases} F_c^+ & \dot q > 0 \\ -F_c^- & \dot q < 0 \end{cases}",
+    latex=r"\tau = \begin{cases} F_c^+ \operatorname{sgn}\dot q & \dot q \ge 0 \\"
+    r" F_c^- \operatorname{sgn}\dot q & \dot q < 0 \end{cases}",
     doc="A level of its own for either direction of motion.",
     signature="a step at reversals whose middle is not zero",
     rivals=("coulomb_friction", "torque_bias"),
