@@ -31,10 +31,28 @@ class Ended(KeyboardInterrupt):
 
 
 class _State:
-    """What has come (a number of a signal, or 0), and since when further signals are no matter."""
+    """What has come (a number of a signal, or 0), since when further signals are no matter, and how many
+    :class:`Held` there are."""
 
     received = 0
     quiet: float | None = None
+    held = 0
+
+
+class Held:
+    """A context in which no :class:`Ended` is raised: one that comes in between waits for its end."""
+
+    def __init__(self) -> None:
+        import threading
+
+        # Signals are the main thread's; what others do neither needs this nor may count along.
+        self.counts = int(threading.current_thread() is threading.main_thread())
+
+    def __enter__(self) -> None:
+        _State.held += self.counts
+
+    def __exit__(self, *_: object) -> None:
+        _State.held -= self.counts
 
 
 def begin() -> None:
@@ -113,7 +131,7 @@ def _handle(number: int, frame: FrameType | None) -> None:
             _leave(number)
         return
     _State.received = number
-    if _importing(frame) and alarm is not None:
+    if (_State.held or _importing(frame)) and alarm is not None:
         signal.setitimer(signal.ITIMER_REAL, WAIT)
         return
     _State.quiet = monotonic()

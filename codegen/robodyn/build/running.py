@@ -12,7 +12,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic
-from typing import IO, Final, Literal
+from typing import IO, Any, Final, Literal
+
+from robodyn.process import Held
 
 #: What a program may take unless told otherwise [s]: far more than any compiler here has needed.
 SECONDS: Final = 600.0
@@ -48,7 +50,7 @@ def run(
     OSError: it cannot be started.
     """
     pipe, nowhere = subprocess.PIPE, subprocess.DEVNULL
-    process = subprocess.Popen(
+    process: subprocess.Popen[bytes] = start(
         list(command),
         cwd=folder,
         env={**os.environ, "LC_ALL": "C"},
@@ -57,7 +59,6 @@ def run(
         stderr=subprocess.STDOUT if listen == "both" else pipe if listen == "stderr" else nowhere,
         start_new_session=True,
     )
-    _running.add(process)
     stream = process.stderr if listen == "stderr" else process.stdout
     assert stream is not None
     said = bytearray()
@@ -81,14 +82,22 @@ def run(
     return Finished(code, bytes(said).decode("utf-8", "replace"))
 
 
+def start(command: Sequence[str], **how: Any) -> subprocess.Popen[Any]:
+    """``subprocess.Popen``, of which a signal that comes meanwhile makes no orphan."""
+    with Held():
+        process: subprocess.Popen[Any] = subprocess.Popen(command, **how)
+        _running.add(process)
+    return process
+
+
 def end_all() -> None:
-    """End all that :func:`run` has started, in whatever thread."""
+    """End all that :func:`start` has started, in whatever thread, and that runs still."""
     for process in list(_running):
         _end(process)
 
 
 #: What runs now, in whatever thread; a daemon thread may leave it behind when the interpreter ends.
-_running: set[subprocess.Popen[bytes]] = set()
+_running: set[subprocess.Popen[Any]] = set()
 atexit.register(end_all)
 
 
@@ -99,7 +108,7 @@ def _listen(stream: IO[bytes], said: bytearray) -> None:
             said += data[: max(0, SAID - len(said))]
 
 
-def _end(process: subprocess.Popen[bytes]) -> None:
+def _end(process: subprocess.Popen[Any]) -> None:
     """End a process and what it started."""
     if process.returncode is None:
         if hasattr(os, "killpg"):
@@ -110,6 +119,6 @@ def _end(process: subprocess.Popen[bytes]) -> None:
         _wait(process, _LAST)
 
 
-def _wait(process: subprocess.Popen[bytes], seconds: float) -> None:
+def _wait(process: subprocess.Popen[Any], seconds: float) -> None:
     with contextlib.suppress(subprocess.TimeoutExpired):
         process.wait(seconds)
