@@ -106,7 +106,8 @@ def _tables(opened: Any, layout: Layout, wanted: Sequence[str], rows: int, file:
                 name = next(columns)
                 column = batch.column(name)
                 _refuse_gaps(column, name, start, file)
-                table[start:end, i] = column.to_numpy(zero_copy_only=False)
+                with np.errstate(invalid="ignore"):  # half floats that are no numbers
+                    table[start:end, i] = column.to_numpy(zero_copy_only=False)
         start = end
     if start != rows:
         raise Damaged(f"columns that end at row {start} of {rows}")
