@@ -10,8 +10,8 @@ import pytest
 
 ROOT = Path(__file__).parents[1] / "codegen"
 ROOMS = """
-    errors resources units ir effects robot dynamics passes counts prune schedule records emit generation
-    build verify firmware search prove simulate diagnose report
+    errors process resources files units ir effects robot dynamics passes counts prune schedule records emit
+    generation build verify firmware search prove simulate diagnose report
 """.split()  # noqa: SIM905 (it reads as the list that it is)
 LATE = {"sympy", "numpy", "scipy", "matplotlib"}
 LEAN = {"ir", "robot", "dynamics", "passes", "counts", "prune", "emit"}

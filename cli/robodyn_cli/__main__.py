@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from robodyn_cli.main import main
+from robodyn_cli.entry import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -13,6 +13,7 @@ from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
 import click
 
 from robodyn.errors import InputError
+from robodyn.files import cannot_write
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot
@@ -101,7 +102,8 @@ def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
 
     Raises
     ------
-    InputError: the system refused, or something that is not a file is in the way.
+    InputError: the place cannot be written, or something that is not a file is in the way.
+    OutputError: there is no room, or the device fails.
     """
     targets = [folder / name for name in files]
     ends: list[Path] = []
@@ -131,8 +133,7 @@ def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
     except BaseException as error:
         _remove(temporary, new_folders)
         if isinstance(error, OSError):
-            reason = error.strerror or str(error)
-            raise InputError(f"cannot write {printable(path)}: {reason}", remedy=_ELSEWHERE) from error
+            raise cannot_write(printable(path), error, _ELSEWHERE) from error
         raise
     return targets
 

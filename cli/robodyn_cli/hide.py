@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from robodyn.simulate.trajectories import Trajectory
 
 _ANSWER = "answer.sealed"
+_SEALED, _DIAGNOSIS = 1 << 24, 1 << 26  # bytes of an answer, of a diagnosis, at most
 _LARGEST = 50_000_000  # samples times joints, as of simulate
 _OF_HIDING = ("effects", "random", "trajectories", "output")
 
@@ -219,32 +220,29 @@ def _tell(made: Blind, folder: Path, files: list[str], named: list[str], *, as_j
 
 def _answer(path: Path) -> dict[str, Any]:
     from robodyn.diagnose.seal import open_seal
+    from robodyn.files import label, read_text
 
-    return open_seal(_text(path), printable(path))
-
-
-def _text(path: Path) -> str:
-    from robodyn.errors import InputError, Place
-
-    try:
-        return path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else "it is not text"
-        raise InputError(
-            "the file cannot be read", where=Place(printable(path)), found=reason.lower()
-        ) from None
+    return open_seal(read_text(path, _SEALED, "the answer.sealed of robodyn hide"), label(path))
 
 
 def _scored(folder: Path, file: Path, *, as_json: bool) -> None:
     from robodyn.diagnose.seal import score
     from robodyn.errors import InputError, Place
+    from robodyn.files import label, parsed_json, read_text
 
+    if file.is_dir() and not folder.is_dir():
+        raise InputError(
+            "--score wants the folder of the test first", found=printable(folder), remedy="exchange the two"
+        )
     answer = _answer(folder / _ANSWER)
+    expected = "the diagnosis.json of robodyn diagnose"
     try:
-        diagnosis = json.loads(_text(file))
+        diagnosis = parsed_json(read_text(file, _DIAGNOSIS, expected))
     except ValueError as error:
-        raise InputError("this is not JSON", where=Place(printable(file)), found=str(error)) from None
-    found = score(answer, diagnosis)
+        raise InputError(
+            "this is not JSON", where=Place(label(file)), found=str(error), expected=expected
+        ) from None
+    found = score(answer, diagnosis, label(file))
     if not found.same:
         talk("robodyn: warning: the diagnosis is of other logs than this test's")
     if as_json:
@@ -261,13 +259,10 @@ def _lines(found: Score, folder: Path) -> list[str]:
     for claim in found.claims:
         lines.append(f"{claim.name}: {claim.status}")
         for name, true in (claim.truth or {}).items():
-            said = claim.parameters.get(name)
-            if isinstance(said, dict) and isinstance(said.get("value"), (int, float)):
-                error = said.get("stderr")
-                band = f" +- {error:.2g}" if isinstance(error, (int, float)) else ""
-                lines.append(
-                    f"  {name}: {said['value']:.4g}{band} {said.get('unit', '')}, in truth {true:.4g}"
-                )
+            said = claim.parameters.get(name) or {}
+            if isinstance(said.get("value"), (int, float)) and isinstance(true, (int, float)):
+                band = f" +- {said['stderr']:.2g}" if said["stderr"] is not None else ""
+                lines.append(f"  {name}: {said['value']:.4g}{band} {said['unit']}, in truth {true:.4g}")
     if found.missed:
         lines.append(
             f"{found.missed} of {found.hidden} hidden missed "

@@ -7,6 +7,7 @@ reads, and hence nothing but click and light modules is imported here.
 
 from __future__ import annotations
 
+import errno
 import importlib
 import os
 import sys
@@ -15,7 +16,8 @@ from typing import Final
 
 import click
 
-from robodyn.errors import RobodynError
+from robodyn.errors import RobodynError, ToolError
+from robodyn.process import quiet, received
 from robodyn_cli.common import drop, talk
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
@@ -57,7 +59,6 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
 HELP: Final = {"help_option_names": ["-h", "--help"]}
 INTERNAL_ERROR: Final = 70  # EX_SOFTWARE: robodyn itself is at fault
 IO_ERROR: Final = 74  # EX_IOERR: the system refused, as a full disk under stdout does
-INTERRUPTED: Final = 130  # 128 + SIGINT, what a shell reports
 PIPE_CLOSED: Final = 141  # 128 + SIGPIPE
 
 
@@ -123,12 +124,17 @@ def cli() -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return the exit code; `arguments` default to those of the process."""
+    return guard(lambda: _begin(list(sys.argv[1:] if arguments is None else arguments)))
+
+
+def _begin(arguments: list[str]) -> None:
     _open_what_is_closed()
     if "_ROBODYN_COMPLETE" in os.environ:  # a shell asks what could follow on its command line
         from click.shell_completion import shell_complete
 
-        return shell_complete(cli, {}, "robodyn", "_ROBODYN_COMPLETE", os.environ["_ROBODYN_COMPLETE"])
-    return guard(lambda: _run(list(sys.argv[1:] if arguments is None else arguments)))
+        how = os.environ["_ROBODYN_COMPLETE"]
+        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", "_ROBODYN_COMPLETE", how))
+    _run(arguments)
 
 
 def _open_what_is_closed() -> None:
@@ -153,35 +159,75 @@ def guard(run: Callable[[], None]) -> int:
     """Call `run` and return the exit code; an error becomes its message on stderr, never a traceback."""
     try:
         run()
-    except click.exceptions.Exit as leave:
-        return leave.exit_code
-    except click.ClickException as error:  # wrong usage, exit code 2
-        _complain_of_usage(error)
+        quiet()
+    except BaseException as error:
+        quiet()
+        return _failed(error)
+    return 0
+
+
+def _failed(error: BaseException) -> int:
+    """The exit code of what `error` ends; its message on stderr."""
+    if isinstance(error, click.exceptions.Exit):
         return error.exit_code
-    except RobodynError as error:
-        _complain(f"error: {error}")
-        return error.exit_code
-    except (KeyboardInterrupt, click.Abort):
-        _complain("interrupted")
-        return INTERRUPTED
-    except BrokenPipeError:  # the reader, `head` perhaps, has had enough
+    if isinstance(error, (KeyboardInterrupt, click.Abort)):
+        code, word = received()
+        _complain(word)
+        return code
+    if isinstance(error, BrokenPipeError):  # the reader, `head` perhaps, has had enough
         drop(sys.stdout)
         return PIPE_CLOSED
-    except Exception as error:
-        if os.environ.get("ROBODYN_DEBUG") == "1":
-            import traceback
+    if not isinstance(error, Exception):
+        raise error
+    if isinstance(error, click.ClickException):  # wrong usage, exit code 2
+        _complain_of_usage(error)
+        return error.exit_code
+    if isinstance(error, RobodynError):
+        _complain(f"error: {error}")
+        return error.exit_code
+    if os.environ.get("ROBODYN_DEBUG") == "1":
+        import traceback
 
-            talk(traceback.format_exc().rstrip("\n"))
-        if isinstance(error, OSError):  # a full disk and its like
-            drop(sys.stdout)
-            _complain(f"error: the system refused: {error}")
-            return IO_ERROR
+        talk("".join(traceback.format_exception(error)).rstrip("\n"))
+    if (limit := _few_files()) is not None:  # and whatever came of it, be it that a module is not found
+        drop(sys.stdout)
         _complain(
-            f"internal error: {type(error).__name__}: {error}; this is a bug in robodyn: please report "
-            "it with the command, the robot file and what the command prints with ROBODYN_DEBUG=1 set"
+            f"error: too few files may be open at a time: {error}; found {limit}; ulimit -n 256 allows more"
         )
-        return INTERNAL_ERROR
-    return 0
+        return IO_ERROR
+    if isinstance(error, (OSError, MemoryError)):  # a full disk and its like
+        drop(sys.stdout)
+        _complain(f"error: the system refused: {str(error) or 'out of memory'}")
+        return IO_ERROR
+    if isinstance(error, ImportError) and not (error.name or "").startswith("robodyn"):
+        _complain(f"error: a library cannot be loaded: {error}; install robodyn again, or that library")
+        return ToolError.exit_code
+    _complain(
+        f"internal error: {type(error).__name__}: {error}; this is a bug in robodyn: please report "
+        "it with the command, the robot file and what the command prints with ROBODYN_DEBUG=1 set"
+    )
+    return INTERNAL_ERROR
+
+
+def _few_files() -> int | None:
+    """The limit of open files, if it leaves next to none to be opened."""
+    opened: list[int] = []
+    try:
+        while len(opened) < 16:
+            opened.append(os.open(os.devnull, os.O_RDONLY))
+    except OSError as error:
+        if error.errno not in (errno.EMFILE, errno.ENFILE):
+            return None
+    finally:
+        for number in opened:
+            os.close(number)
+    if len(opened) == 16:
+        return None
+    try:
+        import resource
+    except ImportError:
+        return len(opened)
+    return resource.getrlimit(resource.RLIMIT_NOFILE)[0]
 
 
 def _complain_of_usage(error: click.ClickException) -> None:

@@ -104,21 +104,16 @@ def command(
 
 def _ranged(described: Robot, ranges: str | None, *, needed: bool) -> Robot:
     """The robot with the ranges as its limits; where none are needed, its own will do."""
-    from robodyn.errors import InputError
+    from robodyn.files import read_bytes
     from robodyn.prove import with_ranges
+    from robodyn.robot.document import FILE_SIZE
 
     if ranges is None and not needed:
         return described
     if ranges is None or "=" in ranges:
         return with_ranges(described, ranges)
     path = Path(ranges)
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(
-            f"cannot read the ranges {printable(path)}: {error.strerror or error}",
-            expected="a YAML file, or ranges as qd=3,qdd=10",
-        ) from None
+    data = read_bytes(path, FILE_SIZE, "a YAML file, or ranges as qd=3,qdd=10", printable(path))
     return with_ranges(described, printable(path), data)
 
 

@@ -60,7 +60,7 @@ class Search:
     def _searched(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
         from robodyn.counts.objective import parse_objective
         from robodyn.dynamics.drive import rigid_part
-        from robodyn.errors import InputError
+        from robodyn.files import cannot_write
         from robodyn.records import folder_beside
         from robodyn.resources import from_here
         from robodyn.search.improve import BUDGET, improved, write_record
@@ -95,9 +95,8 @@ class Search:
                 try:
                     talk(f"robodyn: wrote {printable(from_here(write_record(record, folder)))}")
                 except OSError as error:
-                    raise InputError(
-                        f"cannot write into {printable(from_here(folder))}: {error.strerror or error}",
-                        remedy="leave out --keep, or make room there",
+                    raise cannot_write(
+                        f"into {printable(from_here(folder))}", error, "leave out --keep, or make room there"
                     ) from error
         return replace(options, records=tuple(records))
 

@@ -12,10 +12,20 @@ Names are imported when they are first used, so that a program pays only for wha
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+import sys
 
+if (sys.argv or [""])[0] == "-m" and "robodyn" in sys.orig_argv:  # python -m robodyn: a command begins here
+    try:
+        from robodyn.process import begin
+
+        begin()
+    except KeyboardInterrupt:
+        sys.exit(130)
+
+TYPE_CHECKING = False  # as typing has it, whose import takes longer than all the rest here
 if TYPE_CHECKING:
+    from typing import Any
+
     from robodyn.build.robot_kernel import compile
     from robodyn.dynamics.through_sympy import symbolic
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
@@ -55,6 +65,8 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name in _HOMES:
+        import importlib
+
         value = getattr(importlib.import_module(_HOMES[name]), name)
         globals()[name] = value  # not asked for again; and a module of the same name must not win
         return value

@@ -6,8 +6,12 @@ import sys
 
 
 def _main() -> int:
-    from robodyn_cli.main import main
+    from robodyn.process import not_imported
 
+    try:
+        from robodyn_cli.entry import main
+    except Exception as error:
+        return not_imported(error)
     return main()
 
 

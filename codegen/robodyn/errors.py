@@ -82,6 +82,12 @@ class InputError(RobodynError):
     exit_code = 2
 
 
+class OutputError(RobodynError):
+    """The output could not be written, and the place is not to blame: a full disk, a device that fails."""
+
+    exit_code = 74  # EX_IOERR
+
+
 class ToolError(RobodynError):
     """A tool is missing or failed: a compiler, a library."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -213,6 +214,17 @@ def test_keep_where_it_cannot(here: Path, capsys: Capture) -> None:
     _, err = run(capsys, "gen", "elbow.yaml", "-o", "out", *more, code=2)
     assert "cannot write into records" in err
     assert files(here) == {"elbow.yaml", FOLDER}
+
+
+def test_keep_on_a_full_disk(here: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(record: object, folder: Path) -> Path:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr("robodyn.search.improve.write_record", full)
+    more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]
+    _, err = run(capsys, "gen", "elbow.yaml", "-o", "out", *more, code=74)
+    assert "cannot write into records: No space left on device; leave out --keep" in err
+    assert files(here) == {"elbow.yaml"}
 
 
 @pytest.mark.parametrize("objective", ["depth", "weighted:cortex-m4"])

@@ -456,7 +456,7 @@ def test_refused(command: str, text: str, capsys: Capture) -> None:
         ("t,tau1\n0,1\n1,1\n2,1\n4,1\n5,1\n", "the times are not even"),
         ("t,tau1\n1,1\n0,1\n", "rising times"),
         ("t,tau1\n0,1\n", "one row of torques does not say for how long; give --duration"),
-        ("t,tau1\n\xff", "f.csv: the file is not UTF-8 text"),
+        ("t,tau1\n\xff", "f.csv:2:1: the file is not UTF-8 text"),
     ],
 )
 def test_torques_that_are_none(rows: str, text: str, capsys: Capture) -> None:

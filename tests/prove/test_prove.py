@@ -254,7 +254,7 @@ def test_missing_tools_are_named(
         (["--only", ""], "no proof asked for"),
         (["--tolerance", "2"], "a tolerance that is no share"),
         (["--tolerance", "x"], "a tolerance that is no share"),
-        (["--ranges", "none.yaml"], "cannot read the ranges"),
+        (["--ranges", "none.yaml"], "none.yaml: the file cannot be read; found no such file"),
         (["--trig", "magic"], "unknown kind of sine and cosine"),
         (["--scalar", "half"], "unknown scalar"),
     ],

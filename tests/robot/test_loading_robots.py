@@ -108,7 +108,7 @@ def test_pipes_and_devices_are_refused_unopened(tmp_path: Path) -> None:
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="missing: os.mkfifo; only POSIX has it")
 def test_a_file_that_only_calls_itself_regular(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As /proc/kmsg does; without a writer it ends at once, with one it would wait."""
-    monkeypatch.setattr("robodyn.robot.bundled.S_ISREG", lambda _: True)
+    monkeypatch.setattr("robodyn.files.S_ISREG", lambda _: True)
     os.mkfifo(tmp_path / "kmsg")
     with pytest.raises(InputError, match="kmsg:1:1: the file is empty"):
         load("kmsg")

@@ -172,9 +172,9 @@ def test_directions_near_rest(rest: Fraction | None, band: Fraction | None) -> N
     tau = Reference(arm(torque_side="link")).inverse_dynamics(q, qd, qdd)[:, 1]
     v = qd[:, 1]
     s = np.tanh(v * 10) if rest else np.where(np.abs(v) < 1, 0, np.sign(v))
-    tau = tau * (1 + ((1 / 0.8 + 0.8) / 2 - 1) * s**2) + np.abs(tau) * s * (1 / 0.8 - 0.8) / 2 + 2 * s
+    tau = tau * (1 + ((1 / 0.8 + 0.8) / 2 - 1) * np.abs(s)) + np.abs(tau) * s * (1 / 0.8 - 0.8) / 2 + 2 * s
     tau += float(joint.motor_inertia) * qdd[:, 1] + float(joint.viscous) * v + float(joint.coulomb) * s
-    close(found, tau + (3 + 1) / 2 * s + (3 - 1) / 2 * s**2)
+    close(found, tau + (3 + 1) / 2 * s + (3 - 1) / 2 * np.abs(s))
     assert len(set(np.sign(s))) == (2 if rest else 3)
 
 

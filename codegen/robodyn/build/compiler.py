@@ -11,13 +11,13 @@ import os
 import re
 import shlex
 import shutil
-import subprocess
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from robodyn.build.running import SECONDS, run
 from robodyn.errors import ToolError
 
 Language = Literal["c", "fortran"]
@@ -27,6 +27,9 @@ Language = Literal["c", "fortran"]
 C_FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno")
 #: Default flags of the emitted Fortran, with the same arithmetic.
 FORTRAN_FLAGS = ("-std=f2018", "-O2", "-ffp-contract=off")
+
+#: How long a compiler may take to say who it is [s].
+ANSWER = 60.0
 
 _TITLE: dict[Language, str] = {"c": "C", "fortran": "Fortran"}
 _VARIABLE: dict[Language, str] = {"c": "CC", "fortran": "FC"}
@@ -62,11 +65,11 @@ class Compiler:
 
         Raises
         ------
-        ToolError: the compiler cannot be started, or refuses, with the first lines of what it said; or it
-            is content and has not written the target.
+        ToolError: the compiler cannot be started, does not come to an end, or refuses, with the first lines
+            of what it said; or it is content and has not written the target.
         """
         command = [*self.command, *arguments]
-        code, said = _execute(command, folder)
+        code, said = _execute(command, folder, SECONDS)
         if code != 0:
             raise ToolError(
                 f"the {_TITLE[self.language]} compiler failed at {doing}",
@@ -170,7 +173,7 @@ def _find(language: Language, asked: str | None) -> Compiler:
 
 @functools.lru_cache(maxsize=32)
 def _identify(language: Language, command: tuple[str, ...]) -> Compiler:
-    code, said = _execute([*command, "--version"], None)
+    code, said = _execute([*command, "--version"], None, ANSWER)
     if code != 0 or not said.strip():
         raise ToolError(
             f"the {_TITLE[language]} compiler does not work",
@@ -178,27 +181,24 @@ def _identify(language: Language, command: tuple[str, ...]) -> Compiler:
             expected="its version",
             remedy=f"the command was: {shlex.join([*command, '--version'])}",
         )
-    code, machine = _execute([*command, "-dumpmachine"], None)
+    code, machine = _execute([*command, "-dumpmachine"], None, ANSWER)
     identity = said.strip() + (f"\n{machine.strip()}" if code == 0 else "")
     return Compiler(language, command, said.strip().splitlines()[0], identity)
 
 
-def _execute(command: Sequence[str], folder: Path | None) -> tuple[int, str]:
+def _execute(command: Sequence[str], folder: Path | None, seconds: float) -> tuple[int, str]:
     """Exit status and all that was said; the messages in English, whatever the user's language."""
     try:
-        done = subprocess.run(
-            list(command),
-            cwd=folder,
-            env={**os.environ, "LC_ALL": "C"},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            errors="replace",
-            check=False,
-        )
+        done = run(command, folder=folder, seconds=seconds)
     except OSError as error:
         raise ToolError(
             f"{command[0]} cannot be started", found=error.strerror or str(error), expected="a compiler"
         ) from None
-    return done.returncode, done.stdout
+    if done.code is None:
+        raise ToolError(
+            f"{command[0]} does not come to an end",
+            found=first_lines(done.said) or "no message",
+            expected=f"{seconds:g} s at most",
+            remedy=f"the command was: {shlex.join(command)}",
+        )
+    return done.code, done.said

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
@@ -11,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from robodyn.build.compiler import find_c
+from robodyn.build.running import run
 from robodyn.errors import ToolError
 
 #: Flags of programs with threads: the arithmetic is that of kernels, whose bits they are set against.
@@ -60,21 +60,12 @@ def built(
 
 def _run(command: Sequence[str], seconds: float) -> tuple[int, str]:
     try:
-        done = subprocess.run(
-            command,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            timeout=seconds,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        raise ToolError(
-            "the compiled program does not come to an end", expected=f"{seconds:g} s at most"
-        ) from None
+        done = run(command, seconds=seconds, listen="stdout")
     except OSError as error:
         raise ToolError("the compiled program cannot be started", found=error.strerror) from None
-    return done.returncode, done.stdout
+    if done.code is None:
+        raise ToolError("the compiled program does not come to an end", expected=f"{seconds:g} s at most")
+    return done.code, done.said
 
 
 def cores() -> int:

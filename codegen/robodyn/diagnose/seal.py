@@ -15,14 +15,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from robodyn.diagnose.json_part import Part
 from robodyn.diagnose.result import CLAIM
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError, Place
+from robodyn.files import parsed_json
 
 _FIRST = "robodyn sealed answer 1"
 _MOST = 8_000_000  # characters of an answer
 #: A gap of less than so many noise floors is none to speak of.
 _GAP = 0.2
+_REMEDY = "take the answer.sealed that robodyn hide has written"
 _VERDICTS = ("missing_effect", "consistent", "unexplained")
 
 Status = Literal["right", "in the declared set", "wrong"]
@@ -44,26 +47,52 @@ def open_seal(text: str, file: str = "answer.sealed") -> dict[str, Any]:
     """
     lines = text.split()
     head = _FIRST.split()
-    fault = None
     if lines[: len(head)] != head:
-        fault = "another beginning"
+        fault: str = "another beginning"
     else:
         try:
             packed = base64.b64decode("".join(lines[len(head) :]), validate=True)
             unpacking = zlib.decompressobj()
             data = unpacking.decompress(packed, _MOST)
-            found = json.loads(data) if unpacking.eof else None
+            if unpacking.eof and not unpacking.unused_data:
+                return _answer(Part(parsed_json(data), file, "a sealed answer", _REMEDY))
+            fault = "a part of one, or more than one"
         except (binascii.Error, zlib.error, ValueError) as error:
-            fault, found = str(error), None
-        if isinstance(found, dict) and isinstance(found.get("effects"), list):
-            return found
+            fault = str(error)
     raise InputError(
         "this is not a sealed answer",
         where=Place(file),
-        found=fault or "a part of one, or something else",
+        found=fault,
         expected=f"a file that begins with {_FIRST!r}",
-        remedy="take the answer.sealed that robodyn hide has written",
+        remedy=_REMEDY,
     )
+
+
+def _answer(whole: Part) -> dict[str, Any]:
+    """The answer, all of it that is used of the right kind."""
+    for one in whole.need("effects", "the effects that are hidden").each():
+        one.need("effect", "the name of an effect").name()
+        joint = one.get("joint")
+        if joint is not None:
+            joint.joint()
+        _hidden_values(one.need("parameters", "parameters by name"))
+    noise, logs = whole.get("noise"), whole.get("logs")
+    for each in noise.each() if noise is not None else []:
+        each.number(0)
+    for key in logs.object() if logs is not None else ():
+        logs.need(key, "the hash of a log").text()  # type: ignore[union-attr]
+    found: dict[str, Any] = whole.value
+    return found
+
+
+def _hidden_values(parameters: Part) -> None:
+    for name, part in parameters.items():
+        if isinstance(part.value, str):
+            part.text()
+        elif name == "with":
+            part.joint()
+        else:
+            part.number()
 
 
 # --- the score --------------------------------------------------------------------------------------------
@@ -130,18 +159,25 @@ class Score:
         }
 
 
-def score(answer: Mapping[str, Any], diagnosis: Any) -> Score:
+def score(answer: Mapping[str, Any], diagnosis: Any, file: str = "diagnosis.json") -> Score:
     """``diagnosis`` (what ``diagnosis.json`` holds) beside ``answer`` (:func:`open_seal`).
 
     A claim is right where effect and joint are those of something hidden; in the declared set where the
     hidden effect is among those that the claim says it cannot be told from; else wrong. An effect is missed
     that no claim is right about, not even by its set. A claim answers for one effect, the best that it can.
+    ``file`` is what messages call the diagnosis.
 
     Raises
     ------
-    InputError: ``diagnosis`` is no diagnosis.
+    InputError: ``diagnosis`` is no diagnosis; with the part of it that is wrong.
     """
-    findings = _findings(diagnosis)
+    whole = Part(diagnosis, file, "a diagnosis", "take the diagnosis.json that robodyn diagnose has written")
+    verdict = whole.need("verdict", f"one of {', '.join(_VERDICTS)}")
+    if verdict.value not in _VERDICTS:
+        raise verdict.wrong(f"one of {', '.join(_VERDICTS)}")
+    listed = [_finding(part) for part in whole.need("findings", "a list of findings").each()]
+    findings = [f for f in listed if f["confidence"] >= CLAIM and verdict.value == "missing_effect"]
+    closed, same = _closed(answer, whole), _same(answer, whole)
     hidden = list(answer["effects"])
     open_ = list(range(len(hidden)))
     found: dict[int, tuple[Status, Mapping[str, Any] | None]] = {}
@@ -157,35 +193,35 @@ def score(answer: Mapping[str, Any], diagnosis: Any) -> Score:
     claims = []
     for k, finding in enumerate(findings):
         status, truth = found.get(k, ("wrong", None))
-        parameters = finding.get("parameters", {})
-        claims.append(Claim(finding["effect"], finding["joint"], status, parameters, truth))
-    return Score(
-        diagnosis["verdict"], len(hidden), len(open_), tuple(claims), _closed(answer, diagnosis),
-        _same(answer, diagnosis),
-    )  # fmt: skip
+        claims.append(Claim(finding["effect"], finding["joint"], status, finding["parameters"], truth))
+    return Score(verdict.value, len(hidden), len(open_), tuple(claims), closed, same)
 
 
-def _findings(diagnosis: Any) -> list[Mapping[str, Any]]:
-    """The claims among the findings."""
-    verdict = diagnosis.get("verdict") if isinstance(diagnosis, Mapping) else None
-    listed = diagnosis.get("findings") if verdict in _VERDICTS else None
-    if not isinstance(listed, list) or not all(map(_is_finding, listed)):
-        raise InputError(
-            "this is not a diagnosis",
-            expected="diagnosis.json of robodyn diagnose, with verdict and findings",
-        )
-    if verdict != "missing_effect":
-        return []
-    return [f for f in listed if f["confidence"] >= CLAIM]
+def _finding(part: Part) -> dict[str, Any]:
+    """A finding, all of it that is used of the right kind; what may be left out is there."""
+    joint, others, parameters = (part.get(key) for key in ("joint", "confounded_with", "parameters"))
+    values = list(parameters.items()) if parameters is not None else []
+    return {
+        "effect": part.need("effect", "the name of an effect").name(),
+        "joint": None if joint is None else joint.joint(),
+        "confidence": part.need("confidence", "a number from 0 to 1").number(0, 1),
+        "confounded_with": [] if others is None else [other.name() for other in others.each()],
+        "parameters": {name: _estimate(name, value) for name, value in values},
+    }
 
 
-def _is_finding(one: object) -> bool:
-    return (
-        isinstance(one, Mapping)
-        and isinstance(one.get("effect"), str)
-        and (one.get("joint") is None or isinstance(one.get("joint"), int))
-        and isinstance(one.get("confidence"), (int, float))
-    )
+def _estimate(name: str, part: Part) -> dict[str, Any]:
+    """A parameter of a finding: its value, where it has one its standard error, and its unit."""
+    value, error, unit = (part.get(key) for key in ("value", "stderr", "unit"))
+    said: float | str | None = None
+    if value is not None:
+        plain = value.joint if name == "with" else value.number
+        said = value.text() if isinstance(value.value, str) else plain()
+    return {
+        "value": said,
+        "stderr": None if error is None else error.number(0),
+        "unit": "" if unit is None else unit.text(),
+    }
 
 
 def _is(finding: Mapping[str, Any], hidden: Mapping[str, Any]) -> bool:
@@ -194,14 +230,14 @@ def _is(finding: Mapping[str, Any], hidden: Mapping[str, Any]) -> bool:
 
 def _place(one: Mapping[str, Any]) -> frozenset[Any]:
     """The joints of an effect: a motor that drives two is at both, whichever is named first."""
-    other = one.get("parameters", {}).get("with")
+    other = one["parameters"].get("with")
     if isinstance(other, Mapping):
-        other = other.get("value")
-    return frozenset({one["joint"]} | ({int(other)} if other is not None else set()))
+        other = other["value"]
+    return frozenset({one.get("joint")} | ({int(other)} if isinstance(other, (int, float)) else set()))
 
 
 def _holds(finding: Mapping[str, Any], hidden: Mapping[str, Any]) -> bool:
-    if hidden["effect"] not in finding.get("confounded_with", ()):
+    if hidden["effect"] not in finding["confounded_with"]:
         return False
     apart = not (_wide(finding["effect"]) or _wide(hidden["effect"]))
     return not apart or bool(_place(finding) & _place(hidden))
@@ -215,24 +251,35 @@ def _wide(id: str) -> bool:
     )
 
 
-def _closed(answer: Mapping[str, Any], diagnosis: Mapping[str, Any]) -> float | None:
-    """Of all joints together, each in units of its noise, what of the gap went."""
-    try:
-        gap, noise = diagnosis["gap"]["validate"], [float(x) for x in answer["noise"]]
-
-        def excess(rms: Any) -> float:
-            shares = [(float(x) / of) ** 2 for x, of in zip(rms, noise, strict=True)]
-            return math.sqrt(sum(shares) / len(shares)) - 1
-
-        before, after = excess(gap["before"]), excess(gap["after"])
-        return 1 - after / before if before > _GAP else None
-    except (KeyError, TypeError, ValueError, ZeroDivisionError):
+def _closed(answer: Mapping[str, Any], diagnosis: Part) -> float | None:
+    """Of all joints together, each in units of its noise, what of the gap went; None where a number is
+    missing."""
+    gap = diagnosis.get("gap")
+    validate = None if gap is None else gap.get("validate")
+    sides = [None if validate is None else validate.get(key) for key in ("before", "after")]
+    before, after = ([] if side is None else _gaps(side) for side in sides)
+    noise = [float(x) for x in answer.get("noise") or ()]
+    if not noise or not min(noise) or not len(before) == len(after) == len(noise):
         return None
 
+    def excess(rms: list[float]) -> float:
+        return math.hypot(*(x / of for x, of in zip(rms, noise, strict=True))) / math.sqrt(len(noise)) - 1
 
-def _same(answer: Mapping[str, Any], diagnosis: Mapping[str, Any]) -> bool:
+    lacking, left = excess(before), excess(after)
+    share = 1 - left / lacking if lacking > _GAP else None
+    return share if share is not None and math.isfinite(share) else None
+
+
+def _gaps(listed: Part) -> list[float]:
+    """The numbers of a list, none where one of them is null, as what cannot be known is."""
+    found = [None if part.value is None else part.number(0) for part in listed.each()]
+    return [] if None in found else [x for x in found if x is not None]
+
+
+def _same(answer: Mapping[str, Any], diagnosis: Part) -> bool:
     """False where all logs of the diagnosis have hashes, and none of them is a log of the test's."""
-    logs = diagnosis.get("logs") or ()
-    hashes = [log.get("sha256") for log in logs if isinstance(log, Mapping)]
-    full = [one for one in hashes if isinstance(one, str) and len(one) == 64]
-    return not full or len(full) < len(hashes) or bool(set(full) & set(answer.get("logs", {}).values()))
+    logs = diagnosis.get("logs")
+    parts = [log.get("sha256") for log in (logs.each() if logs is not None else [])]
+    hashes = [part.text() for part in parts if part is not None]
+    full = [one for one in hashes if len(one) == 64]
+    return not full or len(full) < len(parts) or bool(set(full) & set((answer.get("logs") or {}).values()))

@@ -8,7 +8,7 @@ from typing import Any
 
 from robodyn.dynamics.drive import Acting, JointDrive, Layer, Rates
 from robodyn.effects.effect import Coupler, Memory
-from robodyn.effects.scalars import exponential, is_zero, sign
+from robodyn.effects.scalars import exponential, held, is_duration, is_finite, is_zero, magnitude, sign
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,13 +37,15 @@ def link_rates(layer: Layer, measured: Rates, states: Mapping[int, TwistState]) 
 def next_twist(drive: JointDrive, passed: Any, before: TwistState, dt: Any) -> TwistState:
     """The twist ``dt`` later under the torque ``passed`` on; ``dt`` 0 sets it to rest.
 
-    Rates are differences over ``dt``; damping lets the twist follow its value at rest exponentially.
+    Rates are differences over ``dt``; damping lets the twist follow its value at rest exponentially. Where
+    something is infinite or no number, or ``dt`` negative, all stays as it was before.
     """
     assert drive.coupler is not None
     coupler = coupler_of(drive.coupler)
     values = drive.coupler.values
     moving = sign(dt)
-    span = dt + (1 - moving)  # not 0: what is divided by it or divides it is multiplied by 0 where dt is
+    # Not 0: what is divided by it or divides it is multiplied by 0 where dt is.
+    span = magnitude(dt) + (1 - magnitude(moving))
     per_second = moving / span
     twist = coupler.twist(values, passed)
     lag = coupler.lag(values, passed)
@@ -51,7 +53,12 @@ def next_twist(drive: JointDrive, passed: Any, before: TwistState, dt: Any) -> T
         twist = twist + (before.twist - twist) * (exponential(-(span / lag)) * moving)
     rate = (twist - before.twist) * per_second
     acceleration = (rate - before.rate) * per_second * moving
-    return TwistState(twist, rate, acceleration)
+    good = is_finite(magnitude(twist) + magnitude(rate) + magnitude(acceleration)) * is_duration(dt)
+    return TwistState(
+        held(good, twist, before.twist),
+        held(good, rate, before.rate),
+        held(good, acceleration, before.acceleration),
+    )
 
 
 def motor_rates(layer: Layer, measured: Rates, states: Mapping[int, TwistState]) -> Rates:

@@ -123,8 +123,8 @@ LOAD = Effect(
 def _loss(p: Values, at: Site) -> Any:
     """Table 3.2: ``tau/eta`` where the motor drives, ``tau eta`` where it brakes.
 
-    Written with the direction squared, so that a direction between -1 and 1 gives what lies between and
-    never feeds energy in; at rest there is no loss.
+    Both cases as one; a direction between -1 and 1 gives that share of the loss of its case, and never feeds
+    energy in; at rest there is no loss.
     """
     total = p["breakaway"] * at.direction
     curve = p["efficiency"]
@@ -139,7 +139,7 @@ def _loss(p: Values, at: Site) -> Any:
     even = (inverse + share) / 2 - 1
     odd = (inverse - share) / 2
     s = at.direction
-    return at.tau * even * (s * s) + magnitude(at.tau) * odd * s + total
+    return at.tau * even * magnitude(s) + magnitude(at.tau) * odd * s + total
 
 
 def _loss_fault(p: Values, revolute: bool) -> Fault | None:
@@ -176,13 +176,13 @@ TRANSMISSION = Effect(
             default="linear",
         ),
     ),
-    latex=r"\tau_{in} = \begin{cases} \tau/\eta + \tau_B \operatorname{sgn}\dot q & \tau\dot q > 0 \\"
-    r" \tau\,\eta + \tau_B \operatorname{sgn}\dot q & \tau\dot q < 0 \end{cases},"
-    r"\qquad \eta = \eta(|\tau|/\tau_{\max})",
-    doc="What a harmonic drive loses: the motor must give more than the joint takes when it drives, and gets "
-    "less back when it brakes (Table 3.2, all four quadrants), and a breakaway torque besides. Rotor inertia "
-    "acts before the gear. A cubic through the knots is monotone; beyond the outer knots the curve stays "
-    "level.",
+    latex=r"\tau_{in} = \begin{cases} \tau + (1/\eta - 1)\,\tau\,|s| + \tau_B s & \tau s \ge 0 \\"
+    r" \tau + (\eta - 1)\,\tau\,|s| + \tau_B s & \tau s < 0 \end{cases},"
+    r" \qquad s = \operatorname{sgn}\dot q, \quad \eta = \eta(|\tau|/\tau_{\max})",
+    doc="What a harmonic drive loses: the motor must give more than the joint takes when it drives, tau/eta, "
+    "and gets less back when it brakes, tau eta (Table 3.2, all four quadrants), and a breakaway torque "
+    "besides. Rotor inertia acts before the gear. A cubic through the knots is monotone; beyond the outer "
+    "knots the curve stays level.",
     signature="two branches over the joint torque: steeper than 1 where the motor drives, flatter where it "
     "brakes",
     rivals=("load_dependent_friction", "torque_gain", "coulomb_friction"),

@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.effects.effect import Effect, Fault, Memory, Parameter, Site, Values
-from robodyn.effects.scalars import exponential, is_zero, magnitude, power, sign
+from robodyn.effects.scalars import exponential, is_finite, is_positive, is_zero, magnitude, power, sign
 
 TORQUE, FORCE = "N m", "N"
 
@@ -76,9 +76,11 @@ POWER_LAW = Effect(
             symbol="v_1",
         ),
     ),
-    latex=r"\tau = F_a \left|\dot q/v_1\right|^a \operatorname{sgn}\dot q",
+    latex=r"\tau = F_a \frac{\dot q}{v_1}"
+    r" \left[\left(\frac{\dot q}{v_1}\right)^2 + 10^{-6}\right]^{(a - 1)/2}",
     doc="Friction of lubricants that thin as they are sheared, as in harmonic drives (a of 0.5 to 0.7), or "
-    "of air (a of 2). Within a thousandth of `velocity` of rest a straight line.",
+    "of air (a of 2): a power of the speed, within a thousandth of `velocity` of rest a straight line. It is "
+    "0 at rest by itself, whatever `friction_at_rest` says.",
     signature="a curve through zero over the joint's velocity, bent towards the axis or away from it",
     rivals=("viscous_friction", "coulomb_friction", "stribeck_friction"),
     separates="speeds over a range of five to one, in both directions",
@@ -108,10 +110,10 @@ COULOMB = Effect(
 
 
 def _asymmetric(p: Values, at: Site) -> Any:
-    # With a smoothed direction both halves fade together, so that no energy is fed in between.
+    # The cases of the equation as one: each level times the direction, whatever lies between -1 and 1.
     forward, backward = p["positive"], p["negative"]
     even = (forward - backward) / 2
-    return (forward + backward) / 2 * at.direction + even * (at.direction * at.direction)
+    return (forward + backward) / 2 * at.direction + even * magnitude(at.direction)
 
 
 ASYMMETRIC = Effect(
@@ -123,7 +125,8 @@ ASYMMETRIC = Effect(
         level("positive", "Level in the positive direction.", "F_c^+"),
         level("negative", "Level in the negative direction, as a size.", "F_c^-"),
     ),
-    latex=r"\tau = \begin{cases} F_c^+ & \dot q > 0 \\ -F_c^- & \dot q < 0 \end{cases}",
+    latex=r"\tau = \begin{cases} F_c^+ \operatorname{sgn}\dot q & \dot q \ge 0 \\"
+    r" F_c^- \operatorname{sgn}\dot q & \dot q < 0 \end{cases}",
     doc="A level of its own for either direction of motion.",
     signature="a step at reversals whose middle is not zero",
     rivals=("coulomb_friction", "torque_bias"),
@@ -196,12 +199,17 @@ def _bristle_torque(p: Values, at: Site, state: tuple[Any, ...]) -> Any:
 
 
 def _bristle_step(p: Values, at: Site, state: tuple[Any, ...], dt: Any) -> tuple[tuple[Any, ...], Any]:
-    # Exact for a velocity that is constant over dt: stable for any dt, however stiff the bristles.
+    # Exact for a velocity that is constant over dt: stable for any dt, however stiff the bristles. Where the
+    # velocity or dt is infinite or no number, or dt negative, z stays, to the bit: left is 1 then, full 0.
     (z,) = state
-    left = exponential(-(p["stiffness"] * magnitude(at.qd) / p["level"] * dt))
-    full = p["level"] / p["stiffness"] * sign(at.qd)
+    way = p["stiffness"] * magnitude(at.qd) / p["level"] * dt
+    moving = is_positive(way) * is_finite(way)
+    left = power(exponential(-magnitude(way)), moving)
+    full = p["level"] / p["stiffness"] * (sign(at.qd) * moving)
     moved = (full + (z - full) * left,)
-    return moved, _bristle_torque(p, at, moved)
+    # That a velocity is no number shows in the torque all the same.
+    nothing = magnitude(at.qd) - sign(at.qd) * at.qd
+    return moved, _bristle_torque(p, at, moved) + nothing
 
 
 PRESLIDING = Effect(
@@ -225,7 +233,8 @@ PRESLIDING = Effect(
     ),
     latex=r"\dot z = \dot q - \frac{\sigma_0 |\dot q|}{F_c} z, \qquad \tau = \sigma_0 z + \sigma_1 \dot z",
     doc="The contact is a spring until it slides: friction depends on the way since the last reversal. "
-    "State z [rad or m] is how far it is bent; begun at z = 0 it never feeds energy in.",
+    "State z [rad or m] is how far it is bent; begun at z = 0 it never feeds energy in. In steady motion, "
+    "and in functions without memory, tau is F_c sgn(qd).",
     signature="after a reversal the torque follows the distance, not the velocity; a loop over position",
     rivals=("coulomb_friction", "stribeck_friction", "backlash", "joint_elasticity"),
     separates="reversals of several amplitudes below level/stiffness",

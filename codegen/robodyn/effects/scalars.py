@@ -68,8 +68,13 @@ def cosine(x: Any) -> Any:
 
 
 def sign(x: Any) -> Any:
-    """-1, 0 or 1."""
-    return _call("sign", x)
+    """-1, 0 or 1; 0 of what is no number, in every language and for every scalar."""
+    found = _call("sign", x)
+    if hasattr(x, "dtype"):
+        import numpy as np
+
+        return np.nan_to_num(found)
+    return found
 
 
 def magnitude(x: Any) -> Any:
@@ -91,8 +96,10 @@ def power(x: Any, exponent: Any) -> Any:
         import sympy
 
         return sympy.Pow(x, exponent)
-    if hasattr(x, "dtype"):
-        return x ** float(exponent)
+    if hasattr(x, "dtype") or hasattr(exponent, "dtype"):
+        import numpy as np
+
+        return np.power(x, exponent if hasattr(exponent, "dtype") else float(exponent))
     return math.pow(x, exponent)
 
 
@@ -104,6 +111,30 @@ def positive_part(x: Any) -> Any:
 def clamped(x: Any, low: Any, high: Any) -> Any:
     """``x``, or the nearest of ``low`` and ``high``."""
     return low + positive_part(x - low) - positive_part(x - high)
+
+
+# --- what keeps a state whole where a sample is infinite or no number ---------------------------------------
+# Of all that programs have, only sgn(nan) = 0 and nan^0 = 1 (C99 F.9.4.4, IEEE 754 9.2.1) are numbers again.
+
+
+def is_positive(x: Any) -> Any:
+    """1 where ``x`` is more than 0, else 0; 0 of what is no number."""
+    return positive_part(sign(x))
+
+
+def is_finite(x: Any) -> Any:
+    """1, or 0 where ``x`` is infinite or no number."""
+    return sign(1 / (1 + magnitude(x)))
+
+
+def is_duration(dt: Any) -> Any:
+    """1 where ``dt`` is 0 or more, 0 where it is negative, infinite or no number."""
+    return is_finite(dt) * (1 - is_positive(-dt))
+
+
+def held(good: Any, new: Any, old: Any) -> Any:
+    """``new`` where ``good`` is 1, bit for bit, and ``old`` where it is 0, whatever ``new`` is then."""
+    return power(new, good) * good + old * (1 - good)
 
 
 def is_zero(value: Any) -> bool:

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     import jinja2
 
 #: What has a meaning in a line of CommonMark, of GitHub's tables and formulas, or of the tools that place
-#: variables (``{``). An underscore within a word has none.
-_SPECIAL = re.compile(r"[\\`*{}\[\]#|~$]|(?<!\w)_|_(?!\w)")
+#: variables (``{``). A single underscore within a word has none.
+_SPECIAL = re.compile(r"[\\`*{}\[\]#|~$]|(?<![^\W_])_|_(?![^\W_])")
 #: HTML, which not every reader of Markdown takes a backslash before.
 _HTML = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})
 #: What has a meaning at the beginning of a line: lists, rules, underlined headings, definitions.

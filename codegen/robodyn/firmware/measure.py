@@ -9,7 +9,6 @@ from __future__ import annotations
 import dataclasses
 import re
 import shutil
-import subprocess
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -17,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from robodyn.build.compiler import first_lines
+from robodyn.build.running import run
 from robodyn.errors import CheckError, ToolError
 from robodyn.firmware.targets import Target
 
@@ -135,19 +135,17 @@ def _missing(*tools: str) -> str | None:
 def _run(command: Sequence[str], folder: Path, codes: Sequence[int] = (0,)) -> str:
     """What ``command`` says; :class:`ToolError` where it does not leave with one of ``codes``."""
     try:
-        done = subprocess.run(
-            list(command), cwd=folder, capture_output=True, text=True, errors="replace", check=False,
-            timeout=_SECONDS, stdin=subprocess.DEVNULL,
-        )  # fmt: skip
-    except (OSError, subprocess.TimeoutExpired) as error:
+        done = run(command, folder=folder, seconds=_SECONDS)
+    except OSError as error:
         raise ToolError(f"{command[0]} did not run", found=str(error)) from None
-    if done.returncode not in codes:
+    if done.code not in codes:
+        ended = f"exit status {done.code}" if done.code is not None else f"no end after {_SECONDS:g} s"
         raise ToolError(
             f"{command[0]} failed",
-            found=first_lines(done.stdout + done.stderr) or f"exit status {done.returncode}",
+            found=first_lines(done.said) or ended,
             remedy=f"the command was: {' '.join(command)}",
         )
-    return done.stdout + done.stderr
+    return done.said
 
 
 def _built(name: str, target: Target, folder: Path) -> tuple[str, dict[str, int]]:

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from robodyn.build.running import start
 from robodyn.errors import ToolError
 
 
@@ -76,7 +77,7 @@ def run(command: Sequence[str], folder: Path, seconds: float) -> Done:
     """
     began = time.monotonic()
     try:
-        process = subprocess.Popen(
+        process = start(
             list(command),
             cwd=folder,
             env={**os.environ, "LC_ALL": "C", "PWD": str(folder)},  # Frama-C goes by PWD

@@ -53,7 +53,13 @@ With `torque_side: link` only 1 and 2 are in the torque.
 
 **Near rest** sgn of the velocity is what `friction_at_rest` says: `exact` (the default: sgn 0 = 0; the
 simulator lets joints stick and break away), `smooth: {velocity: v}` (tanh of velocity over v) or
-`dead_band: {velocity: v}` (0 below v).
+`dead_band: {velocity: v}` (0 below v, half at v).
+
+**Memory**: presliding, elastic joints and backlash keep their states as they are in a call whose sample
+cannot be: a position, velocity or acceleration that is infinite or no number, or such a `dt`, or one that is
+negative. The torque of that call is no number either (with a bad `dt` alone it is that of the states as they
+were), and the next good sample is right again; rates of a twist are differences over `dt`, and off for two
+calls. A velocity that is merely wrong bends a bristle to its level at most.
 
 """
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import importlib.util
 import re
 import shutil
-import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,9 +18,10 @@ import numpy as np
 
 from robodyn.build.compiler import C_FLAGS
 from robodyn.build.program import built
+from robodyn.build.running import run
 from robodyn.dynamics.functions import signature
 from robodyn.emit.render import environment
-from robodyn.errors import CheckError
+from robodyn.errors import CheckError, ToolError
 from robodyn.generation import Options, generate, program
 from robodyn.passes.trig_given import Given, given_layout
 from robodyn.report.peers.agreement import Disagreement, hold_against
@@ -219,10 +219,12 @@ def _given(layout: Sequence[Given], q: Floats) -> Floats:
 
 
 def _said(command: Sequence[str]) -> str:
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-    if done.returncode:
-        raise CheckError("the race in C fails", found=f"exit code {done.returncode}: {done.stderr[-200:]}")
-    return done.stdout
+    done = run(command, seconds=120, listen="stdout")
+    if done.code:
+        raise CheckError("the race in C fails", found=f"exit code {done.code}")
+    if done.code is None:
+        raise ToolError("the race in C does not come to an end", expected="120 s at most")
+    return done.said
 
 
 def _instructions(path: Path, keys: Sequence[str], absent: dict[str, str]) -> dict[str, float]:
@@ -237,7 +239,7 @@ def _instructions(path: Path, keys: Sequence[str], absent: dict[str, str]) -> di
         for passes in (1, 3):  # the difference is free of starting and ending
             command = [valgrind, "--tool=callgrind", "--callgrind-out-file=/dev/null", str(path)]
             command += ["0", str(passes), str(k)]
-            said = subprocess.run(command, capture_output=True, text=True, check=False).stderr
+            said = run(command, listen="stderr").said
             total = re.search(r"refs:\s+([\d,]+)", said)
             if total is None:
                 absent["instructions"] = f"valgrind fails: {(said.strip().splitlines() or ['?'])[-1]}"

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import difflib
-import errno
 import os
 from dataclasses import replace
 from pathlib import Path
-from stat import S_ISDIR, S_ISREG
 
 from robodyn.errors import InputError, Place
+from robodyn.files import label as label_of
+from robodyn.files import read_start
 from robodyn.resources import data_dir
 from robodyn.robot.document import FILE_SIZE
 from robodyn.robot.model import Robot
-from robodyn.robot.names import text_fault
 from robodyn.robot.reader import Warn, read_bytes
 
 _SUFFIX = ".yaml"
@@ -53,9 +52,7 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     InputError: no such file or name, an unreadable file, or one that is not a robot description.
     """
     name = os.fspath(spec)
-    path = Path(name)
-    # What a file system allows and a terminal does not print is escaped in messages.
-    label = ascii(name)[1:-1] if text_fault(name) else name
+    path, label = Path(name), label_of(name)
     try:
         data = _start_of(path, label)
     except (FileNotFoundError, NotADirectoryError, IsADirectoryError, ValueError):
@@ -72,30 +69,10 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
 
 
 def _start_of(path: Path, label: str) -> bytes:
-    """The file's bytes, one more than are allowed at most. Nothing is waited for.
-
-    A pipe or a device is not even opened. Some files of /proc call themselves regular and make a reader
-    wait all the same: there the open file is told not to, and :class:`BlockingIOError` says it.
-    """
-    mode = path.stat().st_mode
-    if not S_ISREG(mode) and not S_ISDIR(mode):
-        raise InputError(
-            "this is not a regular file", where=Place(label), expected="a robot description, such as arm.yaml"
-        )
-    with open(path, "rb", buffering=0, opener=_without_waiting) as file:
-        data = b""
-        while len(data) <= FILE_SIZE:
-            piece = file.read(FILE_SIZE + 1 - len(data))
-            if piece is None:
-                raise BlockingIOError(errno.EAGAIN, "nothing to read yet")
-            if not piece:
-                break
-            data += piece
-        return data
-
-
-def _without_waiting(path: str, flags: int) -> int:
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+    """The file's bytes, one more than are allowed at most. Nothing is waited for."""
+    if path.is_dir():
+        raise IsADirectoryError
+    return read_start(path, FILE_SIZE + 1, "a robot description, such as arm.yaml", label)
 
 
 def _bundled_path(name: str) -> Path | None:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias
 
 from robodyn.errors import InputError, Place
+from robodyn.files import decoded
 from robodyn.robot.names import shown
 
 #: Largest file that is read [bytes].
@@ -93,22 +94,7 @@ def decode(data: bytes, file: str) -> str:
             found="more than 1 MiB",
             expected="a robot description of at most 1 MiB",
         )
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise InputError(
-            "the file is not UTF-8 text", where=Place(file, 1, 1), found="UTF-16", remedy="save it as UTF-8"
-        )
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        before = data[: error.start]
-        line = before.count(b"\n") + 1
-        column = len(before[before.rfind(b"\n") + 1 :].decode("utf-8", "replace")) + 1
-        raise InputError(
-            "the file is not UTF-8 text",
-            where=Place(file, line, column),
-            found=f"byte 0x{data[error.start]:02x}",
-            remedy="save it as UTF-8",
-        ) from None
+    return decoded(data, file)
 
 
 def compose(text: str, file: str) -> Node:

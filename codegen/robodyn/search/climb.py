@@ -11,10 +11,12 @@ from dataclasses import dataclass
 from robodyn.counts.objective import TARGETS, Objective, operations_of
 from robodyn.ir.program import Program
 from robodyn.search.network import NoWalk
-from robodyn.search.walk import CHAIN, FUSED, SUM, Walk
+from robodyn.search.walk import CHAIN, FUSED, SUM, Walk, library
 
 #: Steps of one call into C: a tenth of a second or two, for interrupts and deadlines to be seen.
 _CHUNK = 1000
+#: How long is waited for a thread that is to stop [s].
+_LAST = 2.0
 #: Programs that stay in the race.
 _POOL = 12
 #: Temperatures of walks. Below 0.2 a walk soon stands; above 0.35 it drifts away.
@@ -48,6 +50,7 @@ def climb(
     ------
     ToolError: there is no C compiler.
     """
+    library()  # compiled here, where Ctrl-C is heard
     threads = max(1, threads)
     race = _Race(programs, seconds, seed, objective or Objective(), threads, progress)
     workers = [threading.Thread(target=race.run, args=(k,), daemon=True) for k in range(threads)]
@@ -60,6 +63,8 @@ def climb(
                 race.tell()
     except BaseException:
         race.stopped = True
+        for worker in workers:  # they see it after their chunk of steps
+            worker.join(_LAST)
         raise
     if race.error is not None:
         raise race.error

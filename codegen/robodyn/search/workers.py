@@ -6,6 +6,7 @@ module is needed), and share nothing with it.
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import os
 import pickle
@@ -15,6 +16,18 @@ import sys
 from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import Any
+
+from robodyn.errors import ToolError
+
+#: What a process runs. It ends without a word, however it ends: the one that asks says what is to be said.
+_SERVE = """\
+import os
+try:
+    from robodyn.search.workers import serve
+    serve()
+finally:
+    os._exit(1)
+"""
 
 
 class Workers:
@@ -27,42 +40,81 @@ class Workers:
     def __enter__(self) -> Workers:
         if self.count > 1:
             environment = dict(os.environ, PYTHONPATH=os.pathsep.join(path for path in sys.path if path))
-            command = [sys.executable, "-c", "from robodyn.search.workers import serve; serve()"]
             pipe = subprocess.PIPE
-            self._processes = [
-                subprocess.Popen(command, stdin=pipe, stdout=pipe, env=environment) for _ in range(self.count)
-            ]
+            try:
+                for _ in range(self.count):  # in a group of their own: Ctrl-C is for the one that asks
+                    process = subprocess.Popen(
+                        [sys.executable, "-c", _SERVE],
+                        stdin=pipe,
+                        stdout=pipe,
+                        env=environment,
+                        start_new_session=True,
+                    )
+                    self._processes.append(process)
+            except BaseException:
+                self._end(at_once=True)
+                raise
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._end(at_once=kind is not None)
+
+    def _end(self, *, at_once: bool) -> None:
         for process in self._processes:
-            if kind is not None:
+            if at_once:
                 process.kill()
             for stream in (process.stdin, process.stdout):
                 if stream is not None:
-                    stream.close()
+                    with contextlib.suppress(OSError):  # what it was to do next: it is dead already
+                        stream.close()
+        for process in self._processes:
             process.wait()
 
     def run(self, function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]]) -> list[Any]:
-        """``function`` of each task's arguments; at most ``count`` tasks, one a process."""
+        """``function`` of each task's arguments; at most ``count`` tasks, one a process.
+
+        Raises
+        ------
+        ToolError: a process has ended before its work was done.
+        """
         if not self._processes:
             return [function(*task) for task in tasks]
         busy = []
         for process, task in zip(self._processes, tasks, strict=False):
             assert process.stdin is not None
-            pickle.dump((function, task), process.stdin)
-            process.stdin.flush()
+            try:
+                pickle.dump((function, task), process.stdin)
+                process.stdin.flush()
+            except BrokenPipeError:
+                raise _lost(process) from None
             busy.append(process)
         results = []
         for process in busy:
             assert process.stdout is not None
-            done, result = pickle.load(process.stdout)
+            try:
+                done, result = pickle.load(process.stdout)
+            except (EOFError, pickle.UnpicklingError):
+                raise _lost(process) from None
             if not done:
                 raise result
             results.append(result)
         return results
+
+
+def _lost(process: subprocess.Popen[bytes]) -> ToolError:
+    """What to say of a process that has ended on its own."""
+    try:
+        code = process.wait(1)
+        found = f"signal {-code}" if code < 0 else f"exit status {code}"
+    except subprocess.TimeoutExpired:
+        found = "no answer"
+    return ToolError(
+        "a process that helps to search has ended before its work was done",
+        found=found,
+        remedy="search again; if memory is short, with fewer other programs running",
+    )
 
 
 def serve() -> None:

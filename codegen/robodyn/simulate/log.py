@@ -15,16 +15,15 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, is_dataclass
 from fractions import Fraction
 from pathlib import Path, PurePath, PureWindowsPath
-from stat import S_ISREG
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
+from robodyn.files import label, parsed_json, read_bytes
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
-from robodyn.robot.names import text_fault
 from robodyn.robot.values import Affine
 from robodyn.simulate.log_csv import read_csv, write_csv
 from robodyn.simulate.log_parquet import read_parquet, write_parquet
@@ -32,6 +31,7 @@ from robodyn.simulate.log_parquet import read_parquet, write_parquet
 Floats = NDArray[np.float64]
 
 _PARQUET = (".parquet", ".pq")
+_PROVENANCE = 1 << 24  # bytes of the file beside a log, at most
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -183,14 +183,15 @@ def read_provenance(path: str | os.PathLike[str]) -> dict[str, Any] | None:
     beside = Path(f"{os.fspath(path)}.json")
     if not beside.is_file():
         return None
+    data = read_bytes(beside, _PROVENANCE, "the provenance of a log")
     try:
-        found = json.loads(beside.read_bytes())
+        found = parsed_json(data)
     except ValueError as error:
         found = str(error)
     if not isinstance(found, dict):
         raise InputError(
             "this is not the provenance of a log",
-            where=Place(_label(str(beside))),
+            where=Place(label(beside)),
             found=found if isinstance(found, str) else "other JSON",
             expected="a JSON object",
             remedy="delete it, or write the log again",
@@ -237,14 +238,10 @@ def read_log(path: str | os.PathLike[str], n: int | None = None) -> Log:
     ToolError: it is Parquet, and pyarrow is missing.
     """
     name = os.fspath(path)
-    file, place = _label(name), Path(name)
+    file, place = label(name), Path(name)
     if n is not None and n < 1:
         raise InputError("a log is of one joint or more", found=f"n = {n}")
     try:
-        if not S_ISREG(place.stat().st_mode):
-            raise InputError(
-                "this is not a regular file", where=Place(file), expected="a log, such as log.csv"
-            )
         read = read_parquet if name.lower().endswith(_PARQUET) else read_csv
         layout, tables = read(place, file, n)
     except (OSError, ValueError) as error:
@@ -259,8 +256,3 @@ def read_log(path: str | os.PathLike[str], n: int | None = None) -> Log:
     return Log(
         tables["t"][:, 0], tables["q"], tables.get("qd"), tables.get("qdd"), tables["tau"], {}, layout.ignored
     )
-
-
-def _label(name: str) -> str:
-    """A path for messages; what a terminal does not print is escaped."""
-    return ascii(name)[1:-1] if text_fault(name) else name

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from robodyn.errors import InputError, Place
+
+#: Largest log [numbers in the columns that are read]: 2 GiB of doubles, more than any simulation writes.
+LARGEST = 1 << 28
 
 _INDEXED = re.compile(r"(q|qd|qdd|tau)([1-9][0-9]{0,2})\Z")
 
@@ -34,7 +38,7 @@ def layout_of(names: Sequence[str], n: int | None, where: Place) -> Layout:
     ------
     InputError: columns are missing, or there twice.
     """
-    twice = sorted({name for name in names if names.count(name) > 1 and _known(name)})
+    twice = sorted(name for name, count in Counter(names).items() if count > 1 and _known(name))
     if twice:
         raise InputError(
             "the log has columns of one name",
@@ -64,6 +68,18 @@ def layout_of(names: Sequence[str], n: int | None, where: Place) -> Layout:
     read = {position for group in groups.values() for position in group}
     ignored = tuple(name for position, name in enumerate(names) if position not in read)
     return Layout(joints, len(names), groups, ignored)
+
+
+def too_large(layout: Layout, where: Place) -> InputError:
+    """What to say of a log with more samples than are read."""
+    columns = len(layout.wanted)
+    return InputError(
+        "the log is too long",
+        where=where,
+        found=f"more than {LARGEST // columns} samples of {columns} columns",
+        expected=f"at most {LARGEST} numbers",
+        remedy="take a part of it, or fewer samples a second",
+    )
 
 
 def _known(name: str) -> bool:

@@ -7,6 +7,7 @@ through cell by cell, for the place of what is wrong.
 from __future__ import annotations
 
 import io
+import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import BinaryIO
@@ -15,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
+from robodyn.files import open_regular
 from robodyn.robot.names import shown
-from robodyn.simulate.log_columns import Layout, layout_of, number_of
+from robodyn.simulate.log_columns import LARGEST, Layout, layout_of, number_of, too_large
 from robodyn.simulate.shortest import table_text
 
 Floats = NDArray[np.float64]
@@ -66,18 +68,22 @@ def read_csv(path: Path, file: str, n: int | None) -> tuple[Layout, dict[str, Fl
     InputError: not such a log, with the line and column of what is wrong.
     OSError: the file cannot be read.
     """
-    with path.open("rb") as source:
+    with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
         layout = layout_of(_header(source, file), n, Place(file, 1))
-        size = path.stat().st_size - source.tell()
+        size = os.fstat(source.fileno()).st_size - source.tell()
+        most = LARGEST // len(layout.wanted)
         tables = {group: np.empty((0, len(at))) for group, at in layout.groups.items()}
         samples, line = 0, 2
         for block in _blocks(source, file):
             rows = _parse(block, layout, Place(file, line))
             line += block.count(b"\n")
             end = samples + len(rows)
+            if end > most:
+                raise too_large(layout, Place(file, line))
             if end > len(tables["t"]):
                 # As many as the file has at this rate; lines that grow shorter may call for more.
                 room = max(end, int(1.02 * len(rows) * size / len(block)) + 16, len(tables["t"]) * 5 // 4)
+                room = min(room, most)
                 for table in tables.values():
                     table.resize((room, table.shape[1]), refcheck=False)
             start = 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import io
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -12,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place, ToolError
+from robodyn.files import open_regular
 from robodyn.robot.names import shown
-from robodyn.simulate.log_columns import Layout, layout_of
+from robodyn.simulate.log_columns import LARGEST, Layout, layout_of, too_large
+from robodyn.simulate.parquet_pages import Damaged, check_pages, read_footer
 
 Floats = NDArray[np.float64]
 
@@ -47,37 +50,75 @@ def read_parquet(path: Path, file: str, n: int | None) -> tuple[Layout, dict[str
     OSError: the file cannot be read.
     """
     pyarrow, parquet = _pyarrow()
-    try:
-        with parquet.ParquetFile(path) as source:
-            names, types = source.schema_arrow.names, source.schema_arrow.types
-            layout = layout_of(names, n, Place(file))
-            for position in layout.wanted:
-                kind = types[position]
-                if not pyarrow.types.is_floating(kind) and not pyarrow.types.is_integer(kind):
-                    raise InputError(
-                        f"the column {shown(names[position])} is not of numbers",
-                        where=Place(file),
-                        found=str(kind),
-                        expected="double",
-                    )
-            rows = source.metadata.num_rows
-            if not rows:
-                raise InputError("the log has no samples", where=Place(file), expected="a row a sample")
-            tables = {group: np.empty((rows, len(at))) for group, at in layout.groups.items()}
-            start = 0
-            wanted = [names[position] for position in layout.wanted]
-            for batch in source.iter_batches(BATCH, columns=wanted):
-                for group, at in layout.groups.items():
-                    for i, position in enumerate(at):
-                        column = batch.column(names[position])
-                        _refuse_gaps(column, names[position], start, file)
-                        tables[group][start : start + len(column), i] = column.to_numpy(zero_copy_only=False)
-                start += batch.num_rows
-    except pyarrow.ArrowException as error:
-        raise InputError(
-            "the file is not Parquet", where=Place(file), found=str(error), remedy="text ends in .csv"
-        ) from None
-    return layout, tables
+    with io.BufferedReader(open_regular(path, "a log, such as log.parquet", file)) as source:
+        try:
+            size = os.fstat(source.fileno()).st_size
+            footer = read_footer(source, size)
+            with parquet.ParquetFile(source) as opened:
+                layout = _layout(pyarrow, opened.schema_arrow, file, n)
+                wanted = [opened.schema_arrow.names[position] for position in layout.wanted]
+                if not footer.rows:
+                    raise InputError("the log has no samples", where=Place(file), expected="a row a sample")
+                if footer.rows > LARGEST // len(wanted):
+                    raise too_large(layout, Place(file))
+                for chunk in footer.chunks(wanted):
+                    check_pages(source, size, chunk)
+                return layout, _tables(opened, layout, wanted, footer.rows, file)
+        except (pyarrow.ArrowException, OSError, ValueError) as error:
+            if isinstance(error, OSError) and error.errno is not None:  # of the system, not of pyarrow
+                raise
+            if isinstance(error, MemoryError):
+                raise MemoryError from None
+            raise InputError(
+                "the file is not Parquet, or damaged",
+                where=Place(file),
+                found=_first_line(error),
+                remedy="write it again; text ends in .csv",
+            ) from None
+
+
+def _layout(pyarrow: Any, schema: Any, file: str, n: int | None) -> Layout:
+    """The layout of a file of that ``schema``; the columns that are read are of numbers."""
+    layout = layout_of(schema.names, n, Place(file))
+    for position in layout.wanted:
+        kind = schema.types[position]
+        if not pyarrow.types.is_floating(kind) and not pyarrow.types.is_integer(kind):
+            raise InputError(
+                f"the column {shown(schema.names[position])} is not of numbers",
+                where=Place(file),
+                found=str(kind),
+                expected="double",
+            )
+    return layout
+
+
+def _tables(opened: Any, layout: Layout, wanted: Sequence[str], rows: int, file: str) -> dict[str, Floats]:
+    """The groups of a file whose columns are known to have so many ``rows``."""
+    tables = {group: np.empty((rows, len(at))) for group, at in layout.groups.items()}
+    start = 0
+    for batch in opened.iter_batches(BATCH, columns=wanted):
+        end = start + batch.num_rows
+        if end > rows or any(len(batch.column(name)) != batch.num_rows for name in wanted):
+            break
+        columns = iter(wanted)
+        for table in tables.values():
+            for i in range(table.shape[1]):
+                name = next(columns)
+                column = batch.column(name)
+                _refuse_gaps(column, name, start, file)
+                with np.errstate(invalid="ignore"):  # half floats that are no numbers
+                    table[start:end, i] = column.to_numpy(zero_copy_only=False)
+        start = end
+    if start != rows:
+        raise Damaged(f"columns that end at row {start} of {rows}")
+    return tables
+
+
+def _first_line(error: BaseException) -> str:
+    """What pyarrow says, in one line that can be printed."""
+    lines = str(error).strip().splitlines()
+    text = lines[0].rstrip(".") if lines else type(error).__name__
+    return text if text.isprintable() else ascii(text)[1:-1]
 
 
 def _refuse_gaps(column: Any, name: str, start: int, file: str) -> None:

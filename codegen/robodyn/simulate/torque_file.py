@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from os import PathLike
 from pathlib import Path
 
@@ -11,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
+from robodyn.files import read_text
+from robodyn.simulate.trajectories.file import LARGEST
 from robodyn.simulate.trajectories.trajectory import uneven_sample
 
 Floats = NDArray[np.float64]
@@ -31,7 +34,8 @@ def read_torques(path: str | PathLike[str], n: int) -> tuple[Floats, float]:
     header, rows = _rows(Path(path), name)
     columns = _columns(header[1], n, Place(name, header[0]))
     table = np.empty((len(rows), n + 1))
-    for k, (line, cells) in enumerate(rows):
+    for k, (line, text) in enumerate(rows):
+        cells = [cell.strip() for cell in text.split(",")]
         if len(cells) != len(header[1]):
             raise InputError(
                 "a line of the wrong length",
@@ -57,20 +61,10 @@ def read_torques(path: str | PathLike[str], n: int) -> tuple[Floats, float]:
     return table[:, 1:].copy(), period
 
 
-def _rows(path: Path, name: str) -> tuple[tuple[int, list[str]], list[tuple[int, list[str]]]]:
-    """The header and the rows, each with its line."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError("the file is not UTF-8 text", where=Place(name), remedy="save it as UTF-8") from None
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise InputError("the file cannot be read", where=Place(name), found=reason.lower()) from None
-    found = [
-        (i, [cell.strip() for cell in line.split(",")])
-        for i, line in enumerate(text.splitlines(), 1)
-        if line.strip()
-    ]
+def _rows(path: Path, name: str) -> tuple[tuple[int, list[str]], list[tuple[int, str]]]:
+    """The cells of the header and the rows, each with the number of its line."""
+    text = read_text(path, LARGEST, "torques, such as torques.csv", name)
+    found = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
     if len(found) < 2:
         raise InputError(
             "there are no torques in the file",
@@ -78,14 +72,16 @@ def _rows(path: Path, name: str) -> tuple[tuple[int, list[str]], list[tuple[int,
             found="the header only" if found else "nothing",
             expected="t,tau1..taun and a row or more",
         )
-    return found[0], found[1:]
+    first, header = found[0]
+    return (first, [cell.strip() for cell in header.split(",")]), found[1:]
 
 
 def _columns(names: list[str], n: int, where: Place) -> list[int]:
     """Places of ``t`` and of ``tau1`` to ``taun``."""
     wanted = ["t", *(f"tau{i}" for i in range(1, n + 1))]
-    twice = sorted({name for name in wanted if names.count(name) > 1})
-    missing = [name for name in wanted if name not in names]
+    counts = Counter(names)
+    twice = sorted(name for name in wanted if counts[name] > 1)
+    missing = [name for name in wanted if name not in counts]
     if twice or missing:
         raise InputError(
             f"there {'are two columns' if twice else 'is no column'} {', '.join((twice or missing)[:8])}",

@@ -67,11 +67,12 @@ def settings(entry: EffectEntry, parameters: Parameters) -> dict[str, Any]:
 
 
 def direction(speed: Floats, rest_velocity: float | None, dead_band: float | None) -> Floats:
-    """sgn of ``speed``, 0 at 0; smoothed over ``rest_velocity``; 0 for speeds within ``dead_band``."""
+    """sgn of ``speed``, 0 at 0; smoothed over ``rest_velocity``; 0 for speeds within ``dead_band``, half at
+    its edge."""
     if rest_velocity is not None:
         return np.tanh(speed / rest_velocity)
     if dead_band is not None:
-        return np.where(np.abs(speed) < dead_band, 0.0, np.sign(speed))
+        return np.sign(speed) * np.heaviside(np.abs(speed) - dead_band, 0.5)
     return np.sign(speed)
 
 
@@ -107,9 +108,8 @@ def added_torque(effect: str, p: Settings, at: State) -> Floats:
 
 
 def _between(way: Floats, backward: Any, still: Any, forward: Any) -> Floats:
-    """Forward or backward torque; for directions in between, the parabola through the three."""
-    parabola = still * (1 - way) * (1 + way) + forward * way * (way + 1) / 2 + backward * way * (way - 1) / 2
-    return np.asarray(np.where(way == 1, forward, np.where(way == -1, backward, parabola)))
+    """Forward or backward torque; for directions in between, that share of it from the one at rest."""
+    return np.asarray(np.where(way > 0, still + way * (forward - still), still - way * (backward - still)))
 
 
 def _normal_forces(p: Settings, at: State) -> Floats:

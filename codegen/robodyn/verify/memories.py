@@ -18,13 +18,17 @@ def bristle_step(p: Settings, qd: Floats, z: Floats, dt: float) -> tuple[Floats,
     the bend and the torque [N m or N] then.
 
     Over the way s the bend obeys ``dz/ds = 1 - z/z_s`` against the motion, with ``z_s`` the bend of sliding.
+    A sample that cannot be (``qd`` or ``dt`` infinite or no number, or ``dt`` negative) leaves the bend as it
+    is; where it is the velocity, there is no torque (nan).
     """
     limit = p["level"] / p["stiffness"]
     sense = np.sign(qd)
     along = z * sense
-    gone = -np.expm1(-np.abs(qd) * dt / limit)
-    after = np.where(sense == 0, z, sense * (along + (limit - along) * gone))
-    rate = qd * (1 - after * sense / limit)
+    with np.errstate(all="ignore"):
+        way = np.abs(qd) * dt
+        gone = -np.expm1(-way / limit)
+        after = np.where(np.isfinite(way) & (way > 0), sense * (along + (limit - along) * gone), z)
+        rate = np.where(np.isfinite(qd), qd * (1 - after * sense / limit), np.nan)
     return after, np.asarray(p["stiffness"] * after + p["damping"] * rate)
 
 
@@ -59,7 +63,17 @@ class Twist:
 
 def twist_step(effect: str, p: Settings, tau: Floats, before: Twist, dt: float) -> Twist:
     """The twist ``dt`` [s] later under the torque ``tau`` ``[N]``, its rates as differences; at rest if
-    ``dt`` is 0."""
+    ``dt`` is 0; as before where ``tau`` or ``dt`` is infinite or no number, or ``dt`` negative."""
+    if not 0 <= dt < np.inf:
+        return before
+    with np.errstate(all="ignore"):
+        found = _twist_step(effect, p, tau, before, dt)
+        parts = [(getattr(found, x), getattr(before, x)) for x in ("way", "rate", "acceleration")]
+        good = np.isfinite(sum(np.abs(new) for new, _ in parts))
+        return Twist(*(np.where(good, new, old) for new, old in parts))
+
+
+def _twist_step(effect: str, p: Settings, tau: Floats, before: Twist, dt: float) -> Twist:
     rest = twist(effect, p, tau)
     if dt == 0:
         return Twist(rest, np.zeros_like(rest), np.zeros_like(rest))

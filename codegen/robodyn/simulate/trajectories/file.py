@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -11,10 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
+from robodyn.files import read_text
 from robodyn.simulate.trajectories.spline import end_rates, hermite, least_jerk
 from robodyn.simulate.trajectories.trajectory import Trajectory, uneven_sample
 
 Floats = NDArray[np.float64]
+
+#: Largest file of a motion or of torques [bytes].
+LARGEST = 1 << 28
 
 _SAMPLES = 7  # what missing rates at the ends are estimated from
 _HEADER = "t,q1..qn, then qd1..qdn and qdd1..qddn or not"
@@ -71,14 +76,7 @@ def from_file(path: str | PathLike[str], n: int | None = None) -> Trajectory:
 
 def _read(path: Path, name: str, n: int | None) -> tuple[dict[str, list[int]], Floats, list[int]]:
     """Columns by kind, the table [K, columns] and the line of each sample."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError("the file is not UTF-8 text", where=Place(name), remedy="save it as UTF-8") from None
-    except OSError as error:
-        raise InputError(
-            "the file cannot be read", where=Place(name), found=(error.strerror or str(error)).lower()
-        ) from None
+    text = read_text(path, LARGEST, "a motion, such as motion.csv", name)
     rows = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
     if not rows:
         raise InputError("the file is empty", where=Place(name, 1), expected=_HEADER)
@@ -94,35 +92,39 @@ def _read(path: Path, name: str, n: int | None) -> tuple[dict[str, list[int]], F
             expected="two or more",
         )
     wanted = sorted(k for kind in columns.values() for k in kind)
-    table = np.full((len(lines), len(names)), np.nan)
-    for sample, (i, line) in enumerate(rows[1:]):
-        cells = line.split(",")
-        if len(cells) != len(names):
+    for i, line in rows[1:]:
+        if line.count(",") != len(names) - 1:
             raise InputError(
                 "a line of the wrong length",
                 where=Place(name, i),
-                found=f"{len(cells)} cells",
+                found=f"{line.count(',') + 1} cells",
                 expected=f"{len(names)}, as the header has",
             )
-        for k in wanted:
+    table = np.empty((len(lines), len(wanted)))  # no larger than the text, now that its lines are whole
+    for sample, (i, line) in enumerate(rows[1:]):
+        cells = line.split(",")
+        for column, k in enumerate(wanted):
             try:
-                table[sample, k] = float(cells[k])
+                table[sample, column] = float(cells[k])
             except ValueError:
                 raise _not_number(name, i, names[k], cells[k]) from None
-        if not np.isfinite(table[sample, wanted]).all():
-            k = next(k for k in wanted if not np.isfinite(table[sample, k]))
+        if not np.isfinite(table[sample]).all():
+            k = next(k for column, k in enumerate(wanted) if not np.isfinite(table[sample, column]))
             raise _not_number(name, i, names[k], cells[k])
-    return columns, table, lines
+    at = {k: column for column, k in enumerate(wanted)}
+    return {kind: [at[k] for k in places] for kind, places in columns.items()}, table, lines
 
 
 def _columns(names: list[str], where: Place, n: int | None) -> dict[str, list[int]]:
     """Places of ``t``, ``q`` and of those rates that are there, joint by joint."""
-    repeated = sorted({name for name in names if names.count(name) > 1})
+    repeated = sorted(name for name, times in Counter(names).items() if times > 1)
     if repeated:
-        raise InputError("a column stands twice", where=where, found=", ".join(repeated), expected=_HEADER)
+        listed = ", ".join(repeated[:8])
+        raise InputError("a column stands twice", where=where, found=listed[:200], expected=_HEADER)
     joints = [int(found[1]) for name in names if (found := re.fullmatch(r"q([1-9][0-9]{0,3})", name))]
     count = n or max(joints, default=1)
-    missing = [name for name in ("t", *(f"q{j + 1}" for j in range(count))) if name not in names]
+    there = {name: place for place, name in enumerate(names)}
+    missing = [name for name in ("t", *(f"q{j + 1}" for j in range(count))) if name not in there]
     if missing:
         raise InputError(
             f"there is no column {', '.join(missing[:8])}",
@@ -135,19 +137,19 @@ def _columns(names: list[str], where: Place, n: int | None) -> dict[str, list[in
         raise InputError(
             "the motion is of another arm", where=where, found=f"{max(joints)} joints", expected=str(n)
         )
-    columns = {"t": [names.index("t")], "q": [names.index(f"q{j + 1}") for j in range(count)]}
+    columns = {"t": [there["t"]], "q": [there[f"q{j + 1}"] for j in range(count)]}
     for kind in ("qd", "qdd"):
         own = [f"{kind}{j + 1}" for j in range(count)]
-        there = [name for name in own if name in names]
-        if there and len(there) < count:
+        known = [name for name in own if name in there]
+        if known and len(known) < count:
             raise InputError(
                 f"some columns of {kind} are missing",
                 where=where,
-                found=", ".join(there),
+                found=", ".join(known)[:200],
                 expected=f"{own[0]} to {own[-1]}, or none of them",
             )
-        if there:
-            columns[kind] = [names.index(name) for name in own]
+        if known:
+            columns[kind] = [there[name] for name in own]
     return columns
 
 

@@ -1,0 +1,199 @@
+"""The process of a command, from its first line to its last: whatever ends it, there is one line at most.
+
+Python answers Ctrl-C (SIGINT) with an exception wherever it happens to be, other signals by ending at once.
+In a command, instead: while it begins (:func:`begin`) any signal ends it at once; while it works
+(:func:`listen`) the first one raises :class:`Ended`, so that temporary files are removed and what was started
+is ended; when it is about to leave (:func:`quiet`) they no longer matter.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import FrameType
+    from typing import Any
+
+#: After so many seconds another signal ends the process at once: something does not let go.
+PATIENCE = 1.0
+#: After so many seconds the first one does: the process is in a library that does not come back.
+GRACE = 5.0
+#: While modules are imported a signal waits, looked at again after so many seconds: what imports them may be
+#: C code that answers every exception with a traceback.
+WAIT = 0.02
+_WORDS = {"SIGINT": "interrupted", "SIGTERM": "terminated", "SIGHUP": "hung up"}
+
+
+class Ended(KeyboardInterrupt):
+    """A signal asks for the end."""
+
+
+class _State:
+    """What has come (a number of a signal, or 0), since when further signals are no matter, and how many
+    :class:`Held` there are."""
+
+    received = 0
+    quiet: float | None = None
+    held = 0
+
+
+class Held:
+    """A context in which no :class:`Ended` is raised: one that comes in between waits for its end."""
+
+    def __init__(self) -> None:
+        import threading
+
+        # Signals are the main thread's; what others do neither needs this nor may count along.
+        self.counts = int(threading.current_thread() is threading.main_thread())
+
+    def __enter__(self) -> None:
+        _State.held += self.counts
+
+    def __exit__(self, *_: object) -> None:
+        _State.held -= self.counts
+
+
+def begin() -> None:
+    """Let SIGINT end the process at once, without a word, unless it is ignored or somebody's own."""
+    try:
+        import signal
+
+        if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
+    except KeyboardInterrupt:
+        os._exit(130)
+
+
+def not_imported(error: Exception) -> int:
+    """Say that robodyn cannot even be imported; the exit code: 74 where the system refuses, else 3, as of a
+    tool that is missing."""
+    few = "Too many open files" in str(error)
+    refused = few or isinstance(error, (OSError, MemoryError))
+    what = "too few files may be open at a time" if few else "the system refused"
+    what = what if refused else "robodyn, or a library that it needs, is not installed as a whole"
+    text = " ".join(f"robodyn: error: {what}: {str(error) or type(error).__name__}".split())
+    text += "; ulimit -n 256 allows more" if few else "" if refused else "; install robodyn again"
+    try:
+        sys.stderr.write(f"{ascii(text)[1:-1]}\n")
+        sys.stderr.flush()
+    except (AttributeError, OSError, ValueError):  # nobody to tell
+        pass
+    return 74 if refused else 3
+
+
+def listen() -> None:
+    """Let the first SIGINT, SIGTERM or SIGHUP raise :class:`Ended` in the main thread, from now on.
+
+    What is ignored (``nohup``, a shell's background) stays so. Where a library keeps the main thread for
+    longer than :data:`GRACE` the process ends without it.
+    """
+    import signal
+
+    numbers = [getattr(signal, name) for name in _WORDS if hasattr(signal, name)]
+    for number in numbers:
+        if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
+            signal.signal(number, _handle)
+    if hasattr(signal, "SIGALRM"):
+        signal.signal(signal.SIGALRM, _handle)
+    sys.unraisablehook = _again
+    _watch()
+
+
+def quiet() -> None:
+    """The work is done, or has failed: from now on no signal raises anything."""
+    from time import monotonic
+
+    if _State.quiet is None:
+        _State.quiet = monotonic()
+
+
+def received() -> tuple[int, str]:
+    """The exit code that the signal asks for, and a word for it; as for Ctrl-C where there was none."""
+    import signal
+
+    number = _State.received or signal.SIGINT
+    return 128 + number, _WORDS.get(signal.Signals(number).name, "ended")
+
+
+def _handle(number: int, frame: FrameType | None) -> None:
+    import signal
+    from time import monotonic
+
+    alarm = getattr(signal, "SIGALRM", None)
+    if number == alarm:
+        number = _State.received
+        if not number or _State.quiet is not None:
+            return
+    elif _State.received or _State.quiet is not None:  # one was enough, or nothing is left to end
+        if _State.quiet is not None and monotonic() - _State.quiet > PATIENCE:
+            _leave(number)
+        return
+    _State.received = number
+    if (_State.held or _importing(frame)) and alarm is not None:
+        signal.setitimer(signal.ITIMER_REAL, WAIT)
+        return
+    _State.quiet = monotonic()
+    raise Ended
+
+
+def _importing(frame: FrameType | None) -> bool:
+    """Whether a module is being imported."""
+    while frame is not None:
+        if frame.f_code.co_filename.startswith("<frozen importlib"):
+            return True
+        frame = frame.f_back
+    return False
+
+
+def _again(lost: Any) -> None:
+    """Where :class:`Ended` was raised in what cannot raise anything, such as a destructor: once more."""
+    if not issubclass(lost.exc_type, Ended):
+        sys.__unraisablehook__(lost)
+        return
+    import signal
+
+    _State.quiet = None
+    if hasattr(signal, "SIGALRM"):
+        signal.setitimer(signal.ITIMER_REAL, WAIT)
+    else:
+        _leave(_State.received)
+
+
+def _watch() -> None:
+    """Let a thread of its own see to it that the first signal ends the process in the end."""
+    import signal
+
+    try:
+        import resource
+
+        if resource.getrlimit(resource.RLIMIT_NOFILE)[0] < 64:  # what there is is for the work
+            return
+        reader, writer = os.pipe()
+        os.set_blocking(writer, False)
+        signal.set_wakeup_fd(writer, warn_on_full_buffer=False)
+    except (ImportError, OSError, ValueError):
+        return
+    import _thread
+
+    _thread.start_new_thread(_last_resort, (reader,))
+
+
+def _last_resort(reader: int) -> None:
+    from time import sleep
+
+    while True:
+        number = os.read(reader, 1)
+        if number and number[0] in (1, 2, 15):
+            break
+    sleep(GRACE)
+    _leave(number[0])
+
+
+def _leave(number: int) -> None:
+    """End the process, and what it has started, now."""
+    running = sys.modules.get("robodyn.build.running")
+    if running is not None:
+        running.end_all()
+    os._exit(128 + number)

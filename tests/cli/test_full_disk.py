@@ -1,0 +1,158 @@
+"""Where the disk is full or fails while something is written: exit code 74, and nothing is left behind."""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robodyn_cli
+from robodyn.errors import InputError, OutputError
+from robodyn.files import cannot_write
+from robodyn_cli.common import write_files
+from robodyn_cli.main import main
+from robodyn_testing import require_module
+
+Capture = pytest.CaptureFixture[str]
+
+FULL = ("ENOSPC", "EDQUOT", "EFBIG", "EIO")
+WRONG = ("EACCES", "EPERM", "EROFS", "ENOTDIR", "EISDIR", "ENAMETOOLONG", "ELOOP", "ENOENT")
+
+COMMANDS = [
+    "gen stanford_3dof -o out",
+    "gen stanford_3dof -o out --batch",
+    "gen stanford_3dof --firmware -o out",
+    "new arm -o out/arm.yaml",
+    "schedule stanford_3dof -p 2 --emit out",
+    "schedule stanford_3dof -p 2 --picture out.svg",
+    "tables 2.9 --picture out.svg",
+    "simulate stanford_3dof --duration 0.01 -o out.csv",
+    "simulate stanford_3dof --duration 0.01 -o out.csv --picture out.svg",
+    "excite stanford_3dof --tries 1 --duration 4 -o out/motion.csv",
+    "hide stanford_3dof --random 0 --duration 0.2 -o out",
+]
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", FULL + WRONG)
+def test_whose_fault_it_is(name: str) -> None:
+    code = getattr(errno, name)
+    error = cannot_write("out/a.c", OSError(code, os.strerror(code), "out/a.c"), "make room there")
+    assert isinstance(error, OutputError if name in FULL else InputError)
+    assert error.exit_code == (74 if name in FULL else 2)
+    assert str(error) == f"cannot write out/a.c: {os.strerror(code)}; make room there"
+
+
+def full_after(monkeypatch: pytest.MonkeyPatch, files: int, code: int) -> None:
+    """Let so many of the files that a command writes go well, and the next one half."""
+    text, data, written = Path.write_text, Path.write_bytes, []
+
+    def write(path: Path, content: Any, *rest: Any, **named: Any) -> int:
+        plain = text if isinstance(content, str) else data
+        if not path.name.startswith(".robodyn."):
+            return plain(path, content, *rest, **named)
+        if len(written) == files:
+            plain(path, content[: len(content) // 2], *rest, **named)
+            raise OSError(code, os.strerror(code), str(path))
+        written.append(path)
+        return plain(path, content, *rest, **named)
+
+    monkeypatch.setattr(Path, "write_text", write)
+    monkeypatch.setattr(Path, "write_bytes", write)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_that_writes(
+    command: str, here: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    full_after(monkeypatch, 0, errno.ENOSPC)
+    assert main(command.split()) == 74
+    err = capsys.readouterr().err
+    said = re.escape(os.strerror(errno.ENOSPC))
+    assert re.search(rf"robodyn: error: cannot write out\S*: {said}; [^\n]*make room there\n\Z", err), err
+    assert list(here.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", FULL)
+def test_a_disk_that_is_full_on_the_way(name: str, here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    full_after(monkeypatch, 1, getattr(errno, name))
+    with pytest.raises(OutputError, match=r"cannot write .*b\.h"):
+        write_files(here / "new", {"a.c": "int a;\n", "deep/b.h": b"int b;\n"})
+    assert list(here.iterdir()) == []
+
+
+def test_what_is_there_already_stays(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    Path("arm.yaml").write_text("precious")
+    full_after(monkeypatch, 0, errno.EDQUOT)
+    assert main(["new", "arm", "--force"]) == 74
+    assert [path.name for path in here.iterdir()] == ["arm.yaml"]
+    assert Path("arm.yaml").read_text() == "precious"
+
+
+def limited(command: str, size: int) -> subprocess.CompletedProcess[str]:
+    """A process of its own whose files may have so many bytes; Python lets that be an error (EFBIG)."""
+    begin = f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, ({size}, {size}))"
+    end = "from robodyn_cli.main import main; sys.exit(main(sys.argv[1:]))"
+    return subprocess.run(
+        [sys.executable, "-B", "-c", f"{begin}; {end}", *command.split()],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.parametrize("command", ["gen stanford_3dof -o out", "new arm -o out/arm.yaml"])
+def test_a_limit_of_the_system(command: str, here: Path) -> None:
+    require_module("resource")
+    done = limited(command, 1000)
+    assert (done.returncode, done.stdout) == (74, ""), done.stderr
+    assert done.stderr.startswith("robodyn: error: cannot write out/")
+    assert "File too large" in done.stderr
+    assert list(here.iterdir()) == []
+    assert limited(command, 1 << 20).returncode == 0
+
+
+@pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() != 0 or not sys.platform.startswith("linux"),
+    reason="a disk of 64 KiB takes a root user under Linux",
+)
+def test_a_disk_that_is_small(here: Path, capsys: Capture) -> None:
+    disk = here / "disk"
+    disk.mkdir()
+    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "none", str(disk)], check=False)
+    if mounted.returncode:
+        pytest.skip("nothing may be mounted here")
+    try:
+        (disk / "rest").write_bytes(bytes(60_000))
+        assert main(["gen", "stanford_3dof", "-o", str(disk / "out")]) == 74
+        assert "No space left on device" in capsys.readouterr().err
+        assert [path.name for path in disk.iterdir()] == ["rest"]
+        (disk / "rest").unlink()
+        assert main(["new", "arm", "-o", str(disk / "arm.yaml")]) == 0
+    finally:
+        subprocess.run(["umount", str(disk)], check=True)
+
+
+def test_a_place_that_is_wrong_is_bad_input(here: Path) -> None:
+    Path("file").write_text("")
+    for place in ("file/out", "x" * 300, "/proc/robodyn"):
+        assert main(["gen", "stanford_3dof", "-o", place]) == 2
+
+
+def test_one_place_writes_for_all_commands() -> None:
+    """So that one place decides whose fault it is."""
+    folder = Path(robodyn_cli.__file__).parent
+    writes = re.compile(r"write_text|write_bytes|savefig|\.open\(\s*[\"'][wax]|open\([^)]*[\"'][wax]b?[\"']")
+    found = {path.name for path in folder.glob("*.py") if writes.search(path.read_text(encoding="utf-8"))}
+    assert found <= {"common.py", "main.py"}
