@@ -74,7 +74,7 @@ def stepped(made: Kernel, samples: dict[str, Floats]) -> tuple[Floats, Floats]:
         tau = np.empty(3, made.dtype)
         dt = float(samples["dt"][k]) if k >= 0 else 0.0
         arrays = [view(kind, row) for row in rows]
-        lib.robodyn_batch_inverse_dynamics(
+        lib.inverse_dynamics_robodyn_batch(
             1, *arrays, view(kind, tau, True), values, view(kind, state, True), dt
         )
         torques.append(tau)
