@@ -7,8 +7,15 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from robodyn_testing import PREFIX
+
+# The same examples everywhere, however slow the machine is: a check that fails does so for everybody.
+settings.register_profile(
+    "robodyn", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("robodyn")
 
 # What the tests compile stays out of the user's own cache.
 os.environ.setdefault("ROBODYN_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "kernels"))

@@ -13,11 +13,10 @@ from robodyn.generation.options import Options
 from robodyn.generation.proof import prove
 from robodyn.ir.program import Input, Program
 from robodyn.passes import FAST, FRESH, SPELLING, Pass, unchecked
-from robodyn.passes.specialise import at_rest
 from robodyn.prune import PRUNED, Pruning, prune
 from robodyn.records import Record, best_record
-from robodyn.records.rounding import Bounds, rounding_bounds
-from robodyn.records.trust import check_length, trusted
+from robodyn.records.rounding import Rounding
+from robodyn.records.trust import at_rest_of, check_length, check_reading, trusted
 from robodyn.robot.model import Robot
 
 #: The passes take less than a tenth of a draft away; a record that is further below need not wait for them.
@@ -43,7 +42,7 @@ class Drafts:
         self.choice = choices[0] if len(choices) == 1 else self._cheapest(choices)
         self._records: dict[str, Record | None] = {}
         self._best: dict[str, Program] = {}
-        self._bounds: dict[str, Bounds] = {}
+        self._roundings: dict[str, Rounding] = {}
         #: Functions whose program is a record's, or made of one, and how that was found.
         self.taken: dict[str, str] = {}
         #: What pruning did, by function.
@@ -138,7 +137,7 @@ class Drafts:
             record = self._record(source)
             if record is None or (source != function and function not in ("gravity", "bias")):
                 continue
-            made = record.program if source == function else at_rest(record.program, function)
+            made = record.program if source == function else at_rest_of(record, function)
             passes = SPELLING if source == function else FAST
             inputs = self._inputs(function)
             made = trusted(made, self.draft(function), record, passes, inputs, self._rounding(source))
@@ -147,11 +146,11 @@ class Drafts:
                 self.taken[function] = record.found
         return best
 
-    def _rounding(self, function: str) -> Bounds:
+    def _rounding(self, function: str) -> Rounding:
         """What the recursion of ``function`` loses to rounding."""
-        if function not in self._bounds:
-            self._bounds[function] = rounding_bounds(self.draft(function))
-        return self._bounds[function]
+        if function not in self._roundings:
+            self._roundings[function] = Rounding(self.draft(function), self.options.scalar)
+        return self._roundings[function]
 
     def _inputs(self, function: str) -> list[Input]:
         """What the kernel of ``function`` is given."""
@@ -177,6 +176,7 @@ class Drafts:
                 found = best_record(self.robot, function, folders=folders)  # fewest operations: close enough
             if found is not None:
                 check_length(found, self.draft(function))
+                check_reading(found, self._rounding(function))
             self._records[function] = found
         return self._records[function]
 

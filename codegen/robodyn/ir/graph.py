@@ -14,9 +14,17 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Union
 
+from robodyn.errors import InputError
 from robodyn.ir.program import Input, Label, Operand, Operation, Program
 
 Scalar = Union["Node", Fraction, int]
+
+#: Bits of a constant at most, some 20,000 digits: products and sums of larger ones take for ever.
+_MOST_BITS = 1 << 16
+
+
+class TooManyDigits(InputError):
+    """Constants that are exact, and so long that nobody waits for their products."""
 
 
 class Node:
@@ -279,8 +287,19 @@ class Graph:
             made = self.apply(op, [value(arg) for arg in args])
             if label is not None:
                 self.label(made, label)
+            self._check_digits(made)
             values.append(made)
         return values
+
+    def _check_digits(self, value: Scalar) -> None:
+        key = self.keys[value.position] if isinstance(value, Node) else ("const", value)
+        if key[0] == "const" or key[0] == "scale":
+            constant = key[1]
+            if constant.denominator.bit_length() + constant.numerator.bit_length() > _MOST_BITS:
+                raise TooManyDigits(
+                    "the products of constants have more than 20,000 digits",
+                    remedy="give the numbers fewer digits, or the arm fewer joints",
+                )
 
     def copied(self, key: tuple[Any, ...], made: Mapping[int, Scalar]) -> Scalar:
         """What ``key`` of another graph is in this one, where its operands are ``made``."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -15,6 +16,8 @@ FOLDER = "records"
 _SUFFIX = ".record"
 #: A file with more bytes is no record; a tenth of it holds an arm of 30 joints with full inertias.
 _LARGEST = 2_000_000
+#: Of so many files in a folder the fields are looked at, besides the one that is named after the robot.
+_MOST_FILES = 1000
 #: The fields of a record stand within so many characters.
 _HEAD = 4000
 
@@ -67,7 +70,8 @@ def _candidates(folder: Path, robot: str, function: str, objective: str) -> Iter
     likely = folder / file_name(robot, function, objective)
     yield likely
     try:
-        others = sorted(folder.glob(f"*.{function}.{_word(objective)}{_SUFFIX}"))
+        named = folder.glob(f"*.{function}.{_word(objective)}{_SUFFIX}")
+        others = sorted(itertools.islice(named, _MOST_FILES))
     except OSError:
         return
     yield from (path for path in others if path != likely)

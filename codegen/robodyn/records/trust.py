@@ -10,10 +10,12 @@ from robodyn.errors import InputError, Place
 from robodyn.ir.evaluate import is_angle
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import agree, constants, digest, fingerprint, in_drawn_field
+from robodyn.ir.graph import TooManyDigits
 from robodyn.ir.program import Input, Program
 from robodyn.passes import Pass, unchecked
+from robodyn.passes.specialise import at_rest
 from robodyn.records.record import Record
-from robodyn.records.rounding import Bounds, precise, rounding_bounds
+from robodyn.records.rounding import Rounding
 from robodyn.robot.values import circle_point
 
 #: Operations that have a value everywhere, and whose rounding is bounded by magnitudes. All others must have
@@ -23,6 +25,9 @@ _EVERYWHERE = frozenset(("add", "sub", "mul", "neg", "sin", "cos"))
 _TIMES, _MORE = 2, 100
 #: The same for the digits of all constants: those that searches find have about as many as the recursion.
 _DIGITS_TIMES, _DIGITS_MORE = 4, 4000
+#: What is found in records that are refused.
+_READING = "inputs that are read otherwise than by the recursion, or in a higher degree"
+_LONG_PRODUCTS = "constants whose products have too many digits"
 
 
 def trusted(
@@ -31,13 +36,13 @@ def trusted(
     record: Record,
     passes: Sequence[Pass] = (),
     inputs: Collection[Input] = (),
-    allowed: Bounds | None = None,
+    rounding: Rounding | None = None,
 ) -> Program:
     """``program``, made of ``record``, after ``passes``, if it computes what ``recursion`` does, and about as
     precisely.
 
-    ``inputs`` are those that the function has, read by the recursion or not. ``allowed`` is what the
-    recursion of the record's own function loses to rounding, where ``program`` was made for another one.
+    ``inputs`` are those that the function has, read by the recursion or not. ``rounding`` is that of
+    the recursion of the record's own function, where ``program`` was made for another one.
     Field and point of the comparison are drawn from the programs: whoever writes a record changes them with
     every digit.
 
@@ -46,17 +51,42 @@ def trusted(
     InputError: it does not, or cannot be compared.
     """
     known = {*recursion.inputs(), *inputs}
+    rounding = rounding or Rounding(recursion)
+    if not rounding.reads_as(program):
+        raise _refused(record, _READING)
     try:
         if _angles_only(program) and _comparable(program, recursion, known):
             made = unchecked(program, passes)
             prime = digest(record.program)
             if agree(made, recursion, circle_point, prime_of=prime) and _same_arguments(made, recursion):
-                if precise(made, allowed or rounding_bounds(recursion)):
+                if rounding.allows(made):
                     return made
                 raise _refused(record, "a program that loses too many digits to rounding")
+    except TooManyDigits:
+        raise _refused(record, _LONG_PRODUCTS) from None
     except (ValueError, ZeroDivisionError):  # a division by what is zero
         pass
     raise _refused(record, "a program that differs from the recursion")
+
+
+def at_rest_of(record: Record, function: str) -> Program:
+    """``gravity`` or ``bias`` by the program of ``record``, which computes the inverse dynamics.
+
+    Raises
+    ------
+    InputError: its constants have products that nobody waits for.
+    """
+    try:
+        return at_rest(record.program, function)
+    except TooManyDigits:
+        raise _refused(record, _LONG_PRODUCTS) from None
+
+
+def check_reading(record: Record, rounding: Rounding) -> None:
+    """:class:`InputError` where ``record`` reads inputs otherwise than the recursion of its function, whose
+    ``rounding`` is given, or in a higher degree."""
+    if not rounding.reads_as(record.program):
+        raise _refused(record, _READING)
 
 
 def check_length(record: Record, recursion: Program) -> None:
