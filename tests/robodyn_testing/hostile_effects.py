@@ -139,6 +139,11 @@ def _swapped_setting(p: Parameter, old: Any, numbers: Numbers) -> Any:
         return old if rng.random() > numbers.share else parameter(name) * factor + constant
     if p.name == "exponent":  # nearly the same, lest powers grow beyond all digits
         return old + Fraction(numbers.prime, 1 << (numbers.prime.bit_length() + rng.randint(0, 70)))
+    if p.name == "phase":  # more is refused; a multiple of the prime stays one
+        new = _nonzero(numbers, old, positive=False)
+        while abs(new) > 9999:
+            new /= 10
+        return new
     if rng.random() < 0.05 and p.sign in ("any", "nonnegative"):
         return Fraction(0)
     return _nonzero(numbers, old, positive=positive)
@@ -147,7 +152,7 @@ def _swapped_setting(p: Parameter, old: Any, numbers: Numbers) -> Any:
 def _nonzero(numbers: Numbers, old: Fraction, *, positive: bool) -> Fraction:
     new = numbers.swapped(old, positive=positive)
     assert isinstance(new, Fraction)
-    return new or old or Fraction(numbers.prime)
+    return new or old or Fraction(1 if numbers.mild else numbers.prime)
 
 
 def _shared(numbers: Numbers, old: Fraction) -> Fraction:
