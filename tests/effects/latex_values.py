@@ -5,13 +5,39 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from typing import Any
+
+from robodyn.effects.catalogue import CATALOGUE
 
 #: What is for the eye alone.
 _BLANK = re.compile(r"\\(?:[,;!]|(?:left|right|[bB]igg?[lr]|q?quad)(?![A-Za-z]))|&|\s+")
 
 
-def value(latex: str, symbols: Mapping[str, float]) -> float:
-    """The value of the expression ``latex``; ``symbols`` by their spelling, such as ``F_c^+`` or ``\\dot q``.
+#: Functions over floats; give others for other scalars.
+PLAIN: dict[str, Any] = {
+    "number": float, "pow": math.pow, "sqrt": math.sqrt, "exp": math.exp, "sin": math.sin,
+}  # fmt: skip
+
+
+def typeset(id: str, p: Mapping[str, Any]) -> str:
+    """The right side of the equation for what the effect adds, out of its LaTeX."""
+    latex = CATALOGUE[id].latex
+    if id == "load_dependent_friction":
+        kind = "radial" if p["bearing"] == "journal" and "span" not in p else p["bearing"]
+        found = re.search(rf"\\text\{{{kind}: \}}\s*&?\s*\\tau =(.*?)(\\\\|, \\quad|\\end)", latex)
+    elif id == "motor_coupling":
+        found = re.search(r"T =(.*?), \\quad", latex)
+    elif id == "transmission_loss":
+        found = re.search(r"\\tau_\{in\} =(.*?\\end\{cases\})", latex)
+    else:
+        found = re.fullmatch(r"\\tau =(.*)", latex)
+    assert found, latex
+    return found[1]
+
+
+def value(latex: str, symbols: Mapping[str, Any], functions: Mapping[str, Any] = PLAIN) -> Any:
+    """The value of the expression ``latex``; ``symbols`` by their spelling, such as ``F_c^+`` or ``\\dot q``;
+    ``functions`` (``number pow sqrt exp sin``) over the scalars of the symbols.
 
     Raises
     ------
@@ -22,11 +48,11 @@ def value(latex: str, symbols: Mapping[str, float]) -> float:
         for row in cases[1].split(r"\\"):
             then, _, condition = row.partition("&")
             left, relation, right = re.split(r"(\\ge|\\le|<|>)", condition)
-            a, b = value(left, symbols), value(right, symbols)
+            a, b = value(left, symbols, functions), value(right, symbols, functions)
             if {"<": a < b, ">": a > b, r"\ge": a >= b, r"\le": a <= b}[relation]:
-                return value(then, symbols)
+                return value(then, symbols, functions)
         raise SyntaxError(f"no case of {latex}")
-    reader = _Reader(latex, symbols)
+    reader = _Reader(latex, symbols, functions)
     found = reader.sum()
     if reader.peek():
         raise SyntaxError(f"{latex}: cannot read on at {reader.rest}")
@@ -34,10 +60,10 @@ def value(latex: str, symbols: Mapping[str, float]) -> float:
 
 
 class _Reader:
-    def __init__(self, latex: str, symbols: Mapping[str, float]) -> None:
+    def __init__(self, latex: str, symbols: Mapping[str, Any], functions: Mapping[str, Any]) -> None:
         self.rest = _BLANK.sub(" ", latex).strip()
         self.names = sorted(symbols, key=len, reverse=True)
-        self.symbols = symbols
+        self.symbols, self.functions = symbols, functions
         self.bars = 0
 
     def peek(self, *texts: str) -> str:
@@ -53,13 +79,13 @@ class _Reader:
         if not self.take(text):
             raise SyntaxError(f"{text} is missing before {self.rest!r}")
 
-    def sum(self) -> float:
+    def sum(self) -> Any:
         total = -self.product() if self.take("-") else self.product()
         while sign := self.take("+", "-"):
             total += self.product() if sign == "+" else -self.product()
         return total
 
-    def product(self) -> float:
+    def product(self) -> Any:
         found = self.power()
         while True:
             if self.take("/"):
@@ -73,17 +99,17 @@ class _Reader:
             else:
                 return found
 
-    def power(self) -> float:
+    def power(self) -> Any:
         base = self.atom()
-        return math.pow(base, self.group()) if self.take("^") else base
+        return self.functions["pow"](base, self.group()) if self.take("^") else base
 
-    def group(self) -> float:
+    def group(self) -> Any:
         """An argument: in braces, or the next thing alone."""
         if not self.take("{"):
             digit = re.match(r"\d", self.peek())
             if digit:
                 self.rest = self.rest[1:]
-                return float(digit[0])
+                return self.functions["number"](digit[0])
             return self.atom()
         bars, self.bars = self.bars, 0
         found = self.sum()
@@ -91,7 +117,7 @@ class _Reader:
         self.bars = bars
         return found
 
-    def atom(self) -> float:
+    def atom(self) -> Any:
         self.peek()
         for name in self.names:
             after = self.rest[len(name) :]
@@ -100,14 +126,16 @@ class _Reader:
                 return self.symbols[name]
         if number := re.match(r"\d+(\.\d+)?", self.peek()):
             self.rest = self.rest[number.end() :]
-            return float(number[0])
+            return self.functions["number"](number[0])
         if self.take(r"\frac", r"\tfrac"):
             above = self.group()
             return above / self.group()
         if self.take(r"\sqrt"):
-            return math.sqrt(self.group())
+            return self.functions["sqrt"](self.group())
         if self.take("e^"):
-            return math.exp(self.group())
+            return self.functions["exp"](self.group())
+        if self.take(r"\sin"):
+            return self.functions["sin"](self.atom())
         if opened := self.take("(", "["):
             bars, self.bars = self.bars, 0
             found = self.sum()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import random
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -14,7 +13,7 @@ import numpy as np
 import pytest
 
 from effects.cases import CASES, draw, floats, stacked
-from effects.latex_values import value
+from effects.latex_values import typeset, value
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Site
@@ -68,22 +67,6 @@ def spelled(id: str, p: dict[str, Any], at: Site) -> dict[str, float]:
             efficiency_at(abs(at.tau) / p["rated_torque"], eta, p["interpolation"]) if tabled else eta
         )
     return found
-
-
-def typeset(id: str, p: dict[str, Any]) -> str:
-    """The right side of the equation for what the effect adds, out of its LaTeX."""
-    latex = CATALOGUE[id].latex
-    if id == "load_dependent_friction":
-        kind = "radial" if p["bearing"] == "journal" and "span" not in p else p["bearing"]
-        found = re.search(rf"\\text\{{{kind}: \}}\s*&?\s*\\tau =(.*?)(\\\\|, \\quad|\\end)", latex)
-    elif id == "motor_coupling":
-        found = re.search(r"T =(.*?), \\quad", latex)
-    elif id == "transmission_loss":
-        found = re.search(r"\\tau_\{in\} =(.*?\\end\{cases\})", latex)
-    else:
-        found = re.fullmatch(r"\\tau =(.*)", latex)
-    assert found, latex
-    return found[1]
 
 
 @pytest.mark.parametrize("rest", REST)
@@ -187,6 +170,7 @@ def test_levels_by_direction(rest: str) -> None:
         (r"2 a^2 - \tfrac12 b", 2 * 9 - 2.0),
         (r"\frac{a}{b} \left|a - b\right|^{1/2}", 0.75),
         (r"|a - b| |b|\,e^{-|a/b|^2}", 4 * math.exp(-9 / 16)),
+        (r"2\,\sin(a - b) a", 6 * math.sin(-1)),
         (r"\Bigl[\sqrt{(a + 1) b} + |{-1}|\Bigr] 3", 15.0),
         (r"\begin{cases} a & a - b > 0 \\ -b & a \le b \end{cases}", -4.0),
     ],
@@ -195,7 +179,7 @@ def test_latex_is_read_as_mathematics(latex: str, expected: float) -> None:
     assert value(latex.replace("{-1}", "(-1)"), {"a": 3.0, "b": 4.0}) == pytest.approx(expected)
 
 
-@pytest.mark.parametrize("latex", ["a +", "(a", "a )", r"\sin a", "c", "|a", r"\frac{a}"])
+@pytest.mark.parametrize("latex", ["a +", "(a", "a )", r"\cos a", "c", "|a", r"\frac{a}"])
 def test_what_is_no_mathematics(latex: str) -> None:
     with pytest.raises(SyntaxError):
         value(latex, {"a": 3.0})

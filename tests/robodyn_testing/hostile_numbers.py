@@ -9,6 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Final
 
+from robodyn.ir.field import drawn_prime
 from robodyn.robot.model import Inertia, Link, Robot, Vector
 from robodyn.robot.values import Value
 from robodyn_testing.random_robots import random_robot
@@ -19,6 +20,8 @@ PRIMES: Final = (
     2**61 - 1, 2**61 - 31, 2**61 - 45, 2**61 - 229, 2**31 - 1, 2**127 - 1, 2**89 - 1, 2**64 - 59, 998244353,
     10**9 + 7,
 )  # fmt: skip
+#: The prime in which passes are compared, whatever the robot: whoever reads the library knows it.
+KNOWN: Final = drawn_prime(b"passes")
 
 
 def hostile(seed: int, *, joints: int | None = None) -> Robot:
@@ -26,25 +29,47 @@ def hostile(seed: int, *, joints: int | None = None) -> Robot:
     rng = random.Random(f"hostile {seed}")
     robot = random_robot(seed, joints=joints or rng.randint(1, 8))
     prime = rng.choice(PRIMES) if seed % 3 else PRIMES[0]
-    chosen = [_number(rng, prime) for _ in range(3)]
-    share = rng.choice((0.1, 0.4, 1.0))
+    numbers = Numbers(rng, prime, rng.choice((0.1, 0.4, 1.0)))
+    return replace(numbers.arm(robot), name=f"hostile{seed}")
 
-    def swapped(value: Value, *, positive: bool = False) -> Value:
-        if rng.random() > share or not isinstance(value, Fraction):
+
+class Numbers:
+    """Swaps numbers of a description for others that play against ``prime``, a ``share`` of those asked for;
+    ``mild``: for such between 0.1 and 10, in which doubles keep their digits."""
+
+    def __init__(self, rng: random.Random, prime: int, share: float, *, mild: bool = False) -> None:
+        self.rng, self.prime, self.share, self.mild = rng, prime, share, mild
+        self.chosen = [_number(rng, prime) for _ in range(3)]
+
+    def swapped(self, value: Value, *, positive: bool = False) -> Value:
+        """``value`` or another number; names stay."""
+        if self.rng.random() > self.share or not isinstance(value, Fraction):
             return value
-        return _swapped(rng, prime, chosen, value, positive=positive)
+        new = _swapped(self.rng, self.prime, self.chosen, value, positive=positive)
+        if self.mild:  # a multiple of the prime stays one
+            while abs(new) > 10:
+                new /= 10
+            while 0 < abs(new) < Fraction(1, 10):
+                new *= 10
+        return new
 
-    def link(old: Link) -> Link:
-        joint, tensor = old.joint, old.inertia
+    def arm(self, robot: Robot) -> Robot:
+        """``robot`` with other links and gravity."""
+        rng, (gx, gy, gz) = self.rng, robot.gravity
+        links = tuple(map(self._link, robot.links))
+        if rng.random() < self.share / 3 and not self.mild:
+            gz = _swapped(rng, self.prime, self.chosen, gz, positive=False)
+        return replace(robot, links=links, gravity=(gx, gy, gz))
+
+    def _link(self, old: Link) -> Link:
+        joint, swapped = old.joint, self.swapped
         x, y, z = old.com
         com: Vector = (swapped(x), swapped(y), swapped(z))
-        principal = [swapped(i, positive=True) for i in (tensor.xx, tensor.yy, tensor.zz)]
-        products = [swapped(i) for i in (tensor.xy, tensor.xz, tensor.yz)]
         return replace(
             old,
             mass=swapped(old.mass, positive=True),
             com=com,
-            inertia=Inertia(*principal, *products),
+            inertia=self.tensor(old.inertia),
             joint=replace(
                 joint,
                 a=swapped(joint.a),
@@ -55,9 +80,10 @@ def hostile(seed: int, *, joints: int | None = None) -> Robot:
             ),
         )
 
-    gx, gy, gz = robot.gravity
-    gravity = (gx, gy, _swapped(rng, prime, chosen, gz, positive=False) if rng.random() < share / 3 else gz)
-    return replace(robot, name=f"hostile{seed}", links=tuple(map(link, robot.links)), gravity=gravity)
+    def tensor(self, old: Inertia) -> Inertia:
+        """A tensor with other entries."""
+        principal = [self.swapped(i, positive=True) for i in (old.xx, old.yy, old.zz)]
+        return Inertia(*principal, *(self.swapped(i) for i in (old.xy, old.xz, old.yz)))
 
 
 def _number(rng: random.Random, prime: int) -> Fraction:

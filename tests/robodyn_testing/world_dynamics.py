@@ -7,13 +7,14 @@ any textbook of mechanics; Craig only for what his frames are.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 import mpmath
 
-from robodyn.robot.model import Inertia, Robot
+from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
 from robodyn.robot.values import Affine, Angle, Value
 
 Vector = list[Any]
@@ -47,6 +48,16 @@ def matrix_vector(R: list[Vector], u: Vector) -> Vector:
     return [dot(row, u) for row in R]
 
 
+@dataclass(frozen=True, slots=True)
+class Loads:
+    """What the links and the payload take from their joints: ``tau`` [n] (N m or N); ``f`` and ``n`` [n][3]
+    (N, N m): force and moment, about the origins and along the axes of the links' frames."""
+
+    tau: list[Any]
+    f: list[Vector]
+    n: list[Vector]
+
+
 def torques(
     robot: Robot,
     q: Sequence[Any],
@@ -56,6 +67,24 @@ def torques(
 ) -> list[Any]:
     """Torques [n] of the rigid arm with its rotors, viscous and Coulomb friction, and payloads."""
     named = parameters or {}
+    result = loads(robot, q, qd, qdd, named).tau
+    if robot.torque_side == "motor":
+        for j, link in enumerate(robot.links):
+            joint = link.joint
+            result[j] += number(joint.motor_inertia, named) * qdd[j] + number(joint.viscous, named) * qd[j]
+            result[j] += number(joint.coulomb, named) * direction(robot, qd[j])
+    return result
+
+
+def loads(
+    robot: Robot,
+    q: Sequence[Any],
+    qd: Sequence[Any],
+    qdd: Sequence[Any],
+    parameters: Mapping[str, Any] | None = None,
+) -> Loads:
+    """What the rigid arm takes from its joints; errors of links and payloads are looked up in the effects."""
+    named = parameters or {}
 
     def scalar(value: Value) -> Any:
         return number(value, named)
@@ -63,7 +92,7 @@ def torques(
     R = [[mpmath.mpf(r == c) for c in range(3)] for r in range(3)]
     p: Vector = [mpmath.mpf(0)] * 3
     w, alpha, a = ([mpmath.mpf(0)] * 3 for _ in range(3))
-    axes, origins, turning, bodies = [], [], [], []
+    axes, origins, frames, turning, bodies = [], [], [], [], []
     for i, link in enumerate(robot.links):
         joint = link.joint
         turns = joint.kind == "revolute"
@@ -82,42 +111,59 @@ def torques(
         R = _turned(R_x, *(_sum(joint.theta, q[i]) if turns else _fixed(joint.theta)), about_x=False)
         axes.append(z)
         origins.append(p)
+        frames.append([list(column) for column in zip(*R, strict=True)])
         turning.append(turns)
-        solids = [(link.mass, link.com, link.inertia)]
+        solids = [_body(link, robot.effects_at(i + 1), scalar)]
         if i == robot.n - 1:
-            solids += [
-                (e["mass"], e["com"], e["inertia"] if "inertia" in e else Inertia())
-                for e in robot.effects
-                if e.effect == "payload"
-            ]
-        for mass, com, tensor in solids:
-            r = matrix_vector(R, [scalar(x) for x in com])
+            solids += [_payload(e, scalar) for e in robot.effects if e.effect == "payload"]
+        for mass, com, rows in solids:
+            r = matrix_vector(R, com)
             gravity = [scalar(x) for x in robot.gravity]
             a_com = plus(a, cross(alpha, r), cross(w, cross(w, r)))
-            force = times(scalar(mass), plus(a_com, times(-1, gravity)))
-            entries = (tensor.xx, tensor.xy, tensor.xz), (tensor.xy, tensor.yy, tensor.yz)
-            rows = [[scalar(x) for x in row] for row in (*entries, (tensor.xz, tensor.yz, tensor.zz))]
-            own = [list(column) for column in zip(*R, strict=True)]  # R transposed
+            force = times(mass, plus(a_com, times(-1, gravity)))
+            own = frames[-1]  # R transposed
 
             def inertia(u: Vector, R: Any = R, rows: Any = rows, own: Any = own) -> Vector:
                 return matrix_vector(R, matrix_vector(rows, matrix_vector(own, u)))
 
             moment = plus(inertia(alpha), cross(w, inertia(w)))
             bodies.append((i, plus(p, r), force, moment))
-    result = []
-    for j, link in enumerate(robot.links):
-        total: Any = mpmath.mpf(0)
+    found = Loads([], [], [])
+    for j in range(robot.n):
+        total, about = [mpmath.mpf(0)] * 3, [mpmath.mpf(0)] * 3
         for i, where, force, moment in bodies:
-            if i < j:
-                continue
-            lever = plus(where, times(-1, origins[j]))
-            total += dot(axes[j], plus(moment, cross(lever, force)) if turning[j] else force)
-        joint = link.joint
-        if robot.torque_side == "motor":
-            total += scalar(joint.motor_inertia) * qdd[j] + scalar(joint.viscous) * qd[j]
-            total += scalar(joint.coulomb) * _direction(robot, qd[j])
-        result.append(total)
-    return result
+            if i >= j:
+                total = plus(total, force)
+                about = plus(about, moment, cross(plus(where, times(-1, origins[j])), force))
+        found.tau.append(dot(axes[j], about if turning[j] else total))
+        found.f.append(matrix_vector(frames[j], total))
+        found.n.append(matrix_vector(frames[j], about))
+    return found
+
+
+Solid = tuple[Any, Vector, list[Vector]]
+
+
+def _body(link: Link, effects: Sequence[EffectEntry], scalar: Callable[[Value], Any]) -> Solid:
+    """Mass, centre of mass and tensor of a link, with what its description says they are off by."""
+    mass, com, tensor = scalar(link.mass), [scalar(x) for x in link.com], _rows(link.inertia, scalar)
+    for e in effects:
+        if e.effect == "inertial_error":
+            mass += scalar(e["delta_mass"])
+            com = [x + scalar(e[f"delta_com_{axis}"]) for x, axis in zip(com, "xyz", strict=True)]
+            error = Inertia(*(e[f"delta_{axes}"] for axes in ("xx", "yy", "zz", "xy", "xz", "yz")))
+            tensor = [plus(u, v) for u, v in zip(tensor, _rows(error, scalar), strict=True)]
+    return mass, com, tensor
+
+
+def _payload(e: EffectEntry, scalar: Callable[[Value], Any]) -> Solid:
+    tensor = _rows(e["inertia"] if "inertia" in e else Inertia(), scalar)
+    return scalar(e["mass"]), [scalar(x) for x in e["com"]], tensor
+
+
+def _rows(tensor: Inertia, scalar: Callable[[Value], Any]) -> list[Vector]:
+    rows = (tensor.xx, tensor.xy, tensor.xz), (tensor.xy, tensor.yy, tensor.yz)
+    return [[scalar(x) for x in row] for row in (*rows, (tensor.xz, tensor.yz, tensor.zz))]
 
 
 def _fixed(angle: Angle) -> tuple[Any, Any]:
@@ -140,8 +186,10 @@ def _turned(R: list[Vector], c: Any, s: Any, *, about_x: bool) -> list[Vector]:
     return [[c * x + s * y, c * y - s * x, z] for x, y, z in R]
 
 
-def _direction(robot: Robot, speed: Any) -> Any:
+def direction(robot: Robot, speed: Any) -> Any:
+    """sgn of ``speed``; tanh over a velocity; or 0 within a dead band, half at its edge."""
     if robot.rest_velocity is not None:
         return mpmath.tanh(speed / number(robot.rest_velocity, {}))
+    plain = (speed > 0) - (speed < 0)
     band: Any = number(robot.dead_band or Fraction(0), {})
-    return (speed > band) - (speed < -band)
+    return plain if abs(speed) > band else mpmath.mpf(plain) / 2 if abs(speed) == band else 0

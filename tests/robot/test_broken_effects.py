@@ -140,6 +140,10 @@ BROKEN = {
         "{effect: stribeck_friction, level: 2, static: ¶1, velocity: 1}",
         "static is below the Coulomb level",
     ),
+    "phase of many turns": (
+        "{effect: torque_ripple, amplitude: 1, cycles_per_rev: 6, phase: ¶2305843009213693951}",
+        "phase is so many turns that a position added to it loses its digits",
+    ),
     "bearing that does not fit": (
         "{effect: load_dependent_friction, bearing: ¶linear, mu: 1, span: 1}",
         "bearing 'linear' does not fit a revolute joint",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from robodyn.effects.effect import Coupler, Effect, Parameter, Site, Values
+from robodyn.effects.effect import Coupler, Effect, Fault, Parameter, Site, Values
 from robodyn.effects.friction import FORCE, TORQUE, level
 from robodyn.effects.scalars import cosine, is_zero, logarithm, magnitude, root, sign, sine
 
@@ -175,6 +175,21 @@ ROTOR = Effect(
 )  # fmt: skip
 
 
+#: A phase [rad] beyond this would take digits from the position that it is added to.
+_LARGEST_PHASE = 10_000
+
+
+def _ripple_fault(p: Values, revolute: bool) -> Fault | None:
+    if abs(p["phase"]) <= _LARGEST_PHASE:
+        return None
+    return Fault(
+        "phase",
+        "is so many turns that a position added to it loses its digits",
+        f"-{_LARGEST_PHASE} to {_LARGEST_PHASE} rad",
+        "take whole turns off",
+    )
+
+
 def _ripple_energy(p: Values, q: Any) -> Any:
     return -(p["amplitude"] / p["cycles_per_rev"] * cosine(p["cycles_per_rev"] * q + p["phase"]))
 
@@ -202,6 +217,7 @@ RIPPLE = Effect(
     source="Preissner, Royston and Shu 2012",
     equation=lambda p, at: p["amplitude"] * sine(p["cycles_per_rev"] * at.q + p["phase"]),
     potential=_ripple_energy,
+    check=_ripple_fault,
     linear=("amplitude",),
 )  # fmt: skip
 
