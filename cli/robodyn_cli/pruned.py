@@ -50,6 +50,8 @@ def with_pruning(record: dict[str, Any], pruning: Pruning | None) -> dict[str, A
 
 def pruning_lines(prunings: Mapping[Any, Pruning]) -> list[str]:
     """What is told of the errors, for people."""
+    if not prunings:
+        return []
     from robodyn.prune import notes_of
 
     return list(notes_of(tuple(prunings.values())))

@@ -256,7 +256,7 @@ def test_division_by_what_may_be_zero() -> None:
         elements = (quotient, *forged.elements[1:])
         made = Program(tuple(forged.operations), ((forged.name, elements),))
         assert same_in_field(LOADED, "inverse_dynamics", made)
-        with pytest.raises(InputError, match="differs from the recursion|in a higher degree"):
+        with pytest.raises(InputError, match=r"differs from the recursion|in a higher degree"):
             program(LOADED, "inverse_dynamics", Options(records=(written(LOADED, made),)))
     genuine_one = written(LOADED, recursion)
     assert program(LOADED, "inverse_dynamics", Options(records=(genuine_one,)))

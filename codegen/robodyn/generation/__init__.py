@@ -36,11 +36,11 @@ from robodyn.ir.signature import Signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
-from robodyn.prune import Pruning, notes_of
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
     from robodyn.generation.layered import Layered
+    from robodyn.prune import Pruning
 
 __all__ = [
     "CHOSEN",
@@ -146,7 +146,7 @@ def generate(
         sc=described,
         notes=_notes(drafts)
         + (() if isinstance(made, Drafts) else made.notes)
-        + notes_of(tuple(drafts.prunings.values()))
+        + _pruned(drafts)
         + (("sc is not read: there is no angle.",) if no_angle else ()),
         advice=_told(options),
         misra=options.misra,
@@ -199,6 +199,15 @@ def program(robot: Robot, function: str, options: Options | None = None) -> Prog
     NoForwardDynamics: there is none.
     """
     return maker(robot, options or Options()).program(function)
+
+
+def _pruned(drafts: Drafts) -> tuple[str, ...]:
+    """What the head of a file says of pruning."""
+    if not drafts.prunings:
+        return ()
+    from robodyn.prune import notes_of
+
+    return notes_of(tuple(drafts.prunings.values()))
 
 
 def _notes(drafts: Drafts) -> tuple[str, ...]:

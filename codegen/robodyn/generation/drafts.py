@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
 from robodyn.counts.objective import operations_of, parse_objective
@@ -13,11 +14,13 @@ from robodyn.generation.options import Options
 from robodyn.generation.proof import prove
 from robodyn.ir.program import Input, Program
 from robodyn.passes import FAST, FRESH, SPELLING, Pass, unchecked
-from robodyn.prune import PRUNED, Pruning, prune
 from robodyn.records import Record, best_record
 from robodyn.records.rounding import Rounding
 from robodyn.records.trust import at_rest_of, check_length, check_reading, trusted
 from robodyn.robot.model import Robot
+
+if TYPE_CHECKING:
+    from robodyn.prune import Pruning
 
 #: The passes take less than a tenth of a draft away; a record that is further below need not wait for them.
 _CLEARLY = 0.85
@@ -73,7 +76,11 @@ class Drafts:
     def pruned(self, function: str, found: Program) -> Program:
         """``found`` without terms that cannot matter, if that is asked for; or what the passes alone give
         without them, where that comes to less than a record."""
-        if self.options.prune is None or function not in PRUNED:
+        if self.options.prune is None:
+            return found
+        from robodyn.prune import PRUNED, prune
+
+        if function not in PRUNED:
             return found
         plain = self._passed(function)
         smaller, self.prunings[function] = prune(

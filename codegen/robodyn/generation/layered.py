@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from robodyn.counts import Count, count
 from robodyn.dynamics.drive import rigid_part
 from robodyn.dynamics.functions import FORMULATIONS
@@ -13,10 +15,12 @@ from robodyn.generation.proof import Unequal
 from robodyn.ir.fingerprint import agree
 from robodyn.ir.program import Program
 from robodyn.passes import FRESH, SPELLING, run, unchecked
-from robodyn.prune import Pruning
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import circle_point
+
+if TYPE_CHECKING:
+    from robodyn.prune import Pruning
 
 #: Functions in which anything moves: else no bearing rubs.
 _MOVING = ("inverse_dynamics", "bias")

@@ -12,7 +12,6 @@ from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS, Choice
 from robodyn.errors import InputError
 from robodyn.generation.targets import Contraction, Target, target_named
 from robodyn.ir.signature import ScalarType
-from robodyn.prune import check_asked
 from robodyn.records import Record
 
 Level = Literal["none", "fast", "search", "full", "record"]
@@ -82,6 +81,8 @@ class Options:
         if self.contraction is not None:
             _one_of("contraction", self.contraction, ("off", "on"))
         if self.prune is not None:
+            from robodyn.prune import check_asked
+
             check_asked(self.prune, self.functions)
 
     @classmethod

@@ -5,14 +5,17 @@ A polynomial of low degree cannot be small at a few magnitudes and large between
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 from robodyn.ir.program import Input, Operand, Program
 
 #: Kinds of inputs whose degrees are counted: positions, rates, accelerations and run-time parameters.
 _KINDS = ("q", "qd", "qdd")
-_ZERO = (0, 0, 0, 0)
+#: Degrees of one value stand in one number, so many bits each: a record has at most 1000 factors in a term.
+_BITS = 16
+_SHIFTS = tuple(_BITS * k for k in range(len(_KINDS) + 1))
+_MOST = (1 << _BITS) - 1
+_MASKS = tuple(_MOST << shift for shift in _SHIFTS)
 
 Degrees = tuple[int, int, int, int]
 
@@ -43,45 +46,52 @@ class Reading:
 
 def reading(program: Program) -> Reading:
     """How ``program`` reads its inputs."""
-    used, angles = _used(program), _angles(program)
-    numbers: set[Input] = set()
-    values: list[Degrees] = []
+    used = _used(program)
+    numbers: dict[Operand, int] = {}
+    values: list[int] = []
 
-    def degrees(operand: Operand) -> Degrees:
+    def degrees(operand: Operand) -> int:
         if operand.__class__ is int:
             return values[operand]
-        if not isinstance(operand, Input):
-            return _ZERO
-        numbers.add(operand)
-        kind = _KINDS.index(operand.array) if operand.is_of(*_KINDS) else len(_KINDS)
-        return (*_ZERO[:kind], 1, *_ZERO[kind + 1 :])  # type: ignore[return-value]  # four of them
+        if operand not in numbers:
+            numbers[operand] = _first_degree(operand)
+        return numbers[operand]
 
-    highest = _ZERO
+    highest = 0
     for k, (op, args, _) in enumerate(program.operations):
-        if k not in used or op in ("sin", "cos"):
-            values.append(_ZERO)
-            continue
-        of = [degrees(x) for x in args]
-        if op == "add" or op == "sub":
-            value = _each_highest(of)
+        if op == "sin" or op == "cos" or k not in used:
+            value = 0
         elif op == "mul" or op == "div":
-            (a, b, c, d), (e, f, g, h) = of
-            value = (a + e, b + f, c + g, d + h)
-        elif op == "neg" or op == "abs":
-            value = of[0]
-        else:  # bounded
-            value = _ZERO
-            highest = _each_highest((highest, *of))
+            value = degrees(args[0]) + degrees(args[1])
+        elif op == "add" or op == "sub":
+            value = _each_highest(degrees(args[0]), degrees(args[1]))
+        else:
+            value = degrees(args[0])
+            if op != "neg" and op != "abs":  # bounded
+                highest, value = _each_highest(highest, value), 0
         values.append(value)
-        if value != highest:
-            highest = _each_highest((highest, value))
-    highest = _each_highest((highest, *(degrees(x) for x in program.results() if x.__class__ is not int)))
-    return Reading(frozenset(angles), frozenset(numbers), highest)
+        highest = _each_highest(highest, value)
+    for x in program.results():
+        highest = _each_highest(highest, degrees(x))
+    return Reading(
+        frozenset(_angles(program)),
+        frozenset(x for x in numbers if isinstance(x, Input)),
+        tuple(highest >> shift & _MOST for shift in _SHIFTS),  # type: ignore[arg-type]  # four of them
+    )
 
 
-def _each_highest(of: Iterable[Degrees]) -> Degrees:
-    a, b, c, d = zip(*of, strict=True)
-    return max(a), max(b), max(c), max(d)
+def _first_degree(operand: Operand) -> int:
+    if not isinstance(operand, Input):
+        return 0
+    return 1 << _SHIFTS[_KINDS.index(operand.array) if operand.is_of(*_KINDS) else len(_KINDS)]
+
+
+def _each_highest(a: int, b: int) -> int:
+    if a == b or not b:
+        return a
+    if not a:
+        return b
+    return sum(max(a & mask, b & mask) for mask in _MASKS)
 
 
 def _used(program: Program) -> set[int]:

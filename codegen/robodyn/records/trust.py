@@ -41,8 +41,9 @@ def trusted(
     """``program``, made of ``record``, after ``passes``, if it computes what ``recursion`` does, and about as
     precisely.
 
-    ``inputs`` are those that the function has, read by the recursion or not. ``rounding`` is that of
-    the recursion of the record's own function, where ``program`` was made for another one.
+    How it reads its inputs is for :func:`check_reading`, before all else. ``inputs`` are those that the
+    function has, read by the recursion or not. ``rounding`` is that of the recursion of the record's own
+    function, where ``program`` was made for another one.
     Field and point of the comparison are drawn from the programs: whoever writes a record changes them with
     every digit.
 
@@ -51,15 +52,12 @@ def trusted(
     InputError: it does not, or cannot be compared.
     """
     known = {*recursion.inputs(), *inputs}
-    rounding = rounding or Rounding(recursion)
-    if not rounding.reads_as(program):
-        raise _refused(record, _READING)
     try:
         if _angles_only(program) and _comparable(program, recursion, known):
             made = unchecked(program, passes)
             prime = digest(record.program)
             if agree(made, recursion, circle_point, prime_of=prime) and _same_arguments(made, recursion):
-                if rounding.allows(made):
+                if (rounding or Rounding(recursion)).allows(made):
                     return made
                 raise _refused(record, "a program that loses too many digits to rounding")
     except TooManyDigits:

@@ -27,7 +27,8 @@ from robodyn.ir.program import Program
 from robodyn.passes import SPELLING, run
 from robodyn.records import Record, best_record, identity
 from robodyn.records.find import file_name, identity_at
-from robodyn.records.trust import trusted
+from robodyn.records.rounding import Rounding
+from robodyn.records.trust import check_reading, trusted
 from robodyn.robot.model import Robot
 from robodyn.search.climb import Climbed, climb
 from robodyn.search.labels import labelled
@@ -182,7 +183,8 @@ def _proved(
     named = labelled(run(replace(program, origin=None), SPELLING), recursion)
     record = Record(robot.name, identity(robot), function, objective.key, how, named)
     try:
-        trusted(named, recursion, record)
+        check_reading(record, rounding := Rounding(recursion))
+        trusted(named, recursion, record, rounding=rounding)
     except InputError:
         return None
     return record if same_in_field(robot, function, named) else None
@@ -200,7 +202,8 @@ def _known(
         try:
             record = best_record(robot, function, objective.key, place)
             if record is not None:
-                trusted(record.program, recursion, record)
+                check_reading(record, rounding := Rounding(recursion))
+                trusted(record.program, recursion, record, rounding=rounding)
                 found.append(record)
         except InputError:
             continue
