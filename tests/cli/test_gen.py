@@ -373,7 +373,7 @@ def test_a_disk_that_is_full_halfway(
         return write(path, *arguments, **options)
 
     monkeypatch.setattr(Path, "write_text", full)
-    _, err = gen(capsys, "stanford_3dof", "-o", "new/folder", code=2)
+    _, err = gen(capsys, "stanford_3dof", "-o", "new/folder", code=74)
     assert "No space left on device" in err
     assert len(calls) == 2
     assert list(elsewhere.iterdir()) == []

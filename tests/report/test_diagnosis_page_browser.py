@@ -155,7 +155,9 @@ def heard(browser: Any) -> tuple[list[str], list[str]]:
     """What the browser complained of, and what it asked for, since the last time."""
     complaints = [entry["message"] for entry in browser.get_log("browser")]
     messages = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
-    asked = [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
+    sent = [m["params"] for m in messages if m["method"] == "Network.requestWillBeSent"]
+    # The browser's own first page may still be asking for its parts.
+    asked = [m["request"]["url"] for m in sent if not m["documentURL"].startswith("chrome://")]
     return complaints, asked
 
 
