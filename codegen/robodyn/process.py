@@ -13,6 +13,7 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from types import FrameType
     from typing import Any
 
@@ -177,12 +178,17 @@ def _watch() -> None:
         return
     import _thread
 
-    _thread.start_new_thread(_last_resort, (reader,))
+    # A thread that has not begun to wait when the interpreter ends is cut off, and says so where no file is left.
+    waits = _thread.allocate_lock()
+    waits.acquire()
+    _thread.start_new_thread(_last_resort, (reader, waits.release))
+    waits.acquire()
 
 
-def _last_resort(reader: int) -> None:
+def _last_resort(reader: int, begun: Callable[[], None]) -> None:
     from time import sleep
 
+    begun()
     while True:
         number = os.read(reader, 1)
         if number and number[0] in (1, 2, 15):
