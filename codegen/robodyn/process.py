@@ -178,7 +178,8 @@ def _watch() -> None:
         return
     import _thread
 
-    # A thread that does not wait yet when the interpreter ends is cut off: it complains where no file is left.
+    # A thread that does not wait yet when the interpreter ends is cut off, and complains where no file is
+    # left to open.
     waits = _thread.allocate_lock()
     waits.acquire()
     _thread.start_new_thread(_last_resort, (reader, waits.release))
