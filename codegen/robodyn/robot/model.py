@@ -13,6 +13,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal
 
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
 from robodyn.robot.values import ZERO, Affine, Angle, Value, parameters_of
 
 JointKind = Literal["revolute", "prismatic"]
@@ -90,6 +92,11 @@ class EffectEntry:
     effect: str
     joint: int | None
     settings: tuple[tuple[str, Setting], ...]
+
+    @property
+    def definition(self) -> Effect:
+        """The effect itself."""
+        return CATALOGUE[self.effect]
 
     def __getitem__(self, name: str) -> Any:
         for known, value in self.settings:
