@@ -188,3 +188,14 @@ class Robot:
             if isinstance(value, Affine):
                 seen.update(dict.fromkeys(parameters_of(value)))
         return tuple(seen)
+
+    def at(self, parameters: Mapping[str, float | Fraction]) -> Robot:
+        """This robot with its run-time parameters at the given values, SI units.
+
+        Raises
+        ------
+        InputError: a parameter is unknown or has no value, or a value is not finite or not allowed.
+        """
+        from robodyn.robot.filling import filled
+
+        return filled(self, parameters)
