@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from robodyn.build import Kernel
 from robodyn.build.robot_kernel import compile as compile_kernel
 from robodyn.effects.effect import Site
-from robodyn.effects.friction import PRESLIDING
+from robodyn.effects.presliding import PRESLIDING
 from robodyn.effects.scalars import held, is_duration, is_finite, is_positive
 from robodyn.generation import maker
 from robodyn.generation.options import Options
