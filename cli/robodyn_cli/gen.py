@@ -22,7 +22,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option
+from robodyn_cli.languages import chosen_languages, language_option, trig_for
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -113,11 +113,12 @@ def command(
     from robodyn.errors import CheckError, InputError
     from robodyn.generation import generate
 
+    languages = chosen_languages(lang)
     options = _options(
         None if firmware else target,
         {
             "scalar": scalar,
-            "trig": trig,
+            "trig": trig_for(languages, trig),
             "order": order,
             "contraction": contraction,
             "objective": objective,
@@ -133,7 +134,6 @@ def command(
     if firmware:
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    languages = chosen_languages(lang)
     if check and keep:
         raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
