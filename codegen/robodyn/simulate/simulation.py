@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
-from robodyn.generation import Options
+from robodyn.kernels.generate import Options
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Affine
 from robodyn.simulate.balance import Balance, stored_energy
