@@ -1,5 +1,5 @@
 # make           set up everything, write and compile the PUMA 560's kernels, show the counts
-# make test      set up everything, run the tests
+# make test      set up everything, run the tests that a change needs at once; make test-all: what CI runs
 # make help      the rest
 
 PYTHON ?= python3
@@ -25,8 +25,12 @@ kernels: $(VENV)/.installed
 test: $(VENV)/.installed-dev
 	$(PYTEST)
 
+.PHONY: test-all
+test-all: $(VENV)/.installed-dev  ## what `make test` runs, and all further cases: what CI runs
+	$(PYTEST) -m "not slow"
+
 .PHONY: prove-all
-prove-all: $(VENV)/.installed-dev  ## the long comparisons that `make test` leaves out
+prove-all: $(VENV)/.installed-dev  ## the long comparisons that `make test-all` leaves out
 	@$(PIP) 'atheris>=2.3' || echo "no atheris for this Python: the robot files are not fuzzed" >&2
 	$(PYTEST) -m slow -rP
 

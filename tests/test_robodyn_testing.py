@@ -1,14 +1,33 @@
-"""A missing tool skips a test loudly, and in CI fails it."""
+"""What is missing skips tests loudly, and in CI fails them; which cases stay in ``make test``."""
 
 from __future__ import annotations
 
+import os
+import re
 import shutil
+import subprocess
 import sys
+import tomllib
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
-from robodyn_testing import require_module, require_tool
+from robodyn_testing import representative, require_module, require_tool, wanted
+
+TESTS = Path(__file__).parent
+HIDING = """
+import sys
+import pytest
+
+class Hiding:
+    @staticmethod
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_load_initial_conftests():  # when pytest has put its own finder in place
+        sys.modules.update(dict.fromkeys({packages}))  # None: cannot be imported
+
+sys.exit(pytest.main(sys.argv[1:], plugins=[Hiding]))
+"""
 
 
 def test_what_is_there_is_returned() -> None:
@@ -32,3 +51,102 @@ def test_what_is_missing_is_named(
         monkeypatch.setenv("CI", ci)
     with pytest.raises(outcome, match=r"^missing: (program|module) no_such_thing.*; .*install"):
         require("no_such_thing")
+
+
+# --- collecting on a machine that lacks packages ------------------------------------------------------------
+
+
+def collected(paths: list[Path], packages: frozenset[str], ci: str = "") -> subprocess.CompletedProcess[str]:
+    """Collect tests in a process that cannot import `packages`."""
+    program = HIDING.format(packages=sorted(packages))
+    options = ["-p", "no:cacheprovider", "-p", "no:hypothesispytest", "--collect-only", "-q", "-m", ""]
+    return subprocess.run(
+        [
+            sys.executable,
+            "-c",
+            program,
+            *options,
+            "-c",
+            str(TESTS.parent / "pyproject.toml"),
+            *map(str, paths),
+        ],
+        cwd=TESTS.parent,
+        env={**os.environ, "CI": ci, "PYTHONDONTWRITEBYTECODE": "1"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.fixture
+def small_suite(tmp_path: Path) -> Path:
+    """One test that needs nothing, and one for each optional package, beside the suite's own conftest."""
+    (tmp_path / "conftest.py").write_text((TESTS / "conftest.py").read_text(encoding="utf-8"))
+    (tmp_path / "test_plain.py").write_text("def test_plain() -> None: ...\n")
+    for package in wanted.OPTIONAL:
+        text = f"import {package}\n\n\ndef test_with_{package}() -> None: ...\n"
+        (tmp_path / f"test_with_{package}.py").write_text(text)
+    return tmp_path
+
+
+def test_missing_packages_skip_what_imports_them(small_suite: Path) -> None:
+    run = collected([small_suite], wanted.OPTIONAL)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "test_plain.py::test_plain" in run.stdout
+    assert "::test_with_" not in run.stdout
+    for package in wanted.OPTIONAL:
+        assert f"test_with_{package}.py: module {package}, for all of this file; to run this" in run.stdout
+
+
+def test_missing_packages_fail_in_ci(small_suite: Path) -> None:
+    run = collected([small_suite], wanted.OPTIONAL, ci="true")
+    assert run.returncode != 0
+    for package in wanted.OPTIONAL:
+        assert f"ModuleNotFoundError: import of {package} halted" in run.stdout, run.stdout
+
+
+def test_what_nobody_offers_is_no_skip(small_suite: Path) -> None:
+    """A typing error in an import, or a file of the tests that is gone, is an error on every machine."""
+    (small_suite / "test_misspelt.py").write_text("import hypothesys\n")
+    run = collected([small_suite / "test_misspelt.py"], frozenset())
+    assert run.returncode != 0
+    assert "No module named 'hypothesys'" in run.stdout
+
+
+@pytest.mark.thorough
+def test_the_whole_suite_is_collected_without_optional_packages() -> None:
+    run = collected([TESTS], wanted.OPTIONAL)
+    assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-3000:]
+    files = {line.partition("::")[0] for line in run.stdout.splitlines() if "::" in line}
+    skipped = set(re.findall(r"\d skipped: (\S+): module", run.stdout))
+    assert files | skipped == {str(path.relative_to(TESTS.parent)) for path in TESTS.rglob("test_*.py")}
+    assert len(files) > 3 * len(skipped) > 0
+
+
+def test_optional_packages_are_those_of_the_extra() -> None:
+    project = tomllib.loads((TESTS.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    extra = {line.split(">")[0] for line in project["optional-dependencies"]["test"]}
+    packages = {wanted.PACKAGES.get(module, module) for module in wanted.OPTIONAL}
+    assert packages == extra - {"pytest", "pytest-xdist"}
+
+
+# --- representative cases -----------------------------------------------------------------------------------
+
+
+def test_all_cases_but_a_few_are_thorough() -> None:
+    cases = representative([("ur5", 1), ("tx40", 2), pytest.param("panda", 3, id="long")], "ur5", "long")
+    assert [case.values for case in cases] == [("ur5", 1), ("tx40", 2), ("panda", 3)]
+    assert [[mark.name for mark in case.marks] for case in cases] == [[], ["thorough"], []]
+    assert [case.id for case in cases] == [None, None, "long"]
+
+
+def test_a_case_may_be_chosen_as_a_whole() -> None:
+    cases = representative([("ur5", 1), ("ur5", 2)], ("ur5", 2), ids=["one", "two"])
+    assert [[mark.name for mark in case.marks] for case in cases] == [["thorough"], []]
+    assert [case.id for case in cases] == ["one", "two"]
+    assert [bool(case.marks) for case in representative(range(4), 0, 3)] == [False, True, True, False]
+
+
+def test_a_case_that_is_not_there_is_refused() -> None:
+    with pytest.raises(ValueError, match="no such case: 'ur6'"):
+        representative(["ur5", "ur10"], "ur5", "ur6")

@@ -1,4 +1,4 @@
-"""``robodyn gen``: from a robot to C and Fortran."""
+"""``robodyn gen``: from a robot to its kernels."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
+from robodyn_cli.languages import chosen_languages, language_option
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 @click.command()
 @robot_argument
 @click.option("-o", "--output", metavar="DIR", help="Where to write.  [default: generated/NAME]")
-@click.option("--lang", default="c,fortran", show_default=True, help="Languages, with commas.")
+@language_option
 @click.option("--compile", "compile_", is_flag=True, help="Build and load the kernels, too.")
 @click.option("--scalar", default="double", show_default=True, help="double or float.")
 @click.option(
@@ -77,7 +78,7 @@ if TYPE_CHECKING:
 def command(
     robot: str,
     output: str | None,
-    lang: str,
+    lang: str | None,
     compile_: bool,
     scalar: str,
     trig: str,
@@ -109,7 +110,7 @@ def command(
     forward_dynamics. The same input gives the same bytes, on any machine.
     """
     from robodyn.errors import CheckError, InputError
-    from robodyn.kernels.generate import check_languages, generate
+    from robodyn.kernels.generate import generate
     from robodyn.optimize.programs import FUNCTIONS
 
     options = _options(
@@ -132,12 +133,7 @@ def command(
     if firmware:
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    languages = listed(lang)
-    if not languages:
-        raise InputError("no language asked for", expected="c, fortran or both")
-    if len(set(languages)) != len(languages):
-        raise InputError("a language is asked for twice", found=lang)
-    check_languages(languages)
+    languages = chosen_languages(lang)
     if check and keep:
         raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
@@ -172,8 +168,7 @@ def command(
         else:
             click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
-    explicit = lang != "c,fortran"
-    built = _compiled(made, languages, explicit=explicit, batch=batch) if compile_ else None
+    built = _compiled(made, languages, explicit=lang is not None, batch=batch) if compile_ else None
     write_files(folder, files)
     if as_json:
         echo_json(
@@ -242,7 +237,7 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, ba
             files = made.files((language,), batch=batch and language == "c")
             kernel = load_kernel(made.signatures, files, language=language)  # type: ignore[arg-type]
         except ToolError as error:
-            if language == "fortran" and not explicit:
+            if language != "c" and not explicit:
                 said[language] = f"written, not compiled: {error}"
                 continue
             raise

@@ -91,7 +91,7 @@ def _exactly(made: Generated) -> dict[str, bool]:
 
     robot = made.unit.robot
     smooth = robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links)
-    if smooth or any(entry.effect != "payload" for entry in robot.effects):
+    if smooth or not all(entry.definition.traits.body for entry in robot.effects):
         return {}  # tanh, roots and their like have no exact values
     return {
         interface.function: equals_recursion(robot, interface.function, program)

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from robodyn.effects.effect import Site
-from robodyn.effects.friction import PRESLIDING
+from robodyn.effects.presliding import PRESLIDING
 from robodyn.effects.scalars import held, is_duration, is_finite, is_positive
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate

@@ -17,7 +17,9 @@ from hypothesis import strategies as st
 from emit.kernels import STRICT, STRICT_CPP, STRICT_FORTRAN, complaints, in_single, made, robots, write
 from emit.names import WAYS, arm
 from robodyn import InputError, Options, load
-from robodyn.emit.spelling import c_spelling, fortran_spelling, shortest
+from robodyn.emit.languages.c import c_spelling
+from robodyn.emit.languages.fortran import fortran_spelling
+from robodyn.emit.spelling import shortest
 from robodyn.emit.statements import Apply, statements
 from robodyn.ir import Input, Label, Operation, Program
 from robodyn.kernels.generate import Generated, generate

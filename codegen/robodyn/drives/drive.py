@@ -145,7 +145,7 @@ def rigid_part(robot: Robot, *, bare: bool = False) -> Robot:
         else link
         for i, link in enumerate(robot.links, 1)
     )
-    kept = tuple(entry for entry in robot.effects if entry.effect == "payload")
+    kept = tuple(entry for entry in robot.effects if entry.definition.traits.body)
     return replace(robot, links=links, effects=kept)
 
 

@@ -24,7 +24,6 @@ from robodyn.toolchain.running import run
 FLAGS = (
     "-O2", "-ffp-contract=off", "-fno-math-errno", "-ffreestanding", "-ffunction-sections", "-fdata-sections",
 )  # fmt: skip
-FORTRAN_FLAGS = ("-std=f2018", "-O2", "-ffp-contract=off")
 #: How the image is run: an instruction takes 2^5 ns of qemu's time, and SysTick ticks every 40 ns.
 QEMU = (
     "-display", "none", "-monitor", "none", "-serial", "none",

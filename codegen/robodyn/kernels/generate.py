@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
 from robodyn.emit import Unit, render
-from robodyn.errors import InputError
+from robodyn.emit.language import require
+from robodyn.emit.languages import defaults, languages_named
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.kernels.drafts import Drafts, SingularArm
 from robodyn.kernels.options import (
     CHOSEN,
     ENGINES,
-    LANGUAGES,
     LEVELS,
     ORDERS,
     TRIGONOMETRY,
@@ -29,7 +29,6 @@ from robodyn.kernels.options import (
     Options,
     Order,
     Trigonometry,
-    check_languages,
 )
 from robodyn.kernels.targets import TARGETS
 from robodyn.optimize.programs import FUNCTIONS, Choice, NoForwardDynamics, signature
@@ -45,7 +44,6 @@ if TYPE_CHECKING:
 __all__ = [
     "CHOSEN",
     "ENGINES",
-    "LANGUAGES",
     "LEVELS",
     "ORDERS",
     "TARGETS",
@@ -59,7 +57,6 @@ __all__ = [
     "Order",
     "SingularArm",
     "Trigonometry",
-    "check_languages",
     "generate",
     "maker",
     "program",
@@ -84,17 +81,24 @@ class Generated:
         """Interfaces of the functions, in order."""
         return tuple(interface for interface, _ in self.unit.functions)
 
-    def files(self, languages: Sequence[str] = LANGUAGES, *, batch: bool = False) -> dict[str, str]:
-        """Header, source and Fortran module: text by file name; with ``batch`` those of batches in C too.
-        Writes nothing."""
-        check_languages(languages)
-        files = render(self.unit, languages)
-        if batch:
-            from robodyn.emit.batch import batch_files
+    def files(self, languages: Sequence[str] | None = None, *, batch: bool = False) -> dict[str, str]:
+        """The files in ``languages`` (default: :func:`robodyn.emit.languages.defaults`): text by file name;
+        with ``batch`` those of batches too. Writes nothing.
 
-            if "c" not in languages:
-                raise InputError("batches are in C only", found=", ".join(languages), expected="c among them")
-            files.update(batch_files(self.unit))
+        Raises
+        ------
+        InputError: there is no such language, or none of them has what is asked for.
+        """
+        chosen = languages_named(defaults() if languages is None else languages)
+        if self.unit.misra:
+            require("misra", chosen)
+        if batch:
+            require("batch", chosen)
+        names = tuple(language.name for language in chosen)
+        files = render(self.unit, names)
+        for language in chosen:
+            if batch and language.batch is not None:
+                files.update(language.batch(self.unit))
         return files
 
 

@@ -25,7 +25,6 @@ ENGINES: tuple[Engine, ...] = ("graph", "sympy")
 ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
 #: What a target chooses.
 CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
-LANGUAGES = ("c", "fortran")
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,12 +127,6 @@ def _check_functions(functions: tuple[str, ...]) -> None:
         _one_of("function", function, tuple(FUNCTIONS))
     if len(set(functions)) != len(functions):
         raise InputError("a function is asked for twice", found=", ".join(functions))
-
-
-def check_languages(languages: Sequence[str]) -> None:
-    """:class:`InputError` where one is unknown."""
-    for language in languages:
-        _one_of("language", language, LANGUAGES)
 
 
 def _one_of(what: str, found: str, allowed: Sequence[str]) -> None:

@@ -10,14 +10,15 @@ from typing import NoReturn
 from robodyn.errors import InputError, Place
 from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
-from robodyn.robot.keys import OTHER_NAMES, Key
+from robodyn.robot.keys import OTHER_NAMES, Key, Sign
 from robodyn.robot.model import Vector
 from robodyn.robot.names import shown, text_fault
 from robodyn.robot.values import ZERO, Angle, Value, angle
 
 # Plain words by which YAML means that nothing stands there.
 _NOTHING = ("", "~", "null", "Null", "NULL")
-_SIGNS = {
+#: Bounds of a number: what is said of one that breaks them, and what was expected.
+SIGNS = {
     "nonnegative": ("is negative", "0{unit} or more"),
     "positive": ("is not positive", "more than 0{unit}"),
     "share": ("is not a share", "more than 0 and at most 1"),
@@ -280,8 +281,8 @@ class Section:
         read = self._parse(node, key, path)
         # pi is irrational: elsewhere than in an angle the double is what counts.
         value = numbers.rounded(read.value) if read.has_pi else read.value
-        if isinstance(value, Fraction) and not _allowed(value, key):
-            what, expected = _SIGNS[key.sign]
+        if isinstance(value, Fraction) and not allowed(value, key.sign):
+            what, expected = SIGNS[key.sign]
             unit = f" {key.unit.partition(',')[0]}" if key.unit else ""
             self.source.fail(
                 node, f"{path} {what}", found=numbers.brief(value) + unit, expected=expected.format(unit=unit)
@@ -289,12 +290,13 @@ class Section:
         return value
 
 
-def _allowed(value: Fraction, key: Key) -> bool:
-    if key.sign == "any":
+def allowed(value: Fraction, sign: Sign) -> bool:
+    """Whether ``value`` is within the bounds that ``sign`` names."""
+    if sign == "any":
         return True
-    if key.sign == "nonnegative":
+    if sign == "nonnegative":
         return value >= 0
-    return value > 0 and (key.sign == "positive" or value <= 1)
+    return value > 0 and (sign == "positive" or value <= 1)
 
 
 def expectation(key: Key) -> str:

@@ -13,6 +13,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal
 
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
 from robodyn.robot.values import ZERO, Affine, Angle, Value, parameters_of
 
 JointKind = Literal["revolute", "prismatic"]
@@ -90,6 +92,11 @@ class EffectEntry:
     effect: str
     joint: int | None
     settings: tuple[tuple[str, Setting], ...]
+
+    @property
+    def definition(self) -> Effect:
+        """The effect itself."""
+        return CATALOGUE[self.effect]
 
     def __getitem__(self, name: str) -> Any:
         for known, value in self.settings:
@@ -181,3 +188,14 @@ class Robot:
             if isinstance(value, Affine):
                 seen.update(dict.fromkeys(parameters_of(value)))
         return tuple(seen)
+
+    def at(self, parameters: Mapping[str, float | Fraction]) -> Robot:
+        """This robot with its run-time parameters at the given values, SI units.
+
+        Raises
+        ------
+        InputError: a parameter is unknown or has no value, or a value is not finite or not allowed.
+        """
+        from robodyn.robot.filling import filled
+
+        return filled(self, parameters)

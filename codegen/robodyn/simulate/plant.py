@@ -75,9 +75,11 @@ def steady(model: Robot) -> Robot:
     """``model`` without memory: bristles slide, couplers are rigid."""
     kept: list[EffectEntry] = []
     for entry in model.effects:
-        if entry.effect == "presliding_hysteresis":
-            kept.append(EffectEntry("coulomb_friction", entry.joint, (("level", entry["level"]),)))
-        elif entry.effect not in ("joint_elasticity", "backlash"):
+        known = entry.definition
+        if known.traits.steady is not None:
+            id, names = known.traits.steady
+            kept.append(EffectEntry(id, entry.joint, tuple((name, entry[name]) for name in names)))
+        elif known.coupler is None:
             kept.append(entry)
     return replace(model, effects=tuple(kept))
 

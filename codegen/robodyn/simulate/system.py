@@ -79,7 +79,9 @@ class _Builder:
         self.exact_rest = robot.rest_velocity is None and robot.dead_band is None
         self.rigid_robot = rigid_part(robot, bare=True)
         self.drafts = Drafts(self.rigid_robot, options)
-        shape = layer_of(robot, as_is, lambda _: Fraction(1), bare=True)
+        # Any values will do of which no sum is 0.
+        values = {name: Fraction(10 + 3 * k, 7) for k, name in enumerate(robot.parameters)}
+        shape = layer_of(robot, as_is, values.__getitem__, bare=True)
         self.coupled = tuple(i for i, drive in enumerate(shape.joints) if drive.coupler is not None)
         self.size = self.n + len(self.coupled)
         self.reactions = bool(shape.needs_reactions)
@@ -240,7 +242,7 @@ class _Builder:
         return lower(graph, [("zdot", rates)])
 
     def _contacts(self) -> tuple[EffectEntry, ...]:
-        return tuple(e for e in self.robot.effects if e.effect == "external_contact" and "log" not in e)
+        return tuple(e for e in self.robot.effects if e.definition.place == "outside" and "log" not in e)
 
     def _contact(self, entry: EffectEntry) -> Program:
         """``J^T F`` of a force on the origin of a link's frame, along the base's axes."""

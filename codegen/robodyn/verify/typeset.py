@@ -1,4 +1,8 @@
-"""The value of an equation as it is typeset: LaTeX read as mathematics, as far as the catalogue uses it."""
+"""The value of an equation as it is typeset: LaTeX read as mathematics, as far as the catalogue uses it.
+
+What a definition prints for people is a second statement of what it computes. So an effect for which nobody
+has written a reference by hand is still verified: against its own equation as it stands in the documents.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +11,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from robodyn.effects.catalogue import CATALOGUE
+import numpy as np
 
 #: What is for the eye alone.
 _BLANK = re.compile(r"\\(?:[,;!]|(?:left|right|[bB]igg?[lr]|q?quad)(?![A-Za-z]))|&|\s+")
@@ -15,29 +19,19 @@ _BLANK = re.compile(r"\\(?:[,;!]|(?:left|right|[bB]igg?[lr]|q?quad)(?![A-Za-z]))
 
 #: Functions over floats; give others for other scalars.
 PLAIN: dict[str, Any] = {
-    "number": float, "pow": math.pow, "sqrt": math.sqrt, "exp": math.exp, "sin": math.sin,
+    "number": float, "pow": math.pow, "sqrt": math.sqrt, "exp": math.exp, "sin": math.sin, "cos": math.cos,
+    "tanh": math.tanh, "ln": math.log,
 }  # fmt: skip
-
-
-def typeset(id: str, p: Mapping[str, Any]) -> str:
-    """The right side of the equation for what the effect adds, out of its LaTeX."""
-    latex = CATALOGUE[id].latex
-    if id == "load_dependent_friction":
-        kind = "radial" if p["bearing"] == "journal" and "span" not in p else p["bearing"]
-        found = re.search(rf"\\text\{{{kind}: \}}\s*&?\s*\\tau =(.*?)(\\\\|, \\quad|\\end)", latex)
-    elif id == "motor_coupling":
-        found = re.search(r"T =(.*?), \\quad", latex)
-    elif id == "transmission_loss":
-        found = re.search(r"\\tau_\{in\} =(.*?\\end\{cases\})", latex)
-    else:
-        found = re.fullmatch(r"\\tau =(.*)", latex)
-    assert found, latex
-    return found[1]
+#: The same over arrays.
+ARRAYS: dict[str, Any] = {
+    "number": float, "pow": np.power, "sqrt": np.sqrt, "exp": np.exp, "sin": np.sin, "cos": np.cos,
+    "tanh": np.tanh, "ln": np.log,
+}  # fmt: skip
 
 
 def value(latex: str, symbols: Mapping[str, Any], functions: Mapping[str, Any] = PLAIN) -> Any:
     """The value of the expression ``latex``; ``symbols`` by their spelling, such as ``F_c^+`` or ``\\dot q``;
-    ``functions`` (``number pow sqrt exp sin``) over the scalars of the symbols.
+    ``functions`` (of the names in ``PLAIN``) over the scalars of the symbols.
 
     Raises
     ------
@@ -45,18 +39,30 @@ def value(latex: str, symbols: Mapping[str, Any], functions: Mapping[str, Any] =
     """
     cases = re.fullmatch(r"\s*\\begin\{cases\}(.*)\\end\{cases\}\s*,?\s*", latex, re.S)
     if cases:
-        for row in cases[1].split(r"\\"):
-            then, _, condition = row.partition("&")
-            left, relation, right = re.split(r"(\\ge|\\le|<|>)", condition)
-            a, b = value(left, symbols, functions), value(right, symbols, functions)
-            if {"<": a < b, ">": a > b, r"\ge": a >= b, r"\le": a <= b}[relation]:
-                return value(then, symbols, functions)
-        raise SyntaxError(f"no case of {latex}")
+        return _by_case(cases[1].split(r"\\"), symbols, functions)
     reader = _Reader(latex, symbols, functions)
     found = reader.sum()
     if reader.peek():
         raise SyntaxError(f"{latex}: cannot read on at {reader.rest}")
     return found
+
+
+def _by_case(rows: list[str], symbols: Mapping[str, Any], functions: Mapping[str, Any]) -> Any:
+    values, conditions = [], []
+    for row in rows:
+        then, _, condition = row.partition("&")
+        left, relation, right = re.split(r"(\\ge|\\le|<|>)", condition)
+        a, b = value(left, symbols, functions), value(right, symbols, functions)
+        conditions.append({"<": a < b, ">": a > b, r"\ge": a >= b, r"\le": a <= b}[relation])
+        values.append(value(then, symbols, functions))
+    if not any(isinstance(condition, np.ndarray) for condition in conditions):
+        for condition, found in zip(conditions, values, strict=True):
+            if condition:
+                return found
+        raise SyntaxError(f"no case of {rows}")
+    if not np.all(np.any(np.broadcast_arrays(*conditions), axis=0)):
+        raise SyntaxError(f"no case of {rows}")
+    return np.select(np.broadcast_arrays(*conditions), values)
 
 
 class _Reader:
@@ -82,20 +88,20 @@ class _Reader:
     def sum(self) -> Any:
         total = -self.product() if self.take("-") else self.product()
         while sign := self.take("+", "-"):
-            total += self.product() if sign == "+" else -self.product()
+            total = total + (self.product() if sign == "+" else -self.product())
         return total
 
     def product(self) -> Any:
         found = self.power()
         while True:
             if self.take("/"):
-                found /= self.power()
+                found = found / self.power()
             elif (
                 self.rest.lstrip()
                 and not self.peek("+", "-", ")", "]", "}")
                 and not (self.bars and self.peek("|"))
             ):
-                found *= self.power()
+                found = found * self.power()
             else:
                 return found
 
@@ -134,8 +140,8 @@ class _Reader:
             return self.functions["sqrt"](self.group())
         if self.take("e^"):
             return self.functions["exp"](self.group())
-        if self.take(r"\sin"):
-            return self.functions["sin"](self.atom())
+        if name := self.take(r"\sin", r"\cos", r"\tanh", r"\ln"):
+            return self.functions[name[1:]](self.atom())
         if opened := self.take("(", "["):
             bars, self.bars = self.bars, 0
             found = self.sum()

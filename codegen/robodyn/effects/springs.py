@@ -1,13 +1,19 @@
-"""Springs, elastic and loose joints, and what turns with the motor."""
+"""Springs at a joint, and joints that are elastic or loose."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.effects.effect import Coupler, Effect, Fault, Parameter, Site, Values
-from robodyn.effects.friction import FORCE, TORQUE, level
-from robodyn.effects.scalars import cosine, is_zero, logarithm, magnitude, root, sign, sine
+from robodyn.effects.effect import Coupler, Effect, Parameter, Site, Values
+from robodyn.effects.friction import FORCE, SHARE, TORQUE
+from robodyn.effects.scalars import is_zero, logarithm, magnitude, root, sign
+from robodyn.effects.traits import Form, Hidden, Line, Traits, Twist, Usual
+
+#: Where these stand among the others, for a person who reads them.
+ORDER = 40
 
 # --- springs ----------------------------------------------------------------------------------------------
 
@@ -21,6 +27,16 @@ def _spring(p: Values, at: Site) -> Any:
 def _spring_energy(p: Values, q: Any) -> Any:
     square = (q - p["rest"]) * (q - p["rest"])
     return p["stiffness"] * square / 2 + p["cubic"] * (square * square) / 4
+
+
+def _line_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
+    rest = given["middle"] - float(x[1] / x[0]) if x[0] else 0.0
+    return {"stiffness": float(x[0]), "rest": rest, "cubic": 0.0}
+
+
+def _spring_form(u: Usual, way: float, rng: Any) -> Form:
+    rest = float(u.middle + rng.uniform(-0.3, 0.3) * (1.0 if u.revolute else 0.3))
+    return Form(lambda x: {"stiffness": x, "rest": rest}, SHARE * u.tau)
 
 
 SPRING = Effect(
@@ -51,6 +67,13 @@ SPRING = Effect(
     equation=_spring,
     potential=_spring_energy,
     linear=("stiffness", "cubic"),
+    traits=Traits(
+        combines="springs",
+        candidates=(Line(_line_read, 3),),
+        contains=("torque_bias",),
+        hidden=Hidden(_spring_form),
+        over="position",
+    ),
 )  # fmt: skip
 
 
@@ -61,6 +84,26 @@ _ENCODER = Parameter(
 
 def _lag(p: Values, tau: Any) -> Any:
     return p["damping"] / p["stiffness"]
+
+
+#: Where a joint may swing on its spring [Hz], and on the teeth of its gear.
+_SWINGS, _TEETH = tuple(4.0 * 1.25**k for k in range(12)), (8.0, 12.0, 18.0, 30.0)
+#: Widths of play that are tried [rad or m], and the torques of its rounding [N m or N].
+_GAPS, _ROUNDED, _TRANSITIONS = tuple(1e-3 * 1.25**k for k in range(17)), 0.05, (0.05, 0.5)
+#: How far steps of refinement go, in logarithms.
+_REACH = {"stiffness": 0.3, "damping": 0.5}
+
+
+def _soft_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
+    return {"stiffness": float(1 / x[0]) if x[0] > 0 else 1e12, "damping": 0.0, "encoder": "link"}
+
+
+def _soft_form(u: Usual, way: float, rng: Any) -> Form:
+    softest = u.weight * (2 * math.pi * 6.0) ** 2
+    return Form(
+        lambda x: {"stiffness": 1 / x, "damping": 2e-3 / x, "encoder": "motor"},
+        0.3 / softest, 1e-9, 1 / softest,
+    )  # fmt: skip
 
 
 ELASTICITY = Effect(
@@ -91,6 +134,13 @@ ELASTICITY = Effect(
         lag=_lag,
         energy=lambda p, twist: p["stiffness"] * twist * twist / 2,
     ),
+    traits=Traits(
+        candidates=(Twist(_SWINGS, _REACH, ({"stiffness": 1.0},), _soft_read, 5),),
+        reevaluate=True,
+        wide=True,
+        hidden=Hidden(_soft_form, needs="load"),
+        over="load, each way",
+    ),
 )  # fmt: skip
 
 
@@ -115,6 +165,18 @@ def _flank_energy(p: Values, twist: Any) -> Any:
     w = p["transition"]
     dual = tau * tau / (2 * p["stiffness"]) + p["gap"] / 2 * (tau - w * logarithm(1 + tau / w))
     return tau * magnitude(twist) - dual
+
+
+def _play_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
+    return {"gap": float(x[0]), "encoder": "link", "transition": given["transition"]}
+
+
+def _play_form(u: Usual, way: float, rng: Any) -> Form:
+    teeth = u.weight * (2 * math.pi * 12.0) ** 2
+    return Form(
+        lambda x: {"gap": x, "stiffness": teeth, "damping": 2e-3 * teeth, "encoder": "motor"},
+        0.005, 1e-4, 0.03,
+    )  # fmt: skip
 
 
 BACKLASH = Effect(
@@ -148,111 +210,21 @@ BACKLASH = Effect(
     source="Nordin and Gutman 2002, with rounded flanks",
     equation=lambda p, at: 0,
     coupler=Coupler(twist=_play, torque=_flank, lag=_play_lag, energy=_flank_energy),
-)  # fmt: skip
-
-
-# --- the motor --------------------------------------------------------------------------------------------
-
-ROTOR = Effect(
-    id="rotor_inertia",
-    title="Rotor inertia",
-    level="joint",
-    place="rigid",
-    parameters=(
-        Parameter(
-            "inertia", "Inertia of rotor and gear, reflected to the joint.", "kg m^2", "kg",
-            sign="nonnegative", names=True, symbol="I_r",
+    traits=Traits(
+        absorbs=("joint_elasticity",),
+        candidates=(
+            Twist(
+                _TEETH, {"gap": 0.1, **_REACH},
+                tuple({"gap": 1.0, "stiffness": math.inf, "transition": w} for w in _TRANSITIONS),
+                _play_read, 5, more=tuple({"gap": gap} for gap in _GAPS), fixed={"transition": _ROUNDED},
+            ),
         ),
+        reevaluate=True,
+        chosen=("transition",),
+        wide=True,
+        hidden=Hidden(_play_form, needs="load"),
+        over="load",
     ),
-    latex=r"\tau = I_r\,\ddot q",
-    doc="Adds to `motor_inertia`, where it is better written.",
-    signature="in phase with the joint's own acceleration",
-    rivals=("inertial_error", "time_delay"),
-    separates="poses in which the arm's own inertia about the joint differs",
-    source="Craig, Introduction to Robotics, section 9.10",
-    equation=lambda p, at: p["inertia"] * at.qdd,
-    linear=("inertia",),
 )  # fmt: skip
 
-
-#: A phase [rad] beyond this would take digits from the position that it is added to.
-_LARGEST_PHASE = 10_000
-
-
-def _ripple_fault(p: Values, revolute: bool) -> Fault | None:
-    if abs(p["phase"]) <= _LARGEST_PHASE:
-        return None
-    return Fault(
-        "phase",
-        "is so many turns that a position added to it loses its digits",
-        f"-{_LARGEST_PHASE} to {_LARGEST_PHASE} rad",
-        "take whole turns off",
-    )
-
-
-def _ripple_energy(p: Values, q: Any) -> Any:
-    return -(p["amplitude"] / p["cycles_per_rev"] * cosine(p["cycles_per_rev"] * q + p["phase"]))
-
-
-RIPPLE = Effect(
-    id="torque_ripple",
-    title="Torque ripple",
-    level="joint",
-    place="motor",
-    parameters=(
-        Parameter(
-            "amplitude", "Size of the ripple.", TORQUE, FORCE, sign="nonnegative", names=True, symbol="A",
-        ),
-        Parameter(
-            "cycles_per_rev", "Ripples in a turn of the joint; prismatic: in 2 pi m.", "1", "1/m",
-            sign="positive", symbol="N",
-        ),
-        Parameter("phase", "Phase at q = 0.", "rad", default=Fraction(0), symbol=r"\varphi"),
-    ),
-    latex=r"\tau = A \sin(N q + \varphi)",
-    doc="A wave over the joint's position: cogging, gear teeth, the wave generator of a harmonic drive.",
-    signature="a peak in the spectrum over angle, at the same angle at every speed",
-    rivals=("spring", "presliding_hysteresis"),
-    separates="slow sweeps recorded at the full rate; a low-pass filter erases it",
-    source="Preissner, Royston and Shu 2012",
-    equation=lambda p, at: p["amplitude"] * sine(p["cycles_per_rev"] * at.q + p["phase"]),
-    potential=_ripple_energy,
-    check=_ripple_fault,
-    linear=("amplitude",),
-)  # fmt: skip
-
-COUPLING = Effect(
-    id="motor_coupling",
-    title="A motor that drives two joints",
-    level="pair",
-    place="pair",
-    parameters=(
-        Parameter("with", "Number of the other joint.", kind="joint"),
-        Parameter(
-            "ratio", "What a turn of the other joint turns the motor.", "1", default=Fraction(1),
-            symbol=r"\rho",
-        ),
-        Parameter(
-            "inertia", "Inertia of the motor.", "kg m^2", "kg", sign="nonnegative", default=Fraction(0),
-            names=True, symbol="I",
-        ),
-        Parameter(
-            "viscous", "Its viscous friction.", "N m s/rad", "N s/m", sign="nonnegative", default=Fraction(0),
-            names=True, symbol="F_v",
-        ),
-        level("coulomb", "Its Coulomb friction.", "F_c", default=Fraction(0)),
-    ),
-    latex=r"u = q_j + \rho\,q_k, \quad T = I\ddot u + F_v\dot u + F_c\operatorname{sgn}\dot u, \quad"
-    r"\tau_j \mathrel{+}= T, \ \tau_k \mathrel{+}= \rho\,T",
-    doc="A motor that turns with joint j and, by `ratio`, with joint k, as in the wrists whose last motor "
-    "drives through the joint before.",
-    signature="the torque of either joint contains velocity and acceleration of the other",
-    rivals=("inertial_error", "rotor_inertia"),
-    separates="moving the two joints at different frequencies",
-    source="Gautier 1996; Staubli TX40",
-    equation=lambda p, at: p["inertia"] * at.qdd + p["viscous"] * at.qd + p["coulomb"] * at.direction,
-    linear=("inertia", "viscous", "coulomb"),
-    dissipative=True,
-)  # fmt: skip
-
-EFFECTS = (SPRING, ELASTICITY, BACKLASH, ROTOR, RIPPLE, COUPLING)
+EFFECTS = (SPRING, ELASTICITY, BACKLASH)
