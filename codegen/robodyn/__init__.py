@@ -26,25 +26,25 @@ TYPE_CHECKING = False  # as typing has it, whose import takes longer than all th
 if TYPE_CHECKING:
     from typing import Any
 
+    from robodyn.build.robot_kernel import compile
+    from robodyn.dynamics.through_sympy import symbolic
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
-    from robodyn.kernels.generate import Generated, Options, generate, program
-    from robodyn.kernels.robot_kernel import compile
-    from robodyn.kernels.through_sympy import symbolic
+    from robodyn.generation import Generated, Options, generate, program
     from robodyn.robot import Robot, load
 
 _HOMES = {
     "CheckError": "robodyn.errors",
-    "Generated": "robodyn.kernels.generate",
+    "Generated": "robodyn.generation",
     "InputError": "robodyn.errors",
-    "Options": "robodyn.kernels.generate",
+    "Options": "robodyn.generation",
     "RobodynError": "robodyn.errors",
     "Robot": "robodyn.robot",
     "ToolError": "robodyn.errors",
-    "compile": "robodyn.kernels.robot_kernel",
-    "generate": "robodyn.kernels.generate",
+    "compile": "robodyn.build.robot_kernel",
+    "generate": "robodyn.generation",
     "load": "robodyn.robot",
-    "program": "robodyn.kernels.generate",
-    "symbolic": "robodyn.kernels.through_sympy",
+    "program": "robodyn.generation",
+    "symbolic": "robodyn.dynamics.through_sympy",
 }
 
 __all__ = [

@@ -1,1 +1,0 @@
-"""Measuring: our kernels, their peers, and plans for a processor."""

@@ -1,1 +1,0 @@
-"""The findings written into the description."""

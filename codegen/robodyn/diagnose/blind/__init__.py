@@ -1,1 +1,0 @@
-"""Blind tests: effects hidden in simulated logs, answers under seal."""

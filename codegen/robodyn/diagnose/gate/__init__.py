@@ -1,1 +1,0 @@
-"""Is this log fit to be diagnosed, and with this model?"""

@@ -1,1 +1,0 @@
-"""Which effects explain what the model leaves over."""

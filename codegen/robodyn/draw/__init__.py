@@ -1,1 +1,0 @@
-"""SVG and HTML: curves in frames, texts escaped."""

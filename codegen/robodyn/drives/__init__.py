@@ -1,1 +1,0 @@
-"""What stands between a motor and its link."""

@@ -1,1 +1,0 @@
-"""From a robot to its kernels: programs, counts, files; compiled, loaded and called."""

@@ -1,1 +1,0 @@
-"""Fewer operations, proven equal: base parameters, formulation variants, closed forms, pruning, records."""

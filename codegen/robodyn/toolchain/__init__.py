@@ -1,1 +1,0 @@
-"""Compilers, other programs, and a cache of what they made."""
