@@ -26,10 +26,9 @@ from robodyn_cli.languages import chosen_languages, language_option
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
-from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
-    from robodyn.generation import Generated, Options
+    from robodyn.kernels.generate import Generated, Options
     from robodyn.robot import Robot
 
 
@@ -59,11 +58,9 @@ if TYPE_CHECKING:
 @click.option(
     "--target",
     metavar="NAME",
-    cls=TargetOption,
-    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
-    help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. Every "
-    "option given on the command line overrides them. With --firmware: processors that images are made "
-    "for, with commas: {firmware}.  [default with --firmware: all of them]",
+    help="Choose scalar, trig, order, contraction and objective for cortex-m3, cortex-m4f, cortex-m7, "
+    "x86-64, x86-64-v3, x86-64-v4 or aarch64; each of these options goes before it. With --firmware: "
+    "cortex-m3, cortex-m4f, cortex-m7, with commas (all, unless told).",
 )
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @click.option(
@@ -112,9 +109,9 @@ def command(
     DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
     forward_dynamics. The same input gives the same bytes, on any machine.
     """
-    from robodyn.dynamics.functions import FUNCTIONS
     from robodyn.errors import CheckError, InputError
-    from robodyn.generation import generate
+    from robodyn.kernels.generate import generate
+    from robodyn.optimize.programs import FUNCTIONS
 
     options = _options(
         None if firmware else target,
@@ -205,7 +202,7 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
     """The options; those of ``chosen`` that stand on the command line go before what ``target`` says."""
     from click.core import ParameterSource
 
-    from robodyn.generation import Options
+    from robodyn.kernels.generate import Options
 
     if target is None:
         return Options(**chosen, **others)
@@ -220,7 +217,7 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
 
 def _profile(options: Options) -> dict[str, Any]:
     """What the options choose for the processor, as JSON has it."""
-    from robodyn.generation import CHOSEN
+    from robodyn.kernels.generate import CHOSEN
 
     found: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
     target = options.profile
@@ -230,8 +227,8 @@ def _profile(options: Options) -> dict[str, Any]:
 
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
     """Build and load each language; where both are there, compare them bit by bit."""
-    from robodyn.build import load as load_kernel
     from robodyn.errors import CheckError, ToolError
+    from robodyn.kernels.kernel import load as load_kernel
 
     kernels: dict[str, Any] = {}
     said: dict[str, Any] = {}
@@ -269,9 +266,9 @@ def _told(robot: Robot) -> Callable[[str], None] | None:
 
 def _typeset(robot: Robot, formulation: str) -> str:
     """The recursion as LaTeX; of a robot with effects that of the rigid arm beneath, and this is said."""
-    from robodyn.dynamics.drive import has_drive_effects, rigid_part
-    from robodyn.dynamics.functions import Choice
-    from robodyn.dynamics.through_sympy import symbolic
+    from robodyn.drives.drive import has_drive_effects, rigid_part
+    from robodyn.kernels.through_sympy import symbolic
+    from robodyn.optimize.programs import Choice
 
     choice = Choice(formulation, regroup=False)
     if not has_drive_effects(robot):

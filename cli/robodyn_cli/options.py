@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from robodyn_cli.targets import TargetOption
-
 if TYPE_CHECKING:
     from robodyn.robot import Robot
 
@@ -71,11 +69,9 @@ def search_options(command: Command) -> Command:
                 metavar="WHAT",
                 default="total",
                 show_default=True,
-                cls=TargetOption,
-                lists={"all": "all_targets"},
-                prefix="weighted:",
                 help="What record, search and full make small: total, mul, fma (fused multiply-adds), depth "
-                "(the longest chain), sincos, or weighted:TARGET ({all}).",
+                "(the longest chain), sincos, or weighted:TARGET (cortex-m3, cortex-m4, cortex-m7, x86-64, "
+                "x86-64-v3).",
             ),
             click.option(
                 "--keep", is_flag=True, help="Write what was found into the folder records beside ROBOT."
@@ -102,7 +98,7 @@ def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
 def _refuse_drives(robot: Robot) -> None:
     """Rotors behind gears and springs cannot be folded into links."""
     if robot.effects:
-        from robodyn.dynamics.drive import has_drive_effects
+        from robodyn.drives.drive import has_drive_effects
         from robodyn.errors import InputError
 
         if has_drive_effects(robot):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
-from robodyn_cli.targets import TargetOption
 
 
 @click.command()
@@ -19,9 +18,7 @@ from robodyn_cli.targets import TargetOption
     "targets",
     metavar="T",
     multiple=True,
-    cls=TargetOption,
-    lists={"planned": "planned_targets"},
-    help="A target, again for several: {planned}, here (measured), or "
+    help="A target, again for several: cortex-m4, cortex-m7, x86-64, thesis-1990, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
 @click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
@@ -42,8 +39,9 @@ def command(
     cost of passing a value. Of those that meet the deadline the one with the fewest cores is taken. Exits
     1 where nothing does. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
-    from robodyn.errors import CheckError
-    from robodyn.report.plan import (
+    from robodyn.bench.plan import (
+        KNOWN,
+        Target,
         chosen,
         here,
         parse_deadline,
@@ -52,7 +50,7 @@ def command(
         plans,
         spelled,
     )
-    from robodyn.targets import Target, planned_targets
+    from robodyn.errors import CheckError
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
@@ -63,7 +61,7 @@ def command(
         def tell(text: str) -> None:
             shown.tell(f"robodyn: {text}")
 
-        wanted = [target or here(described, tell) for target in asked] or list(planned_targets())
+        wanted = [target or here(described, tell) for target in asked] or list(KNOWN.values())
         found = plans(described, processors, wanted, function=function, tell=tell)
     best = chosen(found, limit)
     if as_json:

@@ -13,8 +13,8 @@ import pytest
 from records.made import ELBOW, arm, better, bundled, fast, recorded
 from robodyn import InputError, Options, generate
 from robodyn.counts import count
-from robodyn.records import FOLDER, best_record, bundled_records, parse_record
-from robodyn.records.find import file_name
+from robodyn.optimize.records import FOLDER, best_record, bundled_records, parse_record
+from robodyn.optimize.records.find import file_name
 from robodyn.robot import Robot
 from robodyn.search.improve import write_record
 
@@ -138,13 +138,6 @@ def test_objectives_make_plain_file_names(objective: str, tmp_path: Path) -> Non
     assert path.name == file_name("elbow", "inverse_dynamics", objective)
     assert not set(path.name) & set(":/\\ ")
     assert look(ROBOT, tmp_path, objective=objective) == record.text()
-
-
-def test_a_record_outlives_the_name_of_its_target(tmp_path: Path) -> None:
-    record = recorded(ROBOT, fast(ROBOT), objective="weighted:cortex-m4")
-    write_record(record, tmp_path)
-    assert look(ROBOT, tmp_path, objective="weighted:cortex-m4f") == record.text()
-    assert look(ROBOT, tmp_path, objective="weighted:cortex-m7") is None
 
 
 def test_two_robots_of_one_name_keep_their_records(tmp_path: Path) -> None:

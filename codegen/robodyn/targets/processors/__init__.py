@@ -1,1 +1,0 @@
-"""The targets, one module each: to add one, add a module (CONTRIBUTING.md, "Add a target")."""
