@@ -28,7 +28,7 @@ from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, wit
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
-    from robodyn.generation import Generated, Options
+    from robodyn.kernels.generate import Generated, Options
     from robodyn.robot import Robot
 
 
@@ -109,9 +109,9 @@ def command(
     DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
     forward_dynamics. The same input gives the same bytes, on any machine.
     """
-    from robodyn.dynamics.functions import FUNCTIONS
+    from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
-    from robodyn.generation import generate
+    from robodyn.kernels.generate import generate
 
     languages = chosen_languages(lang)
     options = _options(
@@ -140,7 +140,7 @@ def command(
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
     options = Search(budget_seconds, seed, options.objective, keep).applied(
-        described, options, options.functions or tuple(FUNCTIONS)
+        described, options, options.functions or by_default()
     )
     with told() as tell:
         made = generate(described, options, progress=_told(described), pruning=tell)
@@ -202,7 +202,7 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
     """The options; those of ``chosen`` that stand on the command line go before what ``target`` says."""
     from click.core import ParameterSource
 
-    from robodyn.generation import Options
+    from robodyn.kernels.generate import Options
 
     if target is None:
         return Options(**chosen, **others)
@@ -217,7 +217,7 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
 
 def _profile(options: Options) -> dict[str, Any]:
     """What the options choose for the processor, as JSON has it."""
-    from robodyn.generation import CHOSEN
+    from robodyn.kernels.generate import CHOSEN
 
     found: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
     target = options.profile
@@ -227,8 +227,8 @@ def _profile(options: Options) -> dict[str, Any]:
 
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
     """Build and load each language; where both are there, compare them bit by bit."""
-    from robodyn.build import load as load_kernel
     from robodyn.errors import CheckError, ToolError
+    from robodyn.kernels.kernel import load as load_kernel
 
     kernels: dict[str, Any] = {}
     said: dict[str, Any] = {}
@@ -266,9 +266,9 @@ def _told(robot: Robot) -> Callable[[str], None] | None:
 
 def _typeset(robot: Robot, formulation: str) -> str:
     """The recursion as LaTeX; of a robot with effects that of the rigid arm beneath, and this is said."""
-    from robodyn.dynamics.drive import has_drive_effects, rigid_part
-    from robodyn.dynamics.functions import Choice
-    from robodyn.dynamics.through_sympy import symbolic
+    from robodyn.drives.drive import has_drive_effects, rigid_part
+    from robodyn.kernels.through_sympy import symbolic
+    from robodyn.optimize.programs import Choice
 
     choice = Choice(formulation, regroup=False)
     if not has_drive_effects(robot):

@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 
 from effects.cases import CASES, draw
-from robodyn.dynamics.drive import Acting, JointDrive, Layer
+from robodyn.drives.drive import Acting, JointDrive, Layer
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.simulate.shape import elements_of, without_losses

@@ -18,10 +18,10 @@ from robodyn.dynamics.joints import smoothed_sign
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Site
 from robodyn.effects.efficiency import efficiency_at
-from robodyn.generation import maker
-from robodyn.generation.options import Options
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
+from robodyn.kernels.generate import maker
+from robodyn.kernels.options import Options
 from robodyn.robot import read_text
 from robodyn.verify.effects import added_torque, direction
 from robodyn.verify.typeset import value

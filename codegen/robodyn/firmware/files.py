@@ -35,10 +35,10 @@ from robodyn.firmware.states import (
 )
 from robodyn.firmware.targets import Target
 from robodyn.firmware.vectors import Vectors, vectors
-from robodyn.generation import Generated
 from robodyn.ir.evaluate import angle_form
 from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType, Signature
+from robodyn.kernels.generate import Generated
 from robodyn.verify.sample import draw_parameters
 
 if TYPE_CHECKING:

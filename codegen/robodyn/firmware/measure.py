@@ -15,10 +15,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from robodyn.build.compiler import first_lines
-from robodyn.build.running import run
 from robodyn.errors import CheckError, ToolError
 from robodyn.firmware.targets import Target
+from robodyn.toolchain.compiler import first_lines
+from robodyn.toolchain.running import run
 
 #: Flags of kernel, self-test and image. Nothing is contracted, so the bits are the same everywhere.
 FLAGS = (

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from robodyn.emit.static import static_function
 from robodyn.errors import InputError
-from robodyn.generation import Options, maker
 from robodyn.ir.program import Program
+from robodyn.kernels.generate import Options, maker
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.engine import Engine, build_engine
 from robodyn.simulate.system import System, system_of

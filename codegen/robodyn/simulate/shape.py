@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from robodyn.dynamics.drive import Acting, JointDrive, Layer
+from robodyn.drives.drive import Acting, JointDrive, Layer
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot

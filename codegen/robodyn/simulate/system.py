@@ -11,10 +11,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.costing import exact
-from robodyn.dynamics.coupling import coupler_of, memory_of
-from robodyn.dynamics.drive import (
+from robodyn.drives.coupling import coupler_of, memory_of
+from robodyn.drives.drive import (
     Acting,
     Layer,
     Rates,
@@ -25,16 +23,18 @@ from robodyn.dynamics.drive import (
     passed_on,
     rigid_part,
 )
-from robodyn.dynamics.functions import turned
+from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
 from robodyn.dynamics.kinematics import frames, jacobian
-from robodyn.dynamics.with_effects import as_is, rigid_loads
 from robodyn.effects.effect import Site
 from robodyn.effects.scalars import is_zero
-from robodyn.generation.drafts import Drafts
-from robodyn.generation.options import Options
 from robodyn.ir.derivative import jacobian as derivatives
 from robodyn.ir.graph import Graph, Scalar, lower
 from robodyn.ir.program import Input, Program
+from robodyn.kernels.drafts import Drafts
+from robodyn.kernels.options import Options
+from robodyn.kernels.with_effects import as_is, rigid_loads
+from robodyn.optimize.costing import exact
+from robodyn.optimize.programs import turned
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.shape import Element, check_shape, elements_of, without_losses
