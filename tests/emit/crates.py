@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.emit.languages.rust import crate_name, identifier
-from robodyn.generation import Generated
 from robodyn.ir.signature import Signature
+from robodyn.kernels.generate import Generated
 from robodyn_testing import require_tool
 
 STRICT: Final = ("--edition", "2021", "-D", "warnings")

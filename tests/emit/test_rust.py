@@ -13,7 +13,7 @@ from emit.kernels import ODD, in_single, made, robots
 from emit.test_bits import DT, arrays, own_cache, parameters, run, same_bits
 from robodyn import compile as compile_robot
 from robodyn.emit.languages.rust import uses_libm
-from robodyn.generation import Generated
+from robodyn.kernels.generate import Generated
 from robodyn_testing import require_tool
 
 __all__ = ["own_cache"]
