@@ -46,6 +46,8 @@ FUNCTIONS: dict[str, tuple[tuple[str, ...], str]] = {
 FORMULATIONS = (
     "modified_newton_euler",
     "newton_euler",
+    "newton_euler_base",
+    "orin",
     "balafoutis",
     "kane",
     "lagrange_3x3",
