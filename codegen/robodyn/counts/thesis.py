@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from robodyn.counts.count import Count
+from robodyn.dynamics.functions import function_named
 from robodyn.robot.model import Robot
 
 #: Row of Table 2.10: multiplications, additions, and what is to be known of the printed figure.
@@ -82,7 +83,7 @@ def beside(
     """The thesis's figure for ``robot``'s inverse dynamics by ``formulation``, if its file names a row of
     Table 2.10 and the table has a figure of that formulation."""
     compare = robot.compare
-    if function != "inverse_dynamics" or compare is None or compare.table != "2.10":
+    if not function_named(function).is_recursion or compare is None or compare.table != "2.10":
         return None
     printed = _OWN_ROWS.get(formulation, {}).get(compare.row)
     if printed is None:

@@ -11,11 +11,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from robodyn.effects.catalogue import CATALOGUE
-from robodyn.effects.effect import Effect
 from robodyn.robot.values import ZERO, Affine, Angle, Value, parameters_of
+
+if TYPE_CHECKING:
+    from robodyn.effects.effect import Effect
 
 JointKind = Literal["revolute", "prismatic"]
 Vector = tuple[Value, Value, Value]
@@ -96,6 +97,8 @@ class EffectEntry:
     @property
     def definition(self) -> Effect:
         """The effect itself."""
+        from robodyn.effects.catalogue import CATALOGUE  # a rigid arm does without it
+
         return CATALOGUE[self.effect]
 
     def __getitem__(self, name: str) -> Any:
