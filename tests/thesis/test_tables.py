@@ -101,7 +101,7 @@ def test_every_row_has_a_figure_a_verdict_and_a_reason(name: str, tables: dict[s
     for row in table.rows:
         verdicts = ("reproduced", "differs", "not recoverable") if row.printed else (None,)
         assert row.verdict in verdicts
-        assert row.printed
+        assert row.printed or name == "1.1"  # formulations that it does not list
         assert row.ours
         assert row.reason
         assert "not the one that is explained" not in row.reason

@@ -215,8 +215,8 @@ def _unlisted(name: str, degree: int, words: str, newton_euler: Count) -> Row:
             ),
         },
         None,
-        f"the table has no row of it: {words}; {abs(share):.0f} % {'more' if share > 0 else 'fewer'} operations "
-        "than Newton-Euler",
+        f"the table has no row of it: {words}; {abs(share):.0f} % {'more' if share > 0 else 'fewer'} "
+        "operations than Newton-Euler",
     )
 
 
