@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     "--trig",
     default="libm",
     show_default=True,
-    help="Sine and cosine: libm, builtin (no library at all), or given in sc.",
+    help="Sine and cosine: libm, builtin (no library at all; the default of rust), or given in sc.",
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states in a call, with SIMD.")
 @click.option(
@@ -188,7 +188,7 @@ def command(
         )
         return
     click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
-    for line in lines(described, [(f, f, c) for f, c in made.counts.items()]):
+    for line in lines(described, [(f, f, formulation, c) for f, c in made.counts.items()]):
         click.echo(line)
     for line in effect_lines(made.counts, made.rigid_counts):
         click.echo(line)
