@@ -15,9 +15,9 @@ from records.made import ELBOW, SMOOTH, TOOL, arm, bundled, fast, recorded
 from robodyn import InputError, Options, program
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input, Label, Operation, Program
+from robodyn.optimize.records import Record, parse_record
+from robodyn.optimize.records.record import header
 from robodyn.passes import SPELLING, run
-from robodyn.records import Record, parse_record
-from robodyn.records.record import header
 from robodyn.robot import Robot, bundled_names
 from robodyn_testing.clocks import calls_of
 from robodyn_testing.random_robots import random_robot

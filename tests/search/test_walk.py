@@ -23,8 +23,8 @@ from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
+from robodyn.optimize.records import parse_record
 from robodyn.passes import SPELLING, run
-from robodyn.records import parse_record
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.search import walk as walking

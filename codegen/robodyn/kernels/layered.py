@@ -1,0 +1,124 @@
+"""Programs of robots whose drives have effects: the rigid arm's best program, and the drives on top of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from robodyn.counts import Count, count
+from robodyn.drives.drive import rigid_part
+from robodyn.dynamics.compose import composed
+from robodyn.dynamics.functions import FUNCTIONS, Function, function_named
+from robodyn.errors import InputError
+from robodyn.ir.fingerprint import agree
+from robodyn.ir.program import Program
+from robodyn.kernels.drafts import Drafts
+from robodyn.kernels.options import Options
+from robodyn.kernels.proof import Unequal
+from robodyn.kernels.with_effects import (
+    check_solvable,
+    layered,
+    needs_reactions,
+)
+from robodyn.passes import FRESH, SPELLING, run, unchecked
+from robodyn.robot.identity import identity
+from robodyn.robot.model import Robot
+from robodyn.robot.values import circle_point
+
+if TYPE_CHECKING:
+    from robodyn.optimize.prune import Pruning
+
+
+def moving() -> tuple[str, ...]:
+    """Torques in which anything moves: else no bearing rubs."""
+    return tuple(name for name, f in FUNCTIONS.items() if f.zeros is not None and "qd" not in f.zeros)
+
+
+class Layered:
+    """The programs of a robot with effects; ``rigid`` makes those of the rigid arm beneath.
+
+    Raises
+    ------
+    InputError: an option does not go with effects.
+    """
+
+    def __init__(self, robot: Robot, options: Options) -> None:
+        if options.prune is not None:
+            raise InputError(
+                f"{robot.name} has effects, whose errors --prune cannot bound",
+                remedy="leave out --prune, or the effects",
+            )
+        if options.engine != "graph":
+            raise InputError("effects go with the engine graph only", found=options.engine)
+        self.robot, self.options = robot, options
+        self.rigid = Drafts(rigid_part(robot), options)
+        self._reactions = needs_reactions(robot)
+        self._programs: dict[str, Program] = {}
+        #: Nothing is pruned.
+        self.prunings: dict[str, Pruning] = {}
+
+    def program(self, function: str) -> Program:
+        """The program of ``function``, compared with plain Newton-Euler and the same drives.
+
+        Raises
+        ------
+        SingularArm, ImplicitDynamics: there is no forward dynamics.
+        """
+        if function not in self._programs:
+            self._programs[function] = self._made(function)
+        return self._programs[function]
+
+    def _made(self, function: str) -> Program:
+        record = function_named(function)
+        check_solvable(self.robot, record)
+        if not record.parts:
+            draft = layered(self.robot, record, self._rigid, self.options.formulation)
+            made = run(draft, SPELLING if self.options.optimize == "none" else FRESH)
+            self._compare(function, made, self._plain(record))
+            return made
+        try:
+            draft = composed(record, {part: self.program(part) for part in record.parts}, self.robot.n)
+            made = unchecked(draft, FRESH)
+            # Of what solves for accelerations there is no other formula: its parts are compared.
+            self._compare(function, made, draft if record.expected is None else self._plain(record))
+        except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
+            raise self.rigid.singular(function) from None
+        return made
+
+    def _rigid(self, function: str) -> Program | None:
+        """The rigid arm's best program, unless bearings feel what moves."""
+        return None if self._reactions and function in moving() else self.rigid.best(function)
+
+    def _plain(self, record: Function) -> Program:
+        """``record`` by the recursion of the book, with the drives on it."""
+
+        def rigid(function: str) -> Program | None:
+            # The mass matrix is proven beneath; the rotors are put on it here.
+            return None if function_named(function).gives_torques else self.rigid.best(function)
+
+        return layered(self.robot, record, rigid, "newton_euler", expected=True)
+
+    def _compare(self, function: str, made: Program, plain: Program) -> None:
+        """In finite fields, where roots and the like are random functions, so that their arguments must be
+        equal as well."""
+        context = (identity(self.robot).encode(), function.encode())
+        if not all(agree(made, plain, circle_point, *context, tag) for tag in (b"one", b"two")):
+            raise Unequal(f"{function} of {self.robot.name} differs from plain Newton-Euler with its effects")
+
+    def rigid_count(self, function: str) -> Count | None:
+        """Operations of the rigid arm beneath; None of functions that are composed."""
+        return None if function_named(function).parts else count(self.rigid.best(function))
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the head of the files says of the effects."""
+        lines = [
+            f"{entry.effect}" + (f" at joint {entry.joint}" if entry.joint else "")
+            for entry in self.robot.effects
+        ]
+        told = ["Effects: " + ", ".join(lines) + "."]
+        if self._reactions:
+            told.append(
+                f"Of {' and '.join(moving())} the links are as described, nothing moved to a parent: "
+                "bearings feel the forces in the joints."
+            )
+        return tuple(told)
