@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import itertools
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -22,7 +23,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option, trig_for
+from robodyn_cli.languages import chosen_languages, language_option, tests_of, trig_for
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -104,16 +105,16 @@ def command(
     check: bool,
     as_json: bool,
 ) -> None:
-    """Write the C and Fortran of a robot's dynamics, and print the counts.
+    """Write the kernels of a robot's dynamics, and print the counts.
 
-    DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
-    forward_dynamics. The same input gives the same bytes, on any machine.
+    DIR gets NAME.h, NAME.c and NAME.f90 (with --lang rust a crate) with inverse_dynamics, gravity, bias,
+    mass_matrix and forward_dynamics. The same input gives the same bytes, on any machine.
     """
     from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
 
-    languages = chosen_languages(lang)
+    languages = chosen_languages(lang, compiled=compile_)
     options = _options(
         None if firmware else target,
         {
@@ -149,7 +150,7 @@ def command(
     if firmware:
         write_firmware(made, folder, languages, target, check=check, as_json=as_json)
         return
-    files = made.files(languages, batch=batch)
+    files = {**made.files(languages, batch=batch), **tests_of(made, languages)}
     if batch:
         for interface in made.signatures:
             if interface.states:
@@ -226,7 +227,8 @@ def _profile(options: Options) -> dict[str, Any]:
 
 
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
-    """Build and load each language; where both are there, compare them bit by bit."""
+    """Build and load each language; where there are several, compare them bit by bit."""
+    from robodyn.emit.languages import LANGUAGES
     from robodyn.errors import CheckError, ToolError
     from robodyn.kernels.kernel import load as load_kernel
 
@@ -235,7 +237,7 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, ba
     for language in languages:
         try:
             files = made.files((language,), batch=batch and language == "c")
-            kernel = load_kernel(made.signatures, files, language=language)  # type: ignore[arg-type]
+            kernel = load_kernel(made.signatures, files, language=language)
         except ToolError as error:
             if language != "c" and not explicit:
                 said[language] = f"written, not compiled: {error}"
@@ -243,13 +245,13 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, ba
             raise
         kernels[language] = kernel
         said[language] = f"compiled with {kernel.compiler}, loaded"
-    if len(kernels) == 2:
-        if not _same_bits(made, *kernels.values()):
+    for one, other in itertools.pairwise(kernels):
+        if not _same_bits(made, kernels[one], kernels[other]):
             raise CheckError(
-                "the compiled C and Fortran give different bits",
+                f"the compiled {LANGUAGES[one].title} and {LANGUAGES[other].title} give different bits",
                 remedy="compile both without contraction and -ffast-math (CC, FC), or one of them (--lang)",
             )
-        said["c and fortran"] = "the same bits on 100 states"
+        said[f"{one} and {other}"] = "the same bits on 100 states"
     return said
 
 

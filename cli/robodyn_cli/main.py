@@ -21,7 +21,7 @@ from robodyn.process import quiet, received
 from robodyn_cli.common import drop, talk
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
-    "gen": ("robodyn_cli.gen", "Write the C and Fortran of a robot's dynamics, and print the counts."),
+    "gen": ("robodyn_cli.gen", "Write the kernels of a robot's dynamics, and print the counts."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and hold them to a budget."),
     "tables": ("robodyn_cli.tables", "Set the thesis's tables beside what robodyn recomputes."),
     "schedule": (

@@ -85,7 +85,7 @@ def test_names_of_inputs_and_labels() -> None:
 
 def test_symbols_of_a_signature() -> None:
     interface = Signature("puma560", "bias", (("q", 6),), (("tau", 6),))
-    assert (interface.symbol, interface.fortran_symbol) == ("puma560_bias", "puma560_bias_f")
+    assert interface.symbol == "puma560_bias"
 
 
 # --- evaluation over any scalar ---------------------------------------------------------------------------
