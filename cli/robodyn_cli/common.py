@@ -6,7 +6,7 @@ import contextlib
 import errno
 import os
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, Final, TypeVar
 
@@ -90,6 +90,26 @@ def load_robot(robot: str, *, strict: bool = False) -> Robot:
     from robodyn.robot import load
 
     return load(robot, strict=strict, warn=lambda text: talk(f"robodyn: warning: {text}"))
+
+
+def parameter_values(robot: Robot, options: Sequence[tuple[str, float]]) -> dict[str, float]:
+    """The values of ``--param NAME=VALUE``, in the order of the robot's run-time parameters.
+
+    Raises
+    ------
+    InputError: one stands there twice, or they do not fit the robot.
+    """
+    from robodyn.robot.filling import parameter_values
+
+    names = [name for name, _ in options]
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
+        raise InputError(
+            f"a run-time parameter of {robot.name} has two values",
+            found=f"--param {twice[0]}=... twice",
+            remedy="leave one of the two out",
+        )
+    return parameter_values(robot, dict(options))
 
 
 def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:

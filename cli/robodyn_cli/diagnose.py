@@ -13,7 +13,15 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
-from robodyn_cli.common import json_option, load_robot, printable, robot_argument, talk, write_files
+from robodyn_cli.common import (
+    json_option,
+    load_robot,
+    parameter_values,
+    printable,
+    robot_argument,
+    talk,
+    write_files,
+)
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
@@ -57,7 +65,7 @@ def command(
     sources = [*logs, *([] if validate is None else [validate])]
     _spare_inputs(folder, [robot, *sources])
     described = load_robot(robot, strict=strict)
-    values = _parameters(described, param)
+    values = parameter_values(described, param) or None
     found = _diagnosed(described, robot, logs, validate, values)
     validated = validate is not None
     text = json.dumps(_finite(found.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
@@ -110,29 +118,6 @@ def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
                 )
 
 
-def _parameters(robot: Robot, given: Sequence[tuple[str, float]]) -> dict[str, float] | None:
-    """Values of the run-time parameters; None for a robot that has none."""
-    values = dict(given)
-    missing = [name for name in robot.parameters if name not in values]
-    unknown = [name for name in values if name not in robot.parameters]
-    if len(values) < len(given):
-        names = [name for name, _ in given]
-        found = f"{next(name for name in names if names.count(name) > 1)} twice"
-        remedy = "remove one of them"
-    elif missing:
-        found, remedy = f"no {', '.join(missing)}", " ".join(f"--param {name}=VALUE" for name in missing)
-    elif unknown:
-        found, remedy = ", ".join(unknown), "remove it"
-    else:
-        return values or None
-    raise InputError(
-        f"wrong run-time parameters for {robot.name}",
-        found=found,
-        expected=", ".join(robot.parameters) or "none: it has no run-time parameters",
-        remedy=remedy,
-    )
-
-
 # --- the diagnosis ----------------------------------------------------------------------------------------
 
 
@@ -181,7 +166,7 @@ def _text(spec: str) -> str:
 
 def _kernels(found: Diagnosis) -> dict[str, str]:
     """C and Fortran of the amended model, by their paths in the folder."""
-    from robodyn.generation import generate
+    from robodyn.kernels.generate import generate
 
     return {f"{_KERNELS}/{name}": text for name, text in generate(found.model).files().items()}
 

@@ -41,8 +41,7 @@ def command(
     its communication cost. The plan with the fewest cores that meets the deadline is chosen. Exits with 1 if
     there is none. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
-    from robodyn.errors import CheckError
-    from robodyn.report.plan import (
+    from robodyn.bench.plan import (
         KNOWN,
         Target,
         chosen,
@@ -53,6 +52,7 @@ def command(
         plans,
         spelled,
     )
+    from robodyn.errors import CheckError
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)

@@ -12,7 +12,7 @@ from robodyn_cli.common import echo_json, json_option, output_folder, printable,
 from robodyn_cli.options import listed, load, model_options
 
 if TYPE_CHECKING:
-    from robodyn.prove import Proof
+    from robodyn.certify import Proof
     from robodyn.robot import Robot
 
 
@@ -73,10 +73,10 @@ def command(
     input leads to undefined behaviour. gcc reports the stack, cppcheck the deviations from MISRA. Exits with
     1 if a proof fails, 3 if a tool is missing.
     """
-    from robodyn.build.program import cores
+    from robodyn.certify import PROOFS, Asked, prove
     from robodyn.errors import CheckError, ToolError
-    from robodyn.generation import Options
-    from robodyn.prove import PROOFS, Asked, prove
+    from robodyn.kernels.generate import Options
+    from robodyn.toolchain.program import cores
     from robodyn_cli.progress import line
 
     options = Options(
@@ -108,8 +108,8 @@ def command(
 
 def _ranged(described: Robot, ranges: str | None, *, needed: bool) -> Robot:
     """The robot with the ranges as its limits; unchanged if no ranges are given or needed."""
+    from robodyn.certify import with_ranges
     from robodyn.files import read_bytes
-    from robodyn.prove import with_ranges
     from robodyn.robot.document import FILE_SIZE
 
     if ranges is None and not needed:

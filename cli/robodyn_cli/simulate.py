@@ -15,6 +15,7 @@ from robodyn_cli.common import (
     json_option,
     load_robot,
     output_folder,
+    parameter_values,
     printable,
     robot_argument,
     talk,
@@ -74,7 +75,7 @@ def command(
     n, name = described.n, described.name
     exactly("--from", asked.start, n, name)
     exactly("--speed", asked.speed, n, name)
-    values = _parameters(described, asked)
+    values = parameter_values(described, asked.param)
     sensors = _sensors(described, asked)
     run, what = _run(described, asked, values)
     log = _log(run, sensors, asked, what, robot)
@@ -143,30 +144,6 @@ def _spare_inputs(outputs: list[Path | None], inputs: list[str | None]) -> None:
                     f"{printable(output)} is an input and would be overwritten",
                     remedy="choose another name with -o",
                 )
-
-
-def _parameters(robot: Robot, asked: Asked) -> dict[str, float]:
-    """Values of the run-time parameters."""
-    from robodyn.errors import InputError
-
-    values = dict(asked.param)
-    twice = [name for name, _ in asked.param if [other for other, _ in asked.param].count(name) > 1]
-    missing = [name for name in robot.parameters if name not in values]
-    unknown = [name for name in values if name not in robot.parameters]
-    if not (twice or missing or unknown):
-        return values
-    if twice:
-        found, remedy = f"{twice[0]} twice", "remove one of them"
-    elif missing:
-        found, remedy = f"no {', '.join(missing)}", " ".join(f"--param {name}=VALUE" for name in missing)
-    else:
-        found, remedy = ", ".join(unknown), "remove it"
-    raise InputError(
-        f"wrong run-time parameters for {robot.name}",
-        found=found,
-        expected=", ".join(robot.parameters) or "none: it has no run-time parameters",
-        remedy=remedy,
-    )
 
 
 def _sensors(robot: Robot, asked: Asked) -> Sensors:

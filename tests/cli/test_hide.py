@@ -80,7 +80,7 @@ def test_hide_open_and_score(capsys: Capture) -> None:
     out, _ = run(capsys, "hide --score d wrong.json", 1)
     assert out.splitlines() == [
         "spring at joint 1: wrong",
-        "1 of 1 hidden missed (robodyn hide --open d/answer.sealed tells which)",
+        "1 of 1 hidden missed (robodyn hide --open d/answer.sealed shows them)",
         "overall: wrong",
     ]
     other = {"verdict": "consistent", "findings": [], "logs": [{"sha256": "0" * 64}]}
@@ -155,7 +155,9 @@ def test_excite(capsys: Capture) -> None:
     first, second, *rest = out.splitlines()
     assert first == "t.csv: 4 s, 401 samples"
     assert second.startswith("coulomb_friction at joint 1 and viscous_friction at joint 1: ")
-    assert rest[0] == "to identify coulomb_friction: reversals, slow and fast segments, and more than one pose"
+    assert (
+        rest[0] == "to identify coulomb_friction: reversals, slow and fast segments, and more than one pose"
+    )
     motion = from_file("t.csv", 1)
     assert motion.provenance["columns"] == ["q", "qd", "qdd"]
     told = json.loads(run(capsys, f"{command} -o t2.csv --json")[0])

@@ -21,7 +21,7 @@ from robodyn import Options, program
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Program
-from robodyn.records import FOLDER, bundled_records, parse_record
+from robodyn.optimize.records import FOLDER, bundled_records, parse_record
 from robodyn.search import improve as improving
 from robodyn.search.climb import climb
 from robodyn.search.improve import write_record
@@ -212,7 +212,7 @@ def test_keep_where_it_cannot(here: Path, capsys: Capture) -> None:
     (here / FOLDER).write_text("in the way")
     more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]
     _, err = run(capsys, "gen", "elbow.yaml", "-o", "out", *more, code=2)
-    assert "cannot write into records" in err
+    assert "cannot write to records" in err
     assert files(here) == {"elbow.yaml", FOLDER}
 
 

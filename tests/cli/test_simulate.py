@@ -379,9 +379,12 @@ MOTION = "--to 0.1 --param m=2"
     ("command", "text"),
     [
         ("nowhere.yaml", "nowhere.yaml: there is neither a file nor a bundled robot"),
-        ("slide.yaml --to 1", "found no m; expected m; --param m=VALUE"),
+        (
+            "slide.yaml --to 1",
+            "found no m; expected a number for each of m; on the command line --param",
+        ),
         ("slide.yaml --param m=2 --param k=1", "found k; expected m; remove it"),
-        ("slide.yaml --param m=2 --param m=1", "found m twice"),
+        ("slide.yaml --param m=2 --param m=1", "found --param m=... twice"),
         ("slide.yaml --param m", "'m' is not NAME=VALUE"),
         ("slide.yaml --param m=two", "'--param': "),
         (f"slide.yaml {MOTION} --excite", "only one input can drive the robot; found --to and --excite"),
@@ -393,7 +396,10 @@ MOTION = "--to 0.1 --param m=2"
         ("slide.yaml --profile quintic --param m=2", "--profile requires --to or --line"),
         (f"slide.yaml {MOTION} --solver rk4 --rtol 1e-3", "--rtol requires --solver adaptive"),
         (f"slide.yaml {MOTION} --cutoff 3", "--cutoff requires --velocity filtered"),
-        (f"slide.yaml {MOTION} --velocity filtered", "the low-pass filter has no cutoff frequency; add --cutoff HZ"),
+        (
+            f"slide.yaml {MOTION} --velocity filtered",
+            "the low-pass filter has no cutoff frequency; add --cutoff HZ",
+        ),
         (f"slide.yaml {MOTION} --velocity filtered --cutoff 1e6", "cutoff"),
         (f"slide.yaml {MOTION} --velocity best", "'--velocity'"),
         (f"slide.yaml {MOTION} --controller pid", "'--controller'"),
@@ -418,8 +424,14 @@ MOTION = "--to 0.1 --param m=2"
         ),
         (f"slide.yaml {MOTION} --model stanford_3dof", "--model does not fit slide; found 3 joints"),
         ("weak.yaml --to 0.1 --model slide.yaml", "run-time parameters m; expected 1 joints, run-time"),
-        ("soft.yaml --param k=0 --param d=1", "joint_elasticity: stiffness is out of bounds; found 0 by"),
-        ("soft.yaml --param k=1 --param d=-1", "joint_elasticity: damping is out of bounds; found -1 by"),
+        (
+            "soft.yaml --param k=0 --param d=1",
+            "stiffness is not positive; found 0 N m/rad with k = 0",
+        ),
+        (
+            "soft.yaml --param k=1 --param d=-1",
+            "damping is negative; found -1 N m s/rad with d = -1",
+        ),
         (f"slide.yaml {MOTION} --model nobody", "nobody: there is neither"),
         (f"slide.yaml {MOTION} --seed -1", "'--seed'"),
         (f"slide.yaml {MOTION} -o log.txt", "found log.txt; expected one of .csv"),

@@ -218,9 +218,9 @@ def test_run_time_parameters_are_numbers_filled_in() -> None:
     np.testing.assert_array_equal(exact(by_name, q, qd, qdd, values), exact(by_value, q, qd, qdd))
     np.testing.assert_array_equal(lagrangian(by_name, values)(q, qd, qdd), lagrangian(by_value)(q, qd, qdd))
     for call in (Reference, lagrangian):
-        with pytest.raises(InputError, match="without a value; found no value of reach"):
+        with pytest.raises(InputError, match="without values; found no reach"):
             call(by_name, {"m_tool": 1.0})
-    with pytest.raises(InputError, match="without a value"):
+    with pytest.raises(InputError, match="without values"):
         exact_torque(by_name, [0, 0], [0, 0], [0, 0])
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend import Amendment, amended_text, difference
+from robodyn.diagnose.amend.amend import Amendment, amended_text, difference
 from robodyn.diagnose.evidence import (
     by_kind,
     doubtful,
@@ -20,13 +20,13 @@ from robodyn.diagnose.evidence import (
     why_not,
     windows,
 )
-from robodyn.diagnose.gate import Gate, inspect
-from robodyn.diagnose.library import Candidate
-from robodyn.diagnose.predict import agreement, lacking, signals_seen
+from robodyn.diagnose.gate.gate import Gate, inspect
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
-from robodyn.diagnose.rigid import Model
-from robodyn.diagnose.search import Found, search
-from robodyn.diagnose.selection import Named, Selection, what_matters
+from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.predict import agreement, lacking, signals_seen
+from robodyn.diagnose.select.rigid import Model
+from robodyn.diagnose.select.search import Found, search
+from robodyn.diagnose.select.selection import Named, Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
@@ -61,12 +61,12 @@ def diagnose(
 
     Raises
     ------
-    InputError: a log cannot be used, or the robot has run-time parameters without values.
+    InputError: a log cannot be used, or ``parameters`` do not fit the robot (:meth:`Robot.at`).
     """
     from robodyn.robot.writer import to_yaml
 
     tell = progress or (lambda _: None)
-    robot = _numbers(robot, parameters)
+    robot = robot.at(parameters or {})
     tell("looking at the logs")
     gates = [inspect(log, robot, source=_name(names, k)) for k, log in enumerate(logs)]
     seen = inspect(validate, robot, source=_name(names, len(logs))) if validate is not None else gates[-1]
@@ -118,39 +118,6 @@ def diagnose(
         (by_kind(before), by_kind(after)),
         agreement(model, gates[0]), to_record(robot, gates),
     )  # fmt: skip
-
-
-def _numbers(robot: Robot, parameters: Mapping[str, float] | None) -> Robot:
-    """``robot`` with its run-time parameters at their values."""
-    from robodyn.errors import InputError
-
-    if not robot.parameters:
-        return robot
-    missing = [name for name in robot.parameters if name not in (parameters or {})]
-    if missing:
-        raise InputError(
-            f"{robot.name} has run-time parameters without values",
-            found=f"no {', '.join(missing)}",
-            expected="their values in this log",
-            remedy=" ".join(f"--param {name}=VALUE" for name in missing),
-        )
-    from robodyn.robot.numbers import number
-    from robodyn.robot.reader import read_text
-    from robodyn.robot.writer import to_yaml
-
-    return _filled(
-        robot, {k: number(repr(float(v))) for k, v in (parameters or {}).items()}, read_text, to_yaml
-    )
-
-
-def _filled(robot: Robot, values: Mapping[str, Any], read: Any, write: Any) -> Robot:
-    import re
-
-    text = write(robot)
-    for name in sorted(values, key=len, reverse=True):
-        text = re.sub(rf"\b{name}\b", f"({float(values[name])!r})", text)
-    filled: Robot = read(text, robot.name, warn=lambda _: None)
-    return filled
 
 
 def _name(names: Sequence[str], k: int) -> str | None:

@@ -10,14 +10,15 @@ from typing import NoReturn
 from robodyn.errors import InputError, Place
 from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
-from robodyn.robot.keys import OTHER_NAMES, Key
+from robodyn.robot.keys import OTHER_NAMES, Key, Sign
 from robodyn.robot.model import Vector
 from robodyn.robot.names import shown, text_fault
 from robodyn.robot.values import ZERO, Angle, Value, angle
 
 # Plain words by which YAML means that nothing stands there.
 _NOTHING = ("", "~", "null", "Null", "NULL")
-_SIGNS = {
+#: Bounds of a number: what is said of one that breaks them, and what was expected.
+SIGNS = {
     "nonnegative": ("is negative", "0{unit} or more"),
     "positive": ("is not positive", "more than 0{unit}"),
     "share": ("is not a share", "more than 0 and at most 1"),
@@ -111,7 +112,7 @@ class Section:
         if key.text == "<<":
             remedy = "merge keys are not supported: write the keys out"
         else:
-            near = [w for w in (word, OTHER_NAMES.get(word)) if w in self.keys]
+            near = [w for w in (word, OTHER_NAMES.get(word), _folded(word)) if w in self.keys]
             near = near or difflib.get_close_matches(word, known, 1)
             remedy = f"did you mean '{near[0]}'?" if near else "delete it, or put it where it belongs"
         self.source.fail(
@@ -280,8 +281,8 @@ class Section:
         read = self._parse(node, key, path)
         # pi is irrational: elsewhere than in an angle the double is what counts.
         value = numbers.rounded(read.value) if read.has_pi else read.value
-        if isinstance(value, Fraction) and not _allowed(value, key):
-            what, expected = _SIGNS[key.sign]
+        if isinstance(value, Fraction) and not allowed(value, key.sign):
+            what, expected = SIGNS[key.sign]
             unit = f" {key.unit.partition(',')[0]}" if key.unit else ""
             self.source.fail(
                 node, f"{path} {what}", found=numbers.brief(value) + unit, expected=expected.format(unit=unit)
@@ -289,12 +290,13 @@ class Section:
         return value
 
 
-def _allowed(value: Fraction, key: Key) -> bool:
-    if key.sign == "any":
+def allowed(value: Fraction, sign: Sign) -> bool:
+    """Whether ``value`` is within the bounds that ``sign`` names."""
+    if sign == "any":
         return True
-    if key.sign == "nonnegative":
+    if sign == "nonnegative":
         return value >= 0
-    return value > 0 and (key.sign == "positive" or value <= 1)
+    return value > 0 and (sign == "positive" or value <= 1)
 
 
 def expectation(key: Key) -> str:
@@ -318,3 +320,11 @@ def expectation(key: Key) -> str:
         "effects of the robot": "a list of effects, such as [{effect: payload, mass: 2}]",
     }
     return words[key.kind] + unit
+
+
+def _folded(word: str) -> str | None:
+    """The key that takes the effect ``word``, if there is such an effect."""
+    from robodyn.effects.catalogue import CATALOGUE  # a file that is right does without it
+
+    fold = CATALOGUE[word].traits.fold if word in CATALOGUE else None
+    return fold.key if fold is not None else None

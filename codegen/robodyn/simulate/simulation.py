@@ -15,21 +15,19 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
-from robodyn.generation import Options
+from robodyn.kernels.generate import Options
+from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
-from robodyn.robot.values import Affine
 from robodyn.simulate.balance import Balance, stored_energy
 from robodyn.simulate.control import Callback, Control
 from robodyn.simulate.engine import Method
 from robodyn.simulate.log import Log
 from robodyn.simulate.plant import Plant, build_plant
 from robodyn.simulate.run import Record
-from robodyn.simulate.sensors import Sensors, measure
+from robodyn.simulate.sensors import Sensors, acting_on, measure
 from robodyn.simulate.start import start_state
 from robodyn.simulate.trajectories.trajectory import Trajectory
-from robodyn.verify.numbers import number, real
 
 Floats = NDArray[np.float64]
 Law = Literal["feedforward", "pd", "computed_torque"]
@@ -180,7 +178,7 @@ def simulate(
     InputError: an argument or the robot does not fit; the run did not come to its end.
     ToolError: no C compiler.
     """
-    values = _values(robot, parameters)
+    values = parameter_values(robot, parameters)
     model = drive.model if isinstance(drive, Follow) else None
     plant = plant or build_plant(robot, model=model, options=options, cache=cache)
     total = _duration(drive, duration)
@@ -223,30 +221,6 @@ def simulate(
             ),
         )
     return Simulation(plant, record, values)
-
-
-def _values(robot: Robot, parameters: Mapping[str, float] | None) -> dict[str, float]:
-    given = dict(parameters or {})
-    missing = [name for name in robot.parameters if name not in given]
-    unknown = [name for name in given if name not in robot.parameters]
-    if missing or unknown:
-        raise InputError(
-            f"{robot.name}: run-time parameters do not fit",
-            found=", ".join([f"no {name}" for name in missing] + [f"unknown {name}" for name in unknown]),
-            expected=", ".join(robot.parameters) or "none",
-        )
-    values = {name: float(given[name]) for name in robot.parameters}
-    for entry in robot.effects:
-        for name, setting in entry.settings:
-            sign = next(p.sign for p in CATALOGUE[entry.effect].parameters if p.name == name)
-            value = real(number(setting, values)) if isinstance(setting, Affine) else 1.0
-            if (sign == "nonnegative" and value < 0) or (sign == "positive" and value <= 0):
-                raise InputError(
-                    f"{robot.name}: {entry.effect}: {name} is out of bounds",
-                    found=f"{value:g} by the run-time parameters",
-                    expected="0 or more" if sign == "nonnegative" else "more than 0",
-                )
-    return values
 
 
 def _duration(drive: Drive | None, duration: float | None) -> float:
@@ -326,7 +300,7 @@ def _control(
 def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, float] | None = None) -> Floats:
     """The torques [K, n] of the plant's model along ``motion``; effects that remember, at their steady
     values."""
-    values = _values(plant.robot, parameters)
+    values = parameter_values(plant.robot, parameters)
     given = [values[name] for name in plant.robot.parameters]
     return plant.engine.model_torques(motion.q, motion.qd, motion.qdd, given)
 
@@ -334,8 +308,8 @@ def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, flo
 def drive_limits(robot: Robot, values: Mapping[str, float]) -> Floats | None:
     """What the drives give at most [n] (N m or N), infinity where nothing is said; None: nothing anywhere."""
     limits = np.full(robot.n, np.inf)
-    for entry in robot.effects:
-        if entry.effect == "torque_saturation" and entry.text("clips") == "drive":
+    for entry, channel in acting_on(robot.effects, "limit"):
+        if entry.text(channel.who) == "drive":
             places = slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)
-            limits[places] = np.minimum(limits[places], entry.number("limit", values))
+            limits[places] = np.minimum(limits[places], entry.number(channel.parameter, values))
     return limits if np.isfinite(limits).any() else None

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
-from robodyn.errors import InputError
+from robodyn.robot.filling import without_values
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Affine, Value
 
@@ -37,12 +37,7 @@ def filled(robot: Robot, parameters: Parameters | None) -> Parameters:
     ------
     InputError: one is missing.
     """
-    given = parameters or {}
-    missing = [name for name in robot.parameters if name not in given]
-    if missing:
-        raise InputError(
-            f"{robot.name} has run-time parameters without a value",
-            found=f"no value of {', '.join(missing)}",
-            expected=f"numbers for {', '.join(robot.parameters)}",
-        )
-    return given
+    complaint = without_values(robot, parameters or {})
+    if complaint is not None:
+        raise complaint
+    return parameters or {}

@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from robodyn.errors import InputError
+from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Joint, Robot
-from robodyn.verify.numbers import Parameters, filled, real
+from robodyn.verify.numbers import Parameters, real
 from robodyn.verify.reference import Floats
 
 # However wide the limits are: an angle of many turns loses the digits of its offset, and what is squared must
@@ -67,17 +68,10 @@ def draw_parameters(
 
     Raises
     ------
-    InputError: some are given and others are not, or one is unknown.
+    InputError: some are given and others are not, one is unknown, or a value is not allowed.
     """
     if parameters:
-        unknown = [name for name in parameters if name not in robot.parameters]
-        if unknown:
-            raise InputError(
-                f"{robot.name} has no such run-time parameter",
-                found=", ".join(unknown),
-                expected=", ".join(robot.parameters) or "none",
-            )
-        values = dict(filled(robot, parameters))
+        values = parameter_values(robot, parameters)
     else:
         rng = np.random.default_rng([seed, 1])
         values = {name: float(rng.uniform(0.1, 1.0)) for name in robot.parameters}
