@@ -110,9 +110,9 @@ def command(
     DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
     forward_dynamics. The same input gives the same bytes on any machine.
     """
+    from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
-    from robodyn.optimize.programs import FUNCTIONS
 
     options = _options(
         None if firmware else target,
@@ -141,7 +141,7 @@ def command(
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
     options = Search(budget_seconds, seed, options.objective, keep).applied(
-        described, options, options.functions or tuple(FUNCTIONS)
+        described, options, options.functions or by_default()
     )
     with told() as tell:
         made = generate(described, options, progress=_told(described), pruning=tell)
@@ -189,7 +189,7 @@ def command(
         )
         return
     click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
-    for line in lines(described, [(f, f, c) for f, c in made.counts.items()]):
+    for line in lines(described, [(f, f, formulation, c) for f, c in made.counts.items()]):
         click.echo(line)
     for line in effect_lines(made.counts, made.rigid_counts):
         click.echo(line)

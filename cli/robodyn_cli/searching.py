@@ -102,9 +102,12 @@ class Search:
 
 
 def _searchable(functions: Sequence[str], level: str) -> list[str]:
-    """The functions to search for: gravity and bias follow from the inverse dynamics, and formulation
-    variants exist for the inverse dynamics only."""
-    wanted = [f for f in functions if f != "forward_dynamics"]
-    if "inverse_dynamics" in wanted:
-        wanted = ["inverse_dynamics", *(f for f in wanted if f == "mass_matrix" and level == "full")]
+    """The functions to search for, without those composed of others. The other torques follow from the
+    inverse dynamics if it is among them, and formulation variants exist for the inverse dynamics only."""
+    from robodyn.dynamics.functions import function_named, recursion
+
+    wanted = [f for f in functions if not function_named(f).parts]
+    if recursion().name in wanted:
+        others = [f for f in wanted if not function_named(f).gives_torques]
+        wanted = [recursion().name, *(others if level == "full" else [])]
     return wanted

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from robodyn.counts.objective import TARGETS, Costs
+from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options, program
@@ -197,12 +198,12 @@ def plans(
 
     Raises
     ------
-    InputError: no processors.
+    InputError: no processors, or an unknown function.
     """
     Machine(processors)
     programs: dict[str, Program] = {}
     for name, options in FORMULATIONS.items():
-        if function != "inverse_dynamics" and "formulation" in options:
+        if not function_named(function).is_recursion and "formulation" in options:
             continue
         tell(name)
         programs[name] = program(robot, function, Options((function,), **options))

@@ -8,10 +8,11 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, Literal
 
+from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.errors import InputError
 from robodyn.ir.signature import ScalarType
 from robodyn.kernels.targets import Contraction, Target, target_named
-from robodyn.optimize.programs import FORMULATIONS, FUNCTIONS, Choice
+from robodyn.optimize.programs import FORMULATIONS, Choice
 from robodyn.optimize.records import Record
 
 Level = Literal["none", "fast", "search", "full", "record"]
@@ -31,8 +32,8 @@ CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
 class Options:
     """What to generate and how; the defaults are those of ``robodyn gen``.
 
-    ``functions`` None is all that the robot has: an arm with a joint that moves without inertia has no
-    forward dynamics.
+    ``functions`` None is those that are written by default, as far as the robot has them: an arm with a
+    joint that moves without inertia has no forward dynamics.
     ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
     ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly these parameters, else
     fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
@@ -124,7 +125,7 @@ def _check_functions(functions: tuple[str, ...]) -> None:
     if not functions:
         raise InputError("no function asked for", expected=f"some of {', '.join(FUNCTIONS)}")
     for function in functions:
-        _one_of("function", function, tuple(FUNCTIONS))
+        function_named(function)
     if len(set(functions)) != len(functions):
         raise InputError("a function is asked for twice", found=", ".join(functions))
 
