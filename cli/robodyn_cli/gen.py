@@ -26,6 +26,7 @@ from robodyn_cli.languages import chosen_languages, language_option
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
+from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated, Options
@@ -58,9 +59,11 @@ if TYPE_CHECKING:
 @click.option(
     "--target",
     metavar="NAME",
-    help="Choose scalar, trig, order, contraction and objective for cortex-m3, cortex-m4f, cortex-m7, "
-    "x86-64, x86-64-v3, x86-64-v4 or aarch64; each of these options goes before it. With --firmware: "
-    "cortex-m3, cortex-m4f, cortex-m7, with commas (all, unless told).",
+    cls=TargetOption,
+    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
+    help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. Every "
+    "option given on the command line overrides them. With --firmware: processors that images are made "
+    "for, with commas: {firmware}.  [default with --firmware: all of them]",
 )
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @click.option(

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from robodyn_cli.targets import TargetOption
+
 if TYPE_CHECKING:
     from robodyn.robot import Robot
 
@@ -69,9 +71,11 @@ def search_options(command: Command) -> Command:
                 metavar="WHAT",
                 default="total",
                 show_default=True,
+                cls=TargetOption,
+                lists={"all": "all_targets"},
+                prefix="weighted:",
                 help="What record, search and full make small: total, mul, fma (fused multiply-adds), depth "
-                "(the longest chain), sincos, or weighted:TARGET (cortex-m3, cortex-m4, cortex-m7, x86-64, "
-                "x86-64-v3).",
+                "(the longest chain), sincos, or weighted:TARGET ({all}).",
             ),
             click.option(
                 "--keep", is_flag=True, help="Write what was found into the folder records beside ROBOT."

@@ -30,7 +30,6 @@ from robodyn.kernels.options import (
     Order,
     Trigonometry,
 )
-from robodyn.kernels.targets import TARGETS
 from robodyn.optimize.programs import FUNCTIONS, Choice, NoForwardDynamics, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
@@ -46,7 +45,6 @@ __all__ = [
     "ENGINES",
     "LEVELS",
     "ORDERS",
-    "TARGETS",
     "TRIGONOMETRY",
     "Drafts",
     "Engine",
