@@ -112,9 +112,9 @@ def command(
     DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
     forward_dynamics. The same input gives the same bytes, on any machine.
     """
+    from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
-    from robodyn.optimize.programs import FUNCTIONS
 
     options = _options(
         None if firmware else target,
@@ -143,7 +143,7 @@ def command(
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
     options = Search(budget_seconds, seed, options.objective, keep).applied(
-        described, options, options.functions or tuple(FUNCTIONS)
+        described, options, options.functions or by_default()
     )
     with told() as tell:
         made = generate(described, options, progress=_told(described), pruning=tell)

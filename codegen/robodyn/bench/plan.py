@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
+from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options, program
@@ -147,14 +148,14 @@ def plans(
 
     Raises
     ------
-    InputError: no processors, or a target whose clock is not known.
+    InputError: no processors, a target whose clock is not known, or an unknown function.
     """
     Machine(processors)
     for target in targets:
         _chip(target)
     programs: dict[str, Program] = {}
     for name, options in FORMULATIONS.items():
-        if function != "inverse_dynamics" and "formulation" in options:
+        if not function_named(function).is_recursion and "formulation" in options:
             continue
         tell(name)
         programs[name] = program(robot, function, Options((function,), **options))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from robodyn.counts.count import Count
+from robodyn.dynamics.functions import function_named
 from robodyn.robot.model import Robot
 
 #: Row of Table 2.10: multiplications, additions, and what is to be known of the printed figure.
@@ -63,7 +64,7 @@ class Beside:
 def beside(robot: Robot, function: str, found: Count) -> Beside | None:
     """The thesis's figure for ``robot``'s inverse dynamics, if its file names a row of Table 2.10."""
     compare = robot.compare
-    if function != "inverse_dynamics" or compare is None or compare.table != "2.10":
+    if not function_named(function).is_recursion or compare is None or compare.table != "2.10":
         return None
     if compare.row not in TABLE_2_10:
         return None

@@ -8,12 +8,13 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts.count import count
+from robodyn.dynamics.functions import array_named
 from robodyn.emit.functions import function_text
 from robodyn.emit.language import Language
 from robodyn.emit.languages import defaults, languages_named
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import statements
-from robodyn.emit.unit import ARRAYS, PURPOSES, Unit, counted_text, has_sines
+from robodyn.emit.unit import Unit, counted_text, has_sines
 from robodyn.errors import InputError
 from robodyn.resources import data_dir
 from robodyn.robot.names import check_names
@@ -113,7 +114,7 @@ def _head(unit: Unit, language: Language) -> list[str]:
     say("Arguments, in SI units, joint 1 first:")
     arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
     for array in arrays:
-        say(f"  {array:4} {ARRAYS[array]}", "      ")
+        say(f"  {array:4} {array_named(array).text}", "      ")
     if robot.torque_side == "link":
         say("Torques act behind the gear: rotor inertia and friction are not in them.")
     if unit.functions[0][0].parameters:
@@ -155,4 +156,4 @@ def comment(text: str) -> str:
     return text
 
 
-__all__ = ["ARRAYS", "PURPOSES", "Unit", "render"]
+__all__ = ["Unit", "render"]

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
+from robodyn.dynamics.functions import by_default
 from robodyn.emit import Unit, render
 from robodyn.emit.language import require
 from robodyn.emit.languages import defaults, languages_named
@@ -30,7 +31,7 @@ from robodyn.kernels.options import (
     Order,
     Trigonometry,
 )
-from robodyn.optimize.programs import FUNCTIONS, Choice, NoForwardDynamics, signature
+from robodyn.optimize.programs import Choice, NoForwardDynamics, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
@@ -119,7 +120,7 @@ def generate(
     drafts = made if isinstance(made, Drafts) else made.rigid
     programs: dict[str, Program] = {}
     left_out: dict[str, str] = {}
-    for function in options.functions or FUNCTIONS:
+    for function in options.functions or by_default():
         if progress is not None:
             progress(function)
         try:

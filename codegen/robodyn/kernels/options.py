@@ -8,9 +8,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.errors import InputError
 from robodyn.ir.signature import ScalarType
-from robodyn.optimize.programs import FORMULATIONS, FUNCTIONS, Choice
+from robodyn.optimize.programs import FORMULATIONS, Choice
 from robodyn.optimize.records import Record
 
 if TYPE_CHECKING:
@@ -33,8 +34,8 @@ CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
 class Options:
     """What to generate and how; the defaults are those of ``robodyn gen``.
 
-    ``functions`` None is all that the robot has: an arm with a joint that moves without inertia has no
-    forward dynamics.
+    ``functions`` None is those that are written by default, as far as the robot has them: an arm with a
+    joint that moves without inertia has no forward dynamics.
     ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
     ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly these parameters, else
     fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
@@ -132,7 +133,7 @@ def _check_functions(functions: tuple[str, ...]) -> None:
     if not functions:
         raise InputError("no function asked for", expected=f"some of {', '.join(FUNCTIONS)}")
     for function in functions:
-        _one_of("function", function, tuple(FUNCTIONS))
+        function_named(function)
     if len(set(functions)) != len(functions):
         raise InputError("a function is asked for twice", found=", ".join(functions))
 
