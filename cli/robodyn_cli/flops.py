@@ -88,7 +88,8 @@ def command(
     else:
         click.echo(f"{described.name}: {described.title}" if described.title else described.name)
         many = len(formulations) > 1
-        for line in lines(described, [(f"{f}, {form}" if many else f, f, c) for f, form, c in found]):
+        rows = [(f"{f}, {form}" if many else f, f, form, c) for f, form, c in found]
+        for line in lines(described, rows):
             click.echo(line)
         for f, form, c in found:
             for line in effect_lines({f: c}, {f: rigid.get((f, form))}):

@@ -191,7 +191,7 @@ def command(
         )
         return
     click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
-    for line in lines(described, [(f, f, c) for f, c in made.counts.items()]):
+    for line in lines(described, [(f, f, formulation, c) for f, c in made.counts.items()]):
         click.echo(line)
     for line in effect_lines(made.counts, made.rigid_counts):
         click.echo(line)

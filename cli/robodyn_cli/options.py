@@ -24,8 +24,8 @@ def model_options(command: Command) -> Command:
                 metavar="F",
                 default="modified_newton_euler",
                 show_default=True,
-                help="modified_newton_euler (lambda matrix), newton_euler, balafoutis, kane, lagrange_3x3, "
-                "lagrange_4x4 or lagrange.",
+                help="modified_newton_euler (lambda matrix), newton_euler, newton_euler_base, orin, "
+                "balafoutis, kane, lagrange_3x3, lagrange_4x4 or lagrange.",
             ),
             click.option(
                 "--optimize",

@@ -14,6 +14,7 @@ from robodyn.firmware import Folder, firmware, firmware_options, targets_named
 from robodyn.firmware.measure import FLAGS
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, load, read_text
+from robodyn.toolchain.compiler import FORTRAN_FLAGS
 
 STRICT: Final = (
     "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wdouble-promotion", "-Werror",
