@@ -9,7 +9,6 @@ from functools import cache
 from pathlib import Path
 from typing import Final
 
-from robodyn.emit.languages import LANGUAGES
 from robodyn.firmware import Folder, firmware, firmware_options, targets_named
 from robodyn.firmware.measure import FLAGS
 from robodyn.kernels.generate import Generated, Options, generate
@@ -80,10 +79,9 @@ def host(gcc: str, name: str, where: Path, *flags: str) -> tuple[int, str]:
 
 def fortran(gfortran: str, name: str, where: Path) -> tuple[int, str]:
     """The Fortran self-test on this computer."""
-    selftest = LANGUAGES["fortran"].selftest
-    assert selftest is not None
-    sources = [f"{name}.f90", f"{name}_selftest.f90"]
-    code, said = run([gfortran, *selftest.flags, *sources, "-o", "fortran"], where)
+    code, said = run(
+        [gfortran, *FORTRAN_FLAGS, f"{name}.f90", f"{name}_selftest.f90", "-o", "fortran"], where
+    )
     assert code == 0, said
     return run([str(where / "fortran")], where)
 
