@@ -22,7 +22,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option
+from robodyn_cli.languages import chosen_languages, language_option, trig_for
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     "--trig",
     default="libm",
     show_default=True,
-    help="Sine and cosine: libm, builtin (no library at all), or given in sc.",
+    help="Sine and cosine: libm, builtin (no library at all; the default of rust), or given in sc.",
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states in a call, with SIMD.")
 @click.option(
@@ -116,11 +116,12 @@ def command(
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
 
+    languages = chosen_languages(lang)
     options = _options(
         None if firmware else target,
         {
             "scalar": scalar,
-            "trig": trig,
+            "trig": trig_for(languages, trig),
             "order": order,
             "contraction": contraction,
             "objective": objective,
@@ -136,7 +137,6 @@ def command(
     if firmware:
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    languages = chosen_languages(lang)
     if check and keep:
         raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
