@@ -22,10 +22,11 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option
+from robodyn_cli.languages import chosen_languages, language_option, trig_for
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
+from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated, Options
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
     "--trig",
     default="libm",
     show_default=True,
-    help="Sine and cosine: libm, builtin (no library), or given (passed in sc by the caller).",
+    help="Sine and cosine: libm, builtin (no library; the default of rust), or given (passed in sc).",
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states per call, with SIMD.")
 @click.option(
@@ -59,9 +60,11 @@ if TYPE_CHECKING:
 @click.option(
     "--target",
     metavar="NAME",
-    help="Set the defaults of scalar, trig, order, contraction and objective for a processor: cortex-m3, "
-    "cortex-m4f, cortex-m7, x86-64, x86-64-v3, x86-64-v4 or aarch64. With --firmware: cortex-m3, cortex-m4f, "
-    "cortex-m7, separated by commas.  [default: all]",
+    cls=TargetOption,
+    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
+    help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. Every "
+    "option given on the command line overrides them. With --firmware: processors of the images, "
+    "separated by commas: {firmware}.  [default with --firmware: all]",
 )
 @click.option("--functions", metavar="A,B", help="Functions, separated by commas.  [default: all]")
 @click.option(
@@ -114,11 +117,12 @@ def command(
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
 
+    languages = chosen_languages(lang)
     options = _options(
         None if firmware else target,
         {
             "scalar": scalar,
-            "trig": trig,
+            "trig": trig_for(languages, trig),
             "order": order,
             "contraction": contraction,
             "objective": objective,
@@ -134,7 +138,6 @@ def command(
     if firmware:
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    languages = chosen_languages(lang)
     if check and keep:
         raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage

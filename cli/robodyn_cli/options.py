@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from robodyn_cli.targets import TargetOption
+
 if TYPE_CHECKING:
     from robodyn.robot import Robot
 
@@ -67,9 +69,11 @@ def search_options(command: Command) -> Command:
                 metavar="WHAT",
                 default="total",
                 show_default=True,
+                cls=TargetOption,
+                lists={"all": "all_targets"},
+                prefix="weighted:",
                 help="Objective of record, search and full: total, mul, fma (fused multiply-adds), depth "
-                "(longest chain), sincos, or weighted:TARGET (cortex-m3, cortex-m4, cortex-m7, x86-64, "
-                "x86-64-v3).",
+                "(longest chain), sincos, or weighted:TARGET ({all}).",
             ),
             click.option("--keep", is_flag=True, help="Save the result in the folder records beside ROBOT."),
         )
