@@ -19,20 +19,14 @@ from robodyn.diagnose.combined import (
     springs,
     total,
 )
-from robodyn.diagnose.yaml_patch import Place
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
 from robodyn.robot.effects import belongs
 from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry, Inertia, Robot, Vector
+from robodyn.robot.rewriting import LEVELS, Place
 from robodyn.robot.values import ZERO, Value
 
-#: Laws of friction with a Coulomb level of their own: the parameters that hold it.
-LEVELS = {
-    "stribeck_friction": ("level", "static"),
-    "asymmetric_friction": ("positive", "negative"),
-    "presliding_hysteresis": ("level",),
-}
 #: Effects that are summed as wholes.
 _WHOLE = frozenset({"spring", "torque_ripple", "load_dependent_friction"})
 

@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend import Amendment
-from robodyn.diagnose.amending import LEVELS
 from robodyn.diagnose.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
 from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot
+from robodyn.robot.rewriting import LEVELS
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
 Floats = NDArray[np.float64]

@@ -1,41 +1,49 @@
-"""From one model to another in the text that describes the first: each number that differs, each effect."""
+"""From one model to another in the text that describes the first: each number that differs, each effect.
+
+What is written is read again, and is the other model or is not written.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
-from robodyn.diagnose.amended_values import (
-    changed_text,
-    entry_text,
-    number_text,
-    setting_text,
-    value_of,
-)
-from robodyn.diagnose.amending import LEVELS
-from robodyn.diagnose.combined import AXES
-from robodyn.diagnose.yaml_patch import Document, NotInPlaceError, Place
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
+from robodyn.robot import numbers
+from robodyn.robot.editing import Comments, Editor, NotInPlaceError
 from robodyn.robot.keys import LINK, ROBOT
-from robodyn.robot.model import EffectEntry, Link, Robot
+from robodyn.robot.model import AXES, EffectEntry, Link, Robot
 from robodyn.robot.reader import read_text
-from robodyn.robot.values import ZERO, Value
-from robodyn.robot.writer import to_yaml
+from robodyn.robot.values import Value
+from robodyn.robot.writer import entry_text, number_text, setting_text, to_yaml
 
+#: What of a robot differs: the joint or link (from 1; None: the whole robot), and a key or an effect's id.
+Place = tuple[int | None, str]
+#: Laws of friction with a Coulomb level of their own: the parameters that hold it.
+LEVELS = {
+    "stribeck_friction": ("level", "static"),
+    "asymmetric_friction": ("positive", "negative"),
+    "presliding_hysteresis": ("level",),
+}
 _FOLDED = frozenset({"viscous_friction", "coulomb_friction", "rotor_inertia", "inertial_error", "base_tilt"})
-_ORDER = {
+_ORDER: Mapping[str, Sequence[str]] = {
     "link": [key.name for key in LINK],
     "robot": [key.name for key in ROBOT],
     "inertia": list(AXES),
     "friction": ["viscous", "coulomb"],
 }
-Comments = Sequence[tuple[frozenset[Place], Sequence[str]]]
 
 
-def written(text: str, robot: Robot, target: Robot, origins: Sequence[int | None], comments: Comments) -> str:
-    """``text``, which describes ``robot``, such that it describes ``target``; ``origins``: of each effect of
-    ``target`` its number in ``robot``. Written anew where it cannot be changed in place.
+def rewritten(
+    text: str, robot: Robot, target: Robot, origins: Sequence[int | None], comments: Comments
+) -> str:
+    """``text``, which describes ``robot``, such that it describes ``target``, an arm with as many joints.
+
+    ``origins``: of each effect of ``target`` its index in ``robot``, None where it is new; ``comments`` are
+    put above the first line that changes one of their places. Other bytes of the text stay. Where it cannot
+    be changed in place (standard DH and new inertials, aliases), it is written anew, and says so.
 
     Raises
     ------
@@ -69,57 +77,43 @@ class _Patch:
     """The edits from ``robot`` to ``target``, base to tip."""
 
     def __init__(self, text: str, robot: Robot, target: Robot, origins: Sequence[int | None]) -> None:
-        self.document = Document(text)
+        self.editor = Editor(text)
         self.robot, self.target = robot, target
         self.origins = origins
-        self.root = self.document.root
-        convention = self.document.child(self.root, "convention")
+        self.root = self.editor.root
+        convention = self.editor.child(self.root, "convention")
         self.standard = convention is not None and convention.value == "sdh"
 
     def text(self, comments: Comments) -> str:
         """The text with all changes and ``comments``."""
         self._gravity()
-        nodes = self.document.child(self.root, "links").value
+        nodes = self.editor.child(self.root, "links").value
         for i, node in enumerate(nodes, 1):
             self._link(i, node)
         self._effects(None, self.root)
-        return self.document.render(comments)
+        return self.editor.render(comments)
 
     # --- numbers ------------------------------------------------------------------------------------------
 
-    def _put(self, parent: Any, level: str, key: str, text: str, place: Place) -> None:
-        """A key that is not there, behind those that come before it."""
-        order = _ORDER.get(level, [])
-        after = -1
-        if key in order:
-            before = order[: order.index(key)]
-            known = [k for k, (name, _) in enumerate(parent.value) if name.value in before]
-            after = known[-1] if known else (0 if parent.value else -1)
-        self.document.change(parent, [place], add=[f"{key}: {text}"], after=after)
-
-    def _number(
-        self, parent: Any, level: str, key: str, old: Value, new: Value, place: Place, absent: Value = ZERO
-    ) -> None:
+    def _number(self, parent: Any, level: str, key: str, old: Value, new: Value, place: Place) -> None:
         """The number at ``key`` such that ``old`` becomes ``new``; what else adds to it stays."""
         if old == new:
             return
-        node = self.document.child(parent, key)
-        if node is None:
-            self._put(parent, level, key, number_text(absent + (new - old)), place)
-        else:
-            self.document.replace(node, changed_text(node.value, new - old), [place])
+        node = self.editor.child(parent, key)
+        text = number_text(new - old) if node is None else _changed(node.value, new - old)
+        self.editor.set_key(parent, key, text, [place], _ORDER.get(level, ()))
 
     def _vector(self, parent: Any, level: str, key: str, old: Any, new: Any, place: Place) -> None:
         if old == new:
             return
-        node = self.document.child(parent, key)
+        node = self.editor.child(parent, key)
         if node is None:
             listed = ", ".join(number_text(value) for value in new)
-            self._put(parent, level, key, f"[{listed}]", place)
+            self.editor.set_key(parent, key, f"[{listed}]", [place], _ORDER.get(level, ()))
             return
         for item, a, b in zip(node.value, old, new, strict=True):
             if a != b:
-                self.document.replace(item, changed_text(item.value, b - a), [place])
+                self.editor.replace(item, _changed(item.value, b - a), [place])
 
     def _group(
         self,
@@ -132,14 +126,14 @@ class _Patch:
     ) -> None:
         if old == new:
             return
-        node = self.document.child(parent, key)
+        node = self.editor.child(parent, key)
         if node is None:
             stated = ", ".join(
                 f"{name}: {number_text(value - old[name])}"
                 for name, value in new.items()
                 if value != old[name]
             )
-            self._put(parent, level, key, "{" + stated + "}", place)
+            self.editor.set_key(parent, key, "{" + stated + "}", [place], _ORDER.get(level, ()))
             return
         for name in new:
             self._number(node, key, name, old[name], new[name], place)
@@ -149,15 +143,15 @@ class _Patch:
         if old == new:
             return
         place = (None, "gravity")
-        node = self.document.child(self.root, "gravity")
+        node = self.editor.child(self.root, "gravity")
         if node is None:
             listed = ", ".join(number_text(value) for value in new)
-            self._put(self.root, "robot", "gravity", f"[{listed}]", place)
+            self.editor.set_key(self.root, "gravity", f"[{listed}]", [place], _ORDER["robot"])
             return
         # Whatever turned it in the text is in the new numbers, and goes.
         for item, value in zip(node.value, new, strict=True):
-            if value_of(item.value) != value:
-                self.document.replace(item, number_text(value), [place])
+            if _value(item.value) != value:
+                self.editor.replace(item, number_text(value), [place])
 
     def _link(self, i: int, node: Any) -> None:
         old, new = self.robot.links[i - 1], self.target.links[i - 1]
@@ -168,7 +162,7 @@ class _Patch:
         self._group(node, "link", "inertia", _entries(old.inertia), _entries(new.inertia), (i, "inertia"))
         rotor = self._item(node, "rotor_inertia")
         where, level, key = (node, "link", "motor_inertia")
-        if rotor is not None and self.document.child(node, key) is None:
+        if rotor is not None and self.editor.child(node, key) is None:
             where, level, key = (rotor, "rotor_inertia", "inertia")
         self._number(
             where, level, key, old.joint.motor_inertia, new.joint.motor_inertia, (i, "motor_inertia")
@@ -181,7 +175,7 @@ class _Patch:
         gone: list[Any] = []
         delete: list[int] = []
         add: list[str] = []
-        group = self.document.child(node, "friction")
+        group = self.editor.child(node, "friction")
         laws = any(entry.effect in LEVELS for entry in self.target.effects_at(i))
         for name, id, parameter in (
             ("viscous", "viscous_friction", "coefficient"),
@@ -197,31 +191,25 @@ class _Patch:
                     gone.append(item)
                 else:
                     self._number(item, id, parameter, before, after, (i, name))
-            elif group is None or self.document.child(group, name) is None:
+            elif group is None or self.editor.child(group, name) is None:
                 add.append(f"{name}: {number_text(after - before)}")
             elif moved:
-                delete.append(_index(group, name))
+                delete.append(self.editor.index(group, name))
             else:
                 self._number(group, "friction", name, before, after, (i, name))
         places: list[Place] = [(i, "viscous"), (i, "coulomb")]
         if group is None and add:
-            self.document.change(
-                node, places, add=[f"friction: {{{', '.join(add)}}}"], after=self._before(node, "friction")
-            )
+            self.editor.set_key(node, "friction", f"{{{', '.join(add)}}}", places, _ORDER["link"])
         elif group is not None and len(delete) == len(group.value) and delete and not add:
-            self.document.change(node, places, delete=[_index(node, "friction")])
+            self.editor.remove_key(node, "friction", places)
         elif group is not None:
-            self.document.change(group, places, delete=delete, add=add)
+            self.editor.change(group, places, delete=delete, add=add)
         return gone
-
-    def _before(self, parent: Any, key: str) -> int:
-        before = _ORDER["link"][: _ORDER["link"].index(key)]
-        return max((k for k, (name, _) in enumerate(parent.value) if name.value in before), default=0)
 
     # --- effects ------------------------------------------------------------------------------------------
 
     def _items(self, node: Any) -> list[Any]:
-        listed = self.document.child(node, "effects")
+        listed = self.editor.child(node, "effects")
         return [] if listed is None else listed.value
 
     def _item(self, node: Any, id: str) -> Any:
@@ -249,18 +237,8 @@ class _Patch:
         if joint is None and self.robot.gravity != self.target.gravity:
             leaving += [id(item) for item in items if _id(item) == "base_tilt"]
         delete = [k for k, item in enumerate(items) if id(item) in leaving]
-        listed = self.document.child(node, "effects")
-        if listed is not None:
-            if delete and len(delete) == len(items) and not add:
-                self.document.change(node, places, delete=[_index(node, "effects")])
-            else:
-                self.document.change(listed, places, delete=delete, add=add)
-        elif add and node.flow_style:
-            self.document.change(node, places, add=[f"effects: [{', '.join(add)}]"])
-        elif add:
-            lines = "\n".join(["effects:", *(f"  - {line}" for line in add)])
-            after = -1 if joint is None else self._before(node, "effects")
-            self.document.change(node, places, add=[lines], after=after)
+        order = _ORDER["robot" if joint is None else "link"]
+        self.editor.change_list(node, "effects", places, delete=delete, add=add, order=order)
 
     def _entry(self, node: Any, old: EffectEntry, new: EffectEntry) -> None:
         before, after = dict(old.settings), dict(new.settings)
@@ -270,17 +248,13 @@ class _Patch:
         place = (new.joint, new.effect)
         for p in CATALOGUE[new.effect].parameters:
             a, b = before.get(p.name), after.get(p.name)
-            at = self.document.child(node, p.name)
+            at = self.editor.child(node, p.name)
             if a == b:
                 continue
             if b is None:
-                self.document.change(node, [place], delete=[_index(node, p.name)])
+                self.editor.remove_key(node, p.name, [place])
             elif a is None or at is None or p.kind not in ("number", "vector", "inertia"):
-                text = setting_text(b, plain=p.kind != "text")
-                if at is None:
-                    self.document.change(node, [place], add=[f"{p.name}: {text}"])
-                else:
-                    self.document.replace(at, text, [place])
+                self.editor.set_key(node, p.name, setting_text(b, plain=p.kind != "text"), [place])
             elif p.kind == "vector":
                 self._vector(node, new.effect, p.name, a, b, place)
             elif p.kind == "inertia":
@@ -297,9 +271,21 @@ def _entries(inertia: Any) -> dict[str, Value]:
     return {axes: getattr(inertia, axes) for axes in AXES}
 
 
-def _index(mapping: Any, key: str) -> int:
-    return next(k for k, (name, _) in enumerate(mapping.value) if name.value == key)
-
-
 def _id(item: Any) -> str:
-    return str(Document.child(item, "effect").value)
+    return str(Editor.child(item, "effect").value)
+
+
+def _value(text: str) -> Value:
+    """A number of the description, as the reader takes it."""
+    read = numbers.parse(text, names=True)
+    return numbers.rounded(read.value) if read.has_pi else read.value
+
+
+def _changed(text: str, added: Value) -> str:
+    """The number ``text`` with ``added``: a new one, or behind a run-time name the sum."""
+    old = _value(text)
+    new = old + added
+    if isinstance(old, Fraction) or not isinstance(added, Fraction):
+        return number_text(new)
+    longer = f"{text} {'-' if added < 0 else '+'} {number_text(abs(added))}"
+    return longer if len(longer) <= numbers.LENGTH and _value(longer) == new else number_text(new)
