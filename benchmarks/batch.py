@@ -26,9 +26,9 @@ from typing import Any
 import numpy as np
 
 import robodyn
-from robodyn.build import C_FLAGS, find_c
-from robodyn.generation import Options, generate
+from robodyn.kernels.generate import Options, generate
 from robodyn.robot import Robot
+from robodyn.toolchain.compiler import C_FLAGS, find_c
 
 WORKSPACE_LIMIT, BATCH_LIMIT = 0.2, 50.0
 INSTRUCTIONS_LIMIT = {"double": 150.0, "float": 70.0}

@@ -18,8 +18,8 @@ from pathlib import Path
 
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.generation import Options, program
-from robodyn.records import Record, best_record, bundled_records, parse_record
+from robodyn.kernels.generate import Options, program
+from robodyn.optimize.records import Record, best_record, bundled_records, parse_record
 from robodyn.robot import bundled_names, load
 from robodyn.robot.identity import identity
 

@@ -77,7 +77,7 @@ def of_call(call: Callable[[], object], runs: int) -> tuple[float, ...]:
 
 def measured(robot: str, runs: int) -> list[Timing]:
     """All that is measured, for ``robot``."""
-    from robodyn.generation import generate, program
+    from robodyn.kernels.generate import generate, program
     from robodyn.robot import load
 
     arm = load(robot, warn=lambda _: None)

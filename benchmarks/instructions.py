@@ -20,7 +20,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from robodyn.generation import Options, generate
+from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 
 #: Instructions a call that puma560's inverse dynamics may take, built for x86-64-v3, in either scalar.

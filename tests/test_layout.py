@@ -10,11 +10,11 @@ import pytest
 
 ROOT = Path(__file__).parents[1] / "codegen"
 ROOMS = """
-    errors process resources files units ir effects robot dynamics passes counts prune schedule records emit
-    generation build verify firmware search prove simulate diagnose report
+    errors process resources files ir effects robot targets dynamics drives passes counts optimize schedule
+    emit draw toolchain kernels verify firmware certify search simulate diagnose thesis bench report
 """.split()  # noqa: SIM905 (it reads as the list that it is)
 LATE = {"sympy", "numpy", "scipy", "matplotlib"}
-LEAN = {"ir", "robot", "dynamics", "passes", "counts", "prune", "emit"}
+LEAN = {"ir", "robot", "dynamics", "passes", "counts", "optimize", "emit"}
 FACADE = {"__init__", "__main__"}
 FILES = sorted(path.relative_to(ROOT) for path in ROOT.rglob("*.py"))
 

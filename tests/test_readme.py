@@ -35,7 +35,7 @@ def test_the_example_is_a_robot() -> None:
 def test_the_tables_of_counts_are_those_of_the_record() -> None:
     import csv
 
-    from robodyn.records import bundled_records
+    from robodyn.optimize.records import bundled_records
 
     with (bundled_records() / "counts.csv").open(encoding="utf-8", newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["function"] == "inverse_dynamics"]

@@ -80,8 +80,8 @@ def test_the_names_of_the_library_are_what_they_say_in_any_order(first: str, tmp
 
 
 def test_a_module_imported_first_does_not_take_the_place_of_a_function(tmp_path: Path) -> None:
-    loaded("import robodyn.generation\n" + FACADE.format(first="load"), tmp_path)
-    loaded("from robodyn.generation import Options\n" + FACADE.format(first="load"), tmp_path)
+    loaded("import robodyn.kernels.generate\n" + FACADE.format(first="load"), tmp_path)
+    loaded("from robodyn.kernels.generate import Options\n" + FACADE.format(first="load"), tmp_path)
 
 
 def test_every_name_of_the_library_is_there(tmp_path: Path) -> None:

@@ -21,7 +21,7 @@ from benchmarks.peers.building import (
     version,
 )
 
-from robodyn.report.peers.numbers import Numbers
+from robodyn.bench.peers.numbers import Numbers
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from typing import Any
 from benchmarks.peers.building import NATIVE, Lacking, Source, library, version
 from benchmarks.peers.candidates import Missing
 
-from robodyn.report.peers.calls import (
+from robodyn.bench.peers.calls import (
     Call,
     States,
     buffered,
@@ -19,8 +19,8 @@ from robodyn.report.peers.calls import (
     own_calls,
     pinocchio_call,
 )
-from robodyn.report.peers.models import casadi_function
-from robodyn.report.peers.numbers import Numbers
+from robodyn.bench.peers.models import casadi_function
+from robodyn.bench.peers.numbers import Numbers
 from robodyn.robot import Robot
 
 

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
-from robodyn.report.peers.models import casadi_function, mujoco_model
-from robodyn.report.peers.numbers import LinkNumbers, Numbers
-from robodyn.report.peers.textbook import inverse_dynamics
+from robodyn.bench.peers.models import casadi_function, mujoco_model
+from robodyn.bench.peers.numbers import LinkNumbers, Numbers
+from robodyn.bench.peers.textbook import inverse_dynamics
 
 
 def parsed(text: str) -> Numbers:

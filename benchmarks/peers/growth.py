@@ -14,9 +14,9 @@ from benchmarks.peers.candidates import Candidate
 from benchmarks.peers.ours import kernels, reference
 from benchmarks.peers.race import Race, random_states
 
+from robodyn.bench.peers import hold_against, numbers_of
 from robodyn.counts import count
-from robodyn.generation import Options, program
-from robodyn.report.peers import hold_against, numbers_of
+from robodyn.kernels.generate import Options, program
 from robodyn.robot import load
 from robodyn.robot.family import family_text
 

@@ -11,10 +11,10 @@ from benchmarks.peers.building import NATIVE, STRICT, Source, library
 from benchmarks.peers.candidates import Candidate
 from benchmarks.peers.race import Floats, States
 
-from robodyn.build import C_FLAGS
-from robodyn.generation import Options, generate, program
+from robodyn.kernels.generate import Options, generate, program
 from robodyn.passes.trig_given import given_layout
 from robodyn.robot import Robot
+from robodyn.toolchain.compiler import C_FLAGS
 
 _TRIG = {
     "builtin": "built-in sine and cosine",

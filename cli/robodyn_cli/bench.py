@@ -44,13 +44,13 @@ def command(
     threads the table says what meeting costs, whether threads win, and from how many operations a task (and
     in all) they would.
     """
-    from robodyn.build.program import cores
+    from robodyn.bench.kernel_bench import kernel_bench, kernel_text
+    from robodyn.bench.parallel_bench import bench, bench_text
     from robodyn.errors import InputError
-    from robodyn.generation import Options, generate
-    from robodyn.report.kernel_bench import kernel_bench, kernel_text
-    from robodyn.report.parallel_bench import bench, bench_text
+    from robodyn.kernels.generate import Options, generate
     from robodyn.report.schedules import processors_of
     from robodyn.schedule.cutting import cut as cut_program
+    from robodyn.toolchain.program import cores
     from robodyn_cli.progress import line
 
     described = load(robot, strict=strict, fold_rotor=fold_rotor)

@@ -37,8 +37,8 @@ def command(
     sets the printed figures beside what follows from them.
     """
     folder = None if output is None else output_folder(output)
-    from robodyn.report.case_study import Assumptions, case_study
-    from robodyn.report.case_text import to_csv, to_dict, to_text
+    from robodyn.thesis.case_study import Assumptions, case_study
+    from robodyn.thesis.case_text import to_csv, to_dict, to_text
 
     if sys.stderr is not None and sys.stderr.isatty():
         talk("robodyn: compiling and simulating")
@@ -49,7 +49,7 @@ def command(
     else:
         click.echo(to_text(study), nl=False)
     if folder is not None:
-        from robodyn.report.case_pictures import pictures
+        from robodyn.thesis.case_pictures import pictures
 
         written = write_files(folder, {"case-study.csv": to_csv(study), **pictures(study)})
         talk(f"robodyn: wrote {len(written)} files into {printable(folder)}")

@@ -166,7 +166,7 @@ def _text(spec: str) -> str:
 
 def _kernels(found: Diagnosis) -> dict[str, str]:
     """C and Fortran of the amended model, by their places in the folder."""
-    from robodyn.generation import generate
+    from robodyn.kernels.generate import generate
 
     return {f"{_KERNELS}/{name}": text for name, text in generate(found.model).files().items()}
 

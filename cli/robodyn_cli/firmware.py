@@ -12,7 +12,7 @@ from robodyn_cli.common import compare_files, echo_json, printable, talk, write_
 from robodyn_cli.options import listed
 
 if TYPE_CHECKING:
-    from robodyn.generation import Generated, Options
+    from robodyn.kernels.generate import Generated, Options
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 

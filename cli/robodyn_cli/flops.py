@@ -46,10 +46,10 @@ def command(
     from dataclasses import replace
 
     from robodyn.counts import Count, count, parse_budget
-    from robodyn.dynamics.functions import FORMULATIONS, FUNCTIONS
     from robodyn.errors import CheckError
-    from robodyn.generation import NoForwardDynamics, Options, maker
-    from robodyn.prune import Pruning
+    from robodyn.kernels.generate import NoForwardDynamics, Options, maker
+    from robodyn.optimize.programs import FORMULATIONS, FUNCTIONS
+    from robodyn.optimize.prune import Pruning
 
     limit = None if budget is None else parse_budget(budget)
     functions = tuple(FUNCTIONS) if function == "all" else (function,)

@@ -1,4 +1,4 @@
-"""``robodyn gen``: from a robot to C and Fortran."""
+"""``robodyn gen``: from a robot to its kernels."""
 
 from __future__ import annotations
 
@@ -22,19 +22,20 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
+from robodyn_cli.languages import chosen_languages, language_option
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
-    from robodyn.generation import Generated, Options
+    from robodyn.kernels.generate import Generated, Options
     from robodyn.robot import Robot
 
 
 @click.command()
 @robot_argument
 @click.option("-o", "--output", metavar="DIR", help="Where to write.  [default: generated/NAME]")
-@click.option("--lang", default="c,fortran", show_default=True, help="Languages, with commas.")
+@language_option
 @click.option("--compile", "compile_", is_flag=True, help="Build and load the kernels, too.")
 @click.option("--scalar", default="double", show_default=True, help="double or float.")
 @click.option(
@@ -77,7 +78,7 @@ if TYPE_CHECKING:
 def command(
     robot: str,
     output: str | None,
-    lang: str,
+    lang: str | None,
     compile_: bool,
     scalar: str,
     trig: str,
@@ -108,9 +109,9 @@ def command(
     DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
     forward_dynamics. The same input gives the same bytes, on any machine.
     """
-    from robodyn.dynamics.functions import FUNCTIONS
     from robodyn.errors import CheckError, InputError
-    from robodyn.generation import check_languages, generate
+    from robodyn.kernels.generate import generate
+    from robodyn.optimize.programs import FUNCTIONS
 
     options = _options(
         None if firmware else target,
@@ -132,12 +133,7 @@ def command(
     if firmware:
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    languages = listed(lang)
-    if not languages:
-        raise InputError("no language asked for", expected="c, fortran or both")
-    if len(set(languages)) != len(languages):
-        raise InputError("a language is asked for twice", found=lang)
-    check_languages(languages)
+    languages = chosen_languages(lang)
     if check and keep:
         raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
@@ -172,8 +168,7 @@ def command(
         else:
             click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
-    explicit = lang != "c,fortran"
-    built = _compiled(made, languages, explicit=explicit, batch=batch) if compile_ else None
+    built = _compiled(made, languages, explicit=lang is not None, batch=batch) if compile_ else None
     write_files(folder, files)
     if as_json:
         echo_json(
@@ -207,7 +202,7 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
     """The options; those of ``chosen`` that stand on the command line go before what ``target`` says."""
     from click.core import ParameterSource
 
-    from robodyn.generation import Options
+    from robodyn.kernels.generate import Options
 
     if target is None:
         return Options(**chosen, **others)
@@ -222,7 +217,7 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
 
 def _profile(options: Options) -> dict[str, Any]:
     """What the options choose for the processor, as JSON has it."""
-    from robodyn.generation import CHOSEN
+    from robodyn.kernels.generate import CHOSEN
 
     found: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
     target = options.profile
@@ -232,8 +227,8 @@ def _profile(options: Options) -> dict[str, Any]:
 
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
     """Build and load each language; where both are there, compare them bit by bit."""
-    from robodyn.build import load as load_kernel
     from robodyn.errors import CheckError, ToolError
+    from robodyn.kernels.kernel import load as load_kernel
 
     kernels: dict[str, Any] = {}
     said: dict[str, Any] = {}
@@ -242,7 +237,7 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, ba
             files = made.files((language,), batch=batch and language == "c")
             kernel = load_kernel(made.signatures, files, language=language)  # type: ignore[arg-type]
         except ToolError as error:
-            if language == "fortran" and not explicit:
+            if language != "c" and not explicit:
                 said[language] = f"written, not compiled: {error}"
                 continue
             raise
@@ -271,9 +266,9 @@ def _told(robot: Robot) -> Callable[[str], None] | None:
 
 def _typeset(robot: Robot, formulation: str) -> str:
     """The recursion as LaTeX; of a robot with effects that of the rigid arm beneath, and this is said."""
-    from robodyn.dynamics.drive import has_drive_effects, rigid_part
-    from robodyn.dynamics.functions import Choice
-    from robodyn.dynamics.through_sympy import symbolic
+    from robodyn.drives.drive import has_drive_effects, rigid_part
+    from robodyn.kernels.through_sympy import symbolic
+    from robodyn.optimize.programs import Choice
 
     choice = Choice(formulation, regroup=False)
     if not has_drive_effects(robot):

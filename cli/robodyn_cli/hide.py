@@ -14,9 +14,9 @@ from robodyn_cli.common import echo_json, json_option, load_robot, output_folder
 from robodyn_cli.simulate_options import POSITIVE, SIZE
 
 if TYPE_CHECKING:
-    from robodyn.diagnose.amend import Amendment
-    from robodyn.diagnose.hide import Blind, Setup
-    from robodyn.diagnose.seal import Score
+    from robodyn.diagnose.amend.amend import Amendment
+    from robodyn.diagnose.blind.hide import Blind, Setup
+    from robodyn.diagnose.blind.seal import Score
     from robodyn.simulate.trajectories import Trajectory
 
 _ANSWER = "answer.sealed"
@@ -104,7 +104,7 @@ def _one_of(robot: str | None, opened: str | None, score: object, given: dict[st
 
 
 def _hidden(spec: str, given: dict[str, Any]) -> Blind:
-    from robodyn.diagnose.hide import hide
+    from robodyn.diagnose.blind.hide import hide
     from robodyn.robot import bundled_text
 
     robot = load_robot(spec)
@@ -126,7 +126,7 @@ def _hidden(spec: str, given: dict[str, Any]) -> Blind:
 
 
 def _setup(given: dict[str, Any], n: int, longest: float) -> Setup:
-    from robodyn.diagnose.hide import Setup
+    from robodyn.diagnose.blind.hide import Setup
     from robodyn.errors import InputError
     from robodyn_cli.simulate_options import whole
 
@@ -155,7 +155,7 @@ def _motions(files: Sequence[str], n: int) -> list[Trajectory]:
 
 def _parsed(text: str) -> Amendment:
     """``ID[@JOINT][:key=value,...]``."""
-    from robodyn.diagnose.amend import Amendment
+    from robodyn.diagnose.amend.amend import Amendment
     from robodyn.effects.catalogue import effect
     from robodyn.errors import InputError
     from robodyn.robot.numbers import number
@@ -219,14 +219,14 @@ def _tell(made: Blind, folder: Path, files: list[str], named: list[str], *, as_j
 
 
 def _answer(path: Path) -> dict[str, Any]:
-    from robodyn.diagnose.seal import open_seal
+    from robodyn.diagnose.blind.seal import open_seal
     from robodyn.files import label, read_text
 
     return open_seal(read_text(path, _SEALED, "the answer.sealed of robodyn hide"), label(path))
 
 
 def _scored(folder: Path, file: Path, *, as_json: bool) -> None:
-    from robodyn.diagnose.seal import score
+    from robodyn.diagnose.blind.seal import score
     from robodyn.errors import InputError, Place
     from robodyn.files import label, parsed_json, read_text
 

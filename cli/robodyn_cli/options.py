@@ -98,7 +98,7 @@ def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
 def _refuse_drives(robot: Robot) -> None:
     """Rotors behind gears and springs cannot be folded into links."""
     if robot.effects:
-        from robodyn.dynamics.drive import has_drive_effects
+        from robodyn.drives.drive import has_drive_effects
         from robodyn.errors import InputError
 
         if has_drive_effects(robot):

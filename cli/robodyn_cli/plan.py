@@ -39,8 +39,7 @@ def command(
     cost of passing a value. Of those that meet the deadline the one with the fewest cores is taken. Exits
     1 where nothing does. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
-    from robodyn.errors import CheckError
-    from robodyn.report.plan import (
+    from robodyn.bench.plan import (
         KNOWN,
         Target,
         chosen,
@@ -51,6 +50,7 @@ def command(
         plans,
         spelled,
     )
+    from robodyn.errors import CheckError
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)

@@ -12,7 +12,7 @@ from robodyn_cli.common import echo_json, json_option, output_folder, printable,
 from robodyn_cli.options import listed, load, model_options
 
 if TYPE_CHECKING:
-    from robodyn.prove import Proof
+    from robodyn.certify import Proof
     from robodyn.robot import Robot
 
 
@@ -69,10 +69,10 @@ def command(
     input whatsoever leads to undefined behaviour; gcc tells the stack, cppcheck the deviations from MISRA.
     Exits 1 if a proof failed, 3 if a tool is missing.
     """
-    from robodyn.build.program import cores
+    from robodyn.certify import PROOFS, Asked, prove
     from robodyn.errors import CheckError, ToolError
-    from robodyn.generation import Options
-    from robodyn.prove import PROOFS, Asked, prove
+    from robodyn.kernels.generate import Options
+    from robodyn.toolchain.program import cores
     from robodyn_cli.progress import line
 
     options = Options(
@@ -104,8 +104,8 @@ def command(
 
 def _ranged(described: Robot, ranges: str | None, *, needed: bool) -> Robot:
     """The robot with the ranges as its limits; where none are needed, its own will do."""
+    from robodyn.certify import with_ranges
     from robodyn.files import read_bytes
-    from robodyn.prove import with_ranges
     from robodyn.robot.document import FILE_SIZE
 
     if ranges is None and not needed:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 if TYPE_CHECKING:
-    from robodyn.prune import Pruning
+    from robodyn.optimize.prune import Pruning
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -29,7 +29,7 @@ def tolerance(prune: str | None) -> Fraction | None:
     """What ``--prune`` asks for."""
     if prune is None:
         return None
-    from robodyn.prune import parse_tolerance
+    from robodyn.optimize.prune import parse_tolerance
 
     return parse_tolerance(prune)
 
@@ -52,6 +52,6 @@ def pruning_lines(prunings: Mapping[Any, Pruning]) -> list[str]:
     """What is told of the errors, for people."""
     if not prunings:
         return []
-    from robodyn.prune import notes_of
+    from robodyn.optimize.prune import notes_of
 
     return list(notes_of(tuple(prunings.values())))

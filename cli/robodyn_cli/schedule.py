@@ -47,8 +47,8 @@ def command(robot: str | None, as_json: bool, **given: Any) -> None:
 
 
 def _thesis(table: str, as_json: bool) -> None:
-    from robodyn.report.tables import make, to_text
-    from robodyn.report.tables.schedules import one_table
+    from robodyn.thesis.tables import make, to_text
+    from robodyn.thesis.tables.schedules import one_table
 
     found = make("schedules") if table == "all" else one_table(table)
     if as_json:
@@ -58,7 +58,7 @@ def _thesis(table: str, as_json: bool) -> None:
 
 
 def _forms(asked: Asked, as_json: bool) -> None:
-    from robodyn.report.forms import compared, forms_text
+    from robodyn.thesis.forms import compared, forms_text
     from robodyn_cli.progress import line
 
     with line() as shown:
@@ -124,7 +124,7 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
         if asked.form is None:
             prices = None if asked.cost is None else parse_costs(asked.cost)
             return None, links_source(asked.links, as_printed=asked.as_printed, costs=prices), None
-        from robodyn.schedule.logarithmic import general_program
+        from robodyn.thesis.logarithmic import general_program
 
         k = asked.operations or 1
         costs = None if asked.cost is None else parse_costs(asked.cost)
@@ -135,14 +135,14 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
     if asked.operations is None and asked.emit is None:
         return described, robot_source(described, as_printed=asked.as_printed), None
     if asked.operations is None:
-        from robodyn.dynamics.functions import signature
+        from robodyn.optimize.programs import signature
         from robodyn.report.schedules import Source
         from robodyn.schedule.task_program import task_program
 
         made = task_program(described)
         source = Source(described.name, "tasks of Table 4.1 that this arm needs", made.graph, cut=made)
         return described, source, signature(described, "inverse_dynamics")
-    from robodyn.generation import Options, generate
+    from robodyn.kernels.generate import Options, generate
 
     options = Options((asked.function,), **asked.model())
     options = Search(None, asked.seed, "total", False).applied(described, options, (asked.function,))
@@ -184,7 +184,7 @@ def _emitted(
     """Where C is to be written, and which; none if none is asked for."""
     if asked.emit is None:
         return Path(), {}
-    from robodyn.report.emitted import schedule_files
+    from robodyn.emit.schedule_files import schedule_files
 
     assert described is not None
     assert signature is not None

@@ -198,7 +198,7 @@ def _with_form(asked: Asked) -> Asked:
     if asked.form is None:
         return asked
     from robodyn.errors import InputError
-    from robodyn.schedule.logarithmic import FORMS
+    from robodyn.thesis.logarithmic import FORMS
 
     name = "modified newton-euler" if asked.form == "modified-newton-euler" else asked.form
     if name not in FORMS:

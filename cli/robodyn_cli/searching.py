@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from robodyn.generation import Options
+    from robodyn.kernels.generate import Options
     from robodyn.robot import Robot
     from robodyn.search.improve import Told
 
@@ -59,9 +59,9 @@ class Search:
 
     def _searched(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
         from robodyn.counts.objective import parse_objective
-        from robodyn.dynamics.drive import rigid_part
+        from robodyn.drives.drive import rigid_part
         from robodyn.files import cannot_write
-        from robodyn.records import folder_beside
+        from robodyn.optimize.records import folder_beside
         from robodyn.resources import from_here
         from robodyn.search.improve import BUDGET, improved, write_record
         from robodyn_cli.common import printable, talk

@@ -24,7 +24,7 @@ def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     differs, not recoverable) and the reason. With --json an object {"id", "title", "rows", "notes"} is
     printed, or a list of them without ID.
     """
-    from robodyn.report.tables import TABLE_IDS, make, to_text
+    from robodyn.thesis.tables import TABLE_IDS, make, to_text
 
     ids = TABLE_IDS if table_id is None else (table_id,)
     target = None if picture is None else _picture_file(picture, ids)
@@ -40,7 +40,7 @@ def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     if as_json:
         echo_json(found if table_id is None else found[0])
     if target is not None:
-        from robodyn.report.tables.picture import operations_svg
+        from robodyn.thesis.tables.picture import operations_svg
 
         write_files(target.parent, {target.name: operations_svg()})
         talk(f"robodyn: wrote {printable(target)}")

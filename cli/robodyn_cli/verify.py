@@ -11,7 +11,7 @@ from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.options import load, model_options
 
 if TYPE_CHECKING:
-    from robodyn.generation import Generated
+    from robodyn.kernels.generate import Generated
 
 
 @click.command()
@@ -47,9 +47,9 @@ def command(
     the Lagrangian. Shows the worst error, relative to the largest torque, and the state that made it.
     Exits 1 if one is above 1e-10 (float: 1e-5).
     """
-    from robodyn.build import load as load_kernel
     from robodyn.errors import CheckError, InputError
-    from robodyn.generation import Options, generate
+    from robodyn.kernels.generate import Options, generate
+    from robodyn.kernels.kernel import load as load_kernel
     from robodyn.verify import verify
 
     if lang not in ("c", "fortran"):
@@ -91,7 +91,7 @@ def _exactly(made: Generated) -> dict[str, bool]:
 
     robot = made.unit.robot
     smooth = robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links)
-    if smooth or any(entry.effect != "payload" for entry in robot.effects):
+    if smooth or not all(entry.definition.traits.body for entry in robot.effects):
         return {}  # tanh, roots and their like have no exact values
     return {
         interface.function: equals_recursion(robot, interface.function, program)

@@ -26,25 +26,25 @@ TYPE_CHECKING = False  # as typing has it, whose import takes longer than all th
 if TYPE_CHECKING:
     from typing import Any
 
-    from robodyn.build.robot_kernel import compile
-    from robodyn.dynamics.through_sympy import symbolic
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
-    from robodyn.generation import Generated, Options, generate, program
+    from robodyn.kernels.generate import Generated, Options, generate, program
+    from robodyn.kernels.robot_kernel import compile
+    from robodyn.kernels.through_sympy import symbolic
     from robodyn.robot import Robot, load
 
 _HOMES = {
     "CheckError": "robodyn.errors",
-    "Generated": "robodyn.generation",
+    "Generated": "robodyn.kernels.generate",
     "InputError": "robodyn.errors",
-    "Options": "robodyn.generation",
+    "Options": "robodyn.kernels.generate",
     "RobodynError": "robodyn.errors",
     "Robot": "robodyn.robot",
     "ToolError": "robodyn.errors",
-    "compile": "robodyn.build.robot_kernel",
-    "generate": "robodyn.generation",
+    "compile": "robodyn.kernels.robot_kernel",
+    "generate": "robodyn.kernels.generate",
     "load": "robodyn.robot",
-    "program": "robodyn.generation",
-    "symbolic": "robodyn.dynamics.through_sympy",
+    "program": "robodyn.kernels.generate",
+    "symbolic": "robodyn.kernels.through_sympy",
 }
 
 __all__ = [

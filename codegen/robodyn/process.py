@@ -200,7 +200,7 @@ def _last_resort(reader: int, begun: Callable[[], None]) -> None:
 
 def _leave(number: int) -> None:
     """End the process, and what it has started, now."""
-    running = sys.modules.get("robodyn.build.running")
+    running = sys.modules.get("robodyn.toolchain.running")
     if running is not None:
         running.end_all()
     os._exit(128 + number)

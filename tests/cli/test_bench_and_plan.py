@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from robodyn import InputError
-from robodyn.report.parallel_bench import Measured
-from robodyn.report.plan import KNOWN, chosen, parse_deadline, parse_target, plans, spelled
+from robodyn.bench.parallel_bench import Measured
+from robodyn.bench.plan import KNOWN, chosen, parse_deadline, parse_target, plans, spelled
 from robodyn.robot import bundled_text, load
 from robodyn_cli.main import main
 from robodyn_testing import require_tool

@@ -232,7 +232,7 @@ def test_a_refused_log_leaves_nothing(capsys: Capture, stand: Stand) -> None:
 
 
 def test_all_or_nothing(capsys: Capture, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from robodyn import generation
+    from robodyn.kernels import generate as generation
 
     def broken(*_: Any) -> None:
         raise InputError("no kernel of this")

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from robodyn.dynamics.functions import FORMULATIONS
-from robodyn.generation import generate
+from robodyn.kernels.generate import generate
+from robodyn.optimize.programs import FORMULATIONS
 from robodyn.robot import bundled_names, load
 from robodyn_cli.main import main
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from robodyn.generation import Options, generate
+from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 from robodyn_cli.main import main
 from robodyn_testing import require_tool

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from robodyn.diagnose.seal import seal
+from robodyn.diagnose.blind.seal import seal
 from robodyn_cli.main import main
 
 Capture = pytest.CaptureFixture[str]

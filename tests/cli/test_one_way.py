@@ -17,7 +17,7 @@ from records.made import ELBOW, arm, better, fast
 from robodyn.counts import count
 from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
-from robodyn.records import FOLDER, Record
+from robodyn.optimize.records import FOLDER, Record
 from robodyn.search.improve import write_record
 from robodyn_cli.main import main
 

@@ -21,7 +21,7 @@ from robodyn import Options, program
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Program
-from robodyn.records import FOLDER, bundled_records, parse_record
+from robodyn.optimize.records import FOLDER, bundled_records, parse_record
 from robodyn.search import improve as improving
 from robodyn.search.climb import climb
 from robodyn.search.improve import write_record

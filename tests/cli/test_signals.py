@@ -230,8 +230,9 @@ FEW = "import resource; resource.setrlimit(resource.RLIMIT_NOFILE, (3, 3))"
 @pytest.mark.usefixtures("elsewhere")
 @pytest.mark.parametrize(
     "module",
-    ["robodyn_cli.entry", "robodyn_cli.main", "click", "click.core", "robodyn_cli.gen", "robodyn.generation",
-     "yaml", "jinja2", "robodyn.records.find"],
+    ["robodyn_cli.entry", "robodyn_cli.main", "click", "click.core", "robodyn_cli.gen",
+     "robodyn.kernels.generate",
+     "yaml", "jinja2", "robodyn.optimize.records.find"],
 )  # fmt: skip
 def test_too_few_open_files(module: str) -> None:
     require_module("resource")

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from robodyn.report import tables as rooms
-from robodyn.report.tables import TABLE_IDS, make, picture, to_text
+from robodyn.thesis import tables as rooms
+from robodyn.thesis.tables import TABLE_IDS, make, picture, to_text
 from robodyn_cli.main import main
 
 Capture = pytest.CaptureFixture[str]

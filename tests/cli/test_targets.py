@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from robodyn.errors import InputError
-from robodyn.generation import TARGETS, Options
+from robodyn.kernels.generate import TARGETS, Options
 from robodyn_cli.main import main
 
 Capture = pytest.CaptureFixture[str]

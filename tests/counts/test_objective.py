@@ -9,9 +9,9 @@ import pytest
 from robodyn import InputError, load
 from robodyn.counts import count
 from robodyn.counts.objective import TARGETS, Objective, operations_of
-from robodyn.dynamics.functions import Choice, build
-from robodyn.dynamics.suited import suited_writing
 from robodyn.ir import Input, Operation, Program
+from robodyn.optimize.programs import Choice, build
+from robodyn.optimize.suited import suited_writing
 from robodyn.search.candidate import Candidates
 from robodyn.search.space import Space
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import yaml
 
-from robodyn.diagnose.amend import Amendment, amended, amended_text, apply_amendments, difference
+from robodyn.diagnose.amend.amend import Amendment, amended, amended_text, apply_amendments, difference
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from robodyn.diagnose.gate import inspect
+from robodyn.diagnose.gate.gate import inspect
 from robodyn.diagnose.run import diagnose
 from robodyn.robot import load, read_text
 from robodyn.robot.model import Robot

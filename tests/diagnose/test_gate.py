@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate import Flag, Gate, inspect
+from robodyn.diagnose.gate.gate import Flag, Gate, inspect
 from robodyn.errors import InputError
 from robodyn.robot import load
 from robodyn.robot.folding import folded

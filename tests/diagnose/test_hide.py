@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend import Amendment, amended
-from robodyn.diagnose.drawn import draw, form, places, settings, usual
-from robodyn.diagnose.hide import Blind, Setup, hide
-from robodyn.diagnose.rigid import Model
+from robodyn.diagnose.amend.amend import Amendment, amended
+from robodyn.diagnose.blind.drawn import draw, form, places, settings, usual
+from robodyn.diagnose.blind.hide import Blind, Setup, hide
+from robodyn.diagnose.blind.seal import open_seal, score, seal
+from robodyn.diagnose.blind.true_arm import lacking, measured, rms
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.seal import open_seal, score, seal
-from robodyn.diagnose.true_arm import lacking, measured, rms
+from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
 from robodyn.robot import load

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from diagnose.hidden.cases import Case
-from robodyn.diagnose.library import context_of
 from robodyn.diagnose.result import Diagnosis
-from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.selection import select, shaken
-from robodyn.diagnose.signals import signals_of
+from robodyn.diagnose.select.library import context_of
+from robodyn.diagnose.select.rigid import Model
+from robodyn.diagnose.select.selection import select, shaken
+from robodyn.diagnose.select.signals import signals_of
 from robodyn.robot import load
 from robodyn.simulate.log import Log
 

@@ -9,8 +9,8 @@ import pytest
 
 from diagnose.hidden.cases import Case
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.selection import select
-from robodyn.diagnose.signals import smoothed_motion
+from robodyn.diagnose.select.selection import select
+from robodyn.diagnose.select.signals import smoothed_motion
 from robodyn.robot import load
 from robodyn.simulate.log import Log, read_log
 

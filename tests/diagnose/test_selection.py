@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from diagnose.hidden.cases import Case
-from robodyn.diagnose.rigid import Model
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.selection import select
+from robodyn.diagnose.select.rigid import Model
+from robodyn.diagnose.select.selection import select
 from robodyn.verify import Reference
 from robodyn_testing.effect_arms import arm
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from diagnose.hidden.cases import Case
-from robodyn.build.robot_kernel import compile as compile_kernel
-from robodyn.diagnose.gate import inspect
-from robodyn.diagnose.predict import lacking
+from robodyn.diagnose.gate.gate import inspect
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.swing import swung
+from robodyn.diagnose.select.predict import lacking
+from robodyn.diagnose.select.swing import swung
+from robodyn.kernels.robot_kernel import compile as compile_kernel
 
 ELASTIC = Case("puma560", (("joint_elasticity", 2),), 1, 4.855)
 

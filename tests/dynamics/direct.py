@@ -11,9 +11,9 @@ from hypothesis import Phase
 
 from ir.programs import Point
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
-from robodyn.dynamics.functions import Choice, outputs_of
 from robodyn.dynamics.vectors import Mark, unmarked
 from robodyn.ir import Input, Label
+from robodyn.optimize.programs import Choice, outputs_of
 from robodyn.robot import Robot
 from robodyn.robot.values import Value, parameter
 from robodyn_testing.random_robots import random_robot

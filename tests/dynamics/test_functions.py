@@ -11,8 +11,8 @@ from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import InputError, Options, load, program
 from robodyn.dynamics.mass_matrix import solve_symmetric
-from robodyn.generation import SingularArm, generate
 from robodyn.ir import Graph, Input
+from robodyn.kernels.generate import SingularArm, generate
 from robodyn.robot import Robot, read_text
 
 ARMS = [

@@ -15,9 +15,9 @@ import pytest
 
 from robodyn import Options, generate
 from robodyn.errors import InputError
-from robodyn.generation import NoForwardDynamics
 from robodyn.ir import Input, Program
 from robodyn.ir.evaluate import evaluate
+from robodyn.kernels.generate import NoForwardDynamics
 from robodyn.robot import Robot, read_text
 from robodyn_testing.hostile_numbers import hostile
 from robodyn_testing.world_dynamics import number, torques

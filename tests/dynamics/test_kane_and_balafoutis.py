@@ -23,7 +23,6 @@ from robodyn.dynamics import balafoutis as balafoutis_module
 from robodyn.dynamics import kane as kane_module
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
 from robodyn.dynamics.balafoutis import augmented_links, balafoutis, dual_moment
-from robodyn.dynamics.functions import exact, turned
 from robodyn.dynamics.kane import kane
 from robodyn.dynamics.modified_newton_euler import forward_pass, inertia_moment
 from robodyn.dynamics.newton_euler import newton_euler
@@ -32,6 +31,7 @@ from robodyn.dynamics.vectors import Mark, plus, scaled, unmarked
 from robodyn.ir import Graph, Label, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.graph import lower
+from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run
 from robodyn.robot import Inertia, Joint, Link, Robot, bundled_names
 from robodyn.robot.values import angle, circle_point

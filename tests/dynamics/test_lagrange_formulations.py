@@ -23,7 +23,6 @@ from robodyn.dynamics import lagrange_3x3 as three
 from robodyn.dynamics import lagrange_4x4 as four
 from robodyn.dynamics import transforms
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.functions import exact, turned
 from robodyn.dynamics.lagrange import lagrange
 from robodyn.dynamics.lagrange_3x3 import lagrange_3x3
 from robodyn.dynamics.lagrange_4x4 import lagrange_4x4
@@ -32,6 +31,7 @@ from robodyn.dynamics.vectors import unmarked
 from robodyn.ir import Graph, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.graph import lower
+from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point

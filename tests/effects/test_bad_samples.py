@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.build import Kernel
-from robodyn.build.robot_kernel import compile as compile_kernel
 from robodyn.effects.effect import Site
-from robodyn.effects.friction import PRESLIDING
+from robodyn.effects.presliding import PRESLIDING
 from robodyn.effects.scalars import held, is_duration, is_finite, is_positive
-from robodyn.generation import maker
-from robodyn.generation.options import Options
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
+from robodyn.kernels.generate import maker
+from robodyn.kernels.kernel import Kernel
+from robodyn.kernels.options import Options
+from robodyn.kernels.robot_kernel import compile as compile_kernel
 from robodyn.robot import Robot, read_text
 from robodyn.verify.stepping import Stepping
 from robodyn_testing import require_tool

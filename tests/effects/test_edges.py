@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from robodyn.build.robot_kernel import compile as compile_kernel
 from robodyn.counts import count
-from robodyn.generation import NoForwardDynamics, Options, generate, maker, program
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input
+from robodyn.kernels.generate import NoForwardDynamics, Options, generate, maker, program
+from robodyn.kernels.robot_kernel import compile as compile_kernel
 from robodyn.robot import Robot, load
 from robodyn.robot.model import EffectEntry
 from robodyn.verify import Reference

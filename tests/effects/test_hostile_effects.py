@@ -17,11 +17,11 @@ import numpy as np
 import pytest
 
 from robodyn import Options, generate
-from robodyn.build.robot_kernel import compile as compile_kernel
 from robodyn.effects.catalogue import CATALOGUE
-from robodyn.generation import Generated, Level
 from robodyn.ir import Input, Program
 from robodyn.ir.evaluate import evaluate
+from robodyn.kernels.generate import Generated, Level
+from robodyn.kernels.robot_kernel import compile as compile_kernel
 from robodyn.robot import Robot, read_text
 from robodyn.robot.folding import folded
 from robodyn.robot.values import parameter

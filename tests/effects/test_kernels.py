@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.build import Kernel
-from robodyn.build.robot_kernel import compile as compile_kernel
-from robodyn.dynamics.with_effects import with_effects
-from robodyn.generation import NoForwardDynamics, generate, maker
-from robodyn.generation.options import Options
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input, Program
+from robodyn.kernels.generate import NoForwardDynamics, generate, maker
+from robodyn.kernels.kernel import Kernel
+from robodyn.kernels.options import Options
+from robodyn.kernels.robot_kernel import compile as compile_kernel
+from robodyn.kernels.with_effects import with_effects
 from robodyn.robot import Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.control import Control

@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Final
 
-from robodyn.generation import Generated, Options, generate
+from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, bundled_names, load, read_text
 from robodyn_testing.effect_arms import TEXTS as EFFECT_TEXTS
 from robodyn_testing.random_robots import random_robot

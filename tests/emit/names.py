@@ -7,13 +7,13 @@ import subprocess
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from robodyn.build.batch_calls import batch_calls
-from robodyn.build.wrapper import wrapper
+from robodyn.certify.eva import driver_context
 from robodyn.emit.render import environment
+from robodyn.emit.schedule_files import schedule_files
 from robodyn.firmware import firmware, firmware_options, targets_named
-from robodyn.generation import Generated, Options, generate
-from robodyn.prove.eva import driver_context
-from robodyn.report.emitted import schedule_files
+from robodyn.kernels.batch_calls import batch_calls
+from robodyn.kernels.generate import Generated, Options, generate
+from robodyn.kernels.wrapper import wrapper
 from robodyn.resources import data_dir
 from robodyn.robot import Robot, read_text
 from robodyn.schedule import Machine, solve

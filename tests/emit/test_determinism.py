@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[2]
 NAMES = ("puma560", "stanford_3dof", "tool", "smooth", "random_65")
 SCRIPT = """
 import hashlib, json, sys
-from robodyn.generation import Options, generate
+from robodyn.kernels.generate import Options, generate
 from robodyn.robot import read_text
 robots = json.load(sys.stdin)
 found = {}
@@ -72,7 +72,7 @@ def test_hash_seeds_make_no_difference(seed: str, tmp_path: Path) -> None:
 
 
 def test_a_second_run_in_one_process_makes_no_difference() -> None:
-    from robodyn.generation import Options, generate
+    from robodyn.kernels.generate import Options, generate
 
     for name in ("puma560", "tool"):
         again = generate(robots()[name], Options(scalar="float"))

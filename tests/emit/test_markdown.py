@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 from emit.names import arm, for_firmware
 from emit.test_texts import HOSTILE
 from robodyn import Options
+from robodyn.certify import Finding
+from robodyn.certify.plan import Subject, subject
+from robodyn.certify.run import Proof
 from robodyn.emit.markdown import Markdown, block, code, codes, markdown_environment, plain
 from robodyn.firmware import TARGETS, Figures, Folder, firmware, targets_named
-from robodyn.prove import Finding
-from robodyn.prove.plan import Subject, subject
-from robodyn.prove.run import Proof
 
 #: Ends of lines, as somebody sees them.
 ENDS = ("\n\n", "\r", "\r\n\r\n", "\x0b", "\x0c", "\x1c", "\x85", "\u2028", "\u2029")

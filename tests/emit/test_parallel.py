@@ -12,9 +12,9 @@ from emit.kernels import ODD, RANDOM, robots, write
 from robodyn import InputError
 from robodyn.emit.packed import packed_files
 from robodyn.emit.parallel import Parallel, parallel_files
-from robodyn.generation import Options, generate
 from robodyn.ir import Signature
 from robodyn.ir.program import Program
+from robodyn.kernels.generate import Options, generate
 from robodyn.robot import Robot, load, read_text
 from robodyn.schedule import Machine, solve
 from robodyn.schedule.cutting import Cut, cut

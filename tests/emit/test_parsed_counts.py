@@ -12,7 +12,7 @@ from pycparser import c_ast, c_parser  # type: ignore[import-untyped]
 
 from emit.kernels import ODD, RANDOM, in_single, made, robots
 from robodyn.counts import Count
-from robodyn.generation import Generated
+from robodyn.kernels.generate import Generated
 
 CALLS = {
     "sin": "sincos", "cos": "sincos", "tanh": "other", "sqrt": "sqrt", "fabs": "other", "exp": "other",

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from emit.kernels import ODD, STRICT, STRICT_CPP, STRICT_FORTRAN, robots, write
-from robodyn.build import load as compiled
-from robodyn.generation import Generated, Options, generate
 from robodyn.ir.fingerprint import fingerprint
+from robodyn.kernels.generate import Generated, Options, generate
+from robodyn.kernels.kernel import load as compiled
 from robodyn.passes.registers import registers
 from robodyn.robot import load
 from robodyn.robot.values import circle_point

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from robodyn.emit.trig import DOUBLE, FLOAT, Trigonometric
-from robodyn.generation import Generated, Options, generate
+from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import load
 from robodyn_testing import require_tool
 

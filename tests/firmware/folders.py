@@ -11,7 +11,7 @@ from typing import Final
 
 from robodyn.firmware import Folder, firmware, firmware_options, targets_named
 from robodyn.firmware.measure import FLAGS, FORTRAN_FLAGS
-from robodyn.generation import Generated, Options, generate
+from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, load, read_text
 
 STRICT: Final = (

@@ -14,7 +14,7 @@ import pytest
 from firmware.folders import SCALARS, STRICT, STRICT_FORTRAN, folder, made, run, write
 from robodyn.errors import InputError
 from robodyn.firmware import TARGETS, firmware, firmware_options, measure, targets_named
-from robodyn.generation import Options, generate
+from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load, read_text
 from robodyn_testing import require_tool
 
@@ -22,7 +22,7 @@ ALL = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 _PRINT = """
 import hashlib
 from robodyn.firmware import firmware, firmware_options, targets_named
-from robodyn.generation import Options, generate
+from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 made = generate(load("puma560", warn=lambda _: None), firmware_options(Options(), (), scalar="float"))
 files = firmware(made, targets_named(())).files

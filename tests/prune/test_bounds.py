@@ -12,15 +12,15 @@ import numpy as np
 import pytest
 
 from prune.limited import bundled, damaged, limited, random_limited
-from robodyn.dynamics.functions import Choice, build
-from robodyn.generation import Options, program
 from robodyn.ir import Graph, Input, Program
 from robodyn.ir.evaluate import evaluate_exact
-from robodyn.prune.bounds import Expansions, proven_errors
-from robodyn.prune.box import Box, box_of
-from robodyn.prune.polynomial import MOST, Polynomial, constant
-from robodyn.prune.sampling import draw, largest, values
-from robodyn.prune.supremum import Terms, _share, found, proven, waves_of
+from robodyn.kernels.generate import Options, program
+from robodyn.optimize.programs import Choice, build
+from robodyn.optimize.prune.bounds import Expansions, proven_errors
+from robodyn.optimize.prune.box import Box, box_of
+from robodyn.optimize.prune.polynomial import MOST, Polynomial, constant
+from robodyn.optimize.prune.sampling import draw, largest, values
+from robodyn.optimize.prune.supremum import Terms, _share, found, proven, waves_of
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
 

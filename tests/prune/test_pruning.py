@@ -12,16 +12,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-import robodyn.prune.pruning
+import robodyn.optimize.prune.pruning
 from prune.limited import bundled, limited, random_limited
 from robodyn.counts import count
-from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import InputError
-from robodyn.generation import Generated, Options, generate, program
-from robodyn.prune import PRUNED, PruneError, parse_tolerance, peaks_of, prune
-from robodyn.prune.bounds import proven_errors
-from robodyn.prune.box import box_of
-from robodyn.prune.sampling import draw, values
+from robodyn.kernels.generate import Generated, Options, generate, program
+from robodyn.optimize.programs import FUNCTIONS
+from robodyn.optimize.prune import PRUNED, PruneError, parse_tolerance, peaks_of, prune
+from robodyn.optimize.prune.bounds import proven_errors
+from robodyn.optimize.prune.box import box_of
+from robodyn.optimize.prune.sampling import draw, values
 from robodyn.robot import Robot
 from robodyn.robot.model import Limits
 from robodyn_cli.main import main
@@ -168,7 +168,7 @@ def test_a_bound_that_does_not_hold_is_noticed(shrunk: float, monkeypatch: pytes
     original = program(robot, "inverse_dynamics", FAST)
     honest = proven_errors
     monkeypatch.setattr(
-        robodyn.prune.pruning,
+        robodyn.optimize.prune.pruning,
         "proven_errors",
         lambda *given: [shrunk * bound for bound in honest(*given)],
     )
@@ -181,7 +181,9 @@ def test_a_bound_above_the_tolerance_is_noticed(monkeypatch: pytest.MonkeyPatch)
     original = program(robot, "inverse_dynamics", FAST)
     honest = proven_errors
     monkeypatch.setattr(
-        robodyn.prune.pruning, "proven_errors", lambda *given: [2 * bound for bound in honest(*given)]
+        robodyn.optimize.prune.pruning,
+        "proven_errors",
+        lambda *given: [2 * bound for bound in honest(*given)],
     )
     with pytest.raises(PruneError, match="above the tolerance"):
         prune(robot, "inverse_dynamics", original, PERCENT)

@@ -9,8 +9,8 @@ from typing import Final
 from robodyn import Options, load, program
 from robodyn.counts import count
 from robodyn.ir import Program
+from robodyn.optimize.records import Record, identity
 from robodyn.passes import SPELLING, run
-from robodyn.records import Record, identity
 from robodyn.robot import Robot, read_text
 
 #: Every kind of number at run time, friction, a sliding joint, an angle that is no right one.

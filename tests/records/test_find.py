@@ -13,8 +13,8 @@ import pytest
 from records.made import ELBOW, arm, better, bundled, fast, recorded
 from robodyn import InputError, Options, generate
 from robodyn.counts import count
-from robodyn.records import FOLDER, best_record, bundled_records, parse_record
-from robodyn.records.find import file_name
+from robodyn.optimize.records import FOLDER, best_record, bundled_records, parse_record
+from robodyn.optimize.records.find import file_name
 from robodyn.robot import Robot
 from robodyn.search.improve import write_record
 

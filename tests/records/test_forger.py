@@ -22,7 +22,7 @@ from robodyn.dynamics.equality import equals_recursion, same_in_field
 from robodyn.ir import Input, Operand, Operation, Program
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import digest
-from robodyn.records import Record, best_record, identity, parse_record
+from robodyn.optimize.records import Record, best_record, identity, parse_record
 from robodyn.robot import Robot
 from robodyn.search.network import BELOW
 
@@ -299,7 +299,7 @@ def test_long_records_are_refused_before_anything_is_calculated(monkeypatch: pyt
     def never(*_: object) -> None:
         raise AssertionError("it was evaluated")
 
-    monkeypatch.setattr("robodyn.generation.drafts.trusted", never)
+    monkeypatch.setattr("robodyn.kernels.drafts.trusted", never)
     for record, what in zip(records, ("operations", "digits"), strict=True):
         for function in ("inverse_dynamics", "gravity", "bias"):
             with pytest.raises(InputError, match=f"{what}.* where .*the recursion ha"):

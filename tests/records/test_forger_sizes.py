@@ -19,9 +19,9 @@ from robodyn import InputError, Options, load, program
 from robodyn.dynamics.equality import same_in_field
 from robodyn.ir import Input, Operand
 from robodyn.ir.signature import ScalarType
-from robodyn.records import Record, best_record, identity
-from robodyn.records.degrees import reading
-from robodyn.records.rounding import Rounding
+from robodyn.optimize.records import Record, best_record, identity
+from robodyn.optimize.records.degrees import reading
+from robodyn.optimize.records.rounding import Rounding
 from robodyn.robot import Robot
 
 SLIDING: Final = Input("q", 2)  # the prismatic joint of ROBOT

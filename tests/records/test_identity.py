@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from records.made import TOOL, arm, bundled
-from robodyn.records import bundled_records, identity
-from robodyn.records.record import header
+from robodyn.optimize.records import bundled_records, identity
+from robodyn.optimize.records.record import header
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.model import Comparison, EffectEntry, Inertia, Joint, Limits, Link
 from robodyn.robot.values import Affine, angle, parameter, quarter_turns

@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 from dynamics.direct import NO_SHRINKING
 from records.made import ELBOW, SMOOTH, TOOL, arm, bundled, fast, recorded
 from robodyn import InputError, Options, program
-from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input, Label, Operation, Program
+from robodyn.optimize.programs import FUNCTIONS
+from robodyn.optimize.records import Record, parse_record
+from robodyn.optimize.records.record import header
 from robodyn.passes import SPELLING, run
-from robodyn.records import Record, parse_record
-from robodyn.records.record import header
 from robodyn.robot import Robot, bundled_names
 from robodyn_testing.random_robots import random_robot
 

@@ -13,10 +13,10 @@ from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Input, Operand, Operation, Program
 from robodyn.ir.fingerprint import fingerprint
+from robodyn.optimize.records import Record, bundled_records, identity, parse_record
+from robodyn.optimize.records.trust import trusted
 from robodyn.passes import FAST
 from robodyn.passes.specialise import at_rest
-from robodyn.records import Record, bundled_records, identity, parse_record
-from robodyn.records.trust import trusted
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
 from robodyn_testing.random_robots import random_robot

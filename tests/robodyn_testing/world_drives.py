@@ -16,10 +16,11 @@ from typing import Any, Final
 
 import mpmath
 
-from effects.latex_values import typeset, value
+from effects.typeset_effects import typeset
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import Affine
+from robodyn.verify.typeset import value
 from robodyn_testing.world_dynamics import Loads, direction, loads, number
 
 COUPLERS: Final = ("joint_elasticity", "backlash")

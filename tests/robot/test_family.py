@@ -9,7 +9,7 @@ import pytest
 
 from robodyn import InputError
 from robodyn.counts import count
-from robodyn.generation import Options, program
+from robodyn.kernels.generate import Options, program
 from robodyn.robot import Robot, read_text
 from robodyn.robot.family import family_text
 

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from ir.programs import programs
 from robodyn import InputError
-from robodyn.generation import Options, program
 from robodyn.ir.program import Program
+from robodyn.kernels.generate import Options, program
 from robodyn.robot import load
 from robodyn.schedule import Machine, solve
 from robodyn.schedule.cutting import COSTS, Cut, cut, parse_costs

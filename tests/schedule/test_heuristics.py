@@ -6,7 +6,7 @@ import pytest
 
 from robodyn import InputError
 from robodyn.schedule import Schedule, TaskGraph, critical_path_order, general_graph, list_schedule
-from robodyn.schedule.judge import printed_graph
+from robodyn.thesis.judge import printed_graph
 
 SIX = general_graph(6)
 STANFORD = printed_graph("stanford")

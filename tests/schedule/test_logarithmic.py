@@ -9,7 +9,7 @@ import pytest
 from ir.programs import Point, exactly
 from robodyn.ir import Input
 from robodyn.schedule import Machine, solve
-from robodyn.schedule.logarithmic import (
+from robodyn.thesis.logarithmic import (
     FORMS,
     LINEAR,
     LOGARITHMIC,

@@ -13,9 +13,9 @@ from robodyn.errors import ToolError
 from robodyn.schedule import METHODS, Machine, TaskGraph, faults_of_times, general_graph, lower_bound, solve
 from robodyn.schedule.bounds import fewest_processors
 from robodyn.schedule.branch_and_bound import one_processor_a_joint
-from robodyn.schedule.judge import printed_graph
 from robodyn.schedule.methods import Method, check
 from robodyn.schedule.optimum import fewest_for_critical_path, optimum
+from robodyn.thesis.judge import printed_graph
 from robodyn_testing import require_module
 
 SIX = general_graph(6)

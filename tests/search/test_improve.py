@@ -18,7 +18,7 @@ from robodyn.counts import count
 from robodyn.counts.objective import Objective, parse_objective
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Operation, Program
-from robodyn.records import FOLDER, Record, identity, parse_record
+from robodyn.optimize.records import FOLDER, Record, identity, parse_record
 from robodyn.robot import Robot
 from robodyn.search import improve as improving
 from robodyn.search.climb import climb

@@ -17,14 +17,14 @@ from dynamics.direct import NO_SHRINKING, exact_arm, values_of, with_named_numbe
 from ir.programs import Point, exactly
 from robodyn import InputError, load
 from robodyn.counts import count
-from robodyn.dynamics.costing import Costing
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.dynamics.functions import FUNCTIONS, Choice, build
-from robodyn.dynamics.gauge import Unsuited, regrouped_as
 from robodyn.dynamics.regroup import Lump
-from robodyn.dynamics.suited import suited_writing
-from robodyn.dynamics.writing import LINK_VALUES, LinkWriting, Writing
 from robodyn.ir import Program
+from robodyn.optimize.costing import Costing
+from robodyn.optimize.gauge import Unsuited, regrouped_as
+from robodyn.optimize.programs import FUNCTIONS, Choice, build
+from robodyn.optimize.suited import suited_writing
+from robodyn.optimize.writing import LINK_VALUES, LinkWriting, Writing
 from robodyn.robot import Robot
 from robodyn.search.candidate import Candidates
 from robodyn.search.space import Space

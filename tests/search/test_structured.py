@@ -12,10 +12,10 @@ from dynamics.direct import exact_arm
 from robodyn import InputError, Options, load, program
 from robodyn.counts import count
 from robodyn.counts.objective import Objective, operations_of
-from robodyn.dynamics.costing import Costing
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.dynamics.fast import literature
-from robodyn.dynamics.functions import Choice, build
+from robodyn.optimize.costing import Costing
+from robodyn.optimize.fast import literature
+from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot
 from robodyn.search import structured

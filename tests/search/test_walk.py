@@ -20,12 +20,12 @@ from robodyn import InputError
 from robodyn.counts import count
 from robodyn.counts.objective import operations_of
 from robodyn.dynamics.equality import equals_recursion
-from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
+from robodyn.optimize.programs import FUNCTIONS
+from robodyn.optimize.records import parse_record
 from robodyn.passes import SPELLING, run
-from robodyn.records import parse_record
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.search import walk as walking

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from robodyn.build import robot_kernel
+from robodyn.kernels import robot_kernel
 from robodyn.robot.model import Robot
 from robodyn.simulate.simulation import Torques, simulate
 from robodyn_testing import require_module

@@ -353,7 +353,7 @@ def test_limits_that_overflow_do_no_harm(arm: Robot) -> None:
 
 @pytest.mark.parametrize("name", ["rubbing", "remembering", "banded"])
 def test_arms_with_effects_against_the_reference(name: str) -> None:
-    from robodyn.build.robot_kernel import compile as compile_kernel
+    from robodyn.kernels.robot_kernel import compile as compile_kernel
     from robodyn_testing.effect_arms import arm as effect_arm
 
     robot = effect_arm(name)

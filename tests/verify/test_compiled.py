@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from robodyn.build import load
 from robodyn.ir.signature import Signature
+from robodyn.kernels.kernel import load
 from robodyn.robot.model import Inertia, Joint, Link, Robot
 from robodyn.robot.values import PI, ZERO, angle, parameter
 from robodyn.verify import verify

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from effects.cases import CASES, draw, entry
-from robodyn.dynamics.drive import rigid_part
-from robodyn.dynamics.functions import Choice, build
-from robodyn.dynamics.with_effects import with_effects
+from robodyn.drives.drive import rigid_part
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
+from robodyn.kernels.with_effects import with_effects
+from robodyn.optimize.programs import Choice, build
 from robodyn.robot.model import Inertia, Robot
 from robodyn.verify import Reference
 from robodyn_testing.random_robots import random_robot

@@ -12,8 +12,8 @@ import pytest
 
 import robodyn
 from effects.cases import CASES, draw, entry, floats
-from robodyn.dynamics.coupling import TwistState, next_twist
-from robodyn.dynamics.drive import layer_of
+from robodyn.drives.coupling import TwistState, next_twist
+from robodyn.drives.drive import layer_of
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Site
 from robodyn.verify.memories import Twist, bristle_step, twist, twist_step, twist_torque

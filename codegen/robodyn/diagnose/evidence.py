@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
 from robodyn.counts.count import Count, count
-from robodyn.diagnose.choice import LOSS, Trial
-from robodyn.diagnose.gate import Gate
+from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.result import Finding, Tried, Window
-from robodyn.diagnose.selection import Selection
+from robodyn.diagnose.select.choice import LOSS, Trial
+from robodyn.diagnose.select.selection import Selection
 from robodyn.robot.model import Robot
 
 #: Flags of motions that show little.
@@ -64,7 +64,7 @@ def windows(gates: Sequence[Gate], findings: Sequence[Finding]) -> tuple[Window,
 
 def operations(robot: Robot) -> Count:
     """The operations of the inverse dynamics."""
-    from robodyn.generation import program
+    from robodyn.kernels.generate import program
 
     return count(program(robot, "inverse_dynamics"))
 

@@ -15,9 +15,9 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.library import Candidate, Hints, candidates, context_of
-from robodyn.diagnose.rigid import Model
-from robodyn.diagnose.signals import Signals
+from robodyn.diagnose.select.library import Candidate, Hints, candidates, context_of
+from robodyn.diagnose.select.rigid import Model
+from robodyn.diagnose.select.signals import Signals
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot

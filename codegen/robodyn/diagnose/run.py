@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend import Amendment, amended_text, difference
+from robodyn.diagnose.amend.amend import Amendment, amended_text, difference
 from robodyn.diagnose.evidence import (
     by_kind,
     doubtful,
@@ -20,13 +20,13 @@ from robodyn.diagnose.evidence import (
     why_not,
     windows,
 )
-from robodyn.diagnose.gate import Gate, inspect
-from robodyn.diagnose.library import Candidate
-from robodyn.diagnose.predict import agreement, lacking, signals_seen
+from robodyn.diagnose.gate.gate import Gate, inspect
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
-from robodyn.diagnose.rigid import Model
-from robodyn.diagnose.search import Found, search
-from robodyn.diagnose.selection import Named, Selection, what_matters
+from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.predict import agreement, lacking, signals_seen
+from robodyn.diagnose.select.rigid import Model
+from robodyn.diagnose.select.search import Found, search
+from robodyn.diagnose.select.selection import Named, Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log

@@ -159,7 +159,7 @@ def build_arm(robot: Robot, number: Callable[[Fraction], Any], parameter: Callab
             Symmetric(*(scalar(getattr(tensor, axes)) for axes in ("xx", "yy", "zz", "xy", "xz", "yz"))),
         )
         for entry in robot.effects
-        if entry.effect == "payload"
+        if entry.definition.traits.body
         for tensor in (entry["inertia"] if "inertia" in entry else Inertia(),)
     ]
     gx, gy, gz = robot.gravity

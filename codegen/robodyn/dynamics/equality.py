@@ -79,7 +79,7 @@ def equals_recursion(
 
 
 def _check_rigid(robot: Robot) -> None:
-    if any(entry.effect != "payload" for entry in robot.effects):
+    if not all(entry.definition.traits.body for entry in robot.effects):
         raise ValueError("the plain recursion is that of the rigid arm")
 
 

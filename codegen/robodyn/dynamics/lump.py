@@ -3,10 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 from robodyn.dynamics.arm import Symmetric
 from robodyn.dynamics.vectors import Vector
+
+#: How the moment of a link about its origin is written.
+#:
+#: ``inertia``: ``I alpha + D k``, Euler's equation; ``second_moment``: from ``lambda K``;
+#: ``isotropic_x`` (y, z): ``2 k alpha`` for as much of ``K`` as is ``k`` times the identity, ``k`` being the
+#: second moment along that axis, and ``lambda K`` for the rest; ``point_x`` (y, z): an isotropic body and a
+#: point mass on the axis; ``spin``: a body without mass that only resists to turn about its own axis z;
+#: ``wrist``: the last link but one, isotropic with a point mass on its y axis, which is the last joint's,
+#: together with the last link, a spin.
+MomentForm = Literal[
+    "inertia", "second_moment", "isotropic_x", "isotropic_y", "isotropic_z", "point_x", "point_y", "point_z",
+    "spin", "wrist",
+]  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

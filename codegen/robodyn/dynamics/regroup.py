@@ -17,9 +17,8 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Symmetric, origin
 from robodyn.dynamics.carried import carried
-from robodyn.dynamics.lump import Lump
+from robodyn.dynamics.lump import Lump, MomentForm
 from robodyn.dynamics.vectors import Vector
-from robodyn.dynamics.writing import MomentForm
 from robodyn.effects.scalars import is_zero
 
 

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, Literal
 
 from robodyn.effects import thesis_friction as thesis
 from robodyn.effects.effect import Effect, Fault, Parameter, Site, Values
 from robodyn.effects.efficiency import efficiency_at
 from robodyn.effects.friction import FORCE, TORQUE, level
 from robodyn.effects.scalars import magnitude, root
+from robodyn.effects.traits import Form, Hidden, Law, Traits, Usual
+
+#: Where these stand among the others, for a person who reads them.
+ORDER = 30
 
 # --- bearings ---------------------------------------------------------------------------------------------
 
@@ -65,6 +70,28 @@ def _bearing_fault(p: Values, revolute: bool) -> Fault | None:
     return None
 
 
+#: Distances of two bearings that are tried [m], and efficiencies of a gear.
+_SPANS = (0.03, 0.1, 0.3, 1.0)
+_EFFICIENCIES = (0.3, 0.45, 0.6, 0.7, 0.8, 0.88, 0.94)
+
+
+def _pressed(bearing: str, name: str, kind: Literal["any", "revolute", "prismatic"], spans: bool) -> Law:
+    """A bearing of which the parameter ``name`` is to be found, with or without a span."""
+    return Law(
+        lambda given, at: (_bearing({"bearing": bearing, name: 1.0, **given}, at),), (1,),
+        lambda x, given: {"bearing": bearing, name: float(x[0]), **given}, 2,
+        grid=tuple({"span": span} for span in _SPANS) if spans else ({},), kind=kind,
+    )  # fmt: skip
+
+
+def _bearing_form(u: Usual, way: float, rng: Any) -> Form:
+    if not u.revolute:
+        return Form(lambda x: {"bearing": "linear", "mu": x, "span": 0.3}, 0.05, 1e-4, 0.5)
+    if rng.random() < 0.5:
+        return Form(lambda x: {"bearing": "torque", "mu": x}, 0.05, 1e-3, 0.5)
+    return Form(lambda x: {"bearing": "radial", "mu_r": x}, 0.005, 1e-5, 0.1)
+
+
 LOAD = Effect(
     id="load_dependent_friction",
     title="Load-dependent friction in bearings",
@@ -114,6 +141,19 @@ LOAD = Effect(
     linear=("mu", "mu_r"),
     dissipative=True,
     needs_load=True,
+    traits=Traits(
+        several=True,
+        combines="bearings",
+        candidates=(
+            _pressed("journal", "mu_r", "revolute", spans=True),
+            _pressed("linear", "mu", "prismatic", spans=True),
+            _pressed("torque", "mu", "any", spans=False),
+            _pressed("radial", "mu_r", "revolute", spans=False),
+            _pressed("thrust", "mu_r", "revolute", spans=False),
+        ),
+        hidden=Hidden(_bearing_form, needs="load"),
+        over="load, each way",
+    ),
 )  # fmt: skip
 
 
@@ -156,6 +196,21 @@ def _loss_fault(p: Values, revolute: bool) -> Fault | None:
     return None
 
 
+def _loss_columns(given: Values, at: Site) -> tuple[Any, Any]:
+    """Torques by a factor of the loss, which is 1 where the efficiency is right, and by the breakaway."""
+    return _loss({"breakaway": 0.0, **given}, at), _loss({"breakaway": 1.0, "efficiency": 1}, at)
+
+
+def _loss_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
+    inverse = 1 + float(x[0]) * (1 / given["efficiency"] - 1)
+    return {"efficiency": min(1.0, 1 / inverse), "breakaway": float(max(x[1], 0.0))}
+
+
+def _loss_form(u: Usual, way: float, rng: Any) -> Form:
+    rest = float(rng.choice([0.0, 0.3]))
+    return Form(lambda x: {"efficiency": 1 / (1 + x), "breakaway": rest * x * u.tau}, 0.05, 0.003, 1.5)
+
+
 TRANSMISSION = Effect(
     id="transmission_loss",
     title="Transmission loss",
@@ -193,6 +248,16 @@ TRANSMISSION = Effect(
     linear=("breakaway",),
     dissipative=True,
     needs_load=True,
+    traits=Traits(
+        one_way="nearly",
+        candidates=(
+            Law(_loss_columns, (1, 1), _loss_read, 4, grid=tuple({"efficiency": e} for e in _EFFICIENCIES)),
+        ),
+        contains=("coulomb_friction",),
+        hidden=Hidden(_loss_form, needs="load"),
+        over="load, each way",
+        nothing={"efficiency": 1.0},
+    ),
 )  # fmt: skip
 
 EFFECTS = (LOAD, TRANSMISSION)

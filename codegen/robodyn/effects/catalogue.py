@@ -1,17 +1,41 @@
-"""All effects by id, in the order in which a person reads them."""
+"""All effects by id, in the order in which a person reads them: whatever a module of this folder lists."""
 
 from __future__ import annotations
 
 import difflib
+import importlib
+import pkgutil
+from collections.abc import Iterator
 from types import MappingProxyType
 from typing import Final
 
-from robodyn.effects import bearings, friction, joints, rigid, sensors
+from robodyn import effects
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
 
-_EFFECTS = (*friction.EFFECTS, *bearings.EFFECTS, *joints.EFFECTS, *rigid.EFFECTS, *sensors.EFFECTS)
-CATALOGUE: Final = MappingProxyType({effect.id: effect for effect in _EFFECTS})
+#: Where effects stand whose module does not say it (``ORDER``): last.
+_LAST = 1000
+
+
+def _discovered() -> Iterator[Effect]:
+    """The effects of each module of this folder that lists some in ``EFFECTS``, in the order of ``ORDER`` and
+    then of names."""
+    names = [entry.name for entry in pkgutil.iter_modules(effects.__path__) if entry.name != "catalogue"]
+    modules = [importlib.import_module(f"{effects.__name__}.{name}") for name in names]
+    for module in sorted(modules, key=lambda each: (getattr(each, "ORDER", _LAST), each.__name__)):
+        yield from getattr(module, "EFFECTS", ())
+
+
+def _by_id() -> dict[str, Effect]:
+    catalogue: dict[str, Effect] = {}
+    for one in _discovered():
+        if one.id in catalogue:
+            raise ValueError(f"two effects are called {one.id!r}: one of them must have another id")
+        catalogue[one.id] = one
+    return catalogue
+
+
+CATALOGUE: Final = MappingProxyType(_by_id())
 
 
 def effect(id: str) -> Effect:

@@ -18,9 +18,11 @@ All are reflected to the joint's side of the gear.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, Literal
+
+from robodyn.effects.traits import Traits
 
 #: What a parameter is: a number, three numbers, an efficiency (number or table), an inertia tensor, one of
 #: some words, or the number of another joint.
@@ -134,7 +136,7 @@ class Effect:
     comes to in steady motion; ``potential`` is the energy [J] over position of a torque that has one.
     ``linear`` are the parameters that it is linear in, ``dissipative`` says that it never feeds energy in.
     ``signature`` says how a log shows it, ``rivals`` what else may look like it, ``separates`` what to record
-    to tell them apart.
+    to tell them apart. ``traits`` hold what the other rooms ask of it.
     """
 
     id: str
@@ -156,6 +158,7 @@ class Effect:
     linear: tuple[str, ...] = ()
     dissipative: bool = False
     needs_load: bool = False
+    traits: Traits = field(default_factory=Traits)
 
     @property
     def kind(self) -> str:
@@ -163,6 +166,15 @@ class Effect:
         if self.memory is not None or self.coupler is not None:
             return "state"
         return {"sensor": "sensor", "rigid": "rigid", "outside": "outside"}.get(self.place, "algebraic")
+
+    def is_dry(self, values: Values, revolute: bool) -> bool:
+        """Whether its torque follows the direction of motion, however slow that is, so that it may hold a
+        joint at rest. (What remembers is held by its states.)"""
+        if self.equation is None or self.memory is not None:
+            return False
+        one, two, three = Fraction(1), Fraction(2), Fraction(3)
+        forth = Site(revolute, one, one / 8, one, one, two, (one, two, three), (three, one, two))
+        return bool(self.equation(values, forth) != self.equation(values, replace(forth, direction=-one)))
 
     @property
     def names(self) -> tuple[str, ...]:

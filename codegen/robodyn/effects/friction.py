@@ -1,20 +1,28 @@
-"""Friction that depends on the velocity alone, and the friction that remembers."""
+"""Friction that depends on the velocity alone."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.effects.effect import Effect, Fault, Memory, Parameter, Site, Values
-from robodyn.effects.scalars import exponential, is_finite, is_positive, is_zero, magnitude, power, sign
+from robodyn.effects.effect import Effect, Fault, Parameter, Site, Values
+from robodyn.effects.scalars import exponential, is_zero, magnitude, power
+from robodyn.effects.traits import Fold, Form, Hidden, Law, Limit, Traits, Usual, between
 
+#: Where these stand among the others, for a person who reads them.
+ORDER = 10
 TORQUE, FORCE = "N m", "N"
+#: What is usual of a friction torque, as a share of the joint's.
+SHARE = 0.05
 
 
 def level(name: str, doc: str, symbol: str, **more: Any) -> Parameter:
     """A parameter that is a torque of friction: not negative."""
     return Parameter(name, doc, TORQUE, FORCE, sign="nonnegative", symbol=symbol, **{"names": True, **more})
 
+
+_COEFFICIENT = Law(lambda given, at: (at.qd,), (1,), lambda x, given: {"coefficient": float(x[0])}, 1)
 
 VISCOUS = Effect(
     id="viscous_friction",
@@ -41,7 +49,20 @@ VISCOUS = Effect(
     equation=lambda p, at: p["coefficient"] * at.qd,
     linear=("coefficient",),
     dissipative=True,
-)
+    traits=Traits(
+        fold=Fold("joint", "viscous", "coefficient", "friction"),
+        candidates=(
+            _COEFFICIENT,
+            # Dry friction that was found without it has taken some of its place.
+            replace(
+                _COEFFICIENT, order=2, beside=("coulomb_friction",), feasible=lambda x: bool(x[0] > 0),
+                rubbing=True, rough=True,
+            ),
+        ),
+        hidden=Hidden(lambda u, way, rng: Form(lambda x: {"coefficient": x}, SHARE * u.tau / u.speed)),
+        over="velocity",
+    ),
+)  # fmt: skip
 
 #: Share of its velocity below which a power of the speed is a straight line, so that its slope is finite.
 _STRAIGHT = Fraction(1, 1000)
@@ -59,6 +80,21 @@ def _like(constant: Any, x: Any) -> Any:
     """A constant as arrays and floats take it; graphs keep it exact."""
     plain = isinstance(x, float) or hasattr(x, "dtype")
     return float(constant) if plain and isinstance(constant, Fraction) else constant
+
+
+def _power_form(u: Usual, way: float, rng: Any) -> Form:
+    a = float(rng.choice([0.5, 0.6, 0.7, 2.0]))
+    return Form(lambda x: {"level": x, "exponent": a}, SHARE * u.tau / u.speed**a)
+
+
+#: With an exponent below this it is a level.
+_FLAT = 0.15
+
+
+def _power_level(p: Values, speed: float) -> dict[str, float | str]:
+    """Its torque at the ``speed``, as a level."""
+    velocity = float(p.get("velocity", 1.0))
+    return {"level": float(p["level"]) * (speed / velocity) ** float(p["exponent"])}
 
 
 POWER_LAW = Effect(
@@ -88,6 +124,23 @@ POWER_LAW = Effect(
     equation=_power_law,
     linear=("level",),
     dissipative=True,
+    traits=Traits(
+        candidates=(
+            # What viscous and dry friction leave is bent; before they are found, it is a rival of everything.
+            Law(
+                lambda given, at: (_power_law({"level": 1.0, "velocity": 1.0, **given}, at),), (1,),
+                lambda x, given: {"level": float(x[0]), **given}, 6,
+                grid=tuple({"exponent": a} for a in (0.4, 0.6, 1.6, 2.0)),
+                beside=("viscous_friction", "coulomb_friction"), feasible=lambda x: bool(x[0] > 0),
+                rubbing=True, rough=True,
+            ),
+        ),
+        contains=("coulomb_friction", "viscous_friction"),
+        one_law_with=("viscous_friction", "coulomb_friction"),
+        limit=Limit("coulomb_friction", lambda p: float(p["exponent"]) < _FLAT, _power_level),
+        hidden=Hidden(_power_form),
+        over="velocity",
+    ),
 )  # fmt: skip
 
 
@@ -106,7 +159,16 @@ COULOMB = Effect(
     equation=lambda p, at: p["level"] * at.direction,
     linear=("level",),
     dissipative=True,
-)
+    traits=Traits(
+        one_way="level",
+        fold=Fold("joint", "coulomb", "level", "friction"),
+        candidates=(
+            Law(lambda given, at: (at.direction,), (1,), lambda x, given: {"level": float(x[0])}, 1),
+        ),
+        hidden=Hidden(lambda u, way, rng: Form(lambda x: {"level": x}, SHARE * u.tau)),
+        over="velocity",
+    ),
+)  # fmt: skip
 
 
 def _asymmetric(p: Values, at: Site) -> Any:
@@ -114,6 +176,11 @@ def _asymmetric(p: Values, at: Site) -> Any:
     forward, backward = p["positive"], p["negative"]
     even = (forward - backward) / 2
     return (forward + backward) / 2 * at.direction + even * magnitude(at.direction)
+
+
+def _asymmetric_form(u: Usual, way: float, rng: Any) -> Form:
+    lean = way * between(rng, 0.25, 0.5)
+    return Form(lambda x: {"positive": x * (1 + lean), "negative": x * (1 - lean)}, SHARE * u.tau)
 
 
 ASYMMETRIC = Effect(
@@ -136,7 +203,22 @@ ASYMMETRIC = Effect(
     equation=_asymmetric,
     linear=("positive", "negative"),
     dissipative=True,
-)
+    traits=Traits(
+        levels=("positive", "negative"),
+        one_way="nearly",
+        candidates=(
+            Law(
+                lambda given, at: (at.direction, magnitude(at.direction)), (1, 0),
+                lambda x, given: {"positive": float(x[0] + x[1]), "negative": float(x[0] - x[1])}, 3,
+                feasible=lambda x: bool(abs(x[1]) <= x[0]),
+            ),
+        ),
+        contains=("coulomb_friction",),
+        both_ways=True,
+        hidden=Hidden(_asymmetric_form),
+        over="velocity",
+    ),
+)  # fmt: skip
 
 
 def _stribeck(p: Values, at: Site) -> Any:
@@ -156,6 +238,19 @@ def _stribeck_fault(p: Values, revolute: bool) -> Fault | None:
             "exchange the two, or use coulomb_friction",
         )
     return None
+
+
+def _stribeck_columns(given: Values, at: Site) -> tuple[Any, Any]:
+    """Torques by the level, and by the rise above it."""
+    shape = {"exponent": 2, **given}
+    return _stribeck({"level": 1.0, "static": 1.0, **shape}, at), _stribeck(
+        {"level": 0.0, "static": 1.0, **shape}, at
+    )
+
+
+def _stribeck_form(u: Usual, way: float, rng: Any) -> Form:
+    rise, knee = between(rng, 1.6, 2.5), u.slow * between(rng, 0.7, 1.4)
+    return Form(lambda x: {"level": x, "static": rise * x, "velocity": knee}, SHARE * u.tau)
 
 
 STRIBECK = Effect(
@@ -184,64 +279,21 @@ STRIBECK = Effect(
     check=_stribeck_fault,
     linear=("level", "static"),
     dissipative=True,
-)  # fmt: skip
-
-
-def _bristle_rate(p: Values, at: Site, state: tuple[Any, ...]) -> tuple[Any, ...]:
-    (z,) = state
-    return (at.qd - p["stiffness"] * magnitude(at.qd) / p["level"] * z,)
-
-
-def _bristle_torque(p: Values, at: Site, state: tuple[Any, ...]) -> Any:
-    (z,) = state
-    (rate,) = _bristle_rate(p, at, state)
-    return p["stiffness"] * z + p["damping"] * rate
-
-
-def _bristle_step(p: Values, at: Site, state: tuple[Any, ...], dt: Any) -> tuple[tuple[Any, ...], Any]:
-    # Exact for a velocity that is constant over dt: stable for any dt, however stiff the bristles. Where the
-    # velocity or dt is infinite or no number, or dt negative, z stays, to the bit: left is 1 then, full 0.
-    (z,) = state
-    way = p["stiffness"] * magnitude(at.qd) / p["level"] * dt
-    moving = is_positive(way) * is_finite(way)
-    left = power(exponential(-magnitude(way)), moving)
-    full = p["level"] / p["stiffness"] * (sign(at.qd) * moving)
-    moved = (full + (z - full) * left,)
-    # That a velocity is no number shows in the torque all the same.
-    nothing = magnitude(at.qd) - sign(at.qd) * at.qd
-    return moved, _bristle_torque(p, at, moved) + nothing
-
-
-PRESLIDING = Effect(
-    id="presliding_hysteresis",
-    title="Presliding hysteresis (LuGre)",
-    level="joint",
-    place="motor",
-    parameters=(
-        Parameter(
-            "stiffness", "Stiffness of the contact before it slides.", "N m/rad", "N/m", sign="positive",
-            names=True, symbol=r"\sigma_0",
+    traits=Traits(
+        levels=("level", "static"),
+        one_way="nearly",
+        candidates=(
+            Law(
+                _stribeck_columns, (1, 1),
+                lambda x, given: {"level": float(x[0]), "static": float(x[0] + x[1]), **given}, 4,
+                grid=tuple({"velocity": v} for v in (0.01, 0.02, 0.04, 0.08, 0.15, 0.3)),
+                suits=lambda given, top: given["velocity"] < 0.6 * top,
+            ),
         ),
-        Parameter(
-            "level", "Coulomb level, reached when it slides.", TORQUE, FORCE, sign="positive", names=True,
-            symbol="F_c",
-        ),
-        Parameter(
-            "damping", "Damping of the contact.", "N m s/rad", "N s/m", sign="nonnegative",
-            default=Fraction(0), names=True, symbol=r"\sigma_1",
-        ),
+        contains=("coulomb_friction",),
+        hidden=Hidden(_stribeck_form),
+        over="velocity",
     ),
-    latex=r"\dot z = \dot q - \frac{\sigma_0 |\dot q|}{F_c} z, \qquad \tau = \sigma_0 z + \sigma_1 \dot z",
-    doc="The contact is a spring until it slides: friction depends on the way since the last reversal. "
-    "State z [rad or m] is how far it is bent; begun at z = 0 it never feeds energy in. In steady motion, "
-    "and in functions without memory, tau is F_c sgn(qd).",
-    signature="after a reversal the torque follows the distance, not the velocity; a loop over position",
-    rivals=("coulomb_friction", "stribeck_friction", "backlash", "joint_elasticity"),
-    separates="reversals of several amplitudes below level/stiffness",
-    source="Canudas de Wit, Olsson, Astrom and Lischinsky 1995; Dahl 1968 without damping",
-    equation=lambda p, at: p["level"] * at.direction,
-    memory=Memory(("z",), _bristle_step, _bristle_rate, _bristle_torque),
-    dissipative=True,
 )  # fmt: skip
 
-EFFECTS = (VISCOUS, COULOMB, ASYMMETRIC, STRIBECK, POWER_LAW, PRESLIDING)
+EFFECTS = (VISCOUS, COULOMB, ASYMMETRIC, STRIBECK, POWER_LAW)

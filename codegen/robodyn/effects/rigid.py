@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
+from typing import Any
 
 from robodyn.effects.effect import Effect, Fault, Parameter, Values
+from robodyn.effects.traits import Fold, Form, Hidden, Shown, Traits, Usual
+
+#: Where these stand among the others, for a person who reads them.
+ORDER = 60
 
 _ZERO = Fraction(0)
+
+
+def _load_form(u: Usual, way: float, rng: Any) -> Form:
+    x0, y0, z0 = (float(v) for v in rng.uniform([-0.05, -0.05, 0.03], [0.05, 0.05, 0.15]))
+    return Form(lambda x: {"mass": x, "com_x": x0, "com_y": y0, "com_z": z0}, 0.3, 1e-3, 50.0)
+
 
 PAYLOAD = Effect(
     id="payload",
@@ -29,11 +41,21 @@ PAYLOAD = Effect(
     rivals=("inertial_error", "base_tilt", "torque_gain", "encoder_offset"),
     separates="turning the wrist; a log of the same trajectory without the load",
     source="Atkeson, An and Hollerbach 1986",
+    traits=Traits(body=True, candidates=(Shown(6),), wide=True, hidden=Hidden(_load_form)),
 )  # fmt: skip
 
 
 def _delta(name: str, what: str, unit: str) -> Parameter:
     return Parameter(name, f"Added to {what}.", unit, default=_ZERO, names=True)
+
+
+def _numbers_form(u: Usual, way: float, rng: Any) -> Form:
+    a, b = (float(v) for v in rng.standard_normal(2) * 0.05)
+    return Form(
+        lambda x: {"delta_mass": 0.5 * x * u.mass, "delta_com_x": a * x, "delta_com_y": b * x,
+                   "delta_zz": 0.2 * x},
+        0.3, 1e-3, 3.0,
+    )  # fmt: skip
 
 
 INERTIAL = Effect(
@@ -56,7 +78,16 @@ INERTIAL = Effect(
     rivals=("payload", "rotor_inertia", "spring"),
     separates="motions that excite that link's accelerations in all directions",
     source="Gautier and Khalil 1990",
+    traits=Traits(
+        fold=Fold("link"), candidates=(Shown(8),), wide=True, hidden=Hidden(_numbers_form, needs="load")
+    ),
 )  # fmt: skip
+
+
+def _tilt_form(u: Usual, way: float, rng: Any) -> Form:
+    c, s = (float(f(rng.uniform(0, 2 * math.pi))) for f in (math.cos, math.sin))
+    return Form(lambda x: {"tilt_x": x * c, "tilt_y": x * s}, 0.05, 1e-4, 0.25)
+
 
 TILT = Effect(
     id="base_tilt",
@@ -76,6 +107,9 @@ TILT = Effect(
     rivals=("payload", "encoder_offset", "spring"),
     separates="turning the first joint by more than 120 degrees with the arm stretched out",
     source="Craig, Introduction to Robotics, section 6.5",
+    traits=Traits(
+        fold=Fold("gravity"), candidates=(Shown(3),), reevaluate=True, wide=True, hidden=Hidden(_tilt_form)
+    ),
 )  # fmt: skip
 
 
@@ -85,6 +119,16 @@ def _window(p: Values, revolute: bool) -> Fault | None:
             "end", "is not after the start", f"more than {float(p['start'])!r} s", "exchange the two"
         )
     return None
+
+
+def _push_form(u: Usual, way: float, rng: Any) -> Form:
+    start = float(rng.uniform(0.2, 0.7)) * u.duration
+    end = start + float(rng.uniform(0.03, 0.08)) * u.duration
+    push = rng.standard_normal(3)
+    size = math.sqrt(sum(float(x) ** 2 for x in push))
+    window = {"start": round(start, 3), "end": round(end, 3), "link": float(u.joints)}
+    force = {f"force_{axis}": float(x) / size for axis, x in zip("xyz", push, strict=True)}
+    return Form(lambda x: {**window, **{k: x * f for k, f in force.items()}}, 30.0, 0.01, 500.0)
 
 
 CONTACT = Effect(
@@ -115,6 +159,9 @@ CONTACT = Effect(
     separates="the same motion again",
     source="De Luca and Mattone 2005",
     check=_window,
+    traits=Traits(
+        several=True, candidates=(Shown(5),), wide=True, hidden=Hidden(_push_form), over="a short time"
+    ),
 )  # fmt: skip
 
 EFFECTS = (PAYLOAD, INERTIAL, TILT, CONTACT)

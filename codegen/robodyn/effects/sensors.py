@@ -9,8 +9,12 @@ from __future__ import annotations
 from typing import Any
 
 from robodyn.effects.effect import Effect, Parameter, Site, Values
-from robodyn.effects.friction import FORCE, TORQUE
+from robodyn.effects.friction import FORCE, SHARE, TORQUE
 from robodyn.effects.scalars import clamped
+from robodyn.effects.traits import Channel, Form, Hidden, Shown, Traits, Usual
+
+#: Where these stand among the others, for a person who reads them.
+ORDER = 70
 
 BIAS = Effect(
     id="torque_bias",
@@ -26,6 +30,13 @@ BIAS = Effect(
     source="Craig, Introduction to Robotics, section 9",
     equation=lambda p, at: p["bias"],
     linear=("bias",),
+    traits=Traits(
+        one_way="level",
+        channel=Channel("bias", "bias"),
+        candidates=(Shown(1),),
+        hidden=Hidden(lambda u, way, rng: Form(lambda x: {"bias": way * x}, SHARE * u.tau)),
+        over="constant",
+    ),
 )
 
 GAIN = Effect(
@@ -42,6 +53,18 @@ GAIN = Effect(
     source="Gautier and Briot 2014",
     equation=lambda p, at: p["gain"] * at.tau,
     linear=("gain",),
+    traits=Traits(
+        of_all=True,
+        channel=Channel("gain", "gain"),
+        candidates=(Shown(2),),
+        reevaluate=True,
+        hidden=Hidden(
+            lambda u, way, rng: Form(lambda x: {"gain": way * x}, 0.05, 1e-3, 0.5),
+            needs="load",
+            at_joint=True,
+        ),
+        over="load",
+    ),
 )
 
 DELAY = Effect(
@@ -57,6 +80,14 @@ DELAY = Effect(
     rivals=("rotor_inertia", "joint_elasticity"),
     separates="fast reversals at two speeds",
     source="Ljung, System Identification, section 3.2",
+    traits=Traits(
+        of_all=True,
+        channel=Channel("delay", "delay"),
+        adds=("delay",),
+        candidates=(Shown(3, of_all=2),),
+        reevaluate=True,
+        hidden=Hidden(lambda u, way, rng: Form(lambda x: {"delay": x}, 0.005, 1e-4, 0.05)),
+    ),
 )
 
 OFFSET = Effect(
@@ -73,11 +104,25 @@ OFFSET = Effect(
     source="Mooring, Roth and Driels 1991",
     equation=lambda p, at: p["offset"],
     linear=("offset",),
+    traits=Traits(
+        channel=Channel("position", "offset"),
+        candidates=(Shown(3),),
+        reevaluate=True,
+        wide=True,
+        hidden=Hidden(
+            lambda u, way, rng: Form(lambda x: {"offset": way * x}, 0.03, 1e-4, 0.2), needs="gravity"
+        ),
+    ),
 )
 
 
 def _clip(p: Values, at: Site) -> Any:
     return clamped(at.tau, -p["limit"], p["limit"]) - at.tau
+
+
+def _limit_form(u: Usual, way: float, rng: Any) -> Form:
+    who = str(rng.choice(["drive", "sensor"]))
+    return Form(lambda x: {"limit": u.peak / (1 + x), "clips": who}, 0.15, 0.01, 0.8)
 
 
 SATURATION = Effect(
@@ -100,6 +145,13 @@ SATURATION = Effect(
     separates="a slower motion, or the drive's own limits",
     source="Craig, Introduction to Robotics, section 9",
     equation=_clip,
+    traits=Traits(
+        channel=Channel("limit", "limit", "clips"),
+        candidates=(Shown(2),),
+        reevaluate=True,
+        hidden=Hidden(_limit_form, needs="load"),
+        over="load",
+    ),
 )  # fmt: skip
 
 EFFECTS = (BIAS, GAIN, DELAY, OFFSET, SATURATION)

@@ -1,4 +1,4 @@
-"""Emission: a program spelled in C or Fortran. Returns texts by name, writes nothing."""
+"""Emission: a program spelled in a language. Returns texts by name, writes nothing."""
 
 from robodyn.emit.render import Unit, render
 

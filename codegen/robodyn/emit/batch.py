@@ -13,11 +13,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from robodyn.emit.languages.c import c_spelling, c_syntax, c_trig
 from robodyn.emit.lines import head_of
 from robodyn.emit.render import ARRAYS, PURPOSES, Unit, environment
-from robodyn.emit.spelling import WIDTH, Spelling, c_spelling
+from robodyn.emit.spelling import WIDTH, Spelling
 from robodyn.emit.statements import Apply, Body, Expression, Statement, statements
-from robodyn.emit.trig import trig_context
+from robodyn.emit.syntax import Syntax
 from robodyn.errors import InputError
 from robodyn.ir.program import Input
 from robodyn.ir.signature import Signature
@@ -65,8 +66,8 @@ def batch_files(unit: Unit) -> dict[str, str]:
         "suffix": "f" if single else "",
         "functions": [function.context() for function in functions],
         "helpers": [helper for helper in _HELPERS if helper in used],
-        "trig": trig_context(c_spelling(single=single), f"const {name}_real ", ";"),
-        "lanes_trig": trig_context(c_spelling(single=single), "const LANES_VEC ", ";"),
+        "trig": c_trig(name, single=single),
+        "lanes_trig": c_trig(name, single=single, real="LANES_VEC"),
         "sines": any(function.sines for function in functions),
         "tile": TILE,
         "chunk": CHUNK,
@@ -161,9 +162,8 @@ class _Lines:
     def __init__(self, signature: Signature, body: Body) -> None:
         single = signature.scalar == "float"
         scalar = c_spelling(single=single)
-        self._spelling = _on_lanes(scalar)
-        self._scalar = scalar
-        self._real = f"{signature.robot}_real"
+        self._scalar = _indented(c_syntax(scalar, f"{signature.robot}_real", libm=False))
+        self._vector = _indented(c_syntax(_on_lanes(scalar), "LANES_VEC", libm=False))
         #: Names of values that are the same in all states: they come of constants and parameters alone.
         self._uniform: set[str] = set()
         self._angles = {s.name: s.expression for s in body.statements if s.angle}
@@ -209,9 +209,9 @@ class _Lines:
             return
         if self._same(e):
             self._uniform.add(s.name)
-            self._add(f"const {self._real} {s.name} = {self._scalar.text(e)};")
+            self.lines += self._scalar.statement(Statement(s.name, e))
             return
-        self._add(f"const LANES_VEC {s.name} = {self._text(e)};")
+        self.lines += self._vector.statement(Statement(s.name, self._lifted(e)))
 
     def _sine(self, e: Apply) -> None:
         """Sine and cosine of one angle, at the first of them."""
@@ -235,11 +235,11 @@ class _Lines:
 
     def _lanes(self, e: Expression) -> str:
         if self._same(e):
-            return f"LANES_NAME(all)({self._scalar.text(e)})"
+            return f"LANES_NAME(all)({self._scalar.spelling.text(e)})"
         return self._text(e)
 
     def _text(self, e: Expression) -> str:
-        return self._spelling.text(self._lifted(e))
+        return self._vector.spelling.text(self._lifted(e))
 
     def _lifted(self, e: Expression) -> Expression:
         """``e`` with numbers that are the same in all states made vectors where a function wants vectors;
@@ -249,7 +249,7 @@ class _Lines:
         if e.op not in _HELPERS:
             return Apply(e.op, tuple(map(self._lifted, e.args)))
         if self._same(e):
-            return self._scalar.text(e)
+            return self._scalar.spelling.text(e)
         return Apply(e.op, tuple(map(self._lanes, e.args)))
 
     def _same(self, e: Expression) -> bool:
@@ -260,7 +260,11 @@ class _Lines:
         return all(map(self._same, e.args)) if isinstance(e, Apply) else True
 
     def _add(self, text: str) -> None:
-        self.lines.extend(self._spelling.wrapped(text, " " * 8))
+        self.lines += self._vector.line(text)
+
+
+def _indented(syntax: Syntax) -> Syntax:
+    return replace(syntax, indent=" " * 8)
 
 
 def _on_lanes(scalar: Spelling) -> Spelling:

@@ -2,23 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from robodyn.emit.results import Result, inputs_of, results_after
-from robodyn.emit.sines import ANGLES, COSINES, SINES, Sines, together
-from robodyn.emit.statements import Body, Expression, Statement
+from robodyn.emit.sines import ANGLES, COSINES, SINES, together
+from robodyn.emit.statements import Body, Expression
+from robodyn.emit.syntax import Syntax
 from robodyn.ir.program import Input
-
-
-@dataclass(frozen=True, slots=True)
-class Said:
-    """A language: a comment (``%s`` its text), a statement, a result, our sine and cosine."""
-
-    comment: str
-    statement: Callable[[Statement], list[str]]
-    result: Callable[[Result], list[str]]
-    sines: Sines
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +26,8 @@ class Lines:
     parameters: bool
 
 
-def body_lines(body: Body, said: Said, *, builtin: bool, lanes: int, soon: bool) -> Lines:
-    """``body`` in lines.
+def body_lines(body: Body, syntax: Syntax, *, builtin: bool, lanes: int, soon: bool) -> Lines:
+    """``body`` in lines of ``syntax``.
 
     ``builtin``: sines and cosines are our own, those of ``lanes`` angles at a time; ``soon``: results are
     written as soon as they are there, among the statements.
@@ -48,17 +38,17 @@ def body_lines(body: Body, said: Said, *, builtin: bool, lanes: int, soon: bool)
     arrays: dict[str, int] = {}
     waiting = {}
 
-    def say(statement: Statement) -> list[str]:
-        heading = ["    " + said.comment % statement.heading] if statement.heading else []
-        return heading + said.statement(statement)
+    def result(it: Result) -> list[str]:
+        return syntax.result(syntax.spelling.element(it.array, it.place), it.expression)
 
-    if builtin:
+    sines = syntax.sines
+    if builtin and sines is not None:
         found = together(body, lanes)
         body, waiting = found.body, dict(found.later)
         names = list(dict.fromkeys(s.name for s in (*found.sums, *body.statements)))
         if found.angles:
-            angles = [line for statement in found.sums for line in say(statement)]
-            angles += said.sines.all(found.angles)
+            angles = [line for statement in found.sums for line in syntax.statement(statement)]
+            angles += sines.all(found.angles)
             arrays |= dict.fromkeys((ANGLES, SINES, COSINES), len(found.angles))
         arrays |= dict.fromkeys(found.later, 2)
     expressions = [*_expressions(body), *waiting.values()]
@@ -68,12 +58,12 @@ def body_lines(body: Body, said: Said, *, builtin: bool, lanes: int, soon: bool)
     results = results_after(body.statements, body, soon=soon)
     for k, statement in enumerate(body.statements):
         for read in (x.array for x in inputs_of(statement.expression)):
-            if read in waiting:
-                lines += said.sines.pair(read, waiting.pop(read))
-        lines += say(statement)
-        for result in results.get(k, ()):
-            lines += said.result(result)
-    end = [line for result in results.get(-1, ()) for line in said.result(result)]
+            if sines is not None and read in waiting:
+                lines += sines.pair(read, waiting.pop(read))
+        lines += syntax.statement(statement)
+        for early in results.get(k, ()):
+            lines += result(early)
+    end = [line for last in results.get(-1, ()) for line in result(last)]
     return Lines(angles, lines, end, names, arrays, reads, parameters)
 
 

@@ -1,4 +1,4 @@
-"""Operations as lines of C, one at a time, in whatever order a schedule has."""
+"""Operations as statements, one at a time, in whatever order a schedule has."""
 
 from __future__ import annotations
 
@@ -6,25 +6,27 @@ import textwrap
 from collections.abc import Collection, Sequence
 
 from robodyn.emit.render import comment
-from robodyn.emit.spelling import WIDTH, Spelling
-from robodyn.emit.statements import Apply, Expression, unique
-from robodyn.ir.program import Operand, Program
+from robodyn.emit.results import inputs_of
+from robodyn.emit.spelling import WIDTH
+from robodyn.emit.statements import Apply, Expression, Statement, unique
+from robodyn.emit.syntax import Syntax
+from robodyn.ir.program import Input, Operand, Program
 from robodyn.robot.model import Robot
 
 
 class Writer:
-    """Writes operations of ``program`` as statements of C, and keeps in mind what they are called.
+    """Writes operations of ``program`` as statements, and keeps in mind what they are called.
 
     A value that is used once, by an operation of the same task, is written where it is used. ``again``: sines
-    read the angles a second time (without it gcc joins sine and cosine into sincos, which not every libm
-    has).
+    read angles under another name; ``inputs`` are those that have been read, under the names that stand
+    there.
     """
 
-    def __init__(self, program: Program, spelling: Spelling, real: str) -> None:
+    def __init__(self, program: Program, syntax: Syntax) -> None:
         self.program = program
-        self.spelling = spelling
-        self.real = real
+        self.syntax = syntax
         self.again = False
+        self.inputs: set[Input] = set()
         self._uses = program.uses()
         self._users: dict[int, set[int]] = {}
         self._names: dict[int, Expression] = {}
@@ -61,7 +63,7 @@ class Writer:
         """Call the value of operation ``i``, which stands in ``source``, by its name from here on."""
         name = self._named(i)
         self._names[i] = name
-        return [f"    const {self.real} {name} = {source};"]
+        return self.syntax.line(self.syntax.declare(name, source))
 
     def called(self, i: int, text: str) -> None:
         """From here on the value of operation ``i`` is what ``text`` says."""
@@ -78,28 +80,24 @@ class Writer:
             return []
         name = self._named(i)
         self._names[i] = name
-        kind = f"const volatile {self.real}" if i in self._angles else f"const {self.real}"
-        text = self.spelling.text(expression, self._second)
-        return self.spelling.wrapped(f"{kind} {name} = {text};", "    ")
+        self.again |= self.syntax.rereads(expression)
+        self.inputs.update(inputs_of(self.syntax.as_read(expression)))
+        return self.syntax.statement(Statement(name, expression, angle=i in self._angles))
 
     def assigned(self, target: str, operand: Operand) -> list[str]:
         """``target = operand``."""
-        return self.spelling.wrapped(f"{target} = {self.text(operand)};", "    ")
+        expression = self._operand(operand)
+        self.inputs.update(inputs_of(expression))
+        return self.syntax.result(target, expression)
 
     def text(self, operand: Operand) -> str:
-        """An operand as C."""
-        return self.spelling.text(self._operand(operand))
+        """An operand in the language."""
+        expression = self._operand(operand)
+        self.inputs.update(inputs_of(expression))
+        return self.syntax.spelling.text(expression)
 
     def _operand(self, operand: Operand) -> Expression:
         return self._names[operand] if isinstance(operand, int) else operand
-
-    def _second(self, argument: Expression) -> str:
-        if isinstance(argument, str):
-            return argument
-        text = self.spelling.text(argument)
-        if "q[" in text:
-            self.again = True
-        return text.replace("q[", "again[", 1)
 
     def _named(self, i: int) -> str:
         label = self.program.operations[i].label

@@ -7,12 +7,11 @@ lane is rounded as the operation alone is, so the bits are those of the serial k
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
+from robodyn.emit.languages.c import c_spelling, c_syntax
 from robodyn.emit.lines import Writer, head_of
 from robodyn.emit.render import environment
-from robodyn.emit.spelling import WIDTH, c_spelling
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
@@ -35,7 +34,7 @@ def packed_files(robot: Robot, signature: Signature, packing: Packing) -> dict[s
         )
     name = signature.robot
     body = _Body(signature, packing)
-    text = "\n".join(body.lines)
+    read = body.writer.inputs
     told = (
         f"{signature.function} with {packing.lanes} lanes: {packing.vectors} vector operations, "
         f"{100 * packing.filling:.0f} % of their lanes filled, and "
@@ -56,8 +55,8 @@ def packed_files(robot: Robot, signature: Signature, packing: Packing) -> dict[s
         "head": head_of(robot, [told]),
         "lines": body.lines,
         "again": body.writer.again,
-        "unused": [array for array, _ in signature.inputs if not re.search(rf"\b{array}\[", text)]
-        + (["p"] if signature.parameters and "p->" not in text else []),
+        "unused": [array for array, _ in signature.inputs if not any(x.is_of(array) for x in read)]
+        + (["p"] if signature.parameters and not any(x.index is None for x in read) else []),
     }
     return {
         f"{name}_packed.h": environment().get_template("c/packed.h.j2").render(context),
@@ -71,8 +70,9 @@ class _Body:
     def __init__(self, signature: Signature, packing: Packing) -> None:
         self.name = signature.robot
         self.packing = packing
-        self.spelling = c_spelling(single=signature.scalar == "float")
-        self.writer = Writer(packing.program, self.spelling, f"{self.name}_real")
+        spelling = c_spelling(single=signature.scalar == "float")
+        self.writer = Writer(packing.program, c_syntax(spelling, f"{self.name}_real"))
+        self.vector = c_syntax(spelling, f"{self.name}_lanes")
         self.lines: list[str] = []
         self.vectors: dict[tuple[str, ...], str] = {}
         for number, group in enumerate(packing.groups):
@@ -93,8 +93,8 @@ class _Body:
             for side in (0, 1)
         )
         name = f"lanes_{number}"
-        text = f"const {self.name}_lanes {name} = {left} {_SIGNS[operations[0].op]} {right};"
-        self.lines += self.spelling.wrapped(text, "    ") if len(text) > WIDTH - 4 else [f"    {text}"]
+        text = f"{left} {_SIGNS[operations[0].op]} {right}"
+        self.lines += self.vector.line(self.vector.declare(name, text))
         elements = [f"{name}[{k}]" for k in range(len(group))]
         for i, element in zip(group, elements, strict=True):
             self.writer.called(i, element)

@@ -8,13 +8,12 @@ memory, and read after a barrier or after its maker's counter has passed it.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import Any
 
+from robodyn.emit.languages.c import c_spelling, c_syntax
 from robodyn.emit.lines import Writer, head_of
 from robodyn.emit.render import ARRAYS, environment
-from robodyn.emit.spelling import c_spelling
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
@@ -114,7 +113,7 @@ def _lane(made: Parallel, plan: Lanes, k: int) -> dict[str, Any]:
     """The function of processor ``k``: its lines, and what it reads."""
     spelling = c_spelling(single=made.signature.scalar == "float")
     slot = {i: n for n, i in enumerate(plan.shared)}
-    writer = Writer(made.cut.program, spelling, f"{made.signature.robot}_real")
+    writer = Writer(made.cut.program, c_syntax(spelling, f"{made.signature.robot}_real"))
     lines: list[str] = []
     barriers = list(plan.barriers)
     level = 0
@@ -136,8 +135,8 @@ def _lane(made: Parallel, plan: Lanes, k: int) -> dict[str, Any]:
     written = _results(made.cut.program, plan, k, writer)
     lines += written
     text = "\n".join(lines)
-    arrays = [array for array, _ in made.signature.inputs if re.search(rf"\b{array}\[", text)]
-    parameters = "p->" in text
+    arrays = [array for array, _ in made.signature.inputs if any(x.is_of(array) for x in writer.inputs)]
+    parameters = any(x.index is None for x in writer.inputs)
     return {
         "number": k,
         "lines": lines,

@@ -8,12 +8,12 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts.count import count
-from robodyn.emit import misra
-from robodyn.emit.functions import c_function, fortran_function
-from robodyn.emit.spelling import WIDTH, Spelling, c_spelling, fortran_spelling
+from robodyn.emit.functions import function_text
+from robodyn.emit.language import Language
+from robodyn.emit.languages import defaults, languages_named
+from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import statements
-from robodyn.emit.trig import trig_context
-from robodyn.emit.unit import ARRAYS, LANGUAGES, OF_LIBM, PURPOSES, Unit, calls, counted_text, has_sines
+from robodyn.emit.unit import ARRAYS, PURPOSES, Unit, counted_text, has_sines
 from robodyn.errors import InputError
 from robodyn.resources import data_dir
 from robodyn.robot.names import check_names
@@ -22,16 +22,18 @@ if TYPE_CHECKING:
     import jinja2
 
 
-def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
-    """The files of ``unit`` in ``languages`` (``c``, ``fortran``): text by file name.
+def render(unit: Unit, languages: Sequence[str] | None = None) -> dict[str, str]:
+    """The files of ``unit`` in ``languages`` (default: those that are written unless others are asked for):
+    text by file name.
 
     Raises
     ------
-    InputError: a number does not fit, or a name cannot be emitted.
+    InputError: a number does not fit, a name cannot be emitted, or there is no such language.
     """
+    chosen = languages_named(defaults() if languages is None else languages)
     check_names(unit.robot.name, unit.functions[0][0].parameters)
     try:
-        return _render(unit, languages)
+        return _render(unit, chosen)
     except InputError as error:  # a number that does not fit
         raise InputError(
             f"{unit.robot.name}: {error.what}",
@@ -41,24 +43,17 @@ def render(unit: Unit, languages: Sequence[str] = LANGUAGES) -> dict[str, str]:
         ) from None
 
 
-def _render(unit: Unit, languages: Sequence[str]) -> dict[str, str]:
-    name = unit.robot.name
+def _render(unit: Unit, languages: Sequence[Language]) -> dict[str, str]:
     bodies = [
-        (
-            signature,
-            count(program),
-            statements(program, in_order=unit.soon),
-        )
+        (signature, count(program), statements(program, in_order=unit.soon))
         for signature, program in unit.functions
     ]
     files: dict[str, str] = {}
-    if "c" in languages:
-        context = _context(unit, [c_function(*body, unit) for body in bodies], "c")
-        files[f"{name}.h"] = _template("c/kernel.h.j2").render(context)
-        files[f"{name}.c"] = _template("c/kernel.c.j2").render(context)
-    if "fortran" in languages:
-        context = _context(unit, [fortran_function(*body, unit) for body in bodies], "fortran")
-        files[f"{name}.f90"] = _template("fortran/kernel.f90.j2").render(context)
+    for language in languages:
+        functions = [function_text(language, *body, unit) for body in bodies]
+        context = _context(unit, functions, language)
+        for file, template in language.files.items():
+            files[file.replace("NAME", unit.robot.name)] = _template(template).render(context)
     return files
 
 
@@ -73,7 +68,7 @@ def environment() -> jinja2.Environment:
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        autoescape=False,  # C and Fortran, not HTML; texts from files pass through comment
+        autoescape=False,  # code, not HTML; texts from files pass through comment
     )
 
 
@@ -81,29 +76,22 @@ def _template(name: str) -> jinja2.Template:
     return environment().get_template(name)
 
 
-def _context(unit: Unit, functions: list[dict[str, Any]], language: str) -> dict[str, Any]:
+def _context(unit: Unit, functions: list[dict[str, Any]], language: Language) -> dict[str, Any]:
     signature = unit.functions[0][0]
-    single = signature.scalar == "float"
-    if language == "c":
-        trig = trig_context(c_spelling(single=single), f"const {unit.robot.name}_real ", ";")
-    else:
-        trig = trig_context(fortran_spelling(single=single))
+    own = language.context(unit)
     return {
         "name": unit.robot.name,
-        "trig": trig if has_sines(unit) else None,
-        "contraction": None if unit.contraction is None else unit.contraction.upper(),
-        "math": not unit.builtin or bool(calls(unit) & OF_LIBM),
-        "guard": f"{unit.robot.name.upper()}_H",
         "scalar": signature.scalar,
-        "kind": "c_float" if single else "c_double",
         "parameters": signature.parameters,
         "states": _states(unit),
         "functions": functions,
         "head": _head(unit, language),
+        **own,
+        "trig": own["trig"] if has_sines(unit) else None,
     }
 
 
-def _head(unit: Unit, language: str) -> list[str]:
+def _head(unit: Unit, language: Language) -> list[str]:
     """The comment at the top: what this is, units, argument order, counts by kind."""
     robot = unit.robot
     width = WIDTH - 4
@@ -137,13 +125,11 @@ def _head(unit: Unit, language: str) -> list[str]:
         )
     if unit.sc:
         say("sc, the sines and cosines that the functions read:")
+        spelling = language.spelling(unit.functions[0][0].scalar == "float")
         for k, text in enumerate(unit.sc):
-            say(f"  sc[{k}] = {text}" if language == "c" else f"  sc({k + 1}) = {text}")
-    for note in unit.notes:
+            say(f"  {spelling.element('sc', k)} = {text}")
+    for note in (*unit.notes, *language.notes(unit)):
         say(note)
-    if unit.misra and language == "c":
-        for note in misra.notes("builtin" if unit.builtin else "libm"):
-            say(note)
     for note in unit.advice:
         say(note, hyphens=False)
     lines.append("")
@@ -159,7 +145,7 @@ def _states(unit: Unit) -> tuple[str, ...]:
 
 
 def comment(text: str) -> str:
-    """``text`` from a file, made harmless inside a comment of C, C++ or Fortran: ASCII, one line, no
+    """``text`` from a file, made harmless inside a comment of any language: ASCII, one line, no
     comment marks, no trigraphs, no line splice."""
     text = "".join(ch if " " <= ch <= "~" else ("?" if ch > " " else " ") for ch in text)
     text = text.replace("\\", "|")
@@ -169,4 +155,4 @@ def comment(text: str) -> str:
     return text
 
 
-__all__ = ["ARRAYS", "LANGUAGES", "PURPOSES", "Spelling", "Unit", "render"]
+__all__ = ["ARRAYS", "PURPOSES", "Unit", "render"]

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from robodyn.emit.spelling import Spelling
 from robodyn.emit.statements import Apply, Body, Expression, Statement
 from robodyn.ir.program import Input
 from robodyn.passes.angles import SUMS, is_position
@@ -108,48 +107,3 @@ def _of_positions(angle: Expression, made: dict[str, Expression]) -> set[str] | 
         elif not is_position(expression):
             return None
     return needed
-
-
-@dataclass(frozen=True, slots=True)
-class Sines:
-    """How a language calls our sine and cosine: for all angles at once, and for one pair."""
-
-    all: Callable[[Sequence[Expression]], list[str]]
-    pair: Callable[[str, Expression], list[str]]
-
-
-def c_sines(name: str, spelling: Spelling) -> Sines:
-    """``NAME_sincos_`` in C."""
-    real = f"{name}_real"
-
-    def loop(angles: Sequence[Expression]) -> list[str]:
-        size = len(angles)
-        texts = ", ".join(spelling.text(angle) for angle in angles)
-        lines = spelling.wrapped(f"const {real} {ANGLES}[{size}] = {{{texts}}};", "    ")
-        lines += [f"    {real} {SINES}[{size}];", f"    {real} {COSINES}[{size}];"]
-        call = f"{name}_sincos_({ANGLES}[i], &{SINES}[i], &{COSINES}[i]);"
-        if size == 1:
-            return [*lines, "    " + call.replace("[i]", "[0]")]
-        return [*lines, f"    for (int i = 0; i < {size}; ++i) {{", "        " + call, "    }"]
-
-    def pair(array: str, angle: Expression) -> list[str]:
-        call = f"{name}_sincos_({spelling.text(angle)}, &{array}[0], &{array}[1]);"
-        return [f"    {real} {array}[2];", *spelling.wrapped(call, "    ")]
-
-    return Sines(loop, pair)
-
-
-def fortran_sines(name: str, spelling: Spelling) -> Sines:
-    """``NAME_sincos`` in Fortran."""
-
-    def loop(angles: Sequence[Expression]) -> list[str]:
-        lines = []
-        for i, angle in enumerate(angles):
-            lines += spelling.wrapped(f"{spelling.element(ANGLES, i)} = {spelling.text(angle)}", "    ")
-        return [*lines, f"    call {name}_sincos({ANGLES}, {SINES}, {COSINES})"]
-
-    def pair(array: str, angle: Expression) -> list[str]:
-        call = f"call {name}_sincos({spelling.text(angle)}, {array}(1), {array}(2))"
-        return spelling.wrapped(call, "    ")
-
-    return Sines(loop, pair)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -34,12 +34,12 @@ class Spelling:
         """``value`` rounded once to the scalar type, in the fewest digits that give it back."""
         return self.literal(shortest(value, single=self.single))
 
-    def text(self, expression: Expression, twice: Callable[[Expression], str] | None = None) -> str:
+    def text(self, expression: Expression) -> str:
         """``expression`` in this language; parentheses keep its grouping, so that its rounding is
-        the program's. ``twice`` writes the argument of a sine."""
-        return self._text(expression, twice)[0]
+        the program's."""
+        return self._text(expression)[0]
 
-    def _text(self, expression: Expression, twice: Callable[[Expression], str] | None) -> tuple[str, int]:
+    def _text(self, expression: Expression) -> tuple[str, int]:
         if isinstance(expression, str):
             return expression, _ATOM
         if isinstance(expression, Input):
@@ -48,20 +48,18 @@ class Spelling:
             return self.element(expression.array, expression.index), _ATOM
         if isinstance(expression, Fraction):
             return self.number(expression), (_UNARY if expression < 0 else _ATOM)
-        return self._operation(expression, twice)
+        return self._operation(expression)
 
-    def _operation(self, expression: Apply, twice: Callable[[Expression], str] | None) -> tuple[str, int]:
+    def _operation(self, expression: Apply) -> tuple[str, int]:
         op, args = expression
-        if op == "sin" and twice is not None:
-            return self.functions[op](twice(args[0])), _ATOM
         if op in self.functions:
-            return self.functions[op](*(self._text(arg, twice)[0] for arg in args)), _ATOM
+            return self.functions[op](*(self._text(arg)[0] for arg in args)), _ATOM
         if op == "neg":
-            text, strength = self._text(args[0], twice)
+            text, strength = self._text(args[0])
             return ("-" + (text if strength == _ATOM else f"({text})")), _UNARY
         symbol, own = _OPERATORS[op]
-        left, left_strength = self._text(args[0], twice)
-        right, right_strength = self._text(args[1], twice)
+        left, left_strength = self._text(args[0])
+        right, right_strength = self._text(args[1])
         if left_strength < own or (self.explicit and own < left_strength < _ATOM):
             left = f"({left})"
         explicit = self.explicit and own < right_strength < _ATOM
@@ -128,64 +126,3 @@ def nearest_float(value: Fraction) -> float:
     if rounded >= Fraction(2) ** 128:
         raise OverflowError("beyond the largest float")
     return float(rounded if value > 0 else -rounded)
-
-
-def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = False) -> Spelling:
-    """C99, also valid C++. ``states`` are the members of ``state``, where a function has one; it has ``dt``
-    then. ``explicit``: products within sums stand in parentheses."""
-
-    def element(array: str, i: int) -> str:
-        if array == "dt":
-            return array
-        return f"state->{states[i]}" if array == "state" else f"{array}[{i}]"
-
-    f = "f" if single else ""
-    zero, one = (f"0.0{f}", f"1.0{f}")
-    positive, negative = (
-        ("({} > " + zero + ")", "({} < " + zero + ")") if explicit else ("{} > " + zero, "{} < " + zero)
-    )
-    return Spelling(
-        literal=lambda digits: digits + f,
-        element=element,
-        member=lambda name: f"p->{name}",
-        functions={
-            "sin": lambda x: f"sin{f}({x})",
-            "cos": lambda x: f"cos{f}({x})",
-            "tanh": lambda x: f"tanh{f}({x})",
-            "sqrt": lambda x: f"sqrt{f}({x})",
-            "abs": lambda x: f"fabs{f}({x})",
-            "exp": lambda x: f"exp{f}({x})",
-            "pow": lambda x, y: f"pow{f}({x}, {y})",
-            "sign": lambda x: f"({positive.format(x)} ? {one} : ({negative.format(x)} ? -{one} : {zero}))",
-        },
-        single=single,
-        continuation="",
-        explicit=explicit,
-    )
-
-
-def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
-    """Fortran 2008, free form; the kind of all reals is ``rk``; ``states`` as in C."""
-
-    def element(array: str, i: int) -> str:
-        if array == "dt":
-            return array
-        return f"state%{states[i]}" if array == "state" else f"{array}({i + 1})"
-
-    return Spelling(
-        literal=lambda digits: digits + "_rk",
-        element=element,
-        member=lambda name: f"p%{name}",
-        functions={
-            "sin": lambda x: f"sin({x})",
-            "cos": lambda x: f"cos({x})",
-            "tanh": lambda x: f"tanh({x})",
-            "sqrt": lambda x: f"sqrt({x})",
-            "abs": lambda x: f"abs({x})",
-            "exp": lambda x: f"exp({x})",
-            "pow": lambda x, y: f"({x})**({y})",
-            "sign": lambda x: f"merge(1.0_rk, merge(-1.0_rk, 0.0_rk, {x} < 0.0_rk), {x} > 0.0_rk)",
-        },
-        single=single,
-        continuation=" &",
-    )

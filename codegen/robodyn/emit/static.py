@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from robodyn.emit.spelling import c_spelling
+from robodyn.emit.languages.c import c_spelling, c_syntax
 from robodyn.emit.statements import statements
 from robodyn.ir.program import Program
 
@@ -21,12 +21,14 @@ def static_function(
     place = {parameter: k for k, parameter in enumerate(parameters)}
     # Names of the description never reach this C: a parameter is a place in p.
     spelling = replace(c_spelling(single=False), member=lambda parameter: f"p[{place[parameter]}]")
+    syntax = c_syntax(spelling, "double", libm=False)  # joined sines are welcome here
     body = statements(program)
     arguments = [f"const double *{array}" for array in inputs]
     arguments += [f"double *{array}" for array in outputs.values()]
     lines = [f"static void {name}({', '.join(arguments)}, const double *p)", "{"]
-    lines += [f"    const double {s.name} = {spelling.text(s.expression)};" for s in body.statements]
+    lines += [line for statement in body.statements for line in syntax.statement(statement)]
     for array, elements in body.outputs:
-        lines += [f"    {outputs[array]}[{i}] = {spelling.text(x)};" for i, x in enumerate(elements)]
+        target = outputs[array]
+        lines += [line for i, x in enumerate(elements) for line in syntax.result(f"{target}[{i}]", x)]
     lines += [f"    (void){array};" for array in (*inputs, *outputs.values(), "p")]
     return "\n".join([*lines, "}"]) + "\n"

@@ -1,7 +1,7 @@
 """Sine and cosine of our own: the constants, and the words about range and accuracy.
 
-One reduction and one pair of polynomials, written down once for each language (``templates/c/trig.c.j2``,
-``templates/fortran/trig.f90.j2``) for double and float alike:
+One reduction and one pair of polynomials, written down once for each language (``templates/*/trig.*.j2``)
+for double and float alike:
 
 - ``k`` quarter turns are taken off in three pieces (Cody and Waite, Software Manual for the Elementary
   Functions, 1980, chapter 8): products of ``k`` with the first two are exact, the rest is ``h - n`` with
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from robodyn.emit.spelling import Spelling
+from robodyn.emit.syntax import Syntax
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,11 +93,9 @@ FLOAT = Trigonometric(
 )
 
 
-def trig_context(spelling: Spelling, declared: str = "", end: str = "") -> dict[str, Any]:
-    """What the templates of the sine and cosine are given: every number spelt in the language.
-
-    ``declared`` and ``end`` stand about a definition: ``const NAME_real``, ``;``.
-    """
+def trig_context(syntax: Syntax) -> dict[str, Any]:
+    """What the templates of the sine and cosine are told: every number spelt in the language."""
+    spelling = syntax.spelling
     of = FLOAT if spelling.single else DOUBLE
 
     def number(value: float) -> str:
@@ -105,7 +103,7 @@ def trig_context(spelling: Spelling, declared: str = "", end: str = "") -> dict[
 
     def polynomial(name: str, coefficients: tuple[float, ...]) -> list[str]:
         terms = _polynomial([number(c) for c in coefficients])
-        return spelling.wrapped(f"{declared}{name} = {terms}{end}", "    ")
+        return syntax.line(syntax.declare(name, terms))
 
     # For x = -0 the sine is -0: w must be +0 for k = +0, whatever the sign of the second piece.
     second = number(abs(of.second))
@@ -123,7 +121,6 @@ def trig_context(spelling: Spelling, declared: str = "", end: str = "") -> dict[
         "three_quarters": number(0.75),
         "sign": f"0x8{'0' * (of.bits // 4 - 1)}u",
         "told": told(single=spelling.single),
-        "refused": REFUSED,
     }
 
 
@@ -134,16 +131,6 @@ def _polynomial(terms: list[str]) -> str:
     for pair in reversed(pairs):
         text = f"({pair} + (zz*{text}))"
     return text[1:-1]
-
-
-#: Compilations that would not round as written, and what is said of them.
-REFUSED = (
-    ("defined(__FAST_MATH__)", "sine and cosine are for arithmetic as written: no -ffast-math"),
-    (
-        "defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0",
-        "sine and cosine are for arithmetic in their own type: no x87, use -msse2 -mfpmath=sse",
-    ),
-)
 
 
 def told(*, single: bool) -> tuple[str, ...]:

@@ -9,8 +9,6 @@ from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
 
-LANGUAGES = ("c", "fortran")
-
 #: What an array of an interface holds; the unit at prismatic joints stands in brackets.
 ARRAYS: dict[str, str] = {
     "q": "joint positions [rad, prismatic m]",

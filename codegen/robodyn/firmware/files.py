@@ -10,13 +10,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.emit.language import Language
+from robodyn.emit.languages import defaults, languages_named
+from robodyn.emit.languages.c import c_spelling
 from robodyn.emit.lines import head_of
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment
-from robodyn.emit.spelling import Spelling, c_spelling, fortran_spelling
+from robodyn.emit.spelling import Spelling
 from robodyn.errors import InputError
 from robodyn.firmware.digest import FNV_BASIS, FNV_PRIME, fnv1a, outputs
-from robodyn.firmware.measure import FLAGS, FORTRAN_FLAGS, QEMU, REPEATED, STATES, Figures
+from robodyn.firmware.measure import FLAGS, QEMU, REPEATED, STATES, Figures
 from robodyn.firmware.options import check_firmware
 from robodyn.firmware.sine import kernel_sine
 from robodyn.firmware.states import (
@@ -25,16 +28,17 @@ from robodyn.firmware.states import (
     DTYPE,
     INCREMENT,
     MULTIPLIER,
+    Range,
     draw,
     ranges,
     vector_states,
 )
 from robodyn.firmware.targets import Target
 from robodyn.firmware.vectors import Vectors, vectors
-from robodyn.generation import LANGUAGES, Generated
 from robodyn.ir.evaluate import angle_form
 from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType, Signature
+from robodyn.kernels.generate import Generated
 from robodyn.verify.sample import draw_parameters
 
 if TYPE_CHECKING:
@@ -53,8 +57,6 @@ _C = {
     "arm-none-eabi.cmake": "toolchain.cmake.j2",
     "Makefile": "Makefile.j2",
 }
-_FORTRAN = {"NAME_selftest.f90": "selftest.f90.j2"}
-
 _TOLD = {
     "NAME_selftest.h": "Self-test of the kernel: test vectors, and a digest of its bits.",
     "NAME_selftest.c": "Self-test of the kernel. Test vectors: results evaluated to 40 digits{confirmed}, "
@@ -62,7 +64,6 @@ _TOLD = {
     "constants and sines included: a compiler that rounds as written cannot exceed it. Digest: every bit of "
     "the results at {states} states; it differs where a compiler contracts or reorders.",
     "NAME_selftest_main.c": "The self-test on this computer.",
-    "NAME_selftest.f90": "Self-test of the Fortran kernel: the same digest of the bits as of the C.",
     "NAME_semihosting.h": "Output and exit through a debugger, or qemu.",
     "NAME_startup.c": "Start of a bare-metal image: vector table, floating-point unit, .data and .bss.",
     "NAME_image.c": "The self-test as an image, and what a call costs: ticks of SysTick at the processor's "
@@ -73,8 +74,11 @@ _TOLD = {
     "arm-none-eabi.cmake": "A toolchain file: gcc for Cortex-M.",
     "Makefile": "The self-test as an image and on this computer; GNU make.",
 }
+_OTHER = "Self-test of the {title} kernel: the same digest of the bits as of the C."
 #: Digits of a tolerance, which is rounded up.
 _UP = 1.0051
+#: Of the digests' generator: from an integer to a position in a range.
+_SCALE = Fraction(1, 2**23)
 _SMALLEST = {"float": 2.0**-126, "double": 2.0**-1022}
 _WIDTH = 96
 
@@ -93,35 +97,78 @@ class Folder:
         return template.render(self._context, name=name, figures=figures)
 
 
-def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str] = LANGUAGES) -> Folder:
+def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str] | None = None) -> Folder:
     """The firmware folder of ``made`` (with the options of :func:`robodyn.firmware.firmware_options`).
 
     Raises
     ------
-    InputError: no self-test can be made of these functions (:func:`check_firmware`), or there is no C.
+    InputError: no self-test can be made of these functions (:func:`check_firmware`), there is no C, or a
+        language that firmware is not written in.
     """
     check_firmware(made)
-    if "c" not in languages:
-        raise InputError("a firmware folder is for C", found=", ".join(languages), expected="c, or c,fortran")
-    context = _context(made, targets, fortran="fortran" in languages)
-    files = made.files(languages)
+    chosen = languages_named(defaults() if languages is None else languages)
+    names = [language.name for language in chosen]
+    unable = [language.title for language in chosen if "firmware" not in language.features]
+    if "c" not in names or unable:
+        raise InputError(
+            f"a firmware folder is not written in {' and '.join(unable)}"
+            if unable
+            else "a firmware folder is for C",
+            found=", ".join(names),
+            expected="c, or c,fortran",
+        )
+    others = [language for language in chosen if language.selftest is not None]
+    context = _context(made, targets, others)
+    files = made.files(names)
     name = made.unit.robot.name
     told = {
         "confirmed": " and confirmed by exact torques from virtual work" if context["confirmed"] else "",
         "states": DIGEST_STATES,
         "prefix": context["prefix"],
     }
-    for file, template in {**_C, **(_FORTRAN if "fortran" in languages else {})}.items():
-        head = head_of(made.unit.robot, [_TOLD[file].format(**told)])
-        files[file.replace("NAME", name)] = _template(template).render(context, head=head)
+
+    def write(file: str, template: str, head: str, **own: object) -> None:
+        heading = head_of(made.unit.robot, [head])
+        files[file.replace("NAME", name)] = _template(template).render(context, head=heading, **own)
+
+    for file, template in _C.items():
+        write(file, template, _TOLD[file].format(**told))
+    for language in others:
+        if language.selftest is not None:
+            own = _in_language(language, context["numbers"], single=made.options.scalar == "float")
+            head = _OTHER.format(title=language.title)
+            write(language.selftest.file, language.selftest.template, head, own=own)
     return Folder(files, context)
+
+
+def _in_language(language: Language, numbers: _Numbers, *, single: bool) -> dict[str, Any]:
+    """What the template of a self-test is told in the language's own spelling."""
+    assert language.selftest is not None
+    spelling = language.spelling(single)
+    return {
+        **language.selftest.types(single),
+        "ranges": [
+            {"array": s.array, "middle": _numbers(s.middle, spelling), "half": _numbers(s.half, spelling)}
+            for s in numbers.ranges
+        ],
+        "scale": spelling.number(_SCALE),
+        "parameters": [(name, spelling.number(value)) for name, value in numbers.parameters.items()],
+    }
+
+
+@dataclass(frozen=True, slots=True)
+class _Numbers:
+    """Numbers of a self-test that every language spells: ranges of the inputs, values of the parameters."""
+
+    ranges: Sequence[Range]
+    parameters: dict[str, Fraction]
 
 
 def _template(name: str) -> jinja2.Template:
     return environment().get_template(f"firmware/{name}")
 
 
-def _base(made: Generated, targets: Sequence[Target], *, fortran: bool) -> dict[str, Any]:
+def _base(made: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:
     robot, scalar = made.unit.robot, made.options.scalar
     return {
         "name": robot.name,
@@ -130,9 +177,8 @@ def _base(made: Generated, targets: Sequence[Target], *, fortran: bool) -> dict[
         "n": robot.n,
         "scalar": scalar,
         "targets": targets,
-        "fortran": fortran,
+        "others": {language.name: language.selftest for language in others},
         "flags": FLAGS,
-        "fortran_flags": FORTRAN_FLAGS,
         "qemu": QEMU,
         "measured_states": STATES,
         "repeated": REPEATED,
@@ -141,11 +187,11 @@ def _base(made: Generated, targets: Sequence[Target], *, fortran: bool) -> dict[
     }
 
 
-def _context(made: Generated, targets: Sequence[Target], *, fortran: bool) -> dict[str, Any]:
+def _context(made: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:
     """What the templates are given."""
     robot, scalar = made.unit.robot, made.options.scalar
     single = scalar == "float"
-    c, f = c_spelling(single=single), fortran_spelling(single=single)
+    c = c_spelling(single=single)
     arrays = tuple(dict.fromkeys(a for interface in made.signatures for a, _ in interface.inputs))
     spans = ranges(robot, arrays, scalar)
     at = draw(spans, DIGEST_STATES, DIGEST_SEED, scalar)
@@ -163,7 +209,7 @@ def _context(made: Generated, targets: Sequence[Target], *, fortran: bool) -> di
         bits = outputs(program, {a: at[a] for a in inputs}, values, scalar, kernel_sine(scalar))
         functions.append(_function(interface, program, found, vector_at, fnv1a(bits), scalar))
     parameters = made.signatures[0].parameters
-    return _base(made, targets, fortran=fortran) | {
+    return _base(made, targets, others) | {
         "confirmed": confirmed,
         "functions": functions,
         "vectors": len(vector_at[arrays[0]]),
@@ -177,21 +223,11 @@ def _context(made: Generated, targets: Sequence[Target], *, fortran: bool) -> di
         "increment": INCREMENT,
         "basis": FNV_BASIS,
         "prime": FNV_PRIME,
-        "scale": c.number(Fraction(1, 2**23)),
+        "scale": c.number(_SCALE),
         "largest": c.number(Fraction(10**38 if single else 10**308)),
         "bits": "uint32_t" if single else "uint64_t",
         "width": 32 if single else 64,
-        "in_fortran": {
-            "ranges": [
-                {"array": s.array, "middle": _numbers(s.middle, f), "half": _numbers(s.half, f)}
-                for s in spans
-            ],
-            "kind": "c_float" if single else "c_double",
-            "bits": "int32" if single else "int64",
-            "integers": "int32, int64" if single else "int64",
-            "scale": f.number(Fraction(1, 2**23)),
-            "parameters": [(name, f.number(Fraction(values[name]))) for name in parameters],
-        },
+        "numbers": _Numbers(spans, {name: Fraction(values[name]) for name in parameters}),
     }
 
 
@@ -217,7 +253,7 @@ def _function(
         "angles": _angles(program),
         "vector_call": ", ".join([*(f"{vector}.{a}" for a in inputs), output, *last]),
         "state_call": ", ".join([*(f"state.{a}" for a in inputs), output, *last]),
-        "fortran_call": ", ".join(
+        "drawn_call": ", ".join(
             [
                 *(f"{a}_drawn" for a in inputs),
                 f"{interface.function}_found",

@@ -15,16 +15,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from robodyn.build.compiler import first_lines
-from robodyn.build.running import run
 from robodyn.errors import CheckError, ToolError
 from robodyn.firmware.targets import Target
+from robodyn.toolchain.compiler import first_lines
+from robodyn.toolchain.running import run
 
 #: Flags of kernel, self-test and image. Nothing is contracted, so the bits are the same everywhere.
 FLAGS = (
     "-O2", "-ffp-contract=off", "-fno-math-errno", "-ffreestanding", "-ffunction-sections", "-fdata-sections",
 )  # fmt: skip
-FORTRAN_FLAGS = ("-std=f2018", "-O2", "-ffp-contract=off")
 #: How the image is run: an instruction takes 2^5 ns of qemu's time, and SysTick ticks every 40 ns.
 QEMU = (
     "-display", "none", "-monitor", "none", "-serial", "none",

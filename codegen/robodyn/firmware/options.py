@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 from robodyn.errors import InputError
 from robodyn.firmware.targets import targets_named
-from robodyn.generation import Generated, Options
 from robodyn.ir.signature import ScalarType
+from robodyn.kernels.generate import Generated, Options
 
 #: What a controller calls; more of them make the code larger.
 FUNCTIONS = ("inverse_dynamics",)

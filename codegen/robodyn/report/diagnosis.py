@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 
 from robodyn.diagnose.result import Diagnosis, Series, Window
+from robodyn.draw.markup import markup_template
 from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, told_of
 from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, next_of, part
 from robodyn.report.diagnosis_gap import ladder, tables, units_at
@@ -23,7 +24,6 @@ from robodyn.report.diagnosis_text import (
     units_of,
 )
 from robodyn.report.diagnosis_where import QUANTITIES, Localised, Travel, localised, travelled
-from robodyn.report.markup import markup_template
 
 #: Joints that are drawn at most: those of findings, then those where most is left.
 MOST_JOINTS: Final = 12

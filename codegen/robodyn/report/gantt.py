@@ -6,11 +6,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from robodyn.report.curves import Curve, Panel, figure
-from robodyn.report.markup import markup_template
+from robodyn.draw.curves import Curve, Panel, figure
+from robodyn.draw.markup import markup_template
 from robodyn.report.schedules import Source
 from robodyn.schedule import Solved
-from robodyn.schedule.printed import TIMES_OTHERS, TIMES_STANFORD
+from robodyn.thesis.printed_tasks import TIMES_OTHERS, TIMES_STANFORD
 
 _CELL, _ROW, _LEFT, _TOP = 34, 26, 60, 70
 #: Pixels of the longest schedule.

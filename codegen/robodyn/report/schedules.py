@@ -12,10 +12,10 @@ from robodyn.schedule import FLOPS_PER_TASK, Solved, TaskGraph, general_graph, r
 from robodyn.schedule.arithmetic import operations_of_tasks
 from robodyn.schedule.cutting import Cut
 from robodyn.schedule.graph import link_and_number, task_id
-from robodyn.schedule.judge import graph_of, printed_schedule, rule_graph
 from robodyn.schedule.methods import TITLES
-from robodyn.schedule.printed import LEVELS_SIX_LINK, LEVELS_STANFORD
 from robodyn.schedule.validate import faults_of_times
+from robodyn.thesis.judge import graph_of, printed_schedule, rule_graph
+from robodyn.thesis.printed_tasks import LEVELS_SIX_LINK, LEVELS_STANFORD
 
 #: The printed tables by processors.
 _TABLES_SIX: Final = {13: "4.3"} | {p: f"C.{p - 1}" for p in range(2, 10)}

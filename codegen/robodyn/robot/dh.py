@@ -54,7 +54,7 @@ def effect_from_standard(entry: EffectEntry, last: Link) -> EffectEntry:
     ------
     OverflowError: a number grows beyond double.
     """
-    if entry.effect != "payload":
+    if not entry.definition.traits.body:
         return entry
     a, alpha = last.joint.a, last.joint.alpha
     moved: dict[str, Setting] = dict(entry.settings)

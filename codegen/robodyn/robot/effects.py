@@ -18,9 +18,6 @@ from robodyn.robot.values import ZERO
 
 #: How far apart load fractions of an efficiency are: closer ones are a jump, and lose digits.
 _APART = Fraction(1, 10**6)
-# What may stand more than once at a joint, and what may stand for all joints in the robot's list.
-_SEVERAL = frozenset({"torque_ripple", "load_dependent_friction", "external_contact"})
-_OF_ALL = frozenset({"time_delay", "torque_gain"})
 
 
 class EntrySection(Section):
@@ -96,7 +93,7 @@ class Written:
 def belongs(effect: Effect, *, of_robot: bool) -> bool:
     """Whether ``effect`` may stand in the robot's list, or in that of a link."""
     if of_robot:
-        return effect.level == "robot" or effect.id in _OF_ALL
+        return effect.level == "robot" or effect.traits.of_all
     return effect.level != "robot"
 
 
@@ -234,21 +231,23 @@ def default_of(parameter: Parameter) -> Setting | None:
 
 
 def _refuse_pairs(found: Iterable[Written]) -> None:
-    first: dict[object, Written] = {}
+    first: dict[tuple[str, object], Written] = {}
     for written in found:
         id, other = written.effect, dict(written.entry.settings).get("with")
         source, place = written.section.source, written.section.node
-        if first.setdefault((id, other), written) is not written and id not in _SEVERAL:
+        if first.setdefault((id, other), written) is not written and not CATALOGUE[id].traits.several:
             source.fail(
                 place,
                 f"{written.section.label} stands here a second time",
                 found=f"the first in line {first[id, other].section.node.line}",
                 remedy="delete one of the two",
             )
-        if ("joint_elasticity", None) in first and ("backlash", None) in first:
-            source.fail(
-                place,
-                f"{written.section.label}: joint_elasticity and backlash are at one joint",
-                expected="one of the two",
-                remedy="delete joint_elasticity and give backlash its stiffness",
-            )
+        for whole, _ in first:
+            part = next((one for one in CATALOGUE[whole].traits.absorbs if (one, None) in first), None)
+            if part is not None:
+                source.fail(
+                    place,
+                    f"{written.section.label}: {part} and {whole} are at one joint",
+                    expected="one of the two",
+                    remedy=f"delete {part} and give {whole} its numbers",
+                )

@@ -112,7 +112,7 @@ class Section:
         if key.text == "<<":
             remedy = "merge keys are not supported: write the keys out"
         else:
-            near = [w for w in (word, OTHER_NAMES.get(word)) if w in self.keys]
+            near = [w for w in (word, OTHER_NAMES.get(word), _folded(word)) if w in self.keys]
             near = near or difflib.get_close_matches(word, known, 1)
             remedy = f"did you mean '{near[0]}'?" if near else "delete it, or put it where it belongs"
         self.source.fail(
@@ -320,3 +320,11 @@ def expectation(key: Key) -> str:
         "effects of the robot": "a list of effects, such as [{effect: payload, mass: 2}]",
     }
     return words[key.kind] + unit
+
+
+def _folded(word: str) -> str | None:
+    """The key that takes the effect ``word``, if there is such an effect."""
+    from robodyn.effects.catalogue import CATALOGUE  # a file that is right does without it
+
+    fold = CATALOGUE[word].traits.fold if word in CATALOGUE else None
+    return fold.key if fold is not None else None

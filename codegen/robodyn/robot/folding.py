@@ -19,8 +19,7 @@ from robodyn.robot.values import Value, angle
 
 # What lies between the link and the motor's torque: not in a torque behind the gear.
 _BEFORE_THE_GEAR = frozenset({"gear", "motor", "pair", "coupler"})
-_SHORTHAND = {"viscous_friction": "viscous", "coulomb_friction": "coulomb"}
-_INTO_LINKS = frozenset({*_SHORTHAND, "rotor_inertia", "inertial_error"})
+_INTO_LINKS = ("joint", "link")
 
 
 def into_link(
@@ -35,14 +34,14 @@ def into_link(
     kept = []
     for written in found:
         part = written.section
-        if written.effect not in _INTO_LINKS:
+        fold = written.entry.definition.traits.fold
+        if fold is None or fold.into not in _INTO_LINKS:
             kept.append(written)
             continue
-        key = _SHORTHAND.get(written.effect)
-        if friction and key in friction.values:
+        if friction and fold.group and fold.key in friction.values:
             part.source.fail(
                 part.node,
-                f"{part.label} stands beside 'friction: {{{key}: ...}}', which is the same",
+                f"{part.label} stands beside '{fold.group}: {{{fold.key}: ...}}', which is the same",
                 remedy="delete one of the two",
             )
         link = folded_link(link, [written.entry])
@@ -91,7 +90,7 @@ def into_robot(robot: Robot, found: Iterable[Written]) -> Robot:
     try:
         return folded(replace(robot, effects=tuple(written.entry for written in found)))
     except OverflowError:
-        part = next(written.section for written in found if written.effect == "base_tilt")
+        part = next(written.section for written in found if _turns_gravity(written.entry))
         part.source.fail(
             part.node, "the tilted gravity is beyond double", expected="numbers well below 1e308"
         )
@@ -108,27 +107,31 @@ def folded(robot: Robot) -> Robot:
     links = tuple(folded_link(link, robot.effects_at(i)) for i, link in enumerate(robot.links, 1))
     gravity = robot.gravity
     for entry in robot.effects:
-        if entry.effect == "base_tilt":
+        if _turns_gravity(entry):
             gravity = _tilted(gravity, entry)
-    kept = tuple(one for one in robot.effects if one.effect not in _INTO_LINKS and one.effect != "base_tilt")
+    kept = tuple(one for one in robot.effects if one.definition.traits.fold is None)
     return replace(robot, links=links, gravity=gravity, effects=kept)
 
 
 def folded_link(link: Link, entries: Iterable[EffectEntry]) -> Link:
     """``link`` with those of the ``entries`` at its joint that are numbers of it."""
     for entry in entries:
-        joint, inertia = link.joint, link.inertia
-        if entry.effect == "viscous_friction":
-            link = replace(link, joint=replace(joint, viscous=joint.viscous + entry["coefficient"]))
-        elif entry.effect == "coulomb_friction":
-            link = replace(link, joint=replace(joint, coulomb=joint.coulomb + entry["level"]))
-        elif entry.effect == "rotor_inertia":
-            link = replace(link, joint=replace(joint, motor_inertia=joint.motor_inertia + entry["inertia"]))
-        elif entry.effect == "inertial_error":
+        joint, inertia, fold = link.joint, link.inertia, entry.definition.traits.fold
+        if fold is None:
+            continue
+        if fold.into == "joint":
+            value = getattr(joint, fold.key) + entry[fold.parameter]
+            link = replace(link, joint=replace(joint, **{fold.key: value}))
+        elif fold.into == "link":
             x, y, z = (c + entry[f"delta_com_{axis}"] for c, axis in zip(link.com, "xyz", strict=True))
             sums = (c + entry[f"delta_{axes}"] for c, axes in zip(_entries(inertia), AXES, strict=True))
             link = replace(link, mass=link.mass + entry["delta_mass"], com=(x, y, z), inertia=Inertia(*sums))
     return link
+
+
+def _turns_gravity(entry: EffectEntry) -> bool:
+    fold = entry.definition.traits.fold
+    return fold is not None and fold.into == "gravity"
 
 
 def _entries(inertia: Inertia) -> tuple[Value, ...]:

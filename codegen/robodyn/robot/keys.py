@@ -213,7 +213,6 @@ OTHER_NAMES = {
     "center_of_mass": "com",
     "centre_of_mass": "com",
     "offset": "theta",
-    "rotor_inertia": "motor_inertia",
     "armature": "motor_inertia",
     "jm": "motor_inertia",
     "imotor": "motor_inertia",

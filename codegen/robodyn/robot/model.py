@@ -11,9 +11,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from robodyn.robot.values import ZERO, Affine, Angle, Value, parameters_of
+
+if TYPE_CHECKING:
+    from robodyn.effects.effect import Effect
 
 JointKind = Literal["revolute", "prismatic"]
 Vector = tuple[Value, Value, Value]
@@ -90,6 +93,13 @@ class EffectEntry:
     effect: str
     joint: int | None
     settings: tuple[tuple[str, Setting], ...]
+
+    @property
+    def definition(self) -> Effect:
+        """The effect itself."""
+        from robodyn.effects.catalogue import CATALOGUE  # a rigid arm does without it
+
+        return CATALOGUE[self.effect]
 
     def __getitem__(self, name: str) -> Any:
         for known, value in self.settings:

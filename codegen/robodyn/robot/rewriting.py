@@ -5,15 +5,17 @@ What is written is read again, and is the other model or is not written.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Fold
 from robodyn.errors import InputError
 from robodyn.robot import numbers
 from robodyn.robot.editing import Comments, Editor, NotInPlaceError
-from robodyn.robot.keys import LINK, ROBOT
+from robodyn.robot.keys import FRICTION, LINK, ROBOT
 from robodyn.robot.model import AXES, EffectEntry, Link, Robot
 from robodyn.robot.reader import read_text
 from robodyn.robot.values import Value
@@ -21,23 +23,16 @@ from robodyn.robot.writer import entry_text, number_text, setting_text, to_yaml
 
 #: What of a robot differs: the joint or link (from 1; None: the whole robot), and a key or an effect's id.
 Place = tuple[int | None, str]
-#: Laws of friction with a Coulomb level of their own: the parameters that hold it.
-LEVELS = {
-    "stribeck_friction": ("level", "static"),
-    "asymmetric_friction": ("positive", "negative"),
-    "presliding_hysteresis": ("level",),
-}
-_FOLDED = frozenset({"viscous_friction", "coulomb_friction", "rotor_inertia", "inertial_error", "base_tilt"})
 _ORDER: Mapping[str, Sequence[str]] = {
     "link": [key.name for key in LINK],
     "robot": [key.name for key in ROBOT],
     "inertia": list(AXES),
-    "friction": ["viscous", "coulomb"],
+    "friction": [key.name for key in FRICTION],
 }
 
 
 def rewritten(
-    text: str, robot: Robot, target: Robot, origins: Sequence[int | None], comments: Comments
+    text: str, robot: Robot, target: Robot, origins: Sequence[int | None], comments: Comments = ()
 ) -> str:
     """``text``, which describes ``robot``, such that it describes ``target``, an arm with as many joints.
 
@@ -160,44 +155,47 @@ class _Patch:
         self._number(node, "link", "mass", old.mass, new.mass, (i, "mass"))
         self._vector(node, "link", "com", old.com, new.com, (i, "com"))
         self._group(node, "link", "inertia", _entries(old.inertia), _entries(new.inertia), (i, "inertia"))
-        rotor = self._item(node, "rotor_inertia")
-        where, level, key = (node, "link", "motor_inertia")
-        if rotor is not None and self.editor.child(node, key) is None:
-            where, level, key = (rotor, "rotor_inertia", "inertia")
-        self._number(
-            where, level, key, old.joint.motor_inertia, new.joint.motor_inertia, (i, "motor_inertia")
-        )
+        for effect in _folded(""):
+            self._beside(i, node, effect, old, new)
         moved = self._friction(i, node, old, new)
         self._effects(i, node, moved)
 
+    def _beside(self, i: int, node: Any, effect: Effect, old: Link, new: Link) -> None:
+        """A number of the joint that is a key of the link, or an effect of its own."""
+        fold = _fold(effect.id)
+        where, level, key = node, "link", fold.key
+        item = self._item(node, effect.id)
+        if item is not None and self.editor.child(node, key) is None:
+            where, level, key = item, effect.id, fold.parameter
+        before, after = getattr(old.joint, fold.key), getattr(new.joint, fold.key)
+        self._number(where, level, key, before, after, (i, fold.key))
+
     def _friction(self, i: int, node: Any, old: Link, new: Link) -> list[Any]:
-        """The two shorthands; entries that go since a law of friction has taken their level."""
+        """The shorthand ``friction``; entries that go since a law of friction has taken their level."""
         gone: list[Any] = []
         delete: list[int] = []
         add: list[str] = []
         group = self.editor.child(node, "friction")
-        laws = any(entry.effect in LEVELS for entry in self.target.effects_at(i))
-        for name, id, parameter in (
-            ("viscous", "viscous_friction", "coefficient"),
-            ("coulomb", "coulomb_friction", "level"),
-        ):
+        laws = any(entry.definition.traits.levels for entry in self.target.effects_at(i))
+        for effect in _folded("friction"):
+            name = _fold(effect.id).key
             before, after = getattr(old.joint, name), getattr(new.joint, name)
-            item = self._item(node, id)
+            item = self._item(node, effect.id)
             if before == after:
                 continue
-            moved = name == "coulomb" and laws and after == 0
+            moved = effect.traits.one_way == "level" and laws and after == 0
             if item is not None:
                 if moved:
                     gone.append(item)
                 else:
-                    self._number(item, id, parameter, before, after, (i, name))
+                    self._number(item, effect.id, _fold(effect.id).parameter, before, after, (i, name))
             elif group is None or self.editor.child(group, name) is None:
                 add.append(f"{name}: {number_text(after - before)}")
             elif moved:
                 delete.append(self.editor.index(group, name))
             else:
                 self._number(group, "friction", name, before, after, (i, name))
-        places: list[Place] = [(i, "viscous"), (i, "coulomb")]
+        places: list[Place] = [(i, _fold(effect.id).key) for effect in _folded("friction")]
         if group is None and add:
             self.editor.set_key(node, "friction", f"{{{', '.join(add)}}}", places, _ORDER["link"])
         elif group is not None and len(delete) == len(group.value) and delete and not add:
@@ -217,7 +215,7 @@ class _Patch:
 
     def _effects(self, joint: int | None, node: Any, gone: Iterable[Any] = ()) -> None:
         items = self._items(node)
-        kept = [item for item in items if _id(item) not in _FOLDED]
+        kept = [item for item in items if CATALOGUE[_id(item)].traits.fold is None]
         numbers_ = [k for k, entry in enumerate(self.robot.effects) if entry.joint == joint]
         nodes = dict(zip(numbers_, kept, strict=True))
         stays = set()
@@ -227,7 +225,7 @@ class _Patch:
             if entry.joint != joint:
                 continue
             if origin is None:
-                self._refuse_payload(entry)
+                self._refuse_body(entry)
                 add.append(entry_text(entry))
                 places.add((joint, entry.effect))
             else:
@@ -235,7 +233,7 @@ class _Patch:
                 self._entry(nodes[origin], self.robot.effects[origin], entry)
         leaving = [id(item) for k, item in nodes.items() if k not in stays] + [id(item) for item in gone]
         if joint is None and self.robot.gravity != self.target.gravity:
-            leaving += [id(item) for item in items if _id(item) == "base_tilt"]
+            leaving += [id(item) for item in items if _turns_gravity(item)]
         delete = [k for k, item in enumerate(items) if id(item) in leaving]
         order = _ORDER["robot" if joint is None else "link"]
         self.editor.change_list(node, "effects", places, delete=delete, add=add, order=order)
@@ -244,7 +242,7 @@ class _Patch:
         before, after = dict(old.settings), dict(new.settings)
         if before == after:
             return
-        self._refuse_payload(new)
+        self._refuse_body(new)
         place = (new.joint, new.effect)
         for p in CATALOGUE[new.effect].parameters:
             a, b = before.get(p.name), after.get(p.name)
@@ -262,9 +260,28 @@ class _Patch:
             else:
                 self._number(node, new.effect, p.name, a, b, place)  # type: ignore[arg-type]
 
-    def _refuse_payload(self, entry: EffectEntry) -> None:
-        if self.standard and entry.effect == "payload":
+    def _refuse_body(self, entry: EffectEntry) -> None:
+        if self.standard and entry.definition.traits.body:
             raise NotInPlaceError("in standard DH a payload stands in another frame")
+
+
+def _folded(group: str) -> Iterator[Effect]:
+    """The effects that are numbers of a joint, whose keys stand in that group of a link ("": in itself)."""
+    for effect in CATALOGUE.values():
+        fold = effect.traits.fold
+        if fold is not None and fold.into == "joint" and fold.group == group:
+            yield effect
+
+
+def _fold(id: str) -> Fold:
+    fold = CATALOGUE[id].traits.fold
+    assert fold is not None
+    return fold
+
+
+def _turns_gravity(item: Any) -> bool:
+    fold = CATALOGUE[_id(item)].traits.fold
+    return fold is not None and fold.into == "gravity"
 
 
 def _entries(inertia: Any) -> dict[str, Value]:

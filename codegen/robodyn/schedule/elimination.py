@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Any, Final, Literal
 
 from robodyn.dynamics.arm import build_arm, origin
-from robodyn.dynamics.functions import exact
 from robodyn.dynamics.vectors import AXES, Vector
+from robodyn.optimize.programs import exact
 from robodyn.robot.model import Robot
 from robodyn.schedule.graph import TaskGraph, TaskId, arm_graph, task_id
 

@@ -11,15 +11,15 @@ from __future__ import annotations
 from itertools import count
 from typing import Any, Final
 
+from robodyn.drives.drive import has_drive_effects
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.drive import has_drive_effects
-from robodyn.dynamics.functions import Choice, build, exact, turned
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.vectors import unmarked
 from robodyn.errors import InputError
 from robodyn.ir.fingerprint import agree
 from robodyn.ir.graph import Graph, lower
 from robodyn.ir.program import Label, Program
+from robodyn.optimize.programs import Choice, build, exact, turned
 from robodyn.robot.model import Robot
 from robodyn.robot.values import circle_point
 from robodyn.schedule.arithmetic import run_tasks

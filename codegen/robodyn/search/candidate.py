@@ -6,10 +6,10 @@ from heapq import nsmallest
 from typing import Any
 
 from robodyn.counts.objective import Objective, Operations
-from robodyn.dynamics.costing import Costing, operations
-from robodyn.dynamics.factoring import saved
-from robodyn.dynamics.gauge import Unsuited
-from robodyn.dynamics.tally import (
+from robodyn.optimize.costing import Costing, operations
+from robodyn.optimize.factoring import saved
+from robodyn.optimize.gauge import Unsuited
+from robodyn.optimize.tally import (
     ADD,
     CALL,
     COS,
@@ -23,7 +23,7 @@ from robodyn.dynamics.tally import (
     Tally,
     Value,
 )
-from robodyn.dynamics.writing import Writing
+from robodyn.optimize.writing import Writing
 from robodyn.robot.model import Robot
 
 _KINDS = {ADD: "add", OFFSET: "add", MUL: "mul", SCALE: "mul", COS: "cos", SIN: "sin", CALL: "call"}

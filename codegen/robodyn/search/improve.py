@@ -15,25 +15,25 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from robodyn.build.cache import default_root
 from robodyn.counts.objective import Objective, operations_of
-from robodyn.dynamics.closed_form import closed_forms
 from robodyn.dynamics.equality import same_in_field
-from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import InputError, ToolError
-from robodyn.generation import Options
-from robodyn.generation import program as generated
 from robodyn.ir.program import Program
+from robodyn.kernels.generate import Options
+from robodyn.kernels.generate import program as generated
+from robodyn.optimize.closed_form import closed_forms
+from robodyn.optimize.programs import FUNCTIONS
+from robodyn.optimize.records import Record, best_record, identity
+from robodyn.optimize.records.find import file_name, identity_at
+from robodyn.optimize.records.rounding import Rounding
+from robodyn.optimize.records.trust import check_reading, trusted
 from robodyn.passes import SPELLING, run
-from robodyn.records import Record, best_record, identity
-from robodyn.records.find import file_name, identity_at
-from robodyn.records.rounding import Rounding
-from robodyn.records.trust import check_reading, trusted
 from robodyn.robot.model import Robot
 from robodyn.search.climb import Climbed, climb
 from robodyn.search.labels import labelled
 from robodyn.search.structured import search
 from robodyn.search.walk import library
+from robodyn.toolchain.cache import default_root
 
 Stage = Literal["search", "full"]
 

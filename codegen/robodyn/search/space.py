@@ -11,10 +11,10 @@ from dataclasses import replace
 from typing import Any, Final
 
 from robodyn.dynamics.arm import Arm, build_arm
-from robodyn.dynamics.costing import exact
 from robodyn.dynamics.parallel import chained
-from robodyn.dynamics.writing import LINK_VALUES, Writing
 from robodyn.effects.scalars import is_zero
+from robodyn.optimize.costing import exact
+from robodyn.optimize.writing import LINK_VALUES, Writing
 from robodyn.robot.model import Robot
 
 Changes = dict[str, Any]

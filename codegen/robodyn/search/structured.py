@@ -14,11 +14,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from robodyn.counts.objective import Objective, operations_of
-from robodyn.dynamics.functions import Choice, build
-from robodyn.dynamics.suited import suited_writing
-from robodyn.dynamics.writing import Writing
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
+from robodyn.optimize.programs import Choice, build
+from robodyn.optimize.suited import suited_writing
+from robodyn.optimize.writing import Writing
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import Robot
 from robodyn.search.candidate import Candidates, Sketch

@@ -121,8 +121,8 @@ def library() -> tuple[Any, Any]:
     """The compiled walk, and the ffi that it is bound with; from the cache of kernels if it is there."""
     import cffi
 
-    from robodyn.build.cache import Cache, content_key
-    from robodyn.build.compiler import find_c
+    from robodyn.toolchain.cache import Cache, content_key
+    from robodyn.toolchain.compiler import find_c
 
     home = files("robodyn.search").joinpath("c")
     sources = {

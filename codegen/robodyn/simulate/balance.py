@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.drives.coupling import coupler_of
+from robodyn.drives.drive import combined, layer_of, rigid_part
 from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
-from robodyn.dynamics.coupling import coupler_of
-from robodyn.dynamics.drive import combined, layer_of, rigid_part
 from robodyn.dynamics.energy import energies
 from robodyn.simulate.system import System
 

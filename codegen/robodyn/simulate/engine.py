@@ -28,11 +28,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from robodyn.build.cache import Cache, content_key
-from robodyn.build.compiler import C_FLAGS, find_c
 from robodyn.errors import InputError, ToolError
 from robodyn.simulate.control import LINEAR_TABLE, Control
 from robodyn.simulate.run import STATUSES, Record
+from robodyn.toolchain.cache import Cache, content_key
+from robodyn.toolchain.compiler import C_FLAGS, find_c
 
 Floats = NDArray[np.float64]
 Method = Literal["rk4", "adaptive"]

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from robodyn.emit.static import static_function
 from robodyn.errors import InputError
-from robodyn.generation import Options, maker
 from robodyn.ir.program import Program
+from robodyn.kernels.generate import Options, maker
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.engine import Engine, build_engine
 from robodyn.simulate.system import System, system_of
@@ -75,9 +75,11 @@ def steady(model: Robot) -> Robot:
     """``model`` without memory: bristles slide, couplers are rigid."""
     kept: list[EffectEntry] = []
     for entry in model.effects:
-        if entry.effect == "presliding_hysteresis":
-            kept.append(EffectEntry("coulomb_friction", entry.joint, (("level", entry["level"]),)))
-        elif entry.effect not in ("joint_elasticity", "backlash"):
+        known = entry.definition
+        if known.traits.steady is not None:
+            id, names = known.traits.steady
+            kept.append(EffectEntry(id, entry.joint, tuple((name, entry[name]) for name in names)))
+        elif known.coupler is None:
             kept.append(entry)
     return replace(model, effects=tuple(kept))
 

@@ -9,13 +9,14 @@ simulated.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.effects.traits import Acts, Channel
 from robodyn.errors import InputError
 from robodyn.robot.model import EffectEntry
 from robodyn.simulate.differences import difference, low_pass
@@ -149,8 +150,8 @@ def measured_position(
     InputError: an entry names a joint that is not there.
     """
     position = np.array(q, dtype=np.float64)
-    for entry, joints in _entries("encoder_offset", effects, position.shape[1]):
-        position[:, joints] += entry.number("offset", parameters)
+    for entry, name, joints in _entries("position", effects, position.shape[1]):
+        position[:, joints] += entry.number(name, parameters)
     return position
 
 
@@ -163,8 +164,8 @@ def _amplified(
     """Delay, gain and bias."""
     n = tau.shape[1]
     delays = np.zeros(n)
-    for entry, joints in _entries("time_delay", effects, n):
-        delays[joints] += entry.number("delay", parameters)
+    for entry, name, joints in _entries("delay", effects, n):
+        delays[joints] += entry.number(name, parameters)
     torque = np.array(tau, dtype=np.float64)
     if delays.any() and not (np.diff(t) > 0).all():
         raise InputError(
@@ -172,34 +173,45 @@ def _amplified(
         )
     for j in np.flatnonzero(delays):
         torque[:, j] = np.interp(t - delays[j], t, tau[:, j])
-    for entry, joints in _entries("torque_gain", effects, n):
-        torque[:, joints] *= 1 + entry.number("gain", parameters)
-    for entry, joints in _entries("torque_bias", effects, n):
-        torque[:, joints] += entry.number("bias", parameters)
+    for entry, name, joints in _entries("gain", effects, n):
+        torque[:, joints] *= 1 + entry.number(name, parameters)
+    for entry, name, joints in _entries("bias", effects, n):
+        torque[:, joints] += entry.number(name, parameters)
     return torque
 
 
 def _clipped(tau: Floats, effects: Sequence[EffectEntry], parameters: Parameters | None) -> Floats:
     """Saturation of the sensors."""
     limits = np.full(tau.shape[1], np.inf)
-    for entry, joints in _entries("torque_saturation", effects, tau.shape[1]):
-        if entry.text("clips") == "sensor":
-            limits[joints] = np.minimum(limits[joints], entry.number("limit", parameters))
+    for entry, name, joints in _entries("limit", effects, tau.shape[1], who="sensor"):
+        limits[joints] = np.minimum(limits[joints], entry.number(name, parameters))
     return np.clip(tau, -limits, limits)
 
 
-def _entries(effect: str, effects: Sequence[EffectEntry], n: int) -> list[tuple[EffectEntry, slice]]:
-    """The entries of ``effect``, each with the joints it is at."""
-    found = []
+def acting_on(effects: Iterable[EffectEntry], acts: Acts) -> Iterator[tuple[EffectEntry, Channel]]:
+    """The entries that do so to a channel, and how."""
     for entry in effects:
-        if entry.effect != effect:
+        channel = entry.definition.traits.channel
+        if channel is not None and channel.acts == acts:
+            yield entry, channel
+
+
+def _entries(
+    acts: Acts, effects: Sequence[EffectEntry], n: int, who: str = ""
+) -> Iterator[tuple[EffectEntry, str, slice]]:
+    """The entries that do so to a channel (if by somebody, by ``who``), each with the parameter that says how
+    much and the joints it is at."""
+    for entry, channel in acting_on(effects, acts):
+        if channel.who and entry.text(channel.who) != who:
             continue
         if entry.joint is not None and not 1 <= entry.joint <= n:
             raise InputError(
-                f"{effect}: there is no such joint", found=str(entry.joint), expected=f"a joint of 1 to {n}"
+                f"{entry.effect}: there is no such joint",
+                found=str(entry.joint),
+                expected=f"a joint of 1 to {n}",
             )
-        found.append((entry, slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)))
-    return found
+        joints = slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)
+        yield entry, channel.parameter, joints
 
 
 # --- rates ------------------------------------------------------------------------------------------------

@@ -6,13 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from robodyn.dynamics.drive import Acting, Layer
+from robodyn.drives.drive import Acting, JointDrive, Layer
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
-
-#: Effects whose torque changes sign with the velocity and is there at the slowest motion.
-_DRY = ("coulomb_friction", "asymmetric_friction", "stribeck_friction")
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,8 +28,8 @@ def elements_of(layer: Layer, coupled: Sequence[int], size: int) -> tuple[Elemen
 
     found: list[Element] = []
     for i, drive in enumerate(layer.joints):
-        dry = any(acting.effect.id in _DRY for acting in drive.motor) or not is_zero(drive.coulomb)
-        at_motor, at_link = bool(drive.gear) or dry, bool(drive.bearing)
+        at_link = _is_dry(drive, drive.link, drive.bearing)
+        at_motor = _is_dry(drive, drive.gear, drive.motor) or not is_zero(drive.coulomb)
         if i in coupled:
             if at_link:
                 found.append(Element(f"link {i + 1}", unit(i)))
@@ -41,7 +38,7 @@ def elements_of(layer: Layer, coupled: Sequence[int], size: int) -> tuple[Elemen
         elif at_link or at_motor:
             found.append(Element(f"joint {i + 1}", unit(i)))
     for k, pair in enumerate(layer.pairs, 1):
-        if not is_zero(pair.acting.values["coulomb"]):
+        if _is_dry(layer.joints[pair.one], (pair.acting,)):
             row = [Fraction(0)] * size
             for joint, x in ((pair.one, Fraction(1)), (pair.other, Fraction(pair.ratio))):
                 row[n + list(coupled).index(joint) if joint in coupled else joint] = x
@@ -49,15 +46,24 @@ def elements_of(layer: Layer, coupled: Sequence[int], size: int) -> tuple[Elemen
     return tuple(found)
 
 
+def _is_dry(drive: JointDrive, *sides: Sequence[Acting]) -> bool:
+    """Whether one of the effects of those sides holds what it acts on at rest."""
+    return any(acting.effect.is_dry(acting.values, drive.revolute) for side in sides for acting in side)
+
+
 def without_losses(layer: Layer) -> Layer:
-    """What of the drives conserves energy: springs, ripple (a wave over position), couplers undamped."""
+    """What of the drives conserves energy: torques that have a potential, couplers undamped."""
     joints = []
     for drive in layer.joints:
         coupler = drive.coupler
         if coupler is not None:
             coupler = Acting(coupler.effect, {**coupler.values, "damping": 0})
-        kept = tuple(acting for acting in drive.motor if acting.effect.id == "torque_ripple")
-        joints.append(replace(drive, bearing=(), gear=(), motor=kept, viscous=0, coulomb=0, coupler=coupler))
+        link, motor = (
+            tuple(acting for acting in side if acting.effect.potential is not None)
+            for side in (drive.link, drive.motor)
+        )
+        drive = replace(drive, link=link, bearing=(), gear=(), motor=motor, coupler=coupler)
+        joints.append(replace(drive, viscous=0, coulomb=0))
     pairs = tuple(
         replace(pair, acting=Acting(pair.acting.effect, {**pair.acting.values, "viscous": 0, "coulomb": 0}))
         for pair in layer.pairs

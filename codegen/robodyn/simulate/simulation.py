@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
-from robodyn.generation import Options
+from robodyn.kernels.generate import Options
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
 from robodyn.simulate.balance import Balance, stored_energy
@@ -25,7 +25,7 @@ from robodyn.simulate.engine import Method
 from robodyn.simulate.log import Log
 from robodyn.simulate.plant import Plant, build_plant
 from robodyn.simulate.run import Record
-from robodyn.simulate.sensors import Sensors, measure
+from robodyn.simulate.sensors import Sensors, acting_on, measure
 from robodyn.simulate.start import start_state
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
@@ -308,8 +308,8 @@ def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, flo
 def drive_limits(robot: Robot, values: Mapping[str, float]) -> Floats | None:
     """What the drives give at most [n] (N m or N), infinity where nothing is said; None: nothing anywhere."""
     limits = np.full(robot.n, np.inf)
-    for entry in robot.effects:
-        if entry.effect == "torque_saturation" and entry.text("clips") == "drive":
+    for entry, channel in acting_on(robot.effects, "limit"):
+        if entry.text(channel.who) == "drive":
             places = slice(None) if entry.joint is None else slice(entry.joint - 1, entry.joint)
-            limits[places] = np.minimum(limits[places], entry.number("limit", values))
+            limits[places] = np.minimum(limits[places], entry.number(channel.parameter, values))
     return limits if np.isfinite(limits).any() else None

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.drives.coupling import coupler_of
+from robodyn.drives.drive import Loads, Rates, layer_of, passed_on, rigid_part
 from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
-from robodyn.dynamics.coupling import coupler_of
-from robodyn.dynamics.drive import Loads, Rates, layer_of, passed_on, rigid_part
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.simulate.system import System
 

@@ -11,10 +11,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.costing import exact
-from robodyn.dynamics.coupling import coupler_of, memory_of
-from robodyn.dynamics.drive import (
+from robodyn.drives.coupling import coupler_of, memory_of
+from robodyn.drives.drive import (
     Acting,
     Layer,
     Rates,
@@ -25,16 +23,18 @@ from robodyn.dynamics.drive import (
     passed_on,
     rigid_part,
 )
-from robodyn.dynamics.functions import turned
+from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
 from robodyn.dynamics.kinematics import frames, jacobian
-from robodyn.dynamics.with_effects import as_is, rigid_loads
 from robodyn.effects.effect import Site
 from robodyn.effects.scalars import is_zero
-from robodyn.generation.drafts import Drafts
-from robodyn.generation.options import Options
 from robodyn.ir.derivative import jacobian as derivatives
 from robodyn.ir.graph import Graph, Scalar, lower
 from robodyn.ir.program import Input, Program
+from robodyn.kernels.drafts import Drafts
+from robodyn.kernels.options import Options
+from robodyn.kernels.with_effects import as_is, rigid_loads
+from robodyn.optimize.costing import exact
+from robodyn.optimize.programs import turned
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.shape import Element, check_shape, elements_of, without_losses
@@ -79,7 +79,9 @@ class _Builder:
         self.exact_rest = robot.rest_velocity is None and robot.dead_band is None
         self.rigid_robot = rigid_part(robot, bare=True)
         self.drafts = Drafts(self.rigid_robot, options)
-        shape = layer_of(robot, as_is, lambda _: Fraction(1), bare=True)
+        # Any values will do of which no sum is 0.
+        values = {name: Fraction(10 + 3 * k, 7) for k, name in enumerate(robot.parameters)}
+        shape = layer_of(robot, as_is, values.__getitem__, bare=True)
         self.coupled = tuple(i for i, drive in enumerate(shape.joints) if drive.coupler is not None)
         self.size = self.n + len(self.coupled)
         self.reactions = bool(shape.needs_reactions)
@@ -240,7 +242,7 @@ class _Builder:
         return lower(graph, [("zdot", rates)])
 
     def _contacts(self) -> tuple[EffectEntry, ...]:
-        return tuple(e for e in self.robot.effects if e.effect == "external_contact" and "log" not in e)
+        return tuple(e for e in self.robot.effects if e.definition.place == "outside" and "log" not in e)
 
     def _contact(self, entry: EffectEntry) -> Program:
         """``J^T F`` of a force on the origin of a link's frame, along the base's axes."""

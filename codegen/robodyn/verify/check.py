@@ -37,7 +37,7 @@ from robodyn.verify.sample import draw, draw_parameters
 from robodyn.verify.stepping import Stepping
 
 if TYPE_CHECKING:
-    from robodyn.build import Kernel
+    from robodyn.kernels.kernel import Kernel
 
 #: What the error may be at most, by scalar type.
 TOLERANCE: Mapping[str, float] = {"double": 1e-10, "float": 1e-5}

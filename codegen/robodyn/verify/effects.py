@@ -1,7 +1,9 @@
 """Effects by their printed equations, in double precision: what the catalogue's are compared with.
 
 Written from the sources that the catalogue names, case by case, where the catalogue has one formula for all
-cases. Nothing here is shared with :mod:`robodyn.effects`, which kernels are made of.
+cases. Nothing here is shared with the equations in :mod:`robodyn.effects`, which kernels are made of. An
+effect that is not known here is compared with what its definition prints (:mod:`.declared`); where that does
+not do, an error says so.
 
 What remembers enters by its steady form: presliding by its level, elastic joints and play as rigid joints;
 its steps stand in :mod:`robodyn.verify.memories`. Sensors and contacts are in no torque. What the reader of
@@ -20,6 +22,7 @@ from numpy.typing import NDArray
 
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import Affine
+from robodyn.verify.declared import declared_place, declared_torque
 from robodyn.verify.numbers import Parameters, number, real
 
 Floats = NDArray[np.float64]
@@ -78,7 +81,12 @@ def direction(speed: Floats, rest_velocity: float | None, dead_band: float | Non
 
 def added_torque(effect: str, p: Settings, at: State) -> Floats:
     """What the effect of that id adds to the torque of a joint, ``[N]`` [N m or N]; of motors that drive two
-    joints, the motor's torque. 0 for effects that are in no torque."""
+    joints, the motor's torque. What is not known here is what its own definition prints.
+
+    Raises
+    ------
+    NoReferenceError: that cannot be read.
+    """
     match effect:
         case "viscous_friction":
             return np.asarray(p["coefficient"] * at.qd)
@@ -104,7 +112,18 @@ def added_torque(effect: str, p: Settings, at: State) -> Floats:
             return np.asarray(_normal_forces(p, at) * at.way)
         case "transmission_loss":
             return _loss(p, at)
-    return np.zeros_like(at.q)
+    return declared_torque(effect, p, _symbols(at))
+
+
+def _symbols(at: State) -> dict[str, Floats]:
+    """What the symbols of printed equations stand for."""
+    axes = {
+        f"{name}_{axis}": vector[:, k]
+        for name, vector in (("f", at.f), ("n", at.n))
+        for k, axis in enumerate("xyz")
+    }
+    moved = {"q": at.q, r"\dot q": at.qd, r"\ddot q": at.qdd, r"\operatorname{sgn}\dot q": at.way}
+    return {**moved, **axes, r"\tau": at.tau, r"\tau_L": at.tau}
 
 
 def _between(way: Floats, backward: Any, still: Any, forward: Any) -> Floats:
@@ -192,17 +211,36 @@ def _slopes_at_knots(x: Floats, y: Floats) -> Floats:
     return slopes
 
 
-_BEARINGS = ("load_dependent_friction",)
-_GEARS = ("transmission_loss",)
-_MOTORS = (
-    "viscous_friction",
-    "coulomb_friction",
-    "asymmetric_friction",
-    "stribeck_friction",
-    "power_law_friction",
-    "presliding_hysteresis",
-    "torque_ripple",
-)
+#: Where in the drive an effect acts; of others the definition says it.
+_PLACES = {
+    "spring": "link",
+    "load_dependent_friction": "bearing",
+    "joint_elasticity": "coupler",
+    "backlash": "coupler",
+    "transmission_loss": "gear",
+    "viscous_friction": "motor",
+    "coulomb_friction": "motor",
+    "asymmetric_friction": "motor",
+    "stribeck_friction": "motor",
+    "power_law_friction": "motor",
+    "presliding_hysteresis": "motor",
+    "torque_ripple": "motor",
+    "motor_coupling": "pair",
+    "payload": "rigid",
+    "rotor_inertia": "rigid",
+    "inertial_error": "rigid",
+    "base_tilt": "rigid",
+}
+
+
+def place_of(effect: str) -> str:
+    """Where in the drive the effect of that id acts.
+
+    Raises
+    ------
+    NoReferenceError: there is neither a reference for it, nor is it an equation alone.
+    """
+    return _PLACES.get(effect) or declared_place(effect)
 
 
 class Drives:
@@ -213,7 +251,9 @@ class Drives:
         self._at_motor = robot.torque_side == "motor"
         self._rest = None if robot.rest_velocity is None else float(robot.rest_velocity)
         self._band = None if robot.dead_band is None else float(robot.dead_band)
-        self._entries = [(e.effect, e.joint, settings(e, parameters)) for e in robot.effects]
+        self._entries = [
+            (place_of(e.effect), e.effect, e.joint, settings(e, parameters)) for e in robot.effects
+        ]
         joints = [link.joint for link in robot.links]
         self._rotor, self._viscous, self._coulomb = (
             np.array([real(number(getattr(joint, name), parameters)) for joint in joints])
@@ -223,8 +263,8 @@ class Drives:
     @property
     def feels_load(self) -> bool:
         """Whether a torque of friction depends on the arm's, and so on accelerations."""
-        kinds = (*_BEARINGS, *_GEARS) if self._at_motor else _BEARINGS
-        return any(effect in kinds for effect, _, _ in self._entries)
+        places = ("bearing", "gear") if self._at_motor else ("bearing",)
+        return any(place in places for place, _, _, _ in self._entries)
 
     def inertia(self) -> Floats:
         """What motors add to the mass matrix, ``[n, n]`` [kg m^2 or kg]."""
@@ -241,12 +281,12 @@ class Drives:
         tau = rigid.tau.copy()
         for i in range(self._n):
             at = State(q[:, i], qd[:, i], qdd[:, i], way[:, i], tau[:, i], rigid.f[:, i], rigid.n[:, i])
-            at = replace(at, tau=at.tau + self._sum(("spring",), i, at))
-            at = replace(at, tau=at.tau + self._sum(_BEARINGS, i, at))
+            at = replace(at, tau=at.tau + self._sum("link", i, at))
+            at = replace(at, tau=at.tau + self._sum("bearing", i, at))
             if self._at_motor:
-                at = replace(at, tau=at.tau + self._sum(_GEARS, i, at))
+                at = replace(at, tau=at.tau + self._sum("gear", i, at))
                 own = self._rotor[i] * at.qdd + self._viscous[i] * at.qd + self._coulomb[i] * at.way
-                at = replace(at, tau=at.tau + own + self._sum(_MOTORS, i, at))
+                at = replace(at, tau=at.tau + own + self._sum("motor", i, at))
             tau[:, i] = at.tau
         for j, k, p in self._pairs():
             speed, rate = qd[:, j] + p["ratio"] * qd[:, k], qdd[:, j] + p["ratio"] * qdd[:, k]
@@ -257,11 +297,11 @@ class Drives:
             tau[:, k] += p["ratio"] * shared
         return tau
 
-    def _sum(self, kinds: tuple[str, ...], joint: int, at: State) -> Floats:
-        """What the effects of those kinds at ``joint`` (from 0) add, each at the same torque."""
+    def _sum(self, place: str, joint: int, at: State) -> Floats:
+        """What the effects at that place of ``joint`` (from 0) add, each at the same torque."""
         total = np.zeros_like(at.q)
-        for effect, where, p in self._entries:
-            if effect in kinds and where == joint + 1:
+        for there, effect, where, p in self._entries:
+            if there == place and where == joint + 1:
                 total = total + added_torque(effect, p, at)
         return total
 
@@ -269,5 +309,5 @@ class Drives:
         """Motors that drive two joints: the joints (from 0) and the parameters."""
         if not self._at_motor:
             return []
-        found = [(joint, p) for effect, joint, p in self._entries if effect == "motor_coupling"]
+        found = [(joint, p) for place, _, joint, p in self._entries if place == "pair"]
         return [(joint - 1, p["with"] - 1, p) for joint, p in found if joint is not None]

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from robodyn.verify.declared import NoReferenceError
 from robodyn.verify.effects import Floats, Settings
 
 _HALVINGS = 200
@@ -37,6 +38,8 @@ def twist(effect: str, p: Settings, tau: Floats) -> Floats:
     stretched = tau / p["stiffness"]
     if effect == "joint_elasticity":
         return np.asarray(stretched)
+    if effect != "backlash":
+        raise NoReferenceError(f"there is no reference for {effect}, a joint that twists")
     size = np.abs(tau)
     return np.asarray(stretched + np.sign(tau) * p["gap"] / 2 * size / (size + p["transition"]))
 

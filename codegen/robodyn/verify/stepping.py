@@ -12,14 +12,14 @@ from dataclasses import replace
 import numpy as np
 
 from robodyn.robot.model import EffectEntry, Robot
-from robodyn.verify.effects import Drives, Floats, Reactions, settings
+from robodyn.verify.effects import Drives, Floats, Reactions, place_of, settings
 from robodyn.verify.memories import Twist, bristle_step, twist_step
 from robodyn.verify.numbers import Parameters, filled
 from robodyn.verify.reference import Reference
 
 _COUPLERS = ("joint_elasticity", "backlash")
 _BRISTLES = "presliding_hysteresis"
-_LINK_SIDE = ("spring", "load_dependent_friction", "payload")
+_LINK_SIDE = ("link", "bearing", "rigid")
 
 
 class Stepping:
@@ -33,8 +33,8 @@ class Stepping:
     def __init__(self, robot: Robot, parameters: Parameters | None = None) -> None:
         values = filled(robot, parameters)
         self._n = robot.n
-        link = tuple(e for e in robot.effects if e.effect in _LINK_SIDE)
-        motor = tuple(e for e in robot.effects if e.effect not in (*_LINK_SIDE, *_COUPLERS, _BRISTLES))
+        link = tuple(e for e in robot.effects if place_of(e.effect) in _LINK_SIDE)
+        motor = tuple(e for e in robot.effects if e not in link and e.effect not in (*_COUPLERS, _BRISTLES))
         self._links = Reference(replace(robot, torque_side="link", effects=link), values)
         self._motors = Drives(replace(robot, effects=motor), values)
         self._memories: list[tuple[EffectEntry, slice]] = []

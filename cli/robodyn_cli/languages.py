@@ -1,0 +1,48 @@
+"""``--lang``: the languages, as the table in :mod:`robodyn.emit.languages` has them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import click
+
+from robodyn_cli.options import listed
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+class _Languages(click.Option):
+    """An option whose help names the languages; they are looked up when the help is asked for."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from robodyn.emit.languages import LANGUAGES, defaults
+
+        names = [
+            name if not it.aliases else f"{name} ({', '.join(it.aliases)})" for name, it in LANGUAGES.items()
+        ]
+        self.help = f"Languages, with commas: {', '.join(names)}.  [default: {','.join(defaults())}]"
+        return super().get_help_record(ctx)
+
+
+def language_option(command: Command) -> Command:
+    """Add ``--lang`` (``--language``), passed to `command` as ``lang: str | None``."""
+    return click.option("--lang", "--language", "lang", metavar="A,B", cls=_Languages)(command)
+
+
+def chosen_languages(lang: str | None) -> tuple[str, ...]:
+    """The names of the languages that ``--lang`` asks for, each once, aliases resolved.
+
+    Raises
+    ------
+    InputError: none is asked for, one twice, or there is no such language.
+    """
+    from robodyn.emit.languages import LANGUAGES, defaults, languages_named
+    from robodyn.errors import InputError
+
+    if lang is None:
+        return defaults()
+    names = listed(lang)
+    if not names:
+        raise InputError("no language asked for", expected=f"some of {', '.join(LANGUAGES)}")
+    return tuple(language.name for language in languages_named(names))

@@ -1,0 +1,1 @@
+"""Measuring: our kernels, their peers, and plans for a processor."""

@@ -1,0 +1,269 @@
+"""When threads lose to serial code here, and from what size of task they would win.
+
+Everything is measured in one run: the serial kernel, the same bits on p threads by the best schedule, and the
+packed form. What a barrier costs is measured by a kernel without arithmetic, the same schedule of empty
+tasks.
+From these follows how long a task would have to be for threads to break even:
+
+    serial(s) = s W t,   parallel(s) = s C t + S,   s* = S / ((W - C) t)
+
+with W operations in all, C of them one after another in the schedule, t the time of one, S the time of
+waiting,
+all tasks being s times as long.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from robodyn.emit.schedule_files import schedule_files
+from robodyn.errors import CheckError
+from robodyn.ir.signature import Signature
+from robodyn.robot.model import Robot
+from robodyn.schedule import Machine, Timetable, solve
+from robodyn.schedule.cutting import COSTS, Cut
+from robodyn.schedule.lanes import Waiting, lanes
+from robodyn.toolchain.compiler import find_c
+from robodyn.toolchain.program import THREADED_FLAGS, cores, run_program
+
+#: Operations a task for which the speed-up is foretold.
+SIZES: Final = (3, 30, 300, 3_000, 30_000, 300_000)
+
+#: States of a measurement, and of one whose threads outnumber the cores: there a wait may take milliseconds.
+STATES, CROWDED = 20_000, 500
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """A kernel on ``processors`` threads: nanoseconds a call, and what the schedule asks for."""
+
+    processors: int
+    waiting: Waiting
+    levels: int
+    meetings: int
+    serial_ns: float
+    parallel_ns: float
+    operations: int
+    chain: int
+    tasks: int
+
+    @property
+    def operation_ns(self) -> float:
+        """The serial kernel's time an operation, its share of sines and cosines included."""
+        return self.serial_ns / self.operations
+
+    @property
+    def waiting_ns(self) -> float:
+        """What a parallel call takes beyond its longest lane: starting, meeting, passing values."""
+        return max(0.0, self.parallel_ns - self.chain * self.operation_ns)
+
+    @property
+    def break_even(self) -> float | None:
+        """How many times as long tasks would have to be for threads to take no longer; None: never."""
+        gain = (self.operations - self.chain) * self.operation_ns
+        return self.waiting_ns / gain if gain > 0 else None
+
+    @property
+    def wins(self) -> bool:
+        """Whether several threads take less time than the serial kernel."""
+        return self.processors > 1 and self.parallel_ns < self.serial_ns
+
+    def speedup_at(self, size: int) -> float:
+        """The speed-up to be expected of the same schedule, were its tasks ``size`` operations long."""
+        longer = size * self.tasks / self.operations
+        parallel = longer * self.chain * self.operation_ns + self.waiting_ns
+        return longer * self.operations * self.operation_ns / parallel
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``bench --json`` prints it."""
+        even = self.break_even
+        return {
+            "processors": self.processors,
+            "sync": self.waiting,
+            "levels": self.levels,
+            "meetings": self.meetings,
+            "parallel_ns": self.parallel_ns,
+            "waiting_ns": self.waiting_ns,
+            "ns_a_meeting": self.waiting_ns / self.meetings if self.meetings else None,
+            "wins": self.wins,
+            "speedup": self.serial_ns / self.parallel_ns,
+            "schedule_speedup": self.operations / self.chain,
+            "speedup_at": {str(size): self.speedup_at(size) for size in SIZES},
+            "break_even": None
+            if even is None
+            else {
+                "operations_a_task": even * self.operations / self.tasks,
+                "operations_in_all": even * self.operations,
+            },
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Bench:
+    """All of it, on this machine."""
+
+    robot: str
+    function: str
+    cores: int
+    compiler: str
+    packed_lanes: int
+    packed_ns: float
+    load: float | None
+    rows: tuple[Measured, ...]
+
+    @property
+    def serial_ns(self) -> float:
+        """The serial kernel's best time."""
+        return min(row.serial_ns for row in self.rows)
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``bench --json`` prints it."""
+        return {
+            "robot": self.robot,
+            "function": self.function,
+            "cores": self.cores,
+            "compiler": self.compiler,
+            "operations": self.rows[0].operations,
+            "serial_ns": self.serial_ns,
+            "packed": {
+                "lanes": self.packed_lanes,
+                "ns": self.packed_ns,
+                "wins": self.packed_ns < self.serial_ns,
+            },
+            "threads": [row.to_dict() for row in self.rows],
+        }
+
+
+def bench(
+    robot: Robot,
+    signature: Signature,
+    cut: Cut,
+    processors: Sequence[int],
+    *,
+    lanes_wide: int = 4,
+    cc: str | None = None,
+    states: int | None = None,
+    tell: Callable[[str], None] = lambda _: None,
+) -> Bench:
+    """Measure the kernel of ``cut`` on so many ``processors``, with barriers and with counters.
+
+    Raises
+    ------
+    ToolError: no compiler, or no threads.
+    CheckError: bits differ.
+    """
+    here = cores()
+    rows: list[Measured] = []
+    packed: list[float] = []
+    for p in processors:
+        for waiting in ("barrier", "counters"):
+            tell(f"{p} threads, {waiting}")
+            table = solve(cut.graph, Machine(p), "critical-path").timetable
+            files = schedule_files(robot, signature, cut, table, waiting=waiting, lanes=lanes_wide)
+            crowded = p > here
+            flags = (*THREADED_FLAGS, *([f"-D{signature.robot}_spins=1u"] if crowded else []))
+            asked = states or (CROWDED if crowded else STATES)
+            code, said = run_program(files, [str(asked)], cc=cc, flags=flags)
+            found = {name: float(value) for name, value in re.findall(r"(\w+) ([\d.]+)", said)}
+            if code != 0 or found.get("differing") != 0:
+                raise CheckError(
+                    f"{p} threads do not give the serial kernel's bits",
+                    found=said.strip() or f"exit code {code}",
+                )
+            packed.append(found["packed_ns"])
+            rows.append(_measured(cut, table, waiting, found))
+    return Bench(
+        robot.name,
+        signature.function,
+        here,
+        find_c(cc).version,
+        lanes_wide,
+        min(packed),
+        _load(),
+        tuple(rows),
+    )
+
+
+def _measured(cut: Cut, table: Timetable, waiting: Waiting, found: dict[str, float]) -> Measured:
+    plan = lanes(cut, table, waiting)
+    price = [COSTS[operation.op] for operation in cut.program.operations]
+    weight = {task: sum(price[i] for i in own) for task, own in cut.operations().items()}
+    chain = sum(max(weight[task] for task in row if task is not None) for row in table.slots)
+    meetings = len(plan.barriers) or sum(len(step.waits) for lane in plan.steps for step in lane)
+    return Measured(
+        table.machine.processors,
+        waiting,
+        table.levels,
+        meetings,
+        found["serial_ns"],
+        found["parallel_ns"],
+        sum(price),
+        chain,
+        len(cut.graph),
+    )
+
+
+def _load() -> float | None:
+    """How many processes want a core, on average over a minute."""
+    return os.getloadavg()[0] if hasattr(os, "getloadavg") else None
+
+
+def bench_text(found: Bench) -> str:
+    """The measurement for a person, with a plain verdict."""
+    first = found.rows[0]
+    packed = found.packed_ns / found.serial_ns
+    lines = [
+        f"{found.robot} {found.function}: {first.operations} operations, {first.tasks} tasks; "
+        f"{found.cores} cores, "
+        f"{found.compiler}",
+        f"serial {found.serial_ns:.0f} ns, {found.serial_ns / first.operations:.2f} ns an operation; "
+        f"packed, {found.packed_lanes} lanes: {found.packed_ns:.0f} ns ({packed:.2f} times serial)",
+        "",
+        "threads  sync      levels  meetings  parallel ns  ns a meeting  speed-up  of schedule  wins "
+        "from (operations)",
+    ]
+    for row in found.rows:
+        even = row.to_dict()["break_even"]
+        size = (
+            "never"
+            if even is None
+            else f"{even['operations_a_task']:.0f} a task, {even['operations_in_all']:.0f}"
+        )
+        each = f"{row.waiting_ns / row.meetings:.0f}" if row.meetings else "-"
+        lines.append(
+            f"{row.processors:>7}  {row.waiting:<8}  {row.levels:>6}  {row.meetings:>8}  "
+            f"{row.parallel_ns:>11.0f}  "
+            f"{each:>12}  {row.serial_ns / row.parallel_ns:>8.3f}  {row.operations / row.chain:>11.2f}  "
+            f"{size}"
+        )
+    wins = [row for row in found.rows if row.wins]
+    lines += ["", "speed-up to be expected were the tasks of so many operations, waiting being what it is:"]
+    lines.append("threads  sync    " + "".join(f"{size:>10}" for size in SIZES))
+    for row in found.rows:
+        cells = "".join(f"{row.speedup_at(size):>10.3f}" for size in SIZES)
+        lines.append(f"{row.processors:>7}  {row.waiting:<8}{cells}")
+    lines.append("")
+    if wins:
+        best = min(wins, key=lambda row: row.parallel_ns)
+        lines.append(
+            f"threads win here: {best.processors} of them, {best.waiting}, "
+            f"{best.serial_ns / best.parallel_ns:.2f} times"
+        )
+    else:
+        lines.append(
+            "threads lose to the serial kernel here: waiting for each other costs more than is saved"
+        )
+    if found.load is not None and found.load > found.cores + 0.5:
+        lines.append(f"the machine is busy (load {found.load:.1f}): waiting takes less on an idle one")
+    crowded = [row.processors for row in found.rows if row.processors > found.cores]
+    if crowded:
+        lines.append(
+            f"there are {found.cores} cores: figures of {', '.join(map(str, sorted(set(crowded))))} "
+            f"threads are of threads "
+            "that take turns"
+        )
+    return "\n".join(lines) + "\n"

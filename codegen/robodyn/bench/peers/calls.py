@@ -1,0 +1,170 @@
+"""What a call costs from Python, ours and the peers': in one process, blocks in turn."""
+
+from __future__ import annotations
+
+import itertools
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, Final
+
+import numpy as np
+
+from robodyn.bench.peers.agreement import hold_against
+from robodyn.bench.peers.models import casadi_function, mujoco_model, pinocchio_model
+from robodyn.bench.peers.numbers import Floats, Numbers
+from robodyn.robot.model import Robot
+
+#: States of a batch.
+BATCH: Final = 10_000
+
+#: q, qd, qdd of many states, [N, n] each.
+States = tuple[Floats, Floats, Floats]
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A way to call from Python: ``once`` computes ``states`` states, ``torque`` is what it gives in state
+    k."""
+
+    key: str
+    title: str
+    once: Callable[[], Any]
+    states: int
+    torque: Callable[[int], Any]
+
+
+def own_calls(robot: Robot, states: States, **build: Any) -> list[Call]:
+    """Ours: through a workspace, through the method, and batches; ``build`` goes to the compiler."""
+    from robodyn.kernels.robot_kernel import compile as compiled
+
+    kernel = compiled(robot, functions=("inverse_dynamics",), trig="builtin", **build)
+    workspace: Any = kernel.workspace()
+    function: Any = kernel.inverse_dynamics
+    q, qd, qdd = states
+
+    def torque(k: int) -> Any:
+        workspace.q, workspace.qd, workspace.qdd = q[k], qd[k], qdd[k]
+        workspace()
+        return workspace.tau.copy()
+
+    made = [
+        Call("workspace", "robodyn, Workspace()", workspace, 1, torque),
+        Call(
+            "function",
+            "robodyn, kernel.inverse_dynamics(q, qd, qdd)",
+            lambda: function(q[0], qd[0], qdd[0]),
+            1,
+            lambda k: function(q[k], qd[k], qdd[k]),
+        ),
+    ]
+    columns = [np.asfortranarray(np.resize(x, (BATCH, robot.n))) for x in states]
+    rows = [np.ascontiguousarray(x) for x in columns]
+    for key, title, arrays in (("F", "column by column", columns), ("C", "row by row", rows)):
+        once = partial(kernel.batch, *arrays, out=np.empty_like(arrays[0]))
+        title = f"robodyn, batch of {BATCH}, {title}"
+        made.append(Call(f"batch-{key}", title, once, BATCH, partial(_of_batch, once)))
+    return made
+
+
+def _of_batch(once: Callable[[], Any], k: int) -> Any:
+    return once()[k].copy()
+
+
+def pinocchio_call(arm: Numbers, states: States) -> Call:
+    """``pin.rnea``."""
+    import pinocchio as pin
+
+    model = pinocchio_model(arm)
+    data = model.createData()
+    rnea, (q, qd, qdd) = pin.rnea, (x[0].copy() for x in states)
+    return Call(
+        "pin.rnea",
+        "pin.rnea",
+        lambda: rnea(model, data, q, qd, qdd),
+        1,
+        lambda k: rnea(model, data, *(x[k] for x in states)).copy(),
+    )
+
+
+def casadi_call(arm: Numbers, states: States) -> Call:
+    """The textbook over SX, in CasADi's virtual machine."""
+    title = "CasADi, FunctionBuffer, in its virtual machine"
+    return buffered("casadi", title, casadi_function(arm), states)
+
+
+def buffered(key: str, title: str, function: Any, states: States) -> Call:
+    """A function of CasADi through its ``FunctionBuffer``, the cheapest way to call it."""
+    buffer, run = function.buffer()
+    arrays: list[Any] = [x[0].copy() for x in states]
+    tau: Any = np.zeros(states[0].shape[1])
+    for i, array in enumerate(arrays):
+        buffer.set_arg(i, memoryview(array))
+    buffer.set_res(0, memoryview(tau))
+    kept = (function, buffer, arrays)  # `run` points into them and does not hold them
+
+    def torque(k: int, kept: Any = kept) -> Any:
+        for array, values in zip(arrays, states, strict=True):
+            array[:] = values[k]
+        run()
+        return tau.copy()
+
+    return Call(key, title, run, 1, torque)
+
+
+def mujoco_call(arm: Numbers, states: States) -> Call:
+    """``mujoco.mj_inverse``."""
+    import mujoco
+
+    model = mujoco_model(arm)
+    data = mujoco.MjData(model)
+    inverse = mujoco.mj_inverse
+    mujoco.set_mju_user_warning(lambda _: None)  # of singular mass matrices, which it does not need
+    data.qpos[:], data.qvel[:], data.qacc[:] = (x[0] for x in states)
+
+    def torque(k: int) -> Any:
+        data.qpos[:], data.qvel[:], data.qacc[:] = (x[k] for x in states)
+        inverse(model, data)
+        return data.qfrc_inverse.copy()
+
+    return Call("mj_inverse", "mujoco.mj_inverse", lambda: inverse(model, data), 1, torque)
+
+
+#: The peers that can be called from Python, by the module that each needs.
+PEERS: Final[dict[str, Callable[[Numbers, States], Call]]] = {
+    "pinocchio": pinocchio_call,
+    "mujoco": mujoco_call,
+    "casadi": casadi_call,
+}
+
+
+def checked(call: Call, wanted: Floats, count: int = 32) -> float:
+    """The worst difference to the torques ``wanted`` [N, n].
+
+    Raises
+    ------
+    Disagreement: it is too large.
+    """
+    found = np.array([call.torque(k) for k in range(min(count, len(wanted)))])
+    return hold_against(call.title, wanted[: len(found)], found)
+
+
+def raced(calls: Sequence[Call], rounds: int, block_s: float = 1e-3) -> Floats:
+    """Nanoseconds a state [rounds, calls], of this thread's processor time."""
+    repeats = [max(1, round(block_s / _seconds(call.once, 5))) for call in calls]
+    times = np.empty((rounds, len(calls)))
+    for k in range(rounds):
+        for i in range(len(calls)):
+            j = (i + k) % len(calls)
+            call = calls[j]
+            call.once()
+            times[k, j] = 1e9 * _seconds(call.once, repeats[j]) / call.states
+    return times
+
+
+def _seconds(once: Callable[[], Any], repeats: int) -> float:
+    start = time.thread_time_ns()
+    for _ in itertools.repeat(None, repeats):
+        once()
+    return max(1e-9, 1e-9 * (time.thread_time_ns() - start) / repeats)

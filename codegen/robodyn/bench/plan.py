@@ -1,0 +1,307 @@
+"""Which formulation, which schedule and which target meet a deadline: the thesis's further work.
+
+Every candidate is a program that robodyn makes of the robot, cut into tasks, scheduled on so many of a
+target's
+cores with the target's cost of passing a value, and judged by the time that its schedule takes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from robodyn.counts.objective import TARGETS, Costs
+from robodyn.errors import InputError
+from robodyn.ir.program import Program
+from robodyn.kernels.generate import Options, program
+from robodyn.robot.model import Robot
+from robodyn.schedule import Machine, solve
+from robodyn.schedule.cutting import COSTS, cut
+from robodyn.schedule.tasks import FLOPS_PER_TASK
+from robodyn.thesis.printed_tasks import LEVELS_STANFORD, TIMES_STANFORD
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A machine: its cores, its clock, what operations cost in cycles, and how long a value takes to get
+    from one core to another, waiting included [ns]. ``source`` says where the figures are from."""
+
+    name: str
+    cores: int
+    clock_mhz: float
+    costs: Costs
+    passing_ns: float
+    source: str
+
+    @property
+    def cycle_ns(self) -> float:
+        """Nanoseconds a cycle."""
+        return 1e3 / self.clock_mhz
+
+
+#: What a flop took the thesis: 0.135 ms a task of three.
+_THESIS_FLOP_NS: Final = 1e6 * TIMES_STANFORD[1] / LEVELS_STANFORD[1] / FLOPS_PER_TASK
+_DATASHEET = "cycles as robodyn's searches weigh them (--objective weighted), usual clock"
+
+#: Targets by name; the clocks, and what passing a value costs, are usual figures and not measurements.
+KNOWN: Final[dict[str, Target]] = {
+    target.name: target
+    for target in (
+        Target("cortex-m4", 1, 168.0, TARGETS["cortex-m4"], 0.0, f"STM32F4; {_DATASHEET}"),
+        Target("cortex-m7", 1, 480.0, TARGETS["cortex-m7"], 0.0, f"STM32H7; {_DATASHEET}"),
+        Target("x86-64", 8, 3000.0, TARGETS["x86-64"], 100.0, f"a desktop; {_DATASHEET}, 100 ns a value"),
+        Target(
+            "thesis-1990", 13, 1e3 / _THESIS_FLOP_NS, Costs(1.0, 1.0, None, 1.0, 1.0, 0.0), 0.0,
+            "Table 4.8: 45 us an operation, sines and passing values free",
+        ),
+    )
+}  # fmt: skip
+
+#: Programs of the inverse dynamics that are tried, by the names of their options.
+FORMULATIONS: Final[dict[str, Mapping[str, Any]]] = {
+    "record": {"optimize": "record"},
+    "modified_newton_euler": {"optimize": "none"},
+    "newton_euler": {"formulation": "newton_euler", "optimize": "none"},
+    "balafoutis": {"formulation": "balafoutis", "optimize": "none"},
+}
+#: Operations a task that are tried: coarser tasks pass fewer values and leave less to do side by side.
+CUTS: Final = (1, 3, 8, 20, 60)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """A way of computing: formulation, target, processors, tasks, and the time it takes [ns]."""
+
+    target: str
+    formulation: str
+    processors: int
+    cut: int | None
+    levels: bool
+    tasks: int
+    operations: int
+    time_ns: float
+    lower_bound_ns: float
+
+    def to_dict(self, deadline_ns: float) -> dict[str, Any]:
+        """As ``plan --json`` prints it."""
+        return {
+            "target": self.target,
+            "formulation": self.formulation,
+            "processors": self.processors,
+            "cut": self.cut,
+            "synchronised": self.levels,
+            "tasks": self.tasks,
+            "operations": self.operations,
+            "time_ns": self.time_ns,
+            "lower_bound_ns": self.lower_bound_ns,
+            "meets": self.time_ns <= deadline_ns,
+        }
+
+
+def parse_deadline(text: str) -> float:
+    """``100us``, ``0.5 ms``, ``800 ns`` as nanoseconds.
+
+    Raises
+    ------
+    InputError: not of that form, or not above 0.
+    """
+    found = re.fullmatch(r"\s*(\d+(?:\.\d+)?(?:e-?\d+)?)\s*(ns|us|ms|s)\s*", text)
+    value = float(found[1]) * {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}[found[2]] if found else 0.0
+    if not 0 < value < 1e15:
+        raise InputError("the deadline cannot be read", found=repr(text), expected="100us, 0.5ms or 800ns")
+    return value
+
+
+#: A target of one's own, where it says nothing: cores, MHz, ns to pass a value, cycles of operations.
+_OWN: Final = {
+    "cores": 1.0, "mhz": 100.0, "pass": 0.0, "mul": 1.0, "add": 1.0, "div": 14.0,
+    "sqrt": 14.0, "sincos": 46.0,
+}  # fmt: skip
+
+
+def parse_target(text: str) -> Target:
+    """A target by its name, or one's own: ``NAME:cores=4,mhz=1500,pass=150,mul=1,add=1,div=14,sincos=46``.
+
+    Raises
+    ------
+    InputError: unknown, or not of that form.
+    """
+    name, colon, rest = text.partition(":")
+    if not colon:
+        if name not in KNOWN:
+            raise InputError(
+                f"unknown target {name!r}",
+                expected=f"one of {', '.join(KNOWN)}, here, or NAME:cores=4,mhz=1500,pass=150,mul=1 ...",
+            )
+        return KNOWN[name]
+    given = {
+        "cores": 1.0,
+        "mhz": 100.0,
+        "pass": 0.0,
+        "mul": 1.0,
+        "add": 1.0,
+        "div": 14.0,
+        "sqrt": 14.0,
+        "sincos": 46.0,
+    }
+    for part in filter(None, rest.split(",")):
+        key, _, value = (piece.strip() for piece in part.partition("="))
+        if key not in given or not re.fullmatch(r"\d+(\.\d+)?", value) or len(value) > 12:
+            raise InputError(
+                "a target cannot be read", found=repr(part), expected=f"KEY=NUMBER, keys {', '.join(given)}"
+            )
+        given[key] = float(value)
+    if given["cores"] < 1 or given["mhz"] <= 0:
+        raise InputError("a target has cores and a clock", found=repr(text))
+    costs = Costs(given["mul"], given["add"], None, given["div"], given["sqrt"], given["sincos"])
+    return Target(name or "own", int(given["cores"]), given["mhz"], costs, given["pass"], "as given")
+
+
+def here(robot: Robot, tell: Callable[[str], None] = lambda _: None) -> Target:
+    """This machine, measured: the robot's own kernel serial and on two threads.
+
+    Raises
+    ------
+    ToolError: no compiler, or no threads.
+    """
+    from robodyn.bench.parallel_bench import bench
+    from robodyn.optimize.programs import signature
+
+    tell("measuring this machine")
+    tasks = cut(program(robot, "inverse_dynamics"), 8)
+    found = bench(robot, signature(robot, "inverse_dynamics"), tasks, (2,))
+    row = min(found.rows, key=lambda row: row.parallel_ns)
+    load = "" if found.load is None else f", load {found.load:.1f}"
+    return Target(
+        "here",
+        found.cores,
+        1e3 / row.operation_ns,
+        Costs(1.0, 1.0, None, 1.0, 1.0, 0.0),  # sines are in what an operation takes
+        row.waiting_ns / row.meetings if row.meetings else 0.0,
+        f"measured now on {robot.name} with {found.compiler}{load}; an operation a cycle",
+    )
+
+
+def plans(
+    robot: Robot,
+    processors: int,
+    targets: Sequence[Target],
+    *,
+    function: str = "inverse_dynamics",
+    tell: Callable[[str], None] = lambda _: None,
+) -> list[Plan]:
+    """Everything that was tried, of each target and formulation the best schedule on 1 to ``processors``
+    cores: shortest first.
+
+    Raises
+    ------
+    InputError: no processors.
+    """
+    Machine(processors)
+    programs: dict[str, Program] = {}
+    for name, options in FORMULATIONS.items():
+        if function != "inverse_dynamics" and "formulation" in options:
+            continue
+        tell(name)
+        programs[name] = program(robot, function, Options((function,), **options))
+    found: list[Plan] = []
+    for target in targets:
+        for name, made in programs.items():
+            tell(f"{target.name}, {name}")
+            found += _of_target(target, name, made, min(processors, target.cores))
+    return sorted(found, key=lambda plan: (plan.time_ns, plan.processors))
+
+
+def _of_target(target: Target, formulation: str, made: Program, most: int) -> list[Plan]:
+    """The serial kernel, and for every number of cores the best cut and machine."""
+    units, costs = _units(target.costs)
+    unit_ns = target.cycle_ns / units
+    whole = sum(costs[operation.op] for operation in made.operations)
+    operations = sum(COSTS[operation.op] for operation in made.operations)
+    found = [Plan(target.name, formulation, 1, None, True, 1, operations, whole * unit_ns, whole * unit_ns)]
+    passing = round(target.passing_ns / unit_ns)
+    graphs = {k: cut(made, k, costs).graph for k in CUTS} if most > 1 else {}
+    for p in range(2, most + 1):
+        best: Plan | None = None
+        for k, graph in graphs.items():
+            for levels in (True, False):
+                solved = solve(graph, Machine(p, passing, levels), "critical-path")
+                time = solved.timetable.span * unit_ns
+                if best is None or time < best.time_ns:
+                    bound = solved.lower_bound * unit_ns
+                    best = Plan(target.name, formulation, p, k, levels, len(graph), operations, time, bound)
+        if best is not None and best.time_ns < found[-1].time_ns:  # more cores that gain nothing are no plan
+            found.append(best)
+    return found
+
+
+def _units(costs: Costs) -> tuple[int, dict[str, int]]:
+    """Costs as whole numbers, and how many of them are a cycle: tenths, where cycles are not whole."""
+    named = {
+        "mul": costs.mul, "add": costs.add, "sub": costs.add, "div": costs.div, "sqrt": costs.sqrt,
+        "sin": costs.sincos / 2, "cos": costs.sincos / 2,
+    }  # fmt: skip
+    units = 1 if all(float(value).is_integer() for value in named.values()) else 10
+    scaled = {op: round(units * value) for op, value in named.items()}
+    return units, {**{op: units * value for op, value in COSTS.items()}, **scaled}
+
+
+def chosen(found: Sequence[Plan], deadline_ns: float) -> Plan | None:
+    """Of the plans that meet the deadline the one with the fewest processors, then the shortest."""
+    meeting = [plan for plan in found if plan.time_ns <= deadline_ns]
+    return min(meeting, key=lambda plan: (plan.processors, plan.time_ns), default=None)
+
+
+def plan_text(robot: Robot, found: Sequence[Plan], targets: Sequence[Target], deadline_ns: float) -> str:
+    """All plans for a person, those that meet the deadline marked."""
+    best = chosen(found, deadline_ns)
+    lines = [f"{robot.name}: deadline {spelled(deadline_ns)}", ""]
+    lines.append(
+        "target       formulation            p  tasks of  waits     tasks  operations        time  meets"
+    )
+    for plan in found:
+        how = "-" if plan.cut is None else ("levels" if plan.levels else "counters")
+        lines.append(
+            f"{plan.target:<12} {plan.formulation:<21} {plan.processors:>2}  {plan.cut or 'all':>8}  "
+            f"{how:<8} "
+            f"{plan.tasks:>6}  {plan.operations:>10}  {spelled(plan.time_ns):>10}  "
+            f"{'yes' if plan.time_ns <= deadline_ns else 'no'}"
+        )
+    lines.append("")
+    if best is None:
+        lines.append(f"nothing meets it; the shortest is {spelled(found[0].time_ns)}")
+    else:
+        lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best)}")
+    lines += [
+        f"{target.name}: {target.cores} cores, {target.clock_mhz:g} MHz; {target.source}"
+        for target in targets
+    ]
+    lines.append(
+        "times are the schedules', by the targets' costs: estimates, until robodyn bench has measured them"
+    )
+    return "\n".join(lines) + "\n"
+
+
+def _how(robot: Robot, plan: Plan) -> str:
+    options = FORMULATIONS[plan.formulation]
+    told = "".join(
+        f" --{name} {value}" for name, value in options.items() if (name, value) != ("optimize", "record")
+    )
+    if plan.cut is None:
+        return f"one core: robodyn gen {robot.name}{told}"
+    waits = "" if plan.levels else " --no-levels"
+    return (
+        f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
+        f"{plan.cut}{waits}{told} "
+        "--emit DIR"
+    )
+
+
+def spelled(ns: float) -> str:
+    """A time with a unit that suits it."""
+    for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "us")):
+        if ns >= size:
+            return f"{ns / size:.4g} {unit}"
+    return f"{ns:.4g} ns"

@@ -1,0 +1,11 @@
+"""Proofs of emitted kernels: rounding errors, run-time errors, stack, MISRA C:2012.
+
+robodyn writes the questions and reads the answers; Gappa, Frama-C, gcc and cppcheck prove.
+"""
+
+from robodyn.certify.finding import Finding
+from robodyn.certify.plan import PROOFS, Asked
+from robodyn.certify.ranges import with_ranges
+from robodyn.certify.run import Proof, prove
+
+__all__ = ["PROOFS", "Asked", "Finding", "Proof", "prove", "with_ranges"]

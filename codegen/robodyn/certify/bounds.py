@@ -1,0 +1,178 @@
+"""The proof of rounding errors: Gappa's bound of every torque beside ours and the worst error found."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from robodyn.certify import rounding
+from robodyn.certify.finding import Finding, Tell, not_run
+from robodyn.certify.forward import Forward
+from robodyn.certify.gappa import Scripts
+from robodyn.certify.observed import peaks, worst_errors
+from robodyn.certify.plan import Asked, Subject, ranges_of
+from robodyn.certify.readback import check_read_back
+from robodyn.certify.tools import GAPPA
+from robodyn.certify.trig import claim
+from robodyn.errors import CheckError, InputError, ToolError
+from robodyn.ir.program import Program
+from robodyn.ir.signature import Signature
+from robodyn.kernels.kernel import load
+
+#: Where the scripts go, within the folder of the proof.
+FOLDER = "rounding"
+
+
+def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
+    """Bounds of the rounding errors of all torques."""
+    gappa = GAPPA.path()
+    if gappa is None:
+        return not_run("gappa", GAPPA.remedy)
+    functions = subject.bounded()
+    if not functions:
+        return _failed("no function of this kernel gives torques: ask for inverse_dynamics, gravity or bias")
+    try:
+        scripts = {s.function: _scripts(subject, s, p) for s, p in functions}
+        source = subject.files[f"{subject.made.unit.robot.name}.c"]
+        for signature, program in functions:
+            check_read_back(source, signature, program)
+    except (InputError, CheckError) as error:
+        return _failed(str(error))
+    (folder / FOLDER).mkdir()
+    files = {f"{FOLDER}/{name}": text for made in scripts.values() for name, (text, _) in made.items()}
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    names = list(files)
+    tell(f"Gappa: 0 of {len(names)} torques")
+    found = dict(
+        zip(
+            names,
+            rounding.prove(
+                gappa,
+                folder,
+                names,
+                seconds=asked.seconds,
+                workers=asked.workers,
+                told=lambda done: tell(f"Gappa: {done} of {len(names)} torques"),
+            ),
+            strict=True,
+        )
+    )
+    rows: list[dict[str, Any]] = []
+    for signature, program in functions:
+        own = scripts[signature.function]
+        rows += _rows(
+            subject, asked, signature, program, {f"{FOLDER}/{k}": v for k, v in own.items()}, found, tell
+        )
+    return _finding(subject, rows, files)
+
+
+def _scripts(subject: Subject, signature: Signature, program: Program) -> dict[str, tuple[str, float]]:
+    """Script and our own bound for each torque, by the script's name.
+
+    Raises
+    ------
+    InputError: there is no bound.
+    """
+    known = claim(subject.made.options.trig, subject.scalar)
+    ranges = ranges_of(subject.box(signature))
+    forward = Forward(program, ranges, subject.scalar, known.ulps, known.limit)
+    scripts = Scripts(program, forward)
+    made = {}
+    for (_, elements), (_, operands) in zip(scripts.body.outputs, program.outputs, strict=True):
+        for i, (element, operand) in enumerate(zip(elements, operands, strict=True), 1):
+            title = (
+                f"{signature.symbol} in {signature.scalar}: rounding error of tau[{i - 1}], "
+                f"the torque of joint {i}.\n"
+                f"Written by robodyn from the statements of {signature.robot}.c; run it with gappa.\n"
+                f"{known.text}"
+            )
+            bound = forward.of(operand)
+            made[f"{signature.function}_{i}.g"] = (scripts.of(element, title), bound.error)
+    return made
+
+
+def _rows(
+    subject: Subject,
+    asked: Asked,
+    signature: Signature,
+    program: Program,
+    own: dict[str, tuple[str, float]],
+    found: dict[str, rounding.Proven],
+    tell: Tell,
+) -> list[dict[str, Any]]:
+    tell(f"searching for the worst error of {signature.function}")
+    largest = peaks(subject.plain_program(signature), _plain_box(subject, signature))
+    try:
+        kernel = load(subject.made.signatures, subject.files)
+        worst = worst_errors(program, kernel, signature, subject.box(signature))
+    except ToolError:  # no compiler
+        worst = None
+    rows = []
+    for i, (name, (_, bound)) in enumerate(own.items()):
+        proven = found[name]
+        seen = worst[i] if worst is not None else None
+        row: dict[str, Any] = {
+            "function": signature.function,
+            "joint": i + 1,
+            "script": name,
+            "range": None if proven.low is None else [proven.low, proven.high],
+            "bound": proven.error,
+            "peak": largest[i],
+            "relative": _ratio(proven.error, largest[i]),
+            "own_bound": bound,
+            "worst_found": seen,
+            "seconds": round(proven.seconds, 1),
+            "reason": proven.reason,
+        }
+        if proven.error is not None:
+            if seen is not None and not seen <= proven.error:
+                row["reason"] = (
+                    f"an error of {seen:.3g} was found: this is a defect of robodyn, please report it"
+                )
+            elif asked.tolerance is not None and Fraction(proven.error) > asked.tolerance * Fraction(
+                largest[i]
+            ):
+                row["reason"] = f"above the tolerance of {float(asked.tolerance):.3g} of the largest torque"
+        rows.append(row)
+    return rows
+
+
+def _plain_box(subject: Subject, signature: Signature) -> Any:
+    from robodyn.optimize.prune.box import box_of
+
+    return box_of(subject.robot, [name for name, _ in subject.plain_signature(signature).inputs])
+
+
+def _ratio(bound: float | None, peak: float) -> float | None:
+    return bound / peak if bound is not None and peak else None
+
+
+def _finding(subject: Subject, rows: list[dict[str, Any]], files: dict[str, str]) -> Finding:
+    lines = [f"{'torque':24} {'bound':>9} {'of peak':>9} {'our bound':>9} {'worst found':>11} {'peak':>9}"]
+    for row in rows:
+        name = f"{row['function']} {row['joint']}"
+        cells = [row[key] for key in ("bound", "relative", "own_bound", "worst_found", "peak")]
+        shown = [("-" if x is None else f"{x:.2e}") for x in cells]
+        text = f"{name:24} {shown[0]:>9} {shown[1]:>9} {shown[2]:>9} {shown[3]:>11} {shown[4]:>9}"
+        lines.append(text + (f"  {row['reason']}" if row["reason"] else ""))
+    known = claim(subject.made.options.trig, subject.scalar)
+    return Finding(
+        "gappa",
+        "failed" if any(row["reason"] for row in rows) else "proved",
+        f"Within the ranges, every torque computed in {subject.scalar} (IEEE 754, to nearest even, every "
+        "operation rounded, no contraction) is at most the bound [N m, prismatic N] away from the torque of "
+        "the model in real numbers, and nothing overflows.",
+        tuple(lines),
+        {"bounds": rows, "sine_and_cosine": known.text},
+        (GAPPA.version(),),
+        tuple(f"gappa {name}" for name in files),
+        files,
+    )
+
+
+def _failed(reason: str) -> Finding:
+    return Finding(
+        "gappa", "failed", "Bounds of rounding errors.", (reason,), {"bounds": [], "reason": reason}
+    )

@@ -1,0 +1,140 @@
+"""The proofs one by one: each runs its tools on the files of a kernel and says what came out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from robodyn.certify import eva, misra, stack
+from robodyn.certify.finding import Finding, Tell, not_run
+from robodyn.certify.plan import Asked, Subject
+from robodyn.certify.tools import ARM_GCC, CPPCHECK, FRAMA_C, GCC, run
+from robodyn.emit.misra import deviations
+from robodyn.emit.render import environment
+
+#: How long Eva, a compiler or cppcheck may take [s].
+PATIENCE = 600.0
+
+
+def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
+    """No run-time error, whatever the inputs are."""
+    frama_c = FRAMA_C.path()
+    if frama_c is None:
+        return not_run("eva", FRAMA_C.remedy)
+    name = subject.made.unit.robot.name
+    context = eva.driver_context(name, subject.made.signatures)
+    driver = f"{name}_eva.c"
+    text = environment().get_template("prove/eva_driver.c.j2").render(context)
+    (folder / driver).write_text(text, encoding="utf-8", newline="\n")
+    arguments = [*eva.OPTIONS, f"{name}.c", driver]
+    tell("Frama-C Eva")
+    done = run([frama_c, *arguments], folder, PATIENCE)
+    found = eva.read(done, PATIENCE)
+    functions = ", ".join(s.function for s in subject.made.signatures)
+    return Finding(
+        "eva",
+        "proved" if found.proved else "failed",
+        f"{functions}, sine and cosine: no undefined behaviour for any inputs, infinite ones and NaN among "
+        "them, in arrays that are large enough and do not overlap.",
+        (found.reason or f"0 alarms; {found.statements[0]} of {found.statements[1]} statements reached",),
+        {
+            "alarms": found.alarms,
+            "said": list(found.said),
+            "functions": list(found.functions),
+            "statements": list(found.statements),
+            "reason": found.reason,
+        },
+        (f"Frama-C {FRAMA_C.version()}",),
+        (" ".join(["frama-c", *arguments]),),
+        {driver: text, "eva.txt": done.said},
+    )
+
+
+def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
+    """The most stack a call needs, machine by machine."""
+    if GCC.path() is None and ARM_GCC.path() is None:
+        return not_run("stack", GCC.remedy)
+    source = f"{subject.made.unit.robot.name}.c"
+    symbols = [s.symbol for s in subject.made.signatures]
+    lines: list[str] = []
+    rows: list[dict[str, Any]] = []
+    tools: dict[str, None] = {}
+    commands: list[str] = []
+    bad = False
+    known = 0
+    stand_in = f"{stack.STAND_IN}/math.h"
+    (folder / stack.STAND_IN).mkdir()
+    (folder / stand_in).write_text(stack.MATH_H, encoding="utf-8", newline="\n")
+    for machine in stack.MACHINES:
+        if machine.tool.path() is None:
+            lines.append(f"{machine.name}: not run, {machine.tool.remedy}")
+            rows.append({"machine": machine.name, "remedy": machine.tool.remedy})
+            continue
+        tell(f"stack, {machine.name}")
+        found = stack.measure(machine, source, symbols, folder)
+        tools[machine.tool.version()] = None
+        commands.append(" ".join(stack.command(machine, source)))
+        if isinstance(found, str):
+            lines.append(f"{machine.name}: not compiled: {found}")
+            rows.append({"machine": machine.name, "reason": found})
+            continue
+        for depth in found:
+            known += depth.size is not None and not depth.beyond
+            bad = bad or depth.size is None or not depth.only_helpers
+            size = "no bound" if depth.size is None else f"{depth.size} B"
+            note = f" ({depth.reason})" if depth.reason else ""
+            lines.append(f"{machine.name}: {depth.function} {size}{note}")
+            rows.append(
+                {
+                    "machine": machine.name,
+                    "function": depth.function,
+                    "bytes": depth.size,
+                    "chain": list(depth.chain),
+                    "beyond": list(depth.beyond),
+                    "reason": depth.reason,
+                }
+            )
+    return Finding(
+        "stack",
+        "proved" if known and not bad else "failed",
+        "The most stack that a call needs, with all that it calls: no recursion, no call by a pointer, no "
+        "array of a length that is known only at run time.",
+        tuple(lines),
+        {"stack": rows},
+        tuple(tools),
+        tuple(commands),
+        {stand_in: stack.MATH_H},
+    )
+
+
+def prove_misra(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
+    """Every finding of MISRA C:2012 that is left is explained in the kernel."""
+    cppcheck = CPPCHECK.path()
+    if cppcheck is None:
+        return not_run("misra", CPPCHECK.remedy)
+    source = f"{subject.made.unit.robot.name}.c"
+    tell("MISRA C:2012")
+    control = folder / f"{subject.made.unit.robot.name}_control.c"
+    control.write_text(misra.CONTROL, encoding="utf-8", newline="\n")
+    misra.check_control(run([cppcheck, *misra.OPTIONS, control.name], folder, PATIENCE))
+    done = run([cppcheck, *misra.OPTIONS, source], folder, PATIENCE)
+    found = misra.read(done)
+    explained = deviations(subject.made.options.trig)
+    open_ = sorted(set(found.rules) - set(explained))
+    lines = [
+        f"rule {rule}, {count} times: "
+        + (f"explained in {source}: {explained[rule]}" if rule in explained else "NOT EXPLAINED")
+        for rule, count in found.rules.items()
+    ]
+    lines += [f"besides: {text}" for text in found.others[:10]]
+    return Finding(
+        "misra",
+        "failed" if open_ or found.others else "proved",
+        f"MISRA C:2012, rules that cppcheck's addon checks: every finding in {source} and its header is "
+        f"explained in the head of {source}.",
+        tuple(lines or ["no finding"]),
+        {"rules": found.rules, "explained": explained, "unexplained": open_, "others": list(found.others)},
+        (CPPCHECK.version(),),
+        (" ".join(["cppcheck", *(f"'{o}'" if "|" in o else o for o in misra.OPTIONS), source]),),
+        {"misra.txt": done.said},
+    )

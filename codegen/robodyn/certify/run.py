@@ -1,0 +1,119 @@
+"""From a robot to the folder of a proof."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from robodyn.certify.bounds import prove_bounds
+from robodyn.certify.finding import Finding, Tell
+from robodyn.certify.parts import prove_eva, prove_misra, prove_stack
+from robodyn.certify.plan import PROOFS, Asked, Subject, subject
+from robodyn.emit.markdown import Markdown, markdown_environment
+from robodyn.kernels.generate import Options
+from robodyn.robot.model import Robot
+
+_PARTS = {"gappa": prove_bounds, "eva": prove_eva, "stack": prove_stack, "misra": prove_misra}
+assert tuple(_PARTS) == PROOFS
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """What was proven of a kernel, and the files that say so."""
+
+    subject: Subject
+    findings: tuple[Finding, ...]
+
+    @property
+    def failed(self) -> list[str]:
+        """Proofs that failed."""
+        return [f.name for f in self.findings if f.status == "failed"]
+
+    @property
+    def missing(self) -> dict[str, str]:
+        """Proofs that were not run, and how to get what they need."""
+        return {f.name: f.data["remedy"] for f in self.findings if f.status == "not run"}
+
+    def to_dict(self) -> dict[str, Any]:
+        """For JSON."""
+        made = self.subject.made
+        return {
+            "robot": made.unit.robot.name,
+            "scalar": self.subject.scalar,
+            "trig": made.options.trig,
+            "functions": [s.function for s in made.signatures],
+            "files": {name: _hash(text) for name, text in self.subject.files.items()},
+            "ranges": self._ranges(),
+            "proved": not self.failed and not self.missing,
+            "proofs": [f.to_dict() for f in self.findings],
+        }
+
+    def files(self) -> dict[str, str]:
+        """Kernel, scripts, logs, PROOF.md and proof.json, text by path. Times are not in them: the same proof
+        gives the same bytes."""
+        files = dict(self.subject.files)
+        for finding in self.findings:
+            files |= finding.files
+        told = _without_times(self.to_dict())
+        files["PROOF.md"] = (
+            markdown_environment()
+            .get_template("prove/PROOF.md.j2")
+            .render(
+                {**told, "robot": Markdown(told["robot"])},  # an identifier
+                findings=self.findings,
+                title=self.subject.robot.title,
+            )
+        )
+        files["proof.json"] = json.dumps(told, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+        return files
+
+    def _ranges(self) -> list[dict[str, Any]]:
+        """The limits of each joint that the bounds hold within, as text that reads back exactly."""
+        rows = []
+        for i, link in enumerate(self.subject.robot.links, 1):
+            limits = link.joint.limits
+            low, high = limits.position or (None, None)
+            rows.append(
+                {
+                    "joint": i,
+                    "q": [str(float(low or 0)), str(float(high or 0))],
+                    "qd": str(float(limits.velocity or 0)),
+                    "qdd": str(float(limits.acceleration or 0)),
+                }
+            )
+        return rows
+
+
+def prove(robot: Robot, ranged: Robot, options: Options, asked: Asked, tell: Tell = lambda _: None) -> Proof:
+    """Generate the kernel of ``robot`` and prove what ``asked`` says; ``ranged`` is the robot with the ranges
+    as its limits. Nothing is written but to a temporary folder.
+
+    Raises
+    ------
+    InputError: an option or a number of the robot.
+    ToolError: a tool does not work as it should.
+    """
+    made = subject(robot, ranged, options)
+    findings = []
+    for name in PROOFS:
+        if name in asked.only:
+            with tempfile.TemporaryDirectory(prefix="robodyn-") as place:
+                folder = Path(place)
+                for path, text in made.files.items():
+                    (folder / path).write_text(text, encoding="utf-8", newline="\n")
+                findings.append(_PARTS[name](made, asked, folder, tell))
+    return Proof(made, tuple(findings))
+
+
+def _hash(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _without_times(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _without_times(x) for key, x in value.items() if key != "seconds"}
+    return [_without_times(x) for x in value] if isinstance(value, list) else value

@@ -1,0 +1,134 @@
+"""Worst-case stack: what gcc says of each function, along the longest chain of calls."""
+
+from __future__ import annotations
+
+import platform
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from robodyn.certify.tools import ARM_GCC, GCC, Tool, last_lines, run
+from robodyn.toolchain.compiler import C_FLAGS
+
+#: A folder with a math.h, for compilers that have none: whatever a kernel may call.
+STAND_IN = "stand_in"
+MATH_H = "".join(
+    f"{real} {name}{end}({real}{', ' + real if name == 'pow' else ''});\n"
+    for name in ("sin", "cos", "tanh", "sqrt", "fabs", "exp", "pow")
+    for real, end in (("double", ""), ("float", "f"))
+)
+#: The compiler's own arithmetic, on machines that lack it: its stack comes on top.
+_HELPER = re.compile(r"__(aeabi_|gnu_|[a-z]+[sd]f[0-9]?$)")
+_NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*)"', re.M)
+_EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', re.M)
+_BYTES = re.compile(r"\\n([0-9]+) bytes \(([a-z,]+)\)")
+
+
+@dataclass(frozen=True, slots=True)
+class Machine:
+    """A compiler with flags that the stack is told for."""
+
+    name: str
+    tool: Tool
+    flags: tuple[str, ...]
+
+
+#: Without the red zone, which gcc does not count.
+_HERE = ("-mno-red-zone",) if platform.machine() in ("x86_64", "AMD64") else ()
+MACHINES = (
+    Machine("this machine, gcc -O2", GCC, (*C_FLAGS, *_HERE)),
+    Machine(
+        "cortex-m4f, gcc -O2",
+        ARM_GCC,
+        (*C_FLAGS, "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"),
+    ),
+    Machine("cortex-m3, gcc -O2", ARM_GCC, (*C_FLAGS, "-mcpu=cortex-m3", "-mthumb")),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Depth:
+    """Stack of one function with all that it calls [bytes]; None: there is no bound, and ``reason``."""
+
+    function: str
+    size: int | None
+    chain: tuple[str, ...]
+    reason: str = ""
+    #: Functions of other files on the way, whose own stack comes on top.
+    beyond: tuple[str, ...] = ()
+
+    @property
+    def only_helpers(self) -> bool:
+        """Whether nothing of other files is called but the compiler's own arithmetic."""
+        return all(_HELPER.match(name) for name in self.beyond)
+
+
+def command(machine: Machine, source: str) -> list[str]:
+    """What compiles ``source`` and writes what each function needs."""
+    return [
+        machine.tool.name,
+        *machine.flags,
+        "-idirafter",
+        STAND_IN,
+        "-fcallgraph-info=su",
+        "-c",
+        source,
+        "-o",
+        "stack.o",
+    ]
+
+
+def measure(machine: Machine, source: str, functions: Iterable[str], folder: Path) -> list[Depth] | str:
+    """The stack of ``functions`` of ``source`` in ``folder``; what went wrong instead, as text."""
+    done = run([machine.tool.needed(), *command(machine, source)[1:]], folder, 300)
+    graph = folder / "stack.ci"
+    if done.code != 0 or not graph.is_file():
+        return (
+            last_lines(done.said, 1)
+            if done.code
+            else "the compiler wrote no call graph (gcc 10 or newer does)"
+        )
+    text = graph.read_text(encoding="utf-8", errors="replace")
+    return [deepest(text, function) for function in functions]
+
+
+def deepest(graph: str, function: str) -> Depth:
+    """The most stack that ``function`` may need by ``graph``, gcc's call graph (a text in VCG)."""
+    sizes = {title: _BYTES.search(label) for title, label in _NODE.findall(graph)}
+    calls: dict[str, set[str]] = {}
+    for source, target in _EDGE.findall(graph):
+        calls.setdefault(source, set()).add(target)
+    if sizes.get(function) is None:
+        return Depth(function, None, (), "it is not in the call graph")
+    beyond: set[str] = set()
+    known: dict[str, tuple[int, tuple[str, ...]]] = {}
+
+    def depth(title: str, above: tuple[str, ...]) -> tuple[int, tuple[str, ...]]:
+        if title in above:
+            raise _UnboundedError(f"{title} calls itself")
+        if title not in known:
+            said = sizes.get(title)
+            if title == "__indirect_call":
+                raise _UnboundedError("a call by a pointer")
+            if said is None:
+                beyond.add(title)
+                return 0, ()
+            if said[2] == "dynamic":
+                raise _UnboundedError(f"the stack of {title} depends on its arguments")
+            below = max((depth(t, (*above, title)) for t in sorted(calls.get(title, ()))), default=(0, ()))
+            known[title] = int(said[1]) + below[0], (title, *below[1])
+        return known[title]
+
+    try:
+        size, chain = depth(function, ())
+    except _UnboundedError as reason:
+        return Depth(function, None, (), str(reason))
+    if beyond:
+        reason_ = f"and what {', '.join(sorted(beyond))} need on top, which gcc does not state"
+        return Depth(function, size, chain, reason_, tuple(sorted(beyond)))
+    return Depth(function, size, chain)
+
+
+class _UnboundedError(Exception):
+    """There is no bound."""

@@ -1,0 +1,134 @@
+"""The provers: where they are, which version, and running them within a time."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from robodyn.errors import ToolError
+from robodyn.toolchain.running import start
+
+
+@dataclass(frozen=True, slots=True)
+class Tool:
+    """A program, what asks it for its version, and how to get it."""
+
+    name: str
+    version_arguments: tuple[str, ...]
+    remedy: str
+
+    def path(self) -> str | None:
+        """Where it is; None where it is not."""
+        return shutil.which(self.name)
+
+    def needed(self) -> str:
+        """Where it is.
+
+        Raises
+        ------
+        ToolError: nowhere.
+        """
+        found = self.path()
+        if found is None:
+            raise ToolError(f"there is no program {self.name}", remedy=self.remedy)
+        return found
+
+    def version(self) -> str:
+        """The first line that it says about itself."""
+        said = run([self.needed(), *self.version_arguments], Path.cwd(), 60).said.strip()
+        return said.splitlines()[0].strip() if said else "(says no version)"
+
+
+GAPPA = Tool("gappa", ("--version",), "needs apt-get install gappa (or https://gappa.gitlabpages.inria.fr)")
+FRAMA_C = Tool(
+    "frama-c",
+    ("-version",),
+    "needs apt-get install frama-c-base (or opam install frama-c, https://frama-c.com)",
+)
+CPPCHECK = Tool(
+    "cppcheck", ("--version",), "needs apt-get install cppcheck (or https://cppcheck.sourceforge.io)"
+)
+GCC = Tool("gcc", ("--version",), "needs apt-get install gcc (a real gcc: clang writes no stack usage)")
+ARM_GCC = Tool("arm-none-eabi-gcc", ("--version",), "needs apt-get install gcc-arm-none-eabi")
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """How a program ended: ``code`` None where its time was over; ``said`` is stdout and stderr together."""
+
+    code: int | None
+    said: str
+    seconds: float
+
+
+def run(command: Sequence[str], folder: Path, seconds: float) -> Done:
+    """Run ``command`` in ``folder``, with all that it starts, for ``seconds`` at most.
+
+    Raises
+    ------
+    ToolError: it cannot be started.
+    """
+    began = time.monotonic()
+    try:
+        process = start(
+            list(command),
+            cwd=folder,
+            env={**os.environ, "LC_ALL": "C", "PWD": str(folder)},  # Frama-C goes by PWD
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            errors="replace",
+            start_new_session=True,
+        )
+    except OSError as error:
+        raise ToolError(f"{command[0]} cannot be started", found=error.strerror or str(error)) from None
+    _running.add(process)
+    code: int | None
+    try:
+        said, _ = process.communicate(timeout=seconds)
+        code = process.returncode
+    except subprocess.TimeoutExpired:
+        _end(process)
+        said, code = process.communicate()[0], None
+    except BaseException:
+        _end(process)
+        process.communicate()
+        raise
+    finally:
+        _running.discard(process)
+    return Done(code, said, time.monotonic() - began)
+
+
+#: What runs now, in whatever thread.
+_running: set[subprocess.Popen[str]] = set()
+
+
+def end_all() -> None:
+    """End all that :func:`run` has started, in other threads too: nothing is left behind."""
+    for process in list(_running):
+        _end(process)
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    """End a process and what it started."""
+    if hasattr(os, "killpg"):
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            return
+    else:
+        process.kill()
+
+
+def last_lines(said: str, count: int = 3) -> str:
+    """The last lines of what a program said, as one."""
+    lines = [re.sub(r"\s+", " ", line).strip() for line in said.splitlines() if line.strip()]
+    return " | ".join(lines[-count:])[:400] or "nothing"

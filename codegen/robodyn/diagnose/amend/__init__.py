@@ -1,0 +1,1 @@
+"""The findings written into the description."""

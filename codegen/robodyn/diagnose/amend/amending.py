@@ -1,0 +1,263 @@
+"""Amendments carried out on the data of a model, one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from robodyn.diagnose.amend.combined import (
+    WORKED_OUT,
+    Body,
+    bearing,
+    joined,
+    ripple,
+    significant,
+    springs,
+    total,
+)
+from robodyn.diagnose.amend.settings import checked, read_settings, summed
+from robodyn.effects.catalogue import CATALOGUE, effect
+from robodyn.errors import InputError
+from robodyn.robot.effects import belongs
+from robodyn.robot.folding import folded
+from robodyn.robot.model import AXES, EffectEntry, Inertia, Robot, Vector
+from robodyn.robot.rewriting import Place
+from robodyn.robot.values import ZERO, Value
+
+#: Laws of friction with a Coulomb level of their own: the parameters that hold it.
+LEVELS = {
+    "stribeck_friction": ("level", "static"),
+    "asymmetric_friction": ("positive", "negative"),
+    "presliding_hysteresis": ("level",),
+}
+#: Effects that are summed as wholes.
+_WHOLE = frozenset({"spring", "torque_ripple", "load_dependent_friction"})
+
+
+class Work:
+    """A model in the making: its links and gravity, and its effects with where they come from."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.robot = replace(robot, effects=())
+        self.entries: list[tuple[int | None, EffectEntry]] = list(enumerate(robot.effects))
+        self.places: set[Place] = set()
+        self.remarks: list[str] = []
+        #: Places that an amendment has emptied into another one.
+        self.became: dict[Place, Place] = {}
+
+    def add(self, id: str, joint: int | None, parameters: Mapping[str, Any]) -> None:
+        """One more amendment; it says in ``places`` and ``remarks`` what became of it."""
+        known = effect(id)
+        of_robot = joint is None
+        if not belongs(known, of_robot=of_robot):
+            raise InputError(
+                f"{known.id} is an effect of {'a joint' if of_robot else 'the whole robot'}",
+                found=f"joint {'null' if of_robot else joint}",
+            )
+        if joint is not None and not 1 <= joint <= self.robot.n:
+            raise InputError(f"{known.id}: no such joint", found=str(joint), expected=f"1 to {self.robot.n}")
+        given = read_settings(known, parameters, self.robot.n)
+        if known.id == "payload":
+            self._payload(given)
+        elif known.id == "base_tilt":
+            self._tilt(given)
+        elif joint is None:
+            self._of_robot(known.id, given)
+        elif known.id == "viscous_friction":
+            self._friction(joint, "viscous", given["coefficient"])
+        elif known.id == "coulomb_friction":
+            self._coulomb(joint, given["level"])
+        elif known.id == "rotor_inertia":
+            at = self.robot.links[joint - 1].joint
+            value = self._sum(at.motor_inertia, given["inertia"], "motor_inertia")
+            self._link(joint, "motor_inertia", joint=replace(at, motor_inertia=value))
+        elif known.id == "inertial_error":
+            self._inertials(joint, given)
+        else:
+            self._at_joint(known.id, joint, given)
+
+    # --- numbers of the rigid arm -----------------------------------------------------------------------
+
+    def _sum(self, old: Value, added: Value, name: str) -> Value:
+        value = total(old, added)
+        if isinstance(value, Fraction) and value < 0:
+            self.remarks.append(f"the sum of {name} would be {float(value):.3g}, and is 0 instead")
+            return ZERO
+        return value
+
+    def _link(self, number: int, place: str, **changes: Any) -> None:
+        links = list(self.robot.links)
+        links[number - 1] = replace(links[number - 1], **changes)
+        self.robot = replace(self.robot, links=tuple(links))
+        self.places.add((number, place))
+
+    def _friction(self, joint: int, name: str, added: Value) -> None:
+        at = self.robot.links[joint - 1].joint
+        value = self._sum(getattr(at, name), added, name)
+        changed = replace(at, viscous=value) if name == "viscous" else replace(at, coulomb=value)
+        self._link(joint, name, joint=changed)
+
+    def _coulomb(self, joint: int, level: Value) -> None:
+        """The level goes to the law of friction that the joint has."""
+        for k, (origin, entry) in enumerate(self.entries):
+            if entry.joint == joint and entry.effect in LEVELS:
+                values = dict(entry.settings)
+                for name in LEVELS[entry.effect]:
+                    values[name] = total(values[name], level)  # type: ignore[arg-type]
+                self._store(k, origin, entry.effect, joint, values)
+                return
+        self._friction(joint, "coulomb", level)
+
+    def _inertials(self, joint: int, given: dict[str, Any]) -> None:
+        link = self.robot.links[joint - 1]
+        if "delta_mass" in given:
+            self._link(joint, "mass", mass=self._sum(link.mass, given["delta_mass"], "mass"))
+        com = tuple(
+            total(old, given.get(f"delta_com_{axis}", ZERO))
+            for old, axis in zip(link.com, "xyz", strict=True)
+        )
+        if com != link.com:
+            self._link(joint, "com", com=com)
+        sums = {
+            axes: total(getattr(link.inertia, axes), given[f"delta_{axes}"])
+            for axes in AXES
+            if f"delta_{axes}" in given
+        }
+        if sums:
+            self._link(joint, "inertia", inertia=replace(link.inertia, **sums))
+
+    def _tilt(self, given: dict[str, Any]) -> None:
+        settings = (("tilt_x", given.get("tilt_x", ZERO)), ("tilt_y", given.get("tilt_y", ZERO)))
+        if any(value for _, value in settings):
+            entry = EffectEntry("base_tilt", None, settings)
+            tilted = folded(replace(self.robot, effects=(entry,))).gravity
+            x, y, z = (significant(float(g), WORKED_OUT) for g in tilted)
+            self.robot = replace(self.robot, gravity=(x, y, z))
+            self.places.add((None, "gravity"))
+
+    def _payload(self, given: dict[str, Any]) -> None:
+        at = self._find("payload", None)
+        old: dict[str, Any] = dict(self.entries[at][1].settings) if at is not None else {}
+        added: Vector = given.get("com", old.get("com", (ZERO, ZERO, ZERO)))
+        load = Body(given.get("mass", ZERO), added, given.get("inertia", Inertia()))
+        before = Body(old.get("mass", ZERO), old.get("com", added), old.get("inertia", Inertia()))
+        both = joined(before, load)
+        if both is None:
+            self._into_last_link(load)
+            return
+        values: dict[str, Any] = {"mass": both.mass, "com": both.com}
+        if isinstance(both.mass, Fraction) and both.mass < 0:
+            values["com"] = before.com  # without mass there is no other
+        elif "inertia" in old or both.inertia != Inertia():
+            values["inertia"] = both.inertia
+        if at is None:
+            self._append("payload", None, values)
+        else:
+            self._store(at, self.entries[at][0], "payload", None, values)
+
+    def _into_last_link(self, load: Body) -> None:
+        """A payload with run-time numbers cannot take another one; the link that it is fixed to can."""
+        n = self.robot.n
+        link = self.robot.links[-1]
+        both = joined(Body(link.mass, link.com, link.inertia), load)
+        if both is None:
+            raise InputError(
+                "payload: run-time names stand in the way of the sum",
+                remedy="give the payload's numbers, or those of the last link",
+            )
+        self.remarks.append("the payload has run-time numbers: this one is in the last link")
+        self._link(n, "mass", mass=self._sum(both.mass, ZERO, "mass"))
+        self._link(n, "com", com=both.com)
+        self._link(n, "inertia", inertia=both.inertia)
+
+    # --- entries ----------------------------------------------------------------------------------------
+
+    def _find(self, id: str, joint: int | None, other: object = None) -> int | None:
+        for k, (_, entry) in enumerate(self.entries):
+            if (entry.effect, entry.joint) == (id, joint) and dict(entry.settings).get("with") == other:
+                return k
+        return None
+
+    def _of_robot(self, id: str, given: dict[str, Any]) -> None:
+        if id == "external_contact":
+            values = checked(CATALOGUE[id], None, given, self.robot, self.remarks)
+            known = [entry for _, entry in self.entries]
+            if EffectEntry(id, None, values) not in known:
+                self._append(id, None, given)
+            return
+        if any(entry.effect == id and entry.joint is not None for _, entry in self.entries):
+            for joint in range(1, self.robot.n + 1):  # of all joints, or at each: never both
+                self._merge(id, joint, given)
+            return
+        self._merge(id, None, given)
+
+    def _at_joint(self, id: str, joint: int, given: dict[str, Any]) -> None:
+        of_all = self._find(id, None)
+        if of_all is not None:
+            values = dict(self.entries.pop(of_all)[1].settings)
+            self.became[None, id] = (joint, id)
+            for each in range(1, self.robot.n + 1):
+                self._merge(id, each, values)
+        if id in LEVELS:
+            self._take_coulomb(joint, id, given)
+        coupler = {"backlash": "joint_elasticity", "joint_elasticity": "backlash"}.get(id, "")
+        at = self._find(coupler, joint)
+        if at is not None:
+            # Play with stiff teeth holds both: the reader allows one of the two at a joint.
+            origin, entry = self.entries[at]
+            if id == "joint_elasticity":
+                self._store(at, origin, coupler, joint, {**dict(entry.settings), **given})
+                return
+            self.entries.pop(at)
+            self.became[joint, coupler] = (joint, id)
+            given = {**dict(entry.settings), **given}
+        self._merge(id, joint, given)
+
+    def _take_coulomb(self, joint: int, id: str, given: dict[str, Any]) -> None:
+        """Coulomb friction of the joint becomes the level of the law that is added."""
+        at = self.robot.links[joint - 1].joint
+        if at.coulomb == ZERO:
+            return
+        for name in LEVELS[id]:
+            if name in given:
+                given[name] = total(given[name], at.coulomb)
+        self._link(joint, "coulomb", joint=replace(at, coulomb=ZERO))
+        self.became[joint, "coulomb"] = (joint, id)
+
+    def _merge(self, id: str, joint: int | None, given: dict[str, Any]) -> None:
+        """Into an entry that is there, or as one more."""
+        known = CATALOGUE[id]
+        whole: dict[str, Any] = (
+            dict(checked(known, joint, given, self.robot, [], bounds=False)) if id in _WHOLE else dict(given)
+        )
+        for k, (origin, entry) in enumerate(self.entries):
+            if (entry.effect, entry.joint) != (id, joint):
+                continue
+            old = dict(entry.settings)
+            if old.get("with") != given.get("with"):
+                continue
+            if id == "spring":
+                values: dict[str, Any] | None = springs(old, whole, self.remarks)
+            elif id == "torque_ripple":
+                values = ripple(old, whole)
+            elif id == "load_dependent_friction":
+                values = bearing(old, whole)
+            else:
+                values = summed(known, old, given)
+            if values is not None:
+                self._store(k, origin, id, joint, values)
+                return
+        if id == "torque_ripple" and whole["amplitude"] < 0:
+            given = ripple({**whole, "amplitude": ZERO}, whole) or given
+        self._append(id, joint, given)
+
+    def _append(self, id: str, joint: int | None, values: dict[str, Any]) -> None:
+        self.entries.append((None, EffectEntry(id, joint, ())))
+        self._store(len(self.entries) - 1, None, id, joint, values)
+
+    def _store(self, k: int, origin: int | None, id: str, joint: int | None, values: dict[str, Any]) -> None:
+        settings = checked(CATALOGUE[id], joint, values, self.robot, self.remarks)
+        self.entries[k] = (origin, EffectEntry(id, joint, settings))
+        self.places.add((joint, id))

@@ -1,0 +1,1 @@
+"""Blind tests: effects hidden in simulated logs, answers under seal."""

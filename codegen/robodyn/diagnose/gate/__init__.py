@@ -1,0 +1,1 @@
+"""Is this log fit to be diagnosed, and with this model?"""

@@ -1,0 +1,137 @@
+"""The data gate: what of a log can be used, and what is to be known of it before anything is fitted.
+
+A log that would lead a fit astray is refused: garbage, times out of order, other units, signs or columns than
+the robot's. All else is told in flags with rows and times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.gate.content import JointContent, content, steps_of
+from robodyn.diagnose.gate.flag import Flag, Floats, Span, count, refuse
+from robodyn.diagnose.gate.grid import on_grid
+from robodyn.diagnose.gate.model import check_model
+from robodyn.diagnose.gate.rates import check_rates
+from robodyn.diagnose.gate.rows import usable
+from robodyn.diagnose.gate.smooth import REACH, noise_of, smoothed
+from robodyn.diagnose.gate.stuck import check_stuck
+from robodyn.robot.model import Robot
+from robodyn.simulate.log import Log
+
+__all__ = ["MOST_SAMPLES", "Flag", "Gate", "JointContent", "Span", "inspect"]
+
+#: As many samples are used at most.
+MOST_SAMPLES = 200_000
+#: A log below this rate [Hz], or shorter than this [s], is told of.
+_SLOW, _SHORT = 50.0, 3.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Gate:
+    """A log that has passed.
+
+    ``log`` [K rows] is evenly sampled, each ``period`` [s], in each of the ``segments``; between them time is
+    missing. It is the log that was given, array for array, where that has no fault. ``qd`` or ``qdd`` is
+    None where it was not logged or cannot be used. ``saturated`` [K, n]: where torques are cut off. ``rows``
+    [K]: about which row (from 0) of the given log each sample is. ``joints``: what there is of each;
+    ``flags``: all that was found.
+    """
+
+    log: Log
+    segments: tuple[slice, ...]
+    period: float
+    rows: NDArray[np.intp]
+    saturated: NDArray[np.bool_]
+    joints: tuple[JointContent, ...]
+    flags: tuple[Flag, ...]
+
+    def told(self, kind: str) -> tuple[Flag, ...]:
+        """The flags of that ``kind``."""
+        return tuple(flag for flag in self.flags if flag.kind == kind)
+
+    @property
+    def torque_noise(self) -> Floats:
+        """Standard deviations [n] of what is white in the torques [N m or N]."""
+        return np.array([one.torque_noise for one in self.joints])
+
+
+def inspect(
+    log: Log,
+    robot: Robot,
+    parameters: Mapping[str, float] | None = None,
+    *,
+    source: str | None = None,
+    most: int = MOST_SAMPLES,
+) -> Gate:
+    """Look at ``log`` of ``robot`` before anything is fitted.
+
+    ``parameters``: values of the robot's run-time parameters; ``source``: what the log is called in messages;
+    ``most``: as many samples are kept at most.
+
+    Raises
+    ------
+    InputError: the log cannot be used; with rows, columns and times.
+    """
+    if log.n != robot.n:
+        refuse(
+            source,
+            f"the log is not of {robot.name}",
+            found=f"{log.n} joints",
+            expected=f"{robot.n}",
+            remedy="name the robot that the log is of",
+        )
+    flags: list[Flag] = []
+    if log.ignored:
+        listed = ", ".join(log.ignored[:8]) + (", ..." if len(log.ignored) > 8 else "")
+        text = f"{count(len(log.ignored), 'column')} not read: {robot.name} has {count(robot.n, 'joint')}"
+        flags.append(Flag("ignored", listed, (), text))
+    rows = usable(log, source, flags)
+    some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
+    steps = steps_of(log.q[some]), steps_of(log.tau[some])
+    grid = on_grid(log, rows, most, flags)
+    check_stuck(grid, source, flags)
+    smooth = smoothed(grid.log, grid.segments, grid.period)
+    noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)
+    rates, accelerations, lag = check_rates(smooth, robot, grid.period, source, flags, noise[0])
+    unexplained = check_model(smooth, robot, parameters, source, flags)
+    used = grid.log
+    if not rates or not accelerations:
+        used = Log(
+            used.t, used.q, used.qd if rates else None, used.qdd if accelerations else None, used.tau,
+            used.provenance, used.ignored,
+        )  # fmt: skip
+    joints, saturated = content(
+        grid, smooth, robot, parameters,
+        steps=steps, noise=noise, lag=lag, unexplained=unexplained, flags=flags,
+    )  # fmt: skip
+    if not smooth.inside.any():
+        refuse(
+            source,
+            "the log is in pieces that are too short",
+            found=f"{count(len(grid.segments), 'piece')}, none of them of {2 * REACH:g} s",
+            expected="some seconds of motion without gaps",
+            remedy="record a longer motion, without gaps",
+        )
+    if not any(one.moves for one in joints):
+        rows_used = Span(int(grid.rows()[0]) + 1, int(grid.rows()[-1]) + 1, *grid.log.t[[0, -1]].tolist())
+        refuse(
+            source,
+            "no joint moves",
+            found=f"standstill in {rows_used}",
+            expected="some seconds of motion of the joints that are in question",
+            remedy="record a motion; robodyn excite designs one",
+        )
+    length = sum(part.stop - part.start for part in grid.segments) * grid.period
+    if 1 / grid.period < _SLOW:
+        text = (
+            f"{1 / grid.period:.4g} samples a second: too few for effects at reversals, delay and elasticity"
+        )
+        flags.append(Flag("slow_sampling", "t", (), text))
+    if length < _SHORT:
+        flags.append(Flag("short", "t", (), f"{length:.3g} s of motion: too little to be sure of much"))
+    return Gate(used, grid.segments, grid.period, grid.rows(), saturated, joints, tuple(flags))

@@ -1,0 +1,146 @@
+"""The usable rows of a log on an even grid, and no more of them than a fit needs."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from robodyn.diagnose.gate.flag import Flag, Floats, Rows, Span, span, spans_of
+from robodyn.diagnose.gate.rows import Usable
+from robodyn.simulate.log import Log
+
+#: Windows that a long log is cut down to, and what share of the largest motion a window must show.
+WINDOWS, MOVING = 20, 0.1
+#: A log of more rows than are used, sampled faster than this [Hz], is averaged down to half of it at least.
+FAST = 2000.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Grid:
+    """``log`` on an even grid, where ``segments`` are unbroken; ``parts`` are the rows (from 0) of the
+    ``given`` log that each of them comes of. One sample is ``stride`` rows there."""
+
+    log: Log
+    given: Log
+    segments: tuple[slice, ...]
+    parts: tuple[Rows, ...]
+    period: float
+    stride: int
+
+    def rows(self) -> Rows:
+        """About which row (from 0) of the given log each sample is [K]."""
+        found = []
+        for segment, part in zip(self.segments, self.parts, strict=True):
+            if self.stride > 1:
+                found.append(part[:: self.stride][: segment.stop - segment.start])
+                continue
+            near = np.searchsorted(self.given.t[part], self.log.t[segment] - 0.5 * self.period)
+            found.append(part[np.minimum(near, len(part) - 1)])
+        return np.concatenate(found)
+
+    def spans(self, samples: Rows) -> tuple[Span, ...]:
+        """Where the ``samples`` (rising) are in the given log, runs of them as one span."""
+        return spans_of(self.rows()[samples], self.given.t)
+
+
+def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
+    """The rows of ``log`` that are used: all, or ``most`` of them in windows spread over the motion."""
+    index, period, stride = rows.index, rows.period, 1
+    parts = rows.parts
+    total = sum(b - a for a, b in parts)
+    if total > most:
+        if rows.even and 1 / period > FAST:
+            stride = min(int(2 / (FAST * period)), total // most)
+        parts = _windows(log, rows, most * stride)
+        kept = sum(b - a for a, b in parts)
+        spans = tuple(span(int(index[a]), int(index[b - 1]), log.t) for a, b in parts)
+        text = f"{kept} of {total} usable rows, in {len(parts)} windows spread over the motion, are used"
+        text += f", {stride} averaged to one" if stride > 1 else ""
+        flags.append(Flag("cut_down", "all", spans, text))
+    whole = rows.even and stride == 1 and len(index) == log.samples and parts == ((0, log.samples),)
+    groups: dict[str, Floats | None] = {
+        "q": log.q,
+        "qd": log.qd if rows.rates else None,
+        "qdd": log.qdd if rows.accelerations else None,
+        "tau": log.tau,
+    }
+    origins = tuple(index[a:b] for a, b in parts)
+    if whole:
+        t = log.t[0] + period * np.arange(log.samples)
+        result = Log(t, log.q, groups["qd"], groups["qdd"], log.tau, log.provenance, log.ignored)
+        return Grid(result, log, (slice(0, log.samples),), origins, period, 1)
+    made: dict[str, list[Floats]] = {name: [] for name, array in groups.items() if array is not None}
+    times, segments, start = [], [], 0
+    for a, b in parts:
+        own = index[a:b]
+        t = log.t[own]
+        length = b - a if rows.even else int(np.floor((t[-1] - t[0]) / period + 1e-6)) + 1
+        grid = t[0] + period * np.arange(length)
+        for name, pieces in made.items():
+            values = groups[name][own]  # type: ignore[index]
+            values = values if rows.even else _interpolated(t, values, grid)
+            pieces.append(_averaged(values, stride))
+        times.append(_averaged(grid, stride))
+        segments.append(slice(start, start + len(times[-1])))
+        start = segments[-1].stop
+    arrays = {name: np.concatenate(pieces) for name, pieces in made.items()}
+    result = Log(
+        np.concatenate(times), arrays["q"], arrays.get("qd"), arrays.get("qdd"), arrays["tau"],
+        log.provenance, log.ignored,
+    )  # fmt: skip
+    return Grid(result, log, tuple(segments), origins, period * stride, stride)
+
+
+def _windows(log: Log, rows: Usable, most: int) -> tuple[tuple[int, int], ...]:
+    """Windows of the parts, evenly among those that move."""
+    length = most // WINDOWS
+    windows = []
+    for a, b in rows.parts:
+        count = max(1, (b - a) // length)
+        edges = np.linspace(a, b, count + 1).astype(int).tolist()
+        windows += [(u, min(v, u + length)) for u, v in itertools.pairwise(edges)]
+    reach = []
+    for a, b in windows:
+        some = log.q[rows.index[a : b : max(1, (b - a) // 100)]]
+        reach.append(some.max(axis=0) - some.min(axis=0))
+    largest = np.max(reach, axis=0)
+    share = (np.array(reach) / np.where(largest > 0, largest, 1)).max(axis=1)
+    moving = [w for w, s in zip(windows, share.tolist(), strict=True) if s >= MOVING * share.max()]
+    lengths = [b - a for a, b in moving]
+    if sum(lengths) <= most:
+        return tuple(moving)
+    # As many as fit, at even distances.
+    count = max(1, min(len(moving), int(most / (sum(lengths) / len(moving)))))
+    chosen = np.unique(np.linspace(0, len(moving) - 1, count).astype(int)).tolist()
+    found, left = [], most
+    for k in chosen:
+        a, b = moving[k]
+        found.append((a, min(b, a + left)))
+        left -= found[-1][1] - a
+        if left <= 0:
+            break
+    return tuple(found)
+
+
+def _averaged(x: Floats, stride: int) -> Floats:
+    if stride == 1:
+        return x
+    whole = len(x) // stride * stride
+    mean: Floats = x[:whole].reshape(whole // stride, stride, *x.shape[1:]).mean(axis=1)
+    return mean
+
+
+def _interpolated(t: Floats, x: Floats, grid: Floats) -> Floats:
+    """``x`` [K, n] at the times ``t`` [K] on ``grid`` [L], by the cubic through the four samples around."""
+    k = np.clip(np.searchsorted(t, grid, side="right") - 2, 0, len(t) - 4)
+    nodes = [t[k + i] for i in range(4)]
+    result = np.zeros((len(grid), x.shape[1]))
+    for i in range(4):
+        weight = np.ones(len(grid))
+        for m in range(4):
+            if m != i:
+                weight *= (grid - nodes[m]) / (nodes[i] - nodes[m])
+        result += weight[:, None] * x[k + i]
+    return result

@@ -1,0 +1,232 @@
+"""Logged torque against the model's: would it fit far better in other units, with another sign or order?
+
+A model that lacks something fits badly too, so a log is refused only where the change makes a torque that was
+unlike the model's like it, or leaves next to nothing of a difference: no effect looks like another joint's
+column. Friction that the model does not know is left out of the comparison.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.gate.flag import Flag, Floats, named, refuse
+from robodyn.diagnose.gate.likeness import Likeness, Trial, gain_of, likeness
+from robodyn.diagnose.gate.readings import Change, signs_and_order, units
+from robodyn.diagnose.gate.smooth import Smooth
+from robodyn.robot.model import Robot
+from robodyn.robot.values import ZERO
+from robodyn.simulate.sensors import measured_position
+from robodyn.verify.reference import Reference
+
+#: States that are compared.
+STATES = 600
+#: A joint is unlike the model from this unexplained share of its torque on, and like it below this one.
+UNLIKE, LIKE = 0.7, 0.3
+#: What a change must gain to refuse the log, and to be told: factors of what is left unexplained.
+REFUSED, TOLD = 8.0, 3.0
+#: Gaining so much, two joints are in each other's place even if an effect hides one of them.
+SURELY = 100.0
+#: Torques are of another unit beyond these multiples of the model's; a known one within this share of it.
+LEAST_SCALE, MOST_SCALE, KNOWN = 0.2, 5.0, 0.2
+#: The share of a torque's variance that friction which drives must make up to show a flipped sign.
+DRIVING = 0.05
+#: Changes that gain this share of the best one's factor are told with it.
+ALIKE = 0.5
+#: From this unexplained share on, another reading that leaves so many times less at a joint is nearer to it;
+#: it is not if it leaves more than this share, and so many times more, at another joint.
+SLIGHT, NEARER = 0.05, 8.0
+#: The same where the model's torque is taken as it is: columns of joints that are much alike.
+SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT = 0.002, 6.0, 0.001
+WORSE, TIMES = 0.01, 3.0
+#: So many times less is left beside a spring, where a flipped sign is none.
+SPRUNG = 4.0
+_FRICTION = {
+    "asymmetric_friction", "stribeck_friction", "power_law_friction", "load_dependent_friction",
+    "presliding_hysteresis", "transmission_loss", "viscous_friction", "coulomb_friction",
+}  # fmt: skip
+
+
+def check_model(
+    smooth: Smooth,
+    robot: Robot,
+    parameters: Mapping[str, float] | None,
+    source: str | None,
+    flags: list[Flag],
+) -> Floats | None:
+    """Flags on units, signs and order that the torques tell; the share of each joint's torque [n] that the
+    model and friction leave (see :class:`Likeness`). None: too few samples.
+
+    Raises
+    ------
+    InputError: another reading of the log agrees with the model, and the log as it stands does not.
+    """
+    rows = np.flatnonzero(smooth.inside)
+    if len(rows) < 50:
+        return None
+    rows = rows[np.linspace(0, len(rows) - 1, min(STATES, len(rows))).astype(int)]
+    offset = measured_position(np.zeros((1, robot.n)), robot.effects, parameters)
+    trial = Trial(smooth.q[rows] - offset, smooth.qd[rows], smooth.qdd[rows], smooth.tau[rows])
+    model = Reference(_frictionless(robot), parameters).inverse_dynamics
+    torque = model(trial.q, trial.qd, trial.qdd)
+    _constant(smooth.tau[smooth.inside], torque, source)
+    found = likeness(trial, torque)
+
+    def changed(changes: Iterator[Change]) -> list[tuple[float, Change, Likeness]]:
+        read = ((change, likeness(*change.of(trial, model, torque))) for change in changes)
+        return sorted(((gain_of(found, other), change, other) for change, other in read), key=lambda x: -x[0])
+
+    if not (found.apart > SLIGHT_EXACT).any():
+        return found.unexplained
+    if (found.unexplained > UNLIKE).any():
+        _tell(changed(units(robot, smooth)), found, source, flags)
+    _scales(found, source)
+    _tell(changed(signs_and_order(robot, found)), found, source, flags)
+    _unlike(found, torque, trial, source, flags)
+    return found.unexplained
+
+
+def _frictionless(robot: Robot) -> Robot:
+    """``robot`` without friction, which is fitted here: how much there is says nothing of units."""
+    links = tuple(replace(k, joint=replace(k.joint, viscous=ZERO, coulomb=ZERO)) for k in robot.links)
+    return replace(robot, links=links, effects=tuple(e for e in robot.effects if e.effect not in _FRICTION))
+
+
+def _tell(
+    read: list[tuple[float, Change, Likeness]], before: Likeness, source: str | None, flags: list[Flag]
+) -> None:
+    """Refuse or flag what another reading explains far better; ``read``: gains, changes, results, best
+    first."""
+    likely, sure = [], []
+    for gain, change, after in read:
+        if gain < TOLD or gain < ALIKE * read[0][0]:
+            break
+        # The joints that the change makes like the model, among those that tell anything.
+        became = _nearer(before, after, change)
+        if became is None:
+            continue
+        likely.append(change)
+        # A spring that is not in the model can outdo gravity at one joint: beside it the sign is right,
+        # friction does not drive, and the other joints are as they were. Two joints are in
+        # each other's place only if both are better so.
+        if change.kind == "sign" and became.sum() == 1:
+            clear = bool(
+                (before.twisted[became] < -0.5)
+                | (before.driving[became] > DRIVING)
+                | (before.sprung[became] > SPRUNG * after.sprung[became])
+                | _elsewhere(before, after, change)
+            )
+        elif change.kind == "order":
+            clear = gain > SURELY or all(after.unexplained[j - 1] < 0.5 for j in change.joints)
+        else:
+            clear = True
+        if gain > REFUSED and clear:
+            sure.append(change)
+    if not likely:
+        return
+    # What is about as likely as the surest is named beside it.
+    chosen = [*sure, *(change for change in likely if change not in sure)]
+    where = " or ".join(dict.fromkeys(f"{change.where}: {change.text}" for change in chosen))
+    after = next(result for _, change, result in read if change is chosen[0])
+    was, now = before.unexplained, after.unexplained
+    if not (was > np.maximum(2 * now, SLIGHT)).any():
+        was, now = before.apart, after.apart
+    better = np.flatnonzero(was > np.maximum(2 * now, SLIGHT_EXACT)).tolist()
+    shares = ", ".join(f"{j + 1}: {was[j]:.2g} to {now[j]:.2g}" for j in better)
+    if sure:
+        refuse(
+            source,
+            where,
+            found=f"torques unlike the model's; read otherwise, the share of their variance that the model "
+            f"leaves falls (joint {shares})",
+            expected="SI units, and the signs and the order of the robot's joints",
+            remedy=" or ".join(dict.fromkeys(change.remedy for change in chosen)),
+        )
+    first = chosen[0]
+    text = f"perhaps {where}; read so, the model leaves less (joint {shares})"
+    flags.append(Flag(f"perhaps_{first.kind}", first.where, (), text, first.joints))
+
+
+def _nearer(before: Likeness, after: Likeness, change: Change) -> NDArray[np.bool_] | None:
+    """The joints [n] where a ``change`` makes a log that is not the model's like it; None: it does not."""
+    was, now = before.unexplained, after.unexplained
+    became = (was > UNLIKE) & (now < LIKE)
+    if became.any() and not (now > np.maximum(2 * was, 0.5)).any():
+        return became
+    # Two joints are in each other's place only if both are nearer so.
+    own = [j - 1 for j in change.joints] if change.kind == "order" else []
+    for was, now, slight, times, worse in (
+        (before.unexplained, after.unexplained, SLIGHT, NEARER, WORSE),
+        (before.apart, after.apart, SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT),
+    ):
+        near = (was > slight) & (was > times * now)
+        if near.any() and near[own].all() and not (now > np.maximum(TIMES * was, worse)).any():
+            return near
+    return None
+
+
+def _constant(tau: Floats, torque: Floats, source: str | None) -> None:
+    """Refuse torques [K, n] that never change where the model's do: gain and bias would be named for them."""
+    spread = np.ptp(torque, axis=0)
+    same = np.ptp(tau, axis=0) <= 1e-9 * np.abs(tau).max(axis=0)
+    joints = np.flatnonzero(same & (spread > 1e-6 * spread.max())).tolist()
+    if joints:
+        refuse(
+            source,
+            f"{named('tau', [j + 1 for j in joints])}: the same throughout",
+            found=f"{tau[0, joints[0]]:.6g} in all rows, while the model's torque changes by "
+            f"{spread[joints[0]]:.3g}",
+            expected="the torque of every joint as it was",
+            remedy="record the torques of all joints",
+        )
+
+
+def _elsewhere(before: Likeness, after: Likeness, change: Change) -> bool:
+    """Whether another joint than those of a ``change`` is far nearer to the model too."""
+    near = (before.apart > SLIGHT_EXACT) & (before.apart > NEARER_EXACT * after.apart)
+    return any(near[j] for j in range(len(near)) if j + 1 not in change.joints)
+
+
+def _scales(found: Likeness, source: str | None) -> None:
+    """Refuse torques of the model's shape and of another size: a fit would name gains, errors of inertia."""
+    like = [j for j in range(len(found.factor)) if found.correlation[j] > 0.9]
+    off = [j for j in like if not LEAST_SCALE < found.factor[j] < MOST_SCALE]
+    if len(off) <= max(1, len(like) / 2):
+        return
+    low, high = (float(f(found.factor[off])) for f in (np.min, np.max))
+    remedy = "write N m (N) at the joint: a motor's current times its torque constant and the gear ratio"
+    for factor, what in ((1e3, "divide by 1000: N mm or mN m for N m"), (1e-3, "multiply by 1000: kN m")):
+        if abs(low / factor - 1) < KNOWN and abs(high / factor - 1) < KNOWN:
+            remedy = what
+    refuse(
+        source,
+        f"{named('tau', [j + 1 for j in off])}: another unit than N m (N)",
+        found=f"{low:.3g} to {high:.3g} times the model's torques, and of their shape",
+        expected=f"{LEAST_SCALE:g} to {MOST_SCALE:g} times them, whatever the model lacks",
+        remedy=remedy,
+    )
+
+
+def _unlike(found: Likeness, torque: Floats, trial: Trial, source: str | None, flags: list[Flag]) -> None:
+    """Refuse torques of which nothing is of the model's shape; only a flag where one joint alone tells."""
+    joints = range(len(found.factor))
+    size = np.sqrt((torque * torque).mean(axis=0)), np.sqrt((trial.tau * trial.tau).mean(axis=0))
+    telling = [j for j in joints if np.isfinite(found.unexplained[j]) and size[0][j] > 0.2 * size[1][j]]
+    if any(abs(found.correlation[j]) >= 0.3 or found.unexplained[j] <= UNLIKE for j in telling):
+        return
+    where = named("tau", [j + 1 for j in telling])
+    if len(telling) > 1:
+        refuse(
+            source,
+            f"{where}: nothing of the torque is like the model's",
+            found=f"correlations of {min(found.correlation[telling]):.2f} to "
+            f"{max(found.correlation[telling]):.2f}, beside friction and a bias",
+            expected="torques of this robot in this motion",
+            remedy="see whether the log is of another robot or run, and in SI units",
+        )
+    if telling:
+        text = "nothing of the torque is like the model's: another robot, or another unit?"
+        flags.append(Flag("unlike_model", where, (), text, (telling[0] + 1,)))

@@ -1,0 +1,129 @@
+"""Other readings of a log: in other units, with other signs, in another order of the joints."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from robodyn.diagnose.gate.flag import Floats, named
+from robodyn.diagnose.gate.likeness import Likeness, Trial
+from robodyn.diagnose.gate.smooth import Smooth
+from robodyn.robot.model import Robot
+
+#: Positions are too large beyond this multiple of the limits; of these [rad], [m] where there are none.
+BEYOND, TURNS, FAR = 1.3, 9.0, 5.0
+
+Model = Callable[[Floats, Floats, Floats], Floats]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """Another reading: what is wrong if it is right, and the remedy. Positions and their rates are taken in
+    the ``order`` and times the ``scale`` [n], torques in the ``tau_order`` and times the ``tau_sign`` [n]."""
+
+    kind: str
+    joints: tuple[int, ...]
+    where: str
+    text: str
+    remedy: str
+    scale: tuple[float, ...] | None = None
+    order: tuple[int, ...] | None = None
+    tau_sign: tuple[float, ...] | None = None
+    tau_order: tuple[int, ...] | None = None
+
+    def of(self, trial: Trial, model: Model, torque: Floats) -> tuple[Trial, Floats]:
+        """The trial in that reading, and the torque of the model for it (``torque``, if its states stay)."""
+        tau = trial.tau
+        if self.tau_order is not None:
+            tau = tau[:, list(self.tau_order)]
+        if self.tau_sign is not None:
+            tau = tau * np.array(self.tau_sign)
+        states = [trial.q, trial.qd, trial.qdd]
+        if self.order is not None:
+            states = [x[:, list(self.order)] for x in states]
+        if self.scale is not None:
+            states = [x * np.array(self.scale) for x in states]
+        found = Trial(states[0], states[1], states[2], tau)
+        if self.order is None and self.scale is None:
+            return found, torque
+        return found, model(found.q, found.qd, found.qdd)
+
+
+def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
+    """Readings in other units, of positions that are too large for those of SI."""
+    revolute = [link.joint.kind == "revolute" for link in robot.links]
+    largest = np.abs(smooth.q[smooth.inside]).max(axis=0)
+    for kind, text, remedy, factor, of_kind, usual in (
+        (
+            "degrees",
+            "degrees for radians",
+            "multiply {} (and the rates) by pi/180",
+            math.radians(1),
+            True,
+            TURNS,
+        ),
+        ("millimetres", "millimetres for metres", "divide {} (and the rates) by 1000", 1e-3, False, FAR),
+    ):
+        joints = [j for j in range(robot.n) if revolute[j] == of_kind]
+        beyond = []
+        for j in joints:
+            limits = robot.links[j].joint.limits.position
+            end = max(abs(float(x)) for x in limits) if limits else usual
+            if largest[j] > BEYOND * end:
+                beyond.append(j)
+        # All that are of the kind, or one that is beyond alone.
+        for some in {tuple(joints), *((j,) for j in beyond)} if beyond else ():
+            numbers = tuple(j + 1 for j in some)
+            scale = tuple(factor if j in some else 1.0 for j in range(robot.n))
+            where = named("q", numbers)
+            yield Change(kind, numbers, where, text, remedy.format(where), scale=scale)
+
+
+def signs_and_order(robot: Robot, found: Likeness) -> Iterator[Change]:
+    """Readings with other signs and in another order."""
+    n = robot.n
+    unlike = [j for j in range(n) if not found.unexplained[j] < 0.5]
+    everyone = tuple(range(1, n + 1))
+    minus = tuple(-1.0 for _ in everyone)
+    for where, groups, text, scale, sign in (
+        (named("tau", everyone), "torques", "the sign of all torques is flipped", None, minus),
+        (named("q", everyone), "positions and rates", "the sign of all positions is flipped", minus, None),
+        ("q, tau", "columns but t", "all joints turn the other way than the model's", minus, minus),
+    ):
+        remedy = f"change the sign of all {groups}"
+        yield Change("sign", everyone, where, text, remedy, scale=scale, tau_sign=sign)
+    for j in everyone:
+        one = tuple(-1.0 if k == j else 1.0 for k in everyone)
+        if j - 1 in unlike:
+            yield Change(
+                "sign", (j,), f"tau{j}", "the sign of the torque is flipped", f"change the sign of tau{j}",
+                tau_sign=one,
+            )  # fmt: skip
+        yield Change(
+            "sign", (j,), f"q{j}", "the sign of the position is flipped",
+            f"change the sign of q{j} and its rates", scale=one,
+        )  # fmt: skip
+        yield Change(
+            "sign", (j,), f"q{j}, tau{j}", "the joint turns the other way than the model's",
+            f"change the signs of q{j}, its rates and tau{j}", scale=one, tau_sign=one,
+        )  # fmt: skip
+    for i in range(n):
+        for j in range(i):
+            order = list(range(n))
+            order[i], order[j] = j, i
+            both = (j + 1, i + 1)
+            for group, where in (
+                ("tau", named("tau", both)),
+                ("q", named("q", both)),
+                ("all", f"joints {both[0]} and {both[1]}"),
+            ):
+                yield Change(
+                    "order", both, where, "swapped", f"swap the columns {where}"
+                    if group != "all"
+                    else f"swap all columns of {where}",
+                    order=tuple(order) if group != "tau" else None,
+                    tau_order=tuple(order) if group != "q" else None,
+                )  # fmt: skip

@@ -1,0 +1,49 @@
+"""What the whole library can explain of a log, and so what is noise to it: all linear candidates at once.
+
+A real arm has more in it than any catalogue. What nothing explains is no smaller an error than the noise of
+the sensors: judged by the sensors' alone, everything would seem to matter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.fit import Problem
+from robodyn.diagnose.select.library import Candidate
+
+Floats = NDArray[np.float64]
+
+#: Ridge of columns of size 1, as a share of the number of samples; what stands out of the noise.
+_RIDGE, STANDS_OUT = 1e-3, 2.0
+
+
+def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floats:
+    """What the library leaves in parts of the log that it was not fitted to, [n], by its middle (joints that
+    stick at reversals make bursts) and in units of the noise; 1 where that is about the noise."""
+    found = np.ones(p.n)
+    for j in range(p.n):
+        columns = [p.A[:, j]]
+        seen: dict[tuple[str, int | None], int] = {}
+        for candidate, x in library:
+            key = (candidate.effect, candidate.joint)
+            if j in candidate.rows and not candidate.fixed and seen.get(key, 0) < 2:
+                seen[key] = seen.get(key, 0) + 1
+                columns.append(x[:, candidate.rows.index(j)] / p.sigma[j])
+        X = np.concatenate(columns, axis=1)
+        wide = np.sqrt(np.mean(X**2, axis=0))
+        X = X[:, wide > 0] / wide[wide > 0]
+        b = p.rest[:, j]
+        grams = np.stack([X[part].T @ X[part] for part in p.parts])
+        rights = np.stack([X[part].T @ b[part] for part in p.parts])
+        G, g = grams.sum(axis=0), rights.sum(axis=0)
+        ridge = _RIDGE * len(b) * np.eye(len(G))
+        left = np.empty(len(b))
+        for k, part in enumerate(p.parts):
+            x = np.linalg.solve(G - grams[k] + ridge, g - rights[k])
+            left[part] = b[part] - X[part] @ x
+        size = 1.4826 * float(np.median(np.abs(left)))
+        found[j] = size if size > STANDS_OUT else 1.0
+    return found

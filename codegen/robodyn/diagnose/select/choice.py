@@ -1,0 +1,274 @@
+"""One candidate beside what is known already, and the best of all: who passes, who is a rival."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.gate.content import ONE_WAY
+from robodyn.diagnose.select.fit import BLOCKS, Fit, Problem, fitted, less
+from robodyn.diagnose.select.library import Candidate, Context, again
+from robodyn.diagnose.select.predict import delays
+from robodyn.effects.catalogue import CATALOGUE
+
+Floats = NDArray[np.float64]
+
+#: Least paired t over the parts of the log.
+_T = 3.0
+#: How far beyond their confidence the arm's own numbers would have to be, in units of log-likelihood.
+_RELIEF = 20.0
+#: Of the ten numbers of a body about four are seen in most motions.
+_BODY = 4
+#: Rivals: within so many standard errors of the best, or so small a share of its gain.
+_TIE, LOSS = 2.0, 0.02
+#: Or so near in log-likelihood, of those that explain so nearly the same.
+_CLOSE, _NEARLY = 5.0, 0.9
+#: More than noise, in mean squares of the noise.
+_ROUGH = 3.0
+#: A t over the parts of such a log that is enough with twice the gain.
+_ROUGHLY = 1.3
+#: By what power of the number of its numbers a candidate must then explain more.
+_MANY = 0.25
+#: Rounds of refining what is not linear, and the factor below which it is fine enough.
+_ROUNDS, _FINE = 12, 1.03
+_SPREADS = {"torque_ripple": (1.002, 1.0001)}
+#: What swings: so many of the best of a grid are refined, if they gain this share of the most, by steps in so
+#: many directions, at first as long as this (of logarithms), never farther than by this factor.
+_SWINGING, _STARTS, _SOME = ("joint_elasticity", "backlash"), 2, 0.1
+_DIRECTIONS, _REACH, _FARTHEST = 16, {"gap": 0.1, "stiffness": 0.3, "damping": 0.5}, 8.0
+#: What is the same in a joint that moves in one direction only.
+_LEVELS = ["coulomb_friction", "torque_bias"]
+#: What a late torque channel does not delay.
+_UNDELAYED = frozenset({"time_delay", "torque_bias", "torque_gain", "torque_saturation"})
+
+
+#: What has what as a special case: a tie with it says nothing.
+_CONTAINS = {
+    "asymmetric_friction": ("coulomb_friction",),
+    "stribeck_friction": ("coulomb_friction",),
+    "power_law_friction": ("coulomb_friction", "viscous_friction"),
+    "transmission_loss": ("coulomb_friction",),
+    "spring": ("torque_bias",),
+    "motor_coupling": ("rotor_inertia", "viscous_friction", "coulomb_friction"),
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trial:
+    """A candidate beside what was chosen before: its columns [N, rows, c], the fit, the ``gain`` in units of
+    log-likelihood, its ``t`` over the parts, the RMS that it explains at its best joint, as a share of what
+    would matter."""
+
+    candidate: Candidate
+    columns: Floats
+    fit: Fit
+    gain: float
+    t: float
+    matters: float
+    per_part: Floats
+
+
+def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, least: Floats) -> Trial:
+    """The candidate beside what was chosen before."""
+    if candidate.fixed:  # its size is known: 1
+        fit = replace(fitted(less(now, candidate.rows, columns[:, :, 0])), x=np.ones(1), cov=np.zeros((1, 1)))
+    else:
+        fit = fitted(now, candidate.rows, columns, candidate.signs)
+    weight = now.independent / BLOCKS / 2
+    floor = np.maximum(fit.held.mean(axis=0), 1.0)
+    per_part = weight * ((current.held - fit.held) / floor).sum(axis=1)
+    relief = current.strain - fit.strain
+    gain = float(per_part.sum()) + relief
+    error = float(per_part.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
+    rows = list(candidate.rows)
+    explained = np.sqrt(np.mean((columns @ fit.x) ** 2, axis=0)) / now.sigma[rows]
+    matters = float(np.max(explained / least[rows]))
+    t = float(per_part.mean()) / error
+    if relief > max(0.5 * gain, _RELIEF):
+        t = max(t, _T)  # the residual is small either way: the arm's numbers would be wrong
+    return Trial(candidate, columns, fit, gain, t, matters, per_part)
+
+
+def prepared(context: Context, candidate: Candidate) -> Floats:
+    """The candidate's columns, filtered and thinned like the torque."""
+    signals = context.slow if candidate.coarse else context.signals
+    columns = candidate.columns
+    late = delays(context.model.robot)[list(candidate.rows)]
+    if late.any() and candidate.effect not in _UNDELAYED:
+        columns = columns.copy()
+        for k, delay in enumerate(late):
+            for i in range(columns.shape[2]):
+                columns[:, k, i] = np.interp(signals.t - delay, signals.t, columns[:, k, i])
+    return signals.thinned(signals.filtered(columns))
+
+
+def best_of(
+    now: Problem, current: Fit, tried: Sequence[Trial], least: Floats, contexts: Sequence[Context],
+    *, rough: bool,
+) -> tuple[Trial, tuple[str, ...], float] | None:  # fmt: skip
+    """The candidate to take, its rivals, and how sure that is; ``rough``: the log has more in it than the
+    library."""
+
+    def passes(one: Trial) -> bool:
+        c = one.candidate
+        wanted = enough(now, numbers_of(one))
+        if c.effect in _SWINGING:  # smoother than the motor, a link takes noise of the encoders away
+            wanted += now.independent / 2 * float(np.sum((now.shaken / now.sigma) ** 2))
+        better = int(np.sum(one.per_part > 0))
+        steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
+        steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
+        if rough and CATALOGUE[c.effect].kind != "sensor":  # parts differ by what is not in the library
+            steady = steady or (one.t >= _ROUGHLY and one.gain > 2 * wanted)
+        if c.local:
+            steady = one.t >= 1 and one.gain > 3 * wanted
+        return bool(
+            steady and one.matters >= 1 and one.gain > wanted and np.any(one.fit.x) and c.feasible(one.fit.x)
+        )
+
+    one_way = _one_way(contexts)
+    good = [one for one in nearest(now, current, tried, least, contexts) if passes(one)]
+    # Two levels by direction cannot be told of one direction.
+    good = [
+        one
+        for one in good
+        if one.candidate.effect != "asymmetric_friction" or not one_way[one.candidate.rows[0]]
+    ]
+    if not good:
+        return None
+    # Of each effect at each place the best of its grid, made better there.
+    best: dict[tuple[str, int | None], Trial] = {}
+    for one in good:
+        best.setdefault((one.candidate.effect, one.candidate.joint), one)
+    top = max(one.gain for one in best.values())
+    for key, one in best.items():
+        if one.candidate.given and one.gain > 0.5 * top:
+            best[key] = _refined(now, current, one, least, contexts)
+    most = max(best.values(), key=lambda one: one.gain)
+    left = np.median(most.fit.held[:, list(most.candidate.rows)], axis=0).max()
+    if rough or left > _ROUGH:  # nothing explains all there is: many numbers must bring that much more
+        ranked = sorted(best.values(), key=lambda one: -one.gain / numbers_of(one) ** _MANY)
+    else:
+        ranked = sorted(best.values(), key=lambda one: -one.gain)
+    winner = ranked[0]
+    ties = [one for one in ranked[1:] if _tied(now, winner, one)]
+    simplest = min([winner, *ties], key=lambda one: (one.candidate.order, -one.gain))
+    others = [one for one in [winner, *ties] if one is not simplest]
+    names = [one.candidate.effect for one in others if not _contains(one.candidate, simplest.candidate)]
+    if one_way[simplest.candidate.rows[0]] and simplest.candidate.effect in _LEVELS:
+        names += _LEVELS
+    rivals = tuple(dict.fromkeys(name for name in names if name != simplest.candidate.effect))
+    confidence = 0.95 if not rivals else max(0.5, 0.9 / (1 + 0.3 * len(rivals)))
+    return simplest, rivals, confidence
+
+
+def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
+    """Which joints [n] move in one direction only."""
+    forth = sum(np.maximum(c.signals.qd, 0).sum(axis=0) for c in contexts)
+    back = sum(np.maximum(-c.signals.qd, 0).sum(axis=0) for c in contexts)
+    return np.asarray(np.minimum(forth, back) < ONE_WAY * np.maximum(forth, back))
+
+
+def numbers_of(one: Trial) -> int:
+    """How many free numbers a candidate has, as far as most motions show them."""
+    return min(len(one.candidate.signs), _BODY) + len(one.candidate.given)
+
+
+def enough(now: Problem, numbers: int) -> float:
+    """The gain that so many free numbers must bring, and the choice of a candidate."""
+    return float((numbers + 3) * np.log(now.independent) / 2)
+
+
+def nearest(
+    now: Problem, current: Fit, tried: Sequence[Trial], least: Floats, contexts: Sequence[Context]
+) -> list[Trial]:
+    """The trials, best first, and for what swings the best of its grid refined: a swing a little off is in
+    step for a while and then worse than none."""
+    found, count = list(tried), dict[tuple[str, int | None], int]()
+    least_gain = max(_SOME * max((one.gain for one in tried), default=0.0), enough(now, 3))
+    for one in tried:
+        key = (one.candidate.effect, one.candidate.joint)
+        if one.candidate.effect not in _SWINGING or not one.candidate.given or one.gain < least_gain:
+            continue
+        count[key] = count.get(key, 0) + 1
+        if count[key] <= _STARTS and sum(count.values()) <= 2 * _STARTS:
+            found.append(_refined(now, current, one, least, contexts))
+    return sorted(found, key=lambda one: -one.gain)
+
+
+def _contains(wide: Candidate, narrow: Candidate) -> bool:
+    if wide.joint != narrow.joint:
+        return False
+    beside = wide.effect == "viscous_friction" and len(wide.signs) > 1 and narrow.effect == "coulomb_friction"
+    return beside or narrow.effect in _CONTAINS.get(wide.effect, ())
+
+
+def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
+    """Whether ``other`` explains what ``winner`` does, as far as the log can tell."""
+    if not set(winner.candidate.rows) & set(other.candidate.rows) or other.gain < 0.5 * winner.gain:
+        return False
+    if other.gain > (1 - LOSS) * winner.gain:
+        return True
+    # Where nearly all is explained, a small share of the gain may be much more than noise, or no more.
+    left = np.maximum(winner.fit.held.mean(axis=0), 1.0)
+    apart = float(((other.fit.held - winner.fit.held) / left).sum()) * now.independent / BLOCKS / 2
+    if apart < _CLOSE and other.gain > _NEARLY * winner.gain:
+        return True
+    worse = winner.per_part - other.per_part
+    error = float(worse.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
+    return bool(winner.gain - other.gain < _TIE * error * BLOCKS)
+
+
+def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
+    """The candidate with its nonlinear values improved, one factor at a time; of what swings, all at once in
+    random directions, for it has many optima."""
+
+    def at(values: dict[str, float]) -> Trial:
+        made = [again(c, one.candidate, values) for c in contexts]
+        columns = [prepared(c, each) for c, each in zip(contexts, made, strict=True)]
+        return trial(now, current, made[0], np.concatenate(columns), least)
+
+    if one.candidate.effect in _SWINGING:
+        return _wandered(one, at)
+    spread, fine = _SPREADS.get(one.candidate.effect, (1.5, _FINE))
+    for _ in range(_ROUNDS):
+        better = one
+        given = dict(one.candidate.given)
+        for name, value in given.items():
+            for factor in (1 / spread, spread):
+                other = value * factor
+                if name == "efficiency":
+                    other = 1 - (1 - value) * factor
+                    if not 0.05 < other < 0.995:
+                        continue
+                once = at({**given, name: other})
+                if once.gain > better.gain:
+                    better = once
+        if better is one:
+            spread = spread**0.5
+            if spread < fine:
+                break
+        one = better
+    return one
+
+
+def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
+    """The best of steps in random directions, shorter and shorter."""
+    rng, start = np.random.default_rng(0), one.candidate.given
+    size = np.array([_REACH[name] for name in one.candidate.given])
+    for _ in range(_ROUNDS):
+        given = one.candidate.given
+        steps = np.exp(size * rng.standard_normal((_DIRECTIONS, len(size))))
+        tried = []
+        for row in steps:
+            values = {name: given[name] * float(f) for name, f in zip(given, row, strict=True)}
+            if all(1 / _FARTHEST < x / start[name] < _FARTHEST for name, x in values.items()):
+                tried.append(at(values))
+        if not tried:
+            continue
+        best = max(tried, key=lambda each: each.gain)
+        size = size * (1.0 if best.gain > one.gain else 0.6)
+        one = best if best.gain > one.gain else one
+    return one

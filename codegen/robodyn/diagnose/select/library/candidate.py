@@ -1,0 +1,113 @@
+"""A candidate for what is missing, and the model and the motion it is made from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.rigid import Evaluated, Model
+from robodyn.diagnose.select.signals import Signals
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Site
+
+Floats = NDArray[np.float64]
+
+
+def anything(x: Floats) -> bool:
+    """No bounds."""
+    return True
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Candidate:
+    """An effect at a place, with what is not linear in it fixed.
+
+    ``columns`` [K, rows, c]: torques by the linear parameters, at the joints ``rows`` (from 0); ``signs``
+    [c]: +1 for what must not be negative, 0 for what may be anything; ``read`` makes the catalogue's
+    parameters of the coefficients, ``feasible`` whether physics allows them. ``coarse``: the columns are of
+    coarse signals. ``order`` says which of two that explain alike is the simpler. ``given``: the values of
+    what is not linear, by name (:func:`again` makes the same with others)."""
+
+    effect: str
+    joint: int | None
+    rows: tuple[int, ...]
+    columns: Floats
+    signs: tuple[int, ...]
+    read: Callable[[Floats], dict[str, float | str]]
+    order: int
+    coarse: bool = False
+    #: Only for logs in which nothing explains all there is.
+    rough: bool = False
+    #: Stands for another of the same effect, where noise hides which way a joint moves.
+    stand_in: bool = False
+    #: Its size is known: the coefficient is 1.
+    fixed: bool = False
+    #: It shows in few parts of a log only.
+    local: bool = False
+    feasible: Callable[[Floats], bool] = anything
+    given: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """For people."""
+        return f"{self.effect} at joint {self.joint}" if self.joint else self.effect
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Hints:
+    """What all parts of a recording share: top speeds [n], and numbers of waves by joint."""
+
+    top: Floats
+    cycles: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Context:
+    """A model along a log, and along its coarse signals; ``plain`` [K, n]: the rigid torques of the latter,
+    were all links where the encoders say."""
+
+    model: Model
+    signals: Signals
+    at: Evaluated
+    way: Floats
+    slow: Signals
+    at_slow: Evaluated
+    plain: Floats
+    hints: Hints
+    #: What candidates of one joint share.
+    kept: dict[tuple[str, int], Any] = field(default_factory=dict)
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return self.signals.n
+
+
+def site(c: Context, j: int) -> Site:
+    """Joint ``j`` (from 0) along the log, as equations see it."""
+    s = c.signals
+    m, f = c.at.m[:, j], c.at.f[:, j]
+    revolute = c.model.robot.links[j].joint.kind == "revolute"
+    return Site(
+        revolute, s.q[:, j], s.qd[:, j], s.qdd[:, j], c.way[:, j], c.at.rigid[:, j],
+        (f[:, 0], f[:, 1], f[:, 2]), (m[:, 0], m[:, 1], m[:, 2]),
+    )  # fmt: skip
+
+
+def column(effect: str, values: Mapping[str, Any], at: Site) -> Floats:
+    """The torque [K] of an effect's own equation."""
+    equation = CATALOGUE[effect].equation
+    assert equation is not None
+    return np.asarray(equation(values, at) + np.zeros_like(at.qd))
+
+
+def single(
+    effect: str, j: int, columns: list[Floats], signs: tuple[int, ...],
+    read: Callable[[Floats], dict[str, float | str]], order: int, **more: Any,
+) -> Candidate:  # fmt: skip
+    """A candidate at joint ``j`` (from 0) that shows there only, of columns [K]."""
+    return Candidate(effect, j + 1, (j,), np.stack(columns, axis=1)[:, None, :], signs, read, order, **more)

@@ -1,0 +1,120 @@
+"""What a model says that a log should show: its compiled kernel along the log, and its sensors."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.gate.gate import Gate
+from robodyn.diagnose.select.rigid import Model
+from robodyn.diagnose.select.signals import Signals, knee, smoothed_motion
+from robodyn.diagnose.select.twist import behind_motors
+from robodyn.kernels.kernel import Kernel
+from robodyn.robot.model import Robot
+from robodyn.simulate.log import Log
+from robodyn.simulate.sensors import measured_torque
+
+Floats = NDArray[np.float64]
+
+
+@lru_cache(maxsize=8)
+def kernel_of(robot: Robot) -> Kernel:
+    """The compiled inverse dynamics of ``robot``, quickly generated."""
+    from robodyn.kernels.robot_kernel import compile as compile_kernel
+
+    return compile_kernel(robot, functions=["inverse_dynamics"], optimize="fast", mode="abi")
+
+
+def agreement(robot: Robot, gate: Gate) -> float | None:
+    """How far, as a share of the largest torque, the compiled kernel is from the same equations on arrays
+    along a log; None where the model remembers, which the arrays do not."""
+    kernel = kernel_of(robot)
+    if kernel.signatures["inverse_dynamics"].states:
+        return None
+    most, size, model = 0.0, 1e-300, Model(robot)
+    for part in gate.segments:
+        _, q, qd, qdd = smooth_motion(gate.log, part)
+        tau = kernel.inverse_dynamics(q, qd, qdd)
+        most = max(most, float(np.abs(tau - model.torque(q, qd, qdd)).max()))
+        size = max(size, float(np.abs(tau).max()))
+    return most / size
+
+
+def offsets(robot: Robot) -> Floats:
+    """Encoder offsets [n] of the model: measured less true."""
+    return _sums(robot, "encoder_offset", "offset")
+
+
+def delays(robot: Robot) -> Floats:
+    """How late [n] the model knows the torque channels to be [s]."""
+    return _sums(robot, "time_delay", "delay")
+
+
+def _sums(robot: Robot, effect: str, name: str) -> Floats:
+    """By joint [n], the sum of a parameter; an entry of the whole robot is one of every joint."""
+    found = np.zeros(robot.n)
+    for entry in robot.effects:
+        if entry.effect == effect:
+            found[slice(None) if entry.joint is None else entry.joint - 1] += entry.number(name)
+    return found
+
+
+def model_torque(
+    robot: Robot, t: Floats, q: Floats, qd: Floats, qdd: Floats, tau: Floats | None = None
+) -> Floats:
+    """What the torque channel of ``robot`` shows [K, n] along measured positions, evenly sampled. What it
+    showed, ``tau`` [K, n], tells of joints with springs how they were twisted at first."""
+    model = Model(robot)
+    if model.couplers:  # a kernel can only look back
+        found = behind_motors(model, q - offsets(robot), qd, qdd, float(t[1] - t[0]), tau)
+        return measured_torque(found.total, t, robot.effects)
+    kernel = kernel_of(robot)
+    more: dict[str, Any] = {}
+    if kernel.signatures["inverse_dynamics"].states:
+        more["dt"] = float(t[1] - t[0])
+    tau = kernel.inverse_dynamics(q - offsets(robot), qd, qdd, **more)
+    return measured_torque(tau, t, robot.effects)
+
+
+def given_torque(tau: Floats, robot: Robot) -> Floats:
+    """Of commands [K, n], what the drives of ``robot`` gave: no more than their limits."""
+    found = np.array(tau)
+    for entry in robot.effects:
+        if entry.effect == "torque_saturation" and entry.joint and entry.text("clips") == "drive":
+            limit = entry.number("limit")
+            found[:, entry.joint - 1] = np.clip(found[:, entry.joint - 1], -limit, limit)
+    return found
+
+
+def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
+    """Times, filtered positions and their rates of an even part of a log."""
+    t, q = log.t[part], log.q[part]
+    period = float((t[-1] - t[0]) / (len(t) - 1))
+    smooth = smoothed_motion(q, 1 / period, knee(q, 1 / period))
+    qd = np.gradient(smooth, period, axis=0)
+    return t, smooth, qd, np.gradient(qd, period, axis=0)
+
+
+def predicted(robot: Robot, gate: Gate) -> Floats:
+    """The torques [K, n] that ``robot`` predicts along a log."""
+    found = np.zeros_like(gate.log.tau)
+    for part in gate.segments:
+        found[part] = model_torque(robot, *smooth_motion(gate.log, part), gate.log.tau[part])
+    return found
+
+
+def lacking(robot: Robot, gate: Gate) -> Floats:
+    """What ``robot`` does not explain of a log [K, n]: the torque as logged (the command as far as the drive
+    could give it) less the predicted one."""
+    return given_torque(gate.log.tau, robot) - predicted(robot, gate)
+
+
+def signals_seen(gate: Gate) -> Signals:
+    """The whole log's motion, for pictures."""
+    parts = [smooth_motion(gate.log, part) for part in gate.segments]
+    t, q, qd, qdd = (np.concatenate([part[k] for part in parts]) for k in range(4))
+    count = len(t)
+    return Signals(t, q, qd, qdd, gate.log.tau[:count], 1.0, 1, 0)

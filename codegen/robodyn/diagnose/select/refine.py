@@ -1,0 +1,172 @@
+"""What was found, refitted together: all its numbers at once, as the equations have them.
+
+Candidates are fitted where the model stood when they were tried, and some along a tangent. Left so, what they
+miss would look like something else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.amend.amend import Amendment, amended
+from robodyn.diagnose.select.fit import Problem
+from robodyn.diagnose.select.library import Context
+from robodyn.diagnose.select.library.friction import bent
+from robodyn.diagnose.select.predict import given_torque, offsets
+from robodyn.diagnose.select.rigid import Model
+from robodyn.diagnose.select.twist import behind_motors
+from robodyn.errors import InputError
+from robodyn.robot.model import Robot
+from robodyn.simulate.sensors import measured_torque
+
+Floats = NDArray[np.float64]
+
+#: Names of numbers that are no size but a choice, and effects of which the numbers are not changed here.
+_CHOSEN = frozenset({"with", "ratio", "transition", "cycles_per_rev"})
+_LEFT = frozenset({"external_contact", "inertial_error", "payload"})
+_ROUNDS, _STEP = 4, 1e-3
+#: What a round must gain to be followed by another, as a share of the sum of squares.
+_WORTH = 1e-3
+#: So many times larger than it began, a number is lost.
+_FARTHEST = 5.0
+#: From here on, in middle residuals, an error counts by its size and no more by its square.
+_USUAL, _REWEIGHTED = 2.0, 3
+
+
+def refined(
+    robot: Robot, found: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+) -> list[Amendment]:
+    """``found`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
+    ``robot`` as it was given. By Gauss and Newton, differences taken one by one."""
+    places = [
+        (k, name)
+        for k, one in enumerate(found)
+        if one.effect not in _LEFT
+        for name, value in one.parameters.items()
+        if isinstance(value, float) and value and name not in _CHOSEN
+    ]
+    if not places:
+        return list(found)
+    nuisance, prior = _own(start)
+
+    def changed(x: Floats) -> list[Amendment]:
+        values = [dict(one.parameters) for one in found]
+        for (k, name), each in zip(places, x, strict=True):
+            values[k][name] = float(each)
+        return [Amendment(one.effect, one.joint, v) for one, v in zip(found, values, strict=True)]
+
+    def missed(x: Floats) -> Floats | None:
+        try:
+            model = amended(robot, changed(x))
+        except InputError:
+            return None
+        rows = [_rest(model, c) for c in contexts]
+        left = np.concatenate(rows) / start.sigma
+        return left.reshape(-1) * np.repeat(start.rest.any(axis=1), start.n)
+
+    x = np.array([float(found[k].parameters[name]) for k, name in places])
+    begun, now = x, missed(x)
+    if now is None:
+        return list(found)
+    for _ in range(_ROUNDS):
+        rows = now.reshape(-1, start.n)
+        weight, _ = _weights(rows, nuisance, prior)
+        best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
+        columns = []
+        for i in range(len(x)):
+            moved = x.copy()
+            moved[i] *= 1 + _STEP
+            other = missed(moved)
+            columns.append(np.zeros_like(now) if other is None else (other - now) / (_STEP * x[i]))
+        J = np.stack(columns, axis=1)
+        all_of_it = weight[:, None] * np.concatenate([J, nuisance], axis=1)
+        _, step = _least(weight * now, all_of_it, prior, free=len(x))
+        for share in (1.0, 0.3, 0.1):
+            tried = x - share * step[: len(x)]
+            within = np.all(tried * x > 0) and np.all(np.abs(tried) < _FARTHEST * np.abs(begun))
+            other = missed(tried) if within else None
+            if other is None:
+                continue
+            sum_of_squares = _least(weight * other, weight[:, None] * nuisance, prior)[0]
+            if sum_of_squares < best:
+                break
+        else:
+            break
+        assert other is not None
+        worth = best - sum_of_squares > _WORTH * best
+        x, now = tried, other
+        if not worth:
+            break
+    return changed(x)
+
+
+def costs(
+    robot: Robot, models: Sequence[Sequence[Amendment]], contexts: Sequence[Context], start: Problem
+) -> list[float]:
+    """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
+    bursts, by the measure of the first model, count by their size (Huber 1964)."""
+    nuisance, prior = _own(start)
+    kept = np.any(start.rest != 0, axis=1)[:, None]
+    usual: Floats | None = None
+    found = []
+    for model in models:
+        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
+        weight, usual = _weights(left, nuisance, prior, usual)
+        least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
+        found.append(least / 2 / start.thin)
+    return found
+
+
+def _own(start: Problem) -> tuple[Floats, Floats]:
+    """Columns [N n, p] of the arm's own numbers, and how they are held [p, p]."""
+    nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
+    return nuisance, np.diag(np.sqrt(start.prior[: start.nuisance]))
+
+
+def _usual(left: Floats) -> Floats:
+    """The middle size [n] of what is left [N, n]."""
+    return np.asarray(np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1e-3))
+
+
+def _weights(
+    left: Floats, nuisance: Floats, prior: Floats, usual: Floats | None = None
+) -> tuple[Floats, Floats]:
+    """Weights [N n] that keep a few bursts (joints that stick at reversals) from having their way (Huber
+    1964), as factors of rows, and the middle sizes [n]; by what the nuisance too leaves of ``left``
+    [N, n]."""
+    weight, size = np.ones(left.size), np.ones(left.shape[1])
+    for _ in range(_REWEIGHTED):
+        x = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[1]
+        rest = left - (nuisance @ x).reshape(left.shape)
+        size = _usual(rest) if usual is None else usual
+        weight = np.sqrt(np.minimum(1.0, _USUAL * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
+    return weight, size
+
+
+def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, Floats]:
+    """Least squares of ``b - A x``, all but the first ``free`` of ``x`` held by the ``prior``: the sum, and
+    x."""
+    rows = np.concatenate([np.zeros((len(prior), free)), prior], axis=1)
+    G, g = A.T @ A + rows.T @ rows, A.T @ b
+    scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
+    x = np.linalg.lstsq(G / np.outer(scale, scale), g / scale, rcond=1e-12)[0] / scale
+    left = b - A @ x
+    return float(left @ left + np.sum((rows @ x) ** 2)), x
+
+
+def _rest(robot: Robot, c: Context) -> Floats:
+    """What ``robot`` leaves of a log, filtered and thinned."""
+    s, model = c.signals, Model(robot)
+    found = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
+    total = found.total
+    for entry in robot.effects:
+        if entry.effect == "presliding_hysteresis" and entry.joint:  # the model has them sliding
+            j, level = entry.joint - 1, entry.number("level")
+            if level > 0:
+                bristles = bent(s.q[:, j], level / entry.number("stiffness"))
+                total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
+    tau = measured_torque(total, s.t, robot.effects)
+    return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

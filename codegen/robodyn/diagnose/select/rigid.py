@@ -1,0 +1,208 @@
+"""The rigid arm along a log: loads on the joints, and torques by unit inertial parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.drives.drive import (
+    Acting,
+    Layer,
+    Loads,
+    Rates,
+    at_motors,
+    combined,
+    layer_of,
+    passed_on,
+    rigid_part,
+)
+from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion, trigonometry_at
+from robodyn.dynamics.joints import smoothed_sign
+from robodyn.dynamics.kinematics import frames
+from robodyn.dynamics.modified_newton_euler import forward_pass
+from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.dynamics.vectors import unmarked
+from robodyn.ir.program import Label
+from robodyn.robot.model import AXES, Robot
+
+Floats = NDArray[np.float64]
+#: Positions, velocities and accelerations [K, n].
+Moved = tuple[Floats, Floats, Floats]
+
+#: Standard inertial parameters of a link, about its frame's origin.
+PARAMETERS = ("m", "mx", "my", "mz", *AXES)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evaluated:
+    """A model along a motion, [K, n] each: the rigid arm's torque ``rigid``; what the drives pass on,
+    ``passed``; ``total``; forces ``f`` and moments ``m`` [K, n, 3] in the joints."""
+
+    rigid: Floats
+    passed: Floats
+    total: Floats
+    f: Floats
+    m: Floats
+
+
+class Model:
+    """A robot on arrays: ``q, qd, qdd`` [K, n]. Effects that remember are at their steady values."""
+
+    def __init__(self, robot: Robot, parameters: Mapping[str, float] | None = None) -> None:
+        self.robot = robot
+        values = dict(parameters or {})
+        self.n = robot.n
+        self.arm: Arm = build_arm(rigid_part(robot, bare=True), float, values.__getitem__)
+        self._layer: Layer = layer_of(robot, float, values.__getitem__, bare=True)
+        self._rest = None if robot.rest_velocity is None else float(robot.rest_velocity)
+        self._band = None if robot.dead_band is None else float(robot.dead_band)
+
+    @property
+    def couplers(self) -> dict[int, Acting]:
+        """What lies between motor and link where the encoder is on the motor, by joint (from 0)."""
+        found = {}
+        for j, drive in enumerate(self._layer.joints):
+            if drive.coupler is not None and drive.coupler.values["encoder"] == "motor":
+                found[j] = drive.coupler
+        return found
+
+    def motion(self, q: Floats, qd: Floats, qdd: Floats) -> Motion:
+        """The rigid arm's motion, over arrays of states."""
+        columns = q.T
+
+        return build_motion(
+            self.arm, list(columns), list(qd.T), list(qdd.T), trigonometry_at(list(columns)), float
+        )
+
+    def direction(self, qd: Floats) -> Floats:
+        """Directions of motion as the robot has them near rest."""
+        return np.asarray(smoothed_sign(qd, self._rest, self._band), dtype=np.float64)
+
+    def evaluate(self, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None) -> Evaluated:
+        """The model's torques along a motion of the links; that of the ``motors`` is the same unless it is
+        given."""
+        found: dict[tuple[int, str, str], Any] = {}
+
+        def mark(value: Any, label: Label) -> Any:
+            found[label.link - 1, label.quantity, label.axis] = value
+            return value
+
+        zeros = np.zeros(len(q))
+        rigid = [x + zeros for x in newton_euler(self.arm, self.motion(q, qd, qdd), mark)]
+
+        def vectors(quantity: str) -> Floats:
+            return np.stack(
+                [
+                    np.stack([found[i, quantity, axis] + zeros for axis in "xyz"], axis=1)
+                    for i in range(self.n)
+                ],
+                axis=1,
+            )
+
+        f, m = vectors("f"), vectors("n")
+        loads = Loads(
+            rigid,
+            {i: (f[:, i, 0], f[:, i, 1], f[:, i, 2]) for i in range(self.n)},
+            {i: (m[:, i, 0], m[:, i, 1], m[:, i, 2]) for i in range(self.n)},
+        )
+        way = self.direction(qd)
+        rates = Rates(list(q.T), list(qd.T), list(qdd.T), list(way.T))
+        passed = passed_on(self._layer, loads, rates)
+        if motors is not None:
+            rates = Rates(*(list(x.T) for x in (*motors, self.direction(motors[1]))))
+        pairs = [self.direction(combined(pair, rates.qd)) for pair in self._layer.pairs]
+        total = at_motors(self._layer, passed, rates, pairs)
+
+        def table(rows: list[Any]) -> Floats:
+            return np.stack([row + zeros for row in rows], axis=1)
+
+        return Evaluated(table(rigid), table(passed), table(total), f, m)
+
+    def torque(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
+        """Motor torques [K, n]."""
+        return self.evaluate(q, qd, qdd).total
+
+    def regressor(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
+        """Torques [K, n, n, 10] by the standard inertial parameters of each link: joint, link, parameter."""
+        motion = self.motion(q, qd, qdd)
+        count = len(q)
+        zeros = np.zeros(count)
+        placed = frames(self.arm, motion)
+
+        def vector(u: Any) -> Floats:
+            return np.stack([x + zeros for x in u], axis=1)
+
+        origins = [vector(frame.origin) for frame in placed]
+        turns = [np.stack([vector(axis) for axis in (f.x, f.y, f.z)], axis=2) for f in placed]
+        links = forward_pass(self.arm, motion, unmarked)
+        Y = np.zeros((count, self.n, self.n, 10))
+        unit = np.eye(3)
+        for k, at in enumerate(links):
+            w, alpha, a = vector(at.w), vector(at.alpha), vector(at.a)
+            skew = _skew(w)
+            lam = _skew(alpha) + skew @ skew
+            force = np.zeros((count, 10, 3))
+            moment = np.zeros((count, 10, 3))
+            force[:, 0] = a
+            for j in range(3):
+                force[:, 1 + j] = lam[:, :, j]
+                moment[:, 1 + j] = np.cross(unit[j], a)
+            for j in range(6):
+                moment[:, 4 + j] = _inertia(j, alpha) + np.cross(w, _inertia(j, w))
+            force = force @ np.swapaxes(turns[k], 1, 2)
+            moment = moment @ np.swapaxes(turns[k], 1, 2)
+            for i in range(k + 1):
+                axis = turns[i][:, None, :, 2]
+                if self.arm.bodies[i].revolute:
+                    lever = (origins[k] - origins[i])[:, None, :]
+                    Y[:, i, k] = np.sum(axis * (moment + np.cross(lever, force)), axis=2)
+                else:
+                    Y[:, i, k] = np.sum(axis * force, axis=2)
+        return Y
+
+    def standard_parameters(self) -> Floats:
+        """The model's own standard parameters [n, 10]."""
+        rows = []
+        for body in self.arm.bodies:
+            m = float(body.mass)
+            c = np.array([float(x) for x in body.com])
+            i = body.inertia
+            about = np.array([float(getattr(i, axes)) for axes in AXES])
+            rows.append([m, *(m * c), *(about + _shift(m, c))])
+        return np.array(rows)
+
+
+def physical(phi: Floats) -> Floats:
+    """Mass, centre of mass, and inertia about it, of standard parameters [10]."""
+    m = phi[0]
+    c = phi[1:4] / m if m > 0 else np.zeros(3)
+    return np.concatenate([[m], c, phi[4:] - _shift(m, c)])
+
+
+def _shift(m: float, c: Floats) -> Floats:
+    """What a mass ``m`` at ``c`` [3] adds to an inertia [6], by Huygens and Steiner."""
+    tensor = m * (c @ c * np.eye(3) - np.outer(c, c))
+    return np.array([tensor["xyz".index(axes[0]), "xyz".index(axes[1])] for axes in AXES])
+
+
+def _skew(u: Floats) -> Floats:
+    found = np.zeros((len(u), 3, 3))
+    found[:, 0, 1], found[:, 0, 2] = -u[:, 2], u[:, 1]
+    found[:, 1, 0], found[:, 1, 2] = u[:, 2], -u[:, 0]
+    found[:, 2, 0], found[:, 2, 1] = -u[:, 1], u[:, 0]
+    return found
+
+
+def _inertia(j: int, u: Floats) -> Floats:
+    """A tensor whose entry j (xx yy zz xy xz yz) is 1, times ``u``."""
+    found = np.zeros_like(u)
+    if j < 3:
+        found[:, j] = u[:, j]
+    else:
+        a, b = ((0, 1), (0, 2), (1, 2))[j - 3]
+        found[:, a], found[:, b] = u[:, b], u[:, a]
+    return found

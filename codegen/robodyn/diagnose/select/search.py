@@ -1,0 +1,205 @@
+"""The search: one effect after another, all refitted together, and what is not needed in the end left out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.amend.amend import Amendment, amended
+from robodyn.diagnose.gate.gate import Gate
+from robodyn.diagnose.select.choice import enough, numbers_of
+from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.refine import costs, refined
+from robodyn.diagnose.select.rigid import Model, physical
+from robodyn.diagnose.select.selection import Named, Selection, select
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot.model import AXES, Robot
+from robodyn.simulate.log import Log
+
+Floats = NDArray[np.float64]
+Key = tuple[str, int | None]
+
+#: After each pass the model is amended and looked at again.
+_PASSES = 10
+#: What must be lost by leaving an effect out, in what it had to gain to be taken.
+_PRICE = 0.3
+#: Of more than so many the others are left as they are where one is left out: that takes too long.
+_FEW = 6
+#: One law with a power of the speed at the same joint.
+_BENT = ("viscous_friction", "coulomb_friction")
+#: With an exponent below this a power of the speed is a level, and below this share of its top speed a joint
+#: stands.
+_LEVEL, _STANDS = 0.15, 0.05
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """What was found: its evidence, and all that is added for it."""
+
+    named: Named
+    parameters: dict[str, float | str]
+    errors: dict[str, float]
+    first: Selection
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outcome:
+    """What was found by effect and joint, the ``model`` with it, the ``first`` look at the logs and the
+    ``last``."""
+
+    found: dict[Key, Found]
+    model: Robot
+    first: Selection
+    last: Selection
+
+
+def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], digest: str) -> Outcome:
+    """What ``robot`` lacks to explain logs that have passed their ``gates``; ``digest``: a log's hash, kept
+    with a contact in it."""
+    pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
+
+    def look(model: Robot) -> Selection:
+        return select(model, pieces, progress=lambda name: tell(f"found {name}"))
+
+    tell("fitting the catalogue")
+    first = last = look(robot)
+    model, found, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
+    for _ in range(_PASSES):
+        if not last.found:
+            break
+        _take(last, found, digest)
+        _refit(robot, found, first)
+        if _levelled(found, first):
+            _refit(robot, found, first)
+        _pruned(robot, found, first)
+        keys = frozenset(found)
+        if keys in seen:  # what was left out comes again
+            break
+        seen.add(keys)
+        model = amended(robot, _amendments(found))
+        tell("fitting what is left")
+        last = look(model)
+    return Outcome(found, model, first, last)
+
+
+def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
+    """Leave out, one by one, what the others make up for."""
+    while len(found) > 1:
+        without = []
+        for key in found:
+            others = {other: one for other, one in found.items() if other != key}
+            if len(found) <= _FEW:
+                _refit(robot, others, first)
+            without.append(others)
+        models = [_amendments(found), *(_amendments(others) for others in without)]
+        whole, *less = costs(robot, models, first.contexts, first.start)
+        spare = [
+            cost - whole - _PRICE * enough(first.start, numbers_of(one.named.trial))
+            for cost, one in zip(less, found.values(), strict=True)
+        ]
+        bent = {joint for effect, joint in found if effect == "power_law_friction"}
+        for k, (effect, joint) in enumerate(found):
+            # Of a contact the window is left out of the costs.
+            if effect == "external_contact" or (effect in _BENT and joint in bent):
+                spare[k] = np.inf
+        k = int(np.argmin(spare))
+        if spare[k] >= 0:
+            return
+        found.clear()
+        found.update(without[k])
+
+
+def _amendments(found: Mapping[Key, Found]) -> list[Amendment]:
+    return [Amendment(effect, joint, one.parameters) for (effect, joint), one in found.items()]
+
+
+def _refit(robot: Robot, found: dict[Key, Found], begun: Selection) -> None:
+    """All that was found, fitted together to the logs as they were at first."""
+    better = refined(robot, _amendments(found), begun.contexts, begun.start)
+    for key, one in zip(list(found), better, strict=True):
+        found[key] = replace(found[key], parameters=dict(one.parameters))
+
+
+def _levelled(found: dict[Key, Found], begun: Selection) -> bool:
+    """Whether a power of the speed was no more than a level: it is Coulomb friction then."""
+    flat = [
+        (effect, joint)
+        for (effect, joint), one in found.items()
+        if effect == "power_law_friction" and float(one.parameters["exponent"]) < _LEVEL
+    ]
+    for key in flat:
+        one, j = found.pop(key), (key[1] or 1) - 1
+        speed = np.abs(begun.context.signals.qd[:, j])
+        usual = float(np.median(speed[speed > _STANDS * speed.max()]))
+        velocity = float(one.parameters.get("velocity", 1.0))
+        level = float(one.parameters["level"]) * (usual / velocity) ** float(one.parameters["exponent"])
+        plain = ("coulomb_friction", key[1])
+        if plain in found:
+            before = found[plain]
+            level += float(before.parameters["level"])
+            found[plain] = replace(before, parameters={"level": level})
+            continue
+        candidate = replace(one.named.trial.candidate, effect=plain[0], signs=(1,), given={}, order=1)
+        named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
+        errors = {"level": one.errors["level"]} if "level" in one.errors else {}
+        found[plain] = Found(named, {"level": level}, errors, one.first)
+    return bool(flat)
+
+
+def _take(step: Selection, found: dict[Key, Found], digest: str) -> None:
+    """A step's findings join those of the same effect and place."""
+    for named in step.found:
+        candidate = named.trial.candidate
+        values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
+        if candidate.effect == "external_contact":
+            values["log"] = digest
+        key = (candidate.effect, candidate.joint)
+        if key in found:
+            before = found[key]
+            linear = CATALOGUE[candidate.effect].linear
+            joined = dict(before.parameters)
+            for name, value in values.items():
+                both = isinstance(value, float) and isinstance(joined.get(name), float)
+                joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
+            found[key] = replace(before, parameters=joined)
+        else:
+            found[key] = Found(named, values, errors, step)
+
+
+def _piece(log: Log, part: slice) -> Log:
+    if part == slice(0, log.samples):
+        return log
+    cut = [None if x is None else x[part] for x in (log.t, log.q, log.qd, log.qdd, log.tau)]
+    return Log(*cut)  # type: ignore[arg-type]
+
+
+def estimates(
+    candidate: Candidate, x: Floats, stderr: Floats, model: Model
+) -> tuple[dict[str, float | str], dict[str, float]]:
+    """The catalogue's parameters of the coefficients, and their standard errors."""
+    read = candidate.read if candidate.effect != "inertial_error" else lambda v: _deltas(candidate, v, model)
+    values = read(x)
+    errors: dict[str, float] = {}
+    for name, value in values.items():
+        if isinstance(value, str):
+            continue
+        square = 0.0
+        for i in range(len(x)):
+            moved = x.copy()
+            moved[i] += stderr[i]
+            other = read(moved)[name]
+            square += (float(other) - value) ** 2
+        errors[name] = float(np.sqrt(square))
+    return values, errors
+
+
+def _deltas(candidate: Candidate, x: Floats, model: Model) -> dict[str, float | str]:
+    """Changes of a link's numbers, of changes of its standard parameters."""
+    assert candidate.joint is not None
+    old = model.standard_parameters()[candidate.joint - 1]
+    before, after = physical(old), physical(old + x)
+    names = ("mass", "com_x", "com_y", "com_z", *AXES)
+    return {f"delta_{name}": float(b - a) for name, a, b in zip(names, before, after, strict=True)}

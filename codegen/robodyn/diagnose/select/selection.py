@@ -1,0 +1,340 @@
+"""Which effects are worth adding: one after another, each judged on parts of the log that it was not fitted
+to.
+
+A step takes, of all candidates that pass, the one that explains most; those that explain as much are its
+rivals, and of them the simplest is named. It passes where (i) the gain is there in nearly all parts of the
+log (paired over parts), (ii) it is more than chance would give over the whole library, (iii) what it
+explains at some joint matters beside the noise of the torque channel and the torque itself.
+
+The rigid arm's own numbers compete: what they explain within their confidence costs little, beyond it as
+much as its prior says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.ceiling import STANDS_OUT, unexplained
+from robodyn.diagnose.select.choice import Trial, best_of, enough, nearest, numbers_of, prepared, trial
+from robodyn.diagnose.select.contact import Contact, contact_in
+from robodyn.diagnose.select.fit import BLOCKS, Fit, Problem, coarser, fitted, less, problem, tighter, without
+from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
+from robodyn.diagnose.select.rigid import Model
+from robodyn.diagnose.select.signals import Signals, signals_of
+from robodyn.robot.model import Robot
+from robodyn.simulate.log import Log
+
+Floats = NDArray[np.float64]
+
+#: Most effects in one look.
+_MOST = 6
+#: What changes the columns of all others: the model is to be evaluated anew before more is looked for.
+_BENDS = frozenset({
+    "time_delay", "torque_gain", "encoder_offset", "joint_elasticity", "backlash", "torque_saturation",
+    "base_tilt",
+})  # fmt: skip
+#: What an effect must explain at some joint: shares of the raw noise, of the torque (RMS), and of what the
+#: encoders' noise makes of it.
+_OF_NOISE, _OF_TORQUE, _OF_SHAKEN = 0.3, 0.004, 2.0
+#: A limit has one number and a force three: so much less it may explain.
+_CLIPPED = 0.15
+#: How much better the arm's numbers may be than they are said to be, and how much better the evidence for
+#: it must be.
+_TIGHT, _SURELY = 0.1, 5.0
+#: Poses at which inertias are looked at.
+_POSES = 50
+#: The shortest part of a log that is used, in periods of the filter's cutoff.
+_SHORTEST = 6.0
+#: So many times larger in the fit of all than when it was found, a coefficient means nothing.
+_FLOWN = 30.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Named:
+    """An effect that was found, ids of what explains as much, and the trials ``beside`` it, best first."""
+
+    trial: Trial
+    rivals: tuple[str, ...]
+    confidence: float
+    x: Floats
+    stderr: Floats
+    beside: tuple[Trial, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Selection:
+    """What was found in the parts of a log; ``first`` and ``last`` fits; all trials of the first step, best
+    first; ``residue`` [n]: what is left in units of the noise, by its middle, so that short bursts (joints
+    that stick at reversals) do not count."""
+
+    contexts: tuple[Context, ...]
+    start: Problem
+    found: tuple[Named, ...]
+    first: Fit
+    last: Fit
+    trials: tuple[Trial, ...]
+    residue: Floats
+
+    @property
+    def context(self) -> Context:
+        """That of the longest part."""
+        return self.contexts[0]
+
+
+def start_of(contexts: Sequence[Context]) -> Problem:
+    """The filtered residual of the model, and the nuisance of its rigid numbers."""
+    model, s = contexts[0].model, contexts[0].signals
+    phi = model.standard_parameters()
+    scale = np.zeros_like(phi)
+    for k, link in enumerate(model.robot.links):
+        confidence = float(link.confidence)
+        size = np.abs(phi[k])
+        floor = np.concatenate([[0.0], np.full(3, 0.02 * size[0]), np.full(6, 0.1 * size[4:7].max())])
+        scale[k] = confidence * np.maximum(size, floor)
+    rests, nuisances = [], []
+    for c in contexts:
+        rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
+        Y = c.model.regressor(c.slow.q, c.slow.qd, c.slow.qdd)
+        flat = (Y * scale).reshape(len(Y), model.n, -1)
+        nuisances.append(c.slow.thinned(c.slow.filtered(flat)))
+    Y = np.concatenate(nuisances)
+    Y = Y[:, :, np.abs(Y).max(axis=(0, 1)) > 0]
+    thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
+    by_encoders = shaken(contexts[0])
+    sigma = np.hypot(passed_noise(s), by_encoders)
+    return problem(np.concatenate(rests), Y, sigma, thin, by_encoders)
+
+
+def raw_noise(s: Signals) -> Floats:
+    """Standard deviations [n] of the torque channel's noise, from second differences."""
+    second = np.diff(s.tau, 2, axis=0)
+    found: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
+    return found
+
+
+def passed_noise(s: Signals) -> Floats:
+    """As far as the filter lets it pass."""
+    floor = 1e-4 * np.sqrt(np.mean(s.tau**2, axis=0))
+    passed = raw_noise(s) * np.sqrt(min(1.0, 2 * s.cutoff * s.period))
+    return np.asarray(np.maximum(passed, np.maximum(floor, 1e-9)))
+
+
+def shaken(c: Context) -> Floats:
+    """Standard deviations [n] of what the noise of the encoders makes of the model's torques, through the
+    accelerations."""
+    s = c.signals
+    if s.shaken is None:
+        return np.zeros(c.n)
+    q = s.q[:: max(1, len(s.q) // _POSES)]
+    zeros = np.zeros_like(q)
+    still = c.model.torque(q, zeros, zeros)
+    squares = np.zeros(c.n)
+    for j in range(c.n):
+        ahead = zeros.copy()
+        ahead[:, j] = s.shaken[j]
+        squares += np.mean((c.model.torque(q, zeros, ahead) - still) ** 2, axis=0)
+    return np.sqrt(squares)
+
+
+def what_matters(c: Context) -> Floats:
+    """RMS [n] that an effect must explain at a joint to be worth a name."""
+    s = c.signals
+    large = np.maximum(_OF_NOISE * raw_noise(s), _OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
+    # What swings behind its motor looks like a smoother motion, and so takes noise of the encoders away.
+    return np.asarray(np.maximum(large, _OF_SHAKEN * shaken(c)))
+
+
+def select(
+    robot: Robot,
+    logs: Log | Sequence[Log],
+    *,
+    progress: Callable[[str], object] | None = None,
+    cutoff: float | None = None,
+) -> Selection:
+    """What ``robot`` lacks to explain ``logs``, each evenly sampled; parts too short to be filtered are
+    left."""
+    pieces = [logs] if isinstance(logs, Log) else list(logs)
+    pieces.sort(key=lambda log: -log.samples)
+    seen = signals_of(pieces[0], cutoff=cutoff)
+    context = context_of(Model(robot), seen)
+    contexts = [context]
+    for log in pieces[1:]:
+        if log.samples * seen.period > _SHORTEST / seen.cutoff:
+            more = signals_of(log, cutoff=seen.cutoff)
+            contexts.append(context_of(context.model, more, context.hints))
+    start = start_of(contexts)
+    least = what_matters(context) / start.sigma
+    made = zip(*(candidates(each) for each in contexts), strict=True)
+    library = [
+        (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
+        for each in made
+    ]
+    factor = _factor(start, library, least, contexts)
+    start = coarser(start, factor)
+    least = least / factor
+    touched = contact_in(context, start) if len(contexts) == 1 else None
+    if touched is not None and (
+        _clipped_there(start, touched, library) or _otherwise(start, touched, library, least)
+    ):
+        touched = None
+    if touched is not None:
+        start = without(start, touched.mask)
+    rough = bool(np.any(factor > 1))
+    chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
+    if not chosen.found:
+        # Perhaps the arm's numbers are better than they are said to be, and something else shows.
+        tight = tighter(start, _TIGHT)
+        # Not their errors, which are within what is said of them.
+        others = [pair for pair in library if pair[0].effect != "inertial_error"]
+        other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
+        if other.found and _evidence(tight, other) > _evidence(start, chosen) + _SURELY:
+            start, chosen = tight, other
+    now, current, found = chosen.now, chosen.current, chosen.found
+    first = fitted(start)
+    estimated = _estimated(now, current, found)
+    if touched is not None:
+        estimated = (*estimated, _named_contact(touched, first))
+    left = factor * np.abs(now.rest - now.A @ current.known)
+    residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
+    return Selection(tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Chosen:
+    """What was chosen, one after another; the problem with all of it, its fit, the trials of the first
+    step."""
+
+    found: list[Named]
+    now: Problem
+    current: Fit
+    trials: list[Trial]
+
+
+def _chosen(
+    start: Problem,
+    library: Sequence[tuple[Candidate, Floats]],
+    least: Floats,
+    contexts: Sequence[Context],
+    *,
+    rough: bool,
+    progress: Callable[[str], object] | None,
+) -> _Chosen:
+    """One effect after another until none passes, or the columns of all others change."""
+    now, current = start, fitted(start)
+    found: list[Named] = []
+    trials: list[Trial] = []
+    while len(found) < _MOST:
+        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in found}
+        tried = [
+            trial(now, current, c, columns, least)
+            for c, columns in library
+            if (c.effect, c.joint) not in taken and (rough or not c.rough)
+        ]
+        tried.sort(key=lambda one: -one.gain)
+        trials = trials or tried
+        best = best_of(now, current, tried, least, contexts, rough=rough)
+        if best is None:
+            break
+        one, rivals, confidence = best
+        found.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
+        if one.candidate.fixed:
+            now = less(now, one.candidate.rows, one.columns[:, :, 0])
+        else:
+            now = now.with_columns(one.candidate.rows, one.columns)
+        current = fitted(now)
+        if progress is not None:
+            progress(one.candidate.name)
+        if one.candidate.effect in _BENDS:
+            break
+    return _Chosen(found, now, current, trials)
+
+
+def _evidence(start: Problem, chosen: _Chosen) -> float:
+    """How well a prior of the arm's numbers foresaw the logs, with what was chosen, in units of
+    log-likelihood (MacKay 1992)."""
+    p = chosen.now
+    left = p.rest - p.A @ chosen.current.known
+    floor = np.maximum(np.mean(left**2, axis=0), 1.0)
+    known = chosen.current.known[: p.nuisance]
+    misfit = float(np.sum(np.mean(left**2, axis=0) / floor)) * len(left) / p.thin / 2
+    strain = float(np.sum(p.prior[: p.nuisance] * known**2)) / p.thin / 2
+    gram = start.grams.sum(axis=0)[: p.nuisance, : p.nuisance] / np.sqrt(
+        np.outer(start.prior[: p.nuisance], start.prior[: p.nuisance])
+    )
+    width = float(np.linalg.slogdet(np.eye(len(gram)) + gram)[1]) / 2
+    spread = float(np.sum(np.log(floor))) * len(left) / p.thin / 2
+    return -misfit - spread - strain - width - sum(enough(start, numbers_of(f.trial)) for f in chosen.found)
+
+
+def _factor(
+    start: Problem, library: Sequence[tuple[Candidate, Floats]], least: Floats, contexts: Sequence[Context]
+) -> Floats:
+    """How much larger [n] than the noise is what neither the library nor one of its candidates explains."""
+    factor = unexplained(start, library)
+    if np.all(factor == 1):
+        return factor
+    current = fitted(start)
+    # A burst that happens once may have bent all these fits.
+    for left in (start.rest, start.rest - start.A @ current.known):
+        factor = np.where(1.4826 * np.median(np.abs(left), axis=0) < STANDS_OUT, 1.0, factor)
+    tried = [trial(start, current, c, columns, least) for c, columns in library]
+    tried.sort(key=lambda one: -one.gain)
+    for one in nearest(start, current, tried, least, contexts):
+        left = np.sqrt(np.median(one.fit.held, axis=0))
+        factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
+    return factor
+
+
+def _otherwise(
+    start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]], least: Floats
+) -> bool:
+    """Whether an effect that acts all along explains more of a log than a contact does of its window."""
+    current = fitted(start)
+    by_force = touched.explained * float((start.rest[touched.mask] ** 2).sum()) / 2 / start.thin
+    best = max(trial(start, current, c, columns, least).gain for c, columns in library)
+    return best > by_force
+
+
+def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
+    """Whether a torque that is cut off explains the burst as well as a force does."""
+    b = start.rest[touched.mask]
+    for candidate, columns in library:
+        if candidate.effect == "torque_saturation":
+            left = b.copy()
+            rows = list(candidate.rows)
+            left[:, rows] -= columns[touched.mask][:, :, 0] / start.sigma[rows]
+            if 1 - float(np.sum(left**2) / np.sum(b**2)) > touched.explained - _CLIPPED:
+                return True
+    return False
+
+
+def _named_contact(touched: Contact, first: Fit) -> Named:
+    """A contact as a finding: judged in its window, not on parts of the log."""
+    gain = 100.0 * touched.explained
+    fit = Fit(touched.x, np.diag(touched.stderr**2), first.known, first.held, 0.0)
+    one = Trial(touched.candidate, touched.columns, fit, gain, np.inf, np.inf, np.full(BLOCKS, gain))
+    return Named(one, (), 0.9, touched.x, touched.stderr)
+
+
+def _estimated(now: Problem, last: Fit, found: Sequence[Named]) -> tuple[Named, ...]:
+    """The effects with their coefficients in the fit of all together."""
+    done = []
+    at = now.nuisance
+    spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
+    spread = spread * max(float(last.held.mean()), 1e-300)
+    for one in found:
+        if one.trial.candidate.fixed:
+            done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
+            continue
+        wide = one.trial.columns.shape[2]
+        x = last.known[at : at + wide]
+        signs = np.array(one.trial.candidate.signs)
+        if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > _FLOWN * np.abs(one.trial.fit.x).max():
+            x = one.trial.fit.x  # all together they cannot be told apart
+        error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
+        done.append(Named(one.trial, one.rivals, one.confidence, x, error, one.beside))
+        at += wide
+    return tuple(done)

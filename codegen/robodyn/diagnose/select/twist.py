@@ -1,0 +1,175 @@
+"""Motors that run ahead of their links: where the links are, from the motors' motion alone.
+
+The arm's motion is taken to be the motors', and how far the link of a joint lags behind is the answer of an
+oscillator to the torque of that: the inertia that the joint feels, on the spring (or the play) between. The
+arm is linear in a lag so small; the spring need not be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.rigid import Evaluated, Model
+from robodyn.diagnose.select.swing import swung
+from robodyn.effects.catalogue import CATALOGUE
+
+Floats = NDArray[np.float64]
+
+#: Places at which a spring is tabulated.
+_PLACES = 4001
+#: How much further than under the largest torque of the log the spring is tabulated.
+_BEYOND = 4.0
+#: How often joints that lag together are gone through.
+_SWEEPS = 2
+#: How the lag begins is sought over this time [s], in so many steps.
+_BEGIN, _TRIES = 1.0, 2
+#: In pieces that are shorter [s] it begins at rest.
+_LONG = 4.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Slopes:
+    """What torques [K, n] of the arm change by as joint ``j`` (from 0) moves: by its position, velocity and
+    acceleration."""
+
+    j: int
+    place: Floats
+    rate: Floats
+    inertia: Floats
+
+    def of(self, lag: Floats) -> Floats:
+        """Change [K, n] by a ``lag`` [K, 3] of that joint and its rates."""
+        return -(self.place * lag[:, :1] + self.rate * lag[:, 1:2] + self.inertia * lag[:, 2:])
+
+
+def slopes_of(model: Model, q: Floats, qd: Floats, qdd: Floats, rigid: Floats, j: int) -> Slopes:
+    """Slopes along a motion [K, n] of which ``rigid`` [K, n] are the torques."""
+
+    def by(which: int, step: float) -> Floats:
+        moved = [q, qd, qdd]
+        moved[which] = moved[which].copy()
+        moved[which][:, j] += step
+        return np.asarray((model.evaluate(moved[0], moved[1], moved[2]).rigid - rigid) / step)
+
+    return Slopes(j, by(0, 1e-6), by(1, 1e-6), by(2, 1.0))
+
+
+def lag_of(
+    effect: str,
+    values: Mapping[str, Any],
+    torque: Floats,
+    felt: tuple[Floats, Floats, Floats],
+    period: float,
+    passed: Floats | None = None,
+) -> Floats:
+    """How far [K, 3] the link is behind its motor, with rates, under the ``torque`` [K] that the arm would
+    take without; ``felt``: that torque's slopes [K] over acceleration, velocity and position of the joint.
+    Samples are a ``period`` [s] apart. Not finite from where the link flies off.
+
+    How it begins follows from the torque that was measured to pass, ``passed`` [K], over the first samples;
+    without that it begins at rest.
+    """
+    spring = _Spring.of(effect, values, float(np.abs(torque).max()))
+    inputs = (torque, *felt)
+    begin = np.array([spring.at_rest(float(torque[0])), 0.0])
+    if passed is not None and len(passed) * period > _LONG:  # two numbers more for each piece of a log
+        begin = _begun(spring, inputs, period, begin, passed)
+    return spring.swung(inputs, period, begin)
+
+
+def _begun(
+    spring: _Spring, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats, passed: Floats
+) -> Floats:
+    """Place and rate at first with which the torque of the ``spring`` is nearest to ``passed`` [K]."""
+    count = min(max(8, round(_BEGIN / step)), len(passed))
+    load, mass, rub, stiff = (x[:count] for x in inputs)
+    quick = np.sqrt(spring.stiffest / max(float(mass[0]), 1e-9))
+    sizes = spring.width * np.array([1.0, quick])
+
+    def missed(at: Floats) -> Floats:
+        lag = spring.swung((load, mass, rub, stiff), step, at)
+        return np.asarray(spring.torque(lag[:, 0]) + spring.damping * lag[:, 1] - passed[:count])
+
+    left = missed(begin)
+    for _ in range(_TRIES):
+        slopes = np.stack([missed(begin + one) - left for one in np.diag(sizes)], axis=1)
+        if not np.isfinite(slopes).all():
+            break
+        better = begin - sizes * np.linalg.lstsq(slopes, left, rcond=1e-9)[0]
+        now = missed(better)
+        if not now @ now < left @ left:
+            break
+        begin, left = better, now
+    return begin
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Spring:
+    """Torque over twist, piecewise linear: ``force`` at places a ``width`` apart, from ``low`` on."""
+
+    low: float
+    width: float
+    force: Floats
+    damping: float
+
+    @classmethod
+    def of(cls, effect: str, values: Mapping[str, Any], most: float) -> _Spring:
+        coupler = CATALOGUE[effect].coupler
+        assert coupler is not None
+        reach = abs(float(coupler.twist(values, _BEYOND * most + 1e-9)))
+        places = np.linspace(-reach, reach, _PLACES)
+        force = np.asarray(coupler.torque(values, places, 0.0), dtype=np.float64)
+        return cls(-reach, float(places[1] - places[0]), force, float(values["damping"]))
+
+    @property
+    def stiffest(self) -> float:
+        """Its largest slope."""
+        return float(np.diff(self.force).max()) / self.width
+
+    def torque(self, x: Floats) -> Floats:
+        """Torques [K] of twists, without damping."""
+        i = np.clip(np.nan_to_num((x - self.low) / self.width), 0, len(self.force) - 2).astype(int)
+        slope = (self.force[i + 1] - self.force[i]) / self.width
+        return np.asarray(self.force[i] + slope * (x - self.low - i * self.width))
+
+    def at_rest(self, torque: float) -> float:
+        """The twist that holds ``torque``."""
+        places = self.low + self.width * np.arange(len(self.force))
+        return float(np.interp(torque, self.force, places))
+
+    def swung(self, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats) -> Floats:
+        """Place, rate and acceleration [K, 3] of a link on it."""
+        return swung(
+            inputs, step, (self.force, self.low, self.width), self.damping, (float(begin[0]), float(begin[1]))
+        )
+
+
+def behind_motors(
+    model: Model, q: Floats, qd: Floats, qdd: Floats, period: float, tau: Floats | None = None
+) -> Evaluated:
+    """``model`` along a motion [K, n] that its encoders saw, some of them on motors that run ahead; samples
+    are a ``period`` [s] apart. The torque ``tau`` [K, n] that was measured tells how it began."""
+    seen = model.evaluate(q, qd, qdd)
+    couplers = model.couplers
+    if not couplers:
+        return seen
+    slopes = {j: slopes_of(model, q, qd, qdd, seen.rigid, j) for j in couplers}
+    lags = {j: np.zeros((len(q), 3)) for j in couplers}
+    for _ in range(_SWEEPS if len(couplers) > 1 else 1):
+        for j, coupler in couplers.items():
+            others = sum((slopes[k].of(lags[k])[:, j] for k in couplers if k != j), np.zeros(len(q)))
+            load = seen.passed[:, j] + others
+            own = seen.total[:, j] - seen.passed[:, j]
+            passed = None if tau is None else tau[:, j] - own
+            felt = (slopes[j].inertia[:, j], slopes[j].rate[:, j], slopes[j].place[:, j])
+            lags[j] = lag_of(coupler.effect.id, coupler.values, load, felt, period, passed)
+    links = [q.copy(), qd.copy(), qdd.copy()]
+    for j, lag in lags.items():
+        for array, back in zip(links, lag.T, strict=True):
+            array[:, j] -= back
+    return model.evaluate(links[0], links[1], links[2], (q, qd, qdd))

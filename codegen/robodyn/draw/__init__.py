@@ -1,0 +1,1 @@
+"""SVG and HTML: curves in frames, texts escaped."""

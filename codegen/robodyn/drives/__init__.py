@@ -1,0 +1,1 @@
+"""What stands between a motor and its link."""

@@ -1,5 +1,0 @@
-"""Inverse dynamics in closed form: Lagrange's equations multiplied out and factored again."""
-
-from robodyn.dynamics.closed_form.seeds import closed_forms
-
-__all__ = ["closed_forms"]

@@ -1,0 +1,284 @@
+"""What the other rooms ask of an effect beside its equation: at rest, in a file, in a log, in a picture.
+
+Each effect states its traits with its definition, and nobody else knows it by name. What a trait does not
+need to say follows from the definition: where it acts (``place``), whether it is dry (its equation follows
+the direction of motion), whether it remembers (``memory``) or lies between motor and link (``coupler``),
+whether it gives back what it takes (``potential``), in which parameters it is linear.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Literal
+
+if TYPE_CHECKING:
+    from robodyn.effects.effect import Site
+
+#: Parameters as a diagnosis states them.
+Estimates = dict[str, float | str]
+#: Of coefficients [c] and of the values of what is not linear: the catalogue's parameters.
+Read = Callable[[Sequence[float], Mapping[str, float]], Estimates]
+
+
+# --- in a description -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Fold:
+    """Numbers of a description that take the effect, so that no entry is left of it.
+
+    ``joint``: the ``parameter`` is added to the joint's ``key``, which stands in ``group`` of a link (""; in
+    the link itself). ``link``: mass, centre of mass and inertia take parameters ``delta_...``. ``gravity``:
+    it is turned by ``tilt_x`` and ``tilt_y``.
+    """
+
+    into: Literal["joint", "link", "gravity"]
+    key: str = ""
+    parameter: str = ""
+    group: str = ""
+
+
+#: How two of an effect at one place are one: by the parameters that it is linear in, or as springs side by
+#: side, waves of one length, bearings of one kind.
+Combination = Literal["by parameter", "springs", "waves", "bearings"]
+
+
+# --- in what is measured ----------------------------------------------------------------------------------
+
+
+Acts = Literal["position", "delay", "gain", "bias", "limit"]
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """What is done to a channel of a log, by the ``parameter``: the ``position`` is shifted, the torque comes
+    late (``delay``), is scaled (``gain``), shifted (``bias``) or cut off (``limit``; ``who`` is the parameter
+    that says by whom, ``drive`` or ``sensor``)."""
+
+    acts: Acts
+    parameter: str
+    who: str = ""
+
+    @property
+    def is_torque(self) -> bool:
+        """Whether it is the channel of the torque."""
+        return self.acts != "position"
+
+
+# --- candidates for diagnosis -----------------------------------------------------------------------------
+
+
+def anything(x: Any) -> bool:
+    """No bounds."""
+    return True
+
+
+def between(rng: Any, low: float, high: float) -> float:
+    """A random number between two, its logarithm evenly spread."""
+    return math.exp(rng.uniform(math.log(low), math.log(high)))
+
+
+def any_speed(values: Mapping[str, float], top: float) -> bool:
+    """Whatever the joint's top speed."""
+    return True
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """A torque at one joint that is linear in some numbers.
+
+    ``columns`` gives the torques by those numbers, of the values of what is not linear and a site over
+    arrays; ``signs`` are +1 for a number that must not be negative, 0 for any; ``read`` makes the catalogue's
+    parameters of the numbers. ``order``: of two that explain alike the lower one is the simpler. ``grid``:
+    values of what is not linear that are tried, where ``suits`` them the top speed of the joint; steps of
+    their refinement begin at the factor ``spread[0]`` and end at ``spread[1]``. ``beside``: effects (with one
+    parameter) that are fitted along. ``rubbing``: only where the model has friction at the joint; ``rough``:
+    only where nothing explains all there is. ``kind``: of the joint.
+    """
+
+    columns: Callable[[Mapping[str, float], Site], Sequence[Any]]
+    signs: tuple[int, ...]
+    read: Read
+    order: int
+    grid: tuple[Mapping[str, float], ...] = ({},)
+    suits: Callable[[Mapping[str, float], float], bool] = any_speed
+    spread: tuple[float, float] = (1.5, 1.03)
+    beside: tuple[str, ...] = ()
+    feasible: Callable[[Any], bool] = anything
+    rubbing: bool = False
+    rough: bool = False
+    kind: Literal["any", "revolute", "prismatic"] = "any"
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A straight line over the joint's position, found about the middle of the motion: ``read`` is given
+    slope, torque in the middle, and ``middle``."""
+
+    read: Read
+    order: int
+
+
+@dataclass(frozen=True, slots=True)
+class Wave:
+    """A wave over the joint's position, of lengths that stand out of the log: ``read`` is given the parts in
+    phase with sine and cosine, and ``cycles`` a radian or metre."""
+
+    read: Read
+    order: int
+    spread: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Bristles:
+    """Friction that bends before it slides, by the way since reversals: ``bends`` [rad or m] at which it
+    slides are tried; one that is shorter than the way between two samples is the friction ``sliding``."""
+
+    level: str
+    stiffness: str
+    bends: tuple[float, ...]
+    sliding: str
+    read: Read
+    order: int
+
+
+@dataclass(frozen=True, slots=True)
+class Twist:
+    """A link behind its motor, on springs on which it swings so often a second (``hertz``), and with each of
+    ``more``; ``fixed`` values go along. ``ahead``: with the encoder at the link, unit values at which the
+    motor's lead is linear in one number, and how that is read. ``reach``: how far steps of refinement go."""
+
+    hertz: tuple[float, ...]
+    reach: Mapping[str, float]
+    ahead: tuple[Mapping[str, float], ...]
+    read_ahead: Read
+    order: int
+    more: tuple[Mapping[str, float], ...] = ({},)
+    fixed: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """What the ``channel`` does, what the pair of joints adds (by its equation), what the rigid arm's numbers
+    change: ``order`` at a joint, and of the whole robot."""
+
+    order: int
+    of_all: int | None = None
+
+
+Candidates = Law | Line | Wave | Bristles | Twist | Shown
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """Where the effect is no more than another one, ``id``: ``when`` its parameters say so; ``parameters`` of
+    the other, of its own and the joint's usual speed."""
+
+    id: str
+    when: Callable[[Mapping[str, Any]], bool]
+    parameters: Callable[[Mapping[str, Any], float], Estimates]
+
+
+# --- blind tests ------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Usual:
+    """What is usual of a joint on a motion: RMS torque ``tau`` and largest torque ``peak`` [N m or N], RMS
+    ``speed`` and ``rate`` of acceleration, the speed below which a tenth of the time is spent (``slow``), the
+    inertia that the joint's spring carries (``weight``), the ``middle`` of the motion [rad or m], its
+    ``duration`` [s]; the ``mass`` of the link; ``joint`` (from 1) of so many ``joints``."""
+
+    joint: int
+    joints: int
+    revolute: bool
+    mass: float
+    duration: float
+    tau: float
+    peak: float
+    speed: float
+    rate: float
+    slow: float
+    weight: float
+    middle: float
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """An effect of any size: its parameters by the scale x; a first guess ``start`` of x; what is physically
+    likely, ``least`` and ``most``."""
+
+    build: Callable[[float], Estimates]
+    start: float
+    least: float = 1e-9
+    most: float = float("inf")
+
+
+@dataclass(frozen=True, slots=True)
+class Hidden:
+    """How a blind test hides the effect: its ``form``, of what is usual of the joint, a random sense (-1.0 or
+    1.0) and a generator of random numbers (numpy's); the joint must carry something (``load``), against
+    gravity (``gravity``), if ``needs`` says so. ``at_joint``: what may be of all joints is hidden at one."""
+
+    form: Callable[[Usual, float, Any], Form]
+    needs: Literal["", "load", "gravity"] = ""
+    at_joint: bool = False
+
+
+# --- all of them ------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Traits:
+    """What is to be known of an effect; what is not stated is not so.
+
+    At rest
+        ``levels``: parameters that hold the Coulomb level, of which a joint has one. ``one_way``: what it is
+        in a joint that moves one way only, a constant ``level`` or nearly one. ``steady``: the effect, and
+        its parameters, that takes the place of one that remembers.
+
+    In a description
+        ``fold``: numbers that take it. ``body``: it is a body fixed to the last link (``mass``, ``com``,
+        ``inertia``). ``several``: it may stand more than once at a joint. ``of_all``: one entry in the
+        robot's list may stand for all joints. ``combines``: how two are one; ``adds``: parameters that add
+        up although the torque is not linear in them. ``absorbs``: effects that are a part of it, so that
+        one joint does not have both.
+
+    In a log
+        ``channel``: what it does to what is measured. ``candidates``: how it is looked for. ``contains``:
+        effects that it has as special cases, so that a tie with them says nothing. ``one_law_with``: effects
+        that make one law with it at a joint. ``reevaluate``: it changes the columns of all others.
+        ``both_ways``: it cannot be told of motion in one direction. ``chosen``: parameters that are choices,
+        not sizes. ``wide``: it shows at other joints than its own. ``limit``: where it is another effect.
+        ``hidden``: how a blind test hides it.
+
+    In a picture
+        ``over``: what it is drawn over; ``cycles``: the parameter that says how often it repeats in a turn;
+        ``nothing``: values that mean nothing is there, where that is not 0.
+    """
+
+    levels: tuple[str, ...] = ()
+    one_way: Literal["", "level", "nearly"] = ""
+    steady: tuple[str, tuple[str, ...]] | None = None
+    fold: Fold | None = None
+    body: bool = False
+    several: bool = False
+    of_all: bool = False
+    combines: Combination = "by parameter"
+    adds: tuple[str, ...] = ()
+    absorbs: tuple[str, ...] = ()
+    channel: Channel | None = None
+    candidates: tuple[Candidates, ...] = ()
+    contains: tuple[str, ...] = ()
+    one_law_with: tuple[str, ...] = ()
+    reevaluate: bool = False
+    both_ways: bool = False
+    chosen: tuple[str, ...] = ()
+    wide: bool = False
+    limit: Limit | None = None
+    hidden: Hidden | None = None
+    over: str = ""
+    cycles: str = ""
+    nothing: Mapping[str, float] = field(default_factory=dict)

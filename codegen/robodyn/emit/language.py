@@ -1,0 +1,98 @@
+"""What a language is: the record that each file of :mod:`robodyn.emit.languages` holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from robodyn.emit.spelling import Spelling
+from robodyn.emit.syntax import Syntax
+from robodyn.errors import InputError
+
+if TYPE_CHECKING:
+    from robodyn.emit.body import Lines
+    from robodyn.emit.unit import Unit
+    from robodyn.ir.signature import Signature
+
+#: What not every language can do.
+Feature = Literal["batch", "parallel", "misra", "firmware"]
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionText:
+    """One function on its way to the templates: its interface, its lines, and which arguments nothing reads.
+
+    ``rereads``: a sine reads an angle under another name (:class:`~robodyn.emit.syntax.Syntax`).
+    """
+
+    signature: Signature
+    unit: Unit
+    lines: Lines
+    unused: tuple[str, ...]
+    rereads: bool
+
+
+@dataclass(frozen=True, slots=True)
+class SelfTest:
+    """A language's self-test in a firmware folder: ``file`` made by ``template``, the compiler's ``flags``,
+    and names of types that the template is told, for ``double`` and for ``float`` (True)."""
+
+    file: str
+    template: str
+    flags: tuple[str, ...]
+    types: Callable[[bool], dict[str, str]]
+
+
+@dataclass(frozen=True, slots=True)
+class Language:
+    """A language: how it spells a kernel, and what it can do beyond that. An option that it lacks is refused.
+
+    ``syntax`` writes the statements of a function, ``function`` says what the templates are told of it beyond
+    what they are told in every language, ``context`` what they are told of the file. ``files`` are the
+    templates by the name of the file that each makes, ``NAME`` being the robot's.
+    """
+
+    name: str
+    title: str
+    files: Mapping[str, str]
+    #: Ends of the files' names that are compiled.
+    suffixes: tuple[str, ...]
+    spelling: Callable[[bool], Spelling]
+    """Numbers and operators of ``double``, or of ``float`` (True)."""
+    syntax: Callable[[Signature, Unit], Syntax]
+    function: Callable[[FunctionText], dict[str, Any]]
+    context: Callable[[Unit], dict[str, Any]]
+    aliases: tuple[str, ...] = ()
+    #: Whether ``gen`` writes it unless told otherwise.
+    default: bool = False
+    #: Notes for the head of the file.
+    notes: Callable[[Unit], tuple[str, ...]] = lambda unit: ()
+    #: What it can do beyond plain kernels.
+    features: frozenset[Feature] = frozenset()
+    #: Files of batches, by name.
+    batch: Callable[[Unit], dict[str, str]] | None = None
+    #: What a firmware folder has of it beside the kernel; that of C is the folder itself.
+    selftest: SelfTest | None = None
+
+
+def require(feature: Feature, languages: Sequence[Language]) -> None:
+    """:class:`InputError` where none of ``languages`` has ``feature``."""
+    if any(feature in language.features for language in languages):
+        return
+    from robodyn.emit.languages import LANGUAGES
+
+    able = [language for language in LANGUAGES.values() if feature in language.features]
+    raise InputError(
+        f"{_TITLES[feature]} in {' and '.join(language.title for language in able)} only",
+        found=", ".join(language.name for language in languages),
+        expected=f"{' or '.join(language.name for language in able)} among them",
+    )
+
+
+_TITLES: dict[Feature, str] = {
+    "batch": "batches are",
+    "parallel": "parallel code is",
+    "misra": "MISRA C:2012 is",
+    "firmware": "a firmware folder is",
+}

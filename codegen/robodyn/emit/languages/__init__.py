@@ -1,0 +1,74 @@
+"""The languages that kernels are written in, one file each: every module here that has a ``LANGUAGE``."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+
+from robodyn.emit.language import Language
+from robodyn.errors import InputError
+
+__all__ = ["LANGUAGES", "defaults", "language_named", "languages_named"]
+
+
+@cache
+def _all() -> dict[str, Language]:
+    names = sorted(module.name for module in pkgutil.iter_modules(__path__))
+    modules = [importlib.import_module(f"{__name__}.{name}") for name in names]
+    return {module.LANGUAGE.name: module.LANGUAGE for module in modules}
+
+
+class _Languages(Mapping[str, Language]):
+    """All languages by name, found at the first look."""
+
+    def __getitem__(self, name: str) -> Language:
+        return _all()[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_all())
+
+    def __len__(self) -> int:
+        return len(_all())
+
+
+LANGUAGES: Mapping[str, Language] = _Languages()
+
+
+def defaults() -> tuple[str, ...]:
+    """The names of the languages that are written unless others are asked for."""
+    return tuple(name for name, language in LANGUAGES.items() if language.default)
+
+
+def language_named(name: str) -> Language:
+    """The language called ``name``, which may be an alias.
+
+    Raises
+    ------
+    InputError: there is none.
+    """
+    for language in LANGUAGES.values():
+        if name == language.name or name in language.aliases:
+            return language
+    import difflib
+
+    close = difflib.get_close_matches(name, list(LANGUAGES), n=1)
+    raise InputError(
+        f"unknown language {name!r}",
+        expected=f"one of {', '.join(LANGUAGES)}",
+        remedy=f"did you mean {close[0]!r}?" if close else None,
+    )
+
+
+def languages_named(names: Sequence[str]) -> tuple[Language, ...]:
+    """The languages called ``names``, in that order.
+
+    Raises
+    ------
+    InputError: there is no such language, or one stands there twice.
+    """
+    languages = tuple(map(language_named, names))
+    if len({language.name for language in languages}) != len(languages):
+        raise InputError("a language is asked for twice", found=",".join(names))
+    return languages

@@ -1,0 +1,197 @@
+"""C99, also valid C++."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from robodyn.emit import misra
+from robodyn.emit.body import Lines
+from robodyn.emit.language import FunctionText, Language
+from robodyn.emit.sines import ANGLES, COSINES, SINES
+from robodyn.emit.spelling import WIDTH, Spelling
+from robodyn.emit.statements import Expression
+from robodyn.emit.syntax import Sines, Syntax
+from robodyn.emit.trig import trig_context
+from robodyn.emit.unit import OF_LIBM, Unit, calls
+from robodyn.ir.signature import Signature
+
+#: Compilations that would not round as written, and what is said of them.
+REFUSED = (
+    ("defined(__FAST_MATH__)", "sine and cosine are for arithmetic as written: no -ffast-math"),
+    (
+        "defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0",
+        "sine and cosine are for arithmetic in their own type: no x87, use -msse2 -mfpmath=sse",
+    ),
+)
+
+
+def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = False) -> Spelling:
+    """``states`` are the members of ``state``, where a function has one; it has ``dt`` then. ``explicit``:
+    products within sums stand in parentheses."""
+
+    def element(array: str, i: int) -> str:
+        if array == "dt":
+            return array
+        return f"state->{states[i]}" if array == "state" else f"{array}[{i}]"
+
+    f = "f" if single else ""
+    zero, one = (f"0.0{f}", f"1.0{f}")
+    positive, negative = (
+        ("({} > " + zero + ")", "({} < " + zero + ")") if explicit else ("{} > " + zero, "{} < " + zero)
+    )
+    return Spelling(
+        literal=lambda digits: digits + f,
+        element=element,
+        member=lambda name: f"p->{name}",
+        functions={
+            "sin": lambda x: f"sin{f}({x})",
+            "cos": lambda x: f"cos{f}({x})",
+            "tanh": lambda x: f"tanh{f}({x})",
+            "sqrt": lambda x: f"sqrt{f}({x})",
+            "abs": lambda x: f"fabs{f}({x})",
+            "exp": lambda x: f"exp{f}({x})",
+            "pow": lambda x, y: f"pow{f}({x}, {y})",
+            "sign": lambda x: f"({positive.format(x)} ? {one} : ({negative.format(x)} ? -{one} : {zero}))",
+        },
+        single=single,
+        continuation="",
+        explicit=explicit,
+    )
+
+
+def c_syntax(spelling: Spelling, real: str, *, libm: bool = True) -> Syntax:
+    """Statements on numbers of the type ``real``.
+
+    With the sines of ``libm``, their angles are volatile, or read a second time as elements of ``again``:
+    otherwise gcc joins sine and cosine into sincos, which not every libm has.
+    """
+    return Syntax(
+        spelling,
+        comment="/* %s */",
+        declare=lambda name, text: f"const {real} {name} = {text};",
+        declare_angle=(lambda name, text: f"const volatile {real} {name} = {text};") if libm else None,
+        assign=lambda target, text: f"{target} = {text};",
+        reread={"q": "again"} if libm else {},
+    )
+
+
+def _syntax(signature: Signature, unit: Unit) -> Syntax:
+    from dataclasses import replace
+
+    spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=unit.misra)
+    syntax = c_syntax(spelling, f"{signature.robot}_real", libm=not unit.builtin)
+    return replace(syntax, sines=_sines(signature.robot, syntax))
+
+
+def _sines(name: str, syntax: Syntax) -> Sines:
+    """``NAME_sincos_`` in C."""
+    real, spelling = f"{name}_real", syntax.spelling
+
+    def loop(angles: Sequence[Expression]) -> list[str]:
+        size = len(angles)
+        texts = ", ".join(spelling.text(angle) for angle in angles)
+        lines = syntax.line(f"const {real} {ANGLES}[{size}] = {{{texts}}};")
+        lines += [f"    {real} {SINES}[{size}];", f"    {real} {COSINES}[{size}];"]
+
+        def call(i: str) -> str:
+            return f"    {name}_sincos_({ANGLES}[{i}], &{SINES}[{i}], &{COSINES}[{i}]);"
+
+        if size == 1:
+            return [*lines, call("0")]
+        return [*lines, f"    for (int i = 0; i < {size}; ++i) {{", "    " + call("i"), "    }"]
+
+    def pair(array: str, angle: Expression) -> list[str]:
+        call = f"{name}_sincos_({spelling.text(angle)}, &{array}[0], &{array}[1]);"
+        return [f"    {real} {array}[2];", *syntax.line(call)]
+
+    return Sines(loop, pair)
+
+
+def _function(text: FunctionText) -> dict[str, Any]:
+    signature, lines = text.signature, text.lines
+    real = f"{signature.robot}_real"
+    arguments = [f"const {real} {array}[{size}]" for array, size in signature.inputs]
+    arguments += [f"{real} {array}[{size}]" for array, size in signature.outputs]
+    if signature.parameters:
+        arguments.append(f"const {signature.robot}_params *p")
+    if signature.states:
+        arguments += [f"{signature.robot}_state *state", f"{real} dt"]
+    return {
+        "arguments": arguments,
+        "prototype": _prototype(f"void {signature.symbol}(", arguments),
+        "lines": lines.statements,
+        "results": lines.results,
+        "again": text.rereads,
+        "inner": _inner(signature, lines, arguments) if lines.angles else None,
+    }
+
+
+def _inner(signature: Signature, lines: Lines, arguments: list[str]) -> dict[str, Any]:
+    """The part of a function that is given sines and cosines: what it is called with, and how."""
+    passed = [array for array in (SINES, COSINES) if array in lines.reads]
+    taken = [f"const {signature.robot}_real {array}[{lines.arrays[array]}]" for array in passed]
+    outputs = {array for array, _ in signature.outputs}
+    for argument in arguments:
+        name = argument.split()[-1].lstrip("*").partition("[")[0]
+        is_parameters = argument.endswith("_params *p")
+        read = lines.parameters if is_parameters else name in lines.reads | outputs
+        if read or name == "state":
+            taken.append(argument)
+            passed.append(name)
+    symbol = f"{signature.symbol}_given_"
+    return {
+        "prototype": _prototype(f"{signature.robot}_APART_ void {symbol}(", taken),
+        "angles": lines.angles,
+        "call": f"{symbol}({', '.join(passed)});",
+    }
+
+
+def _prototype(head: str, arguments: list[str]) -> str:
+    """``head`` with its arguments, without the closing parenthesis, in lines of moderate length."""
+    line = head + ", ".join(arguments)
+    if len(line) < WIDTH - 2:
+        return line
+    return head + (",\n" + " " * 4).join(["\n    " + arguments[0], *arguments[1:]])
+
+
+def c_trig(name: str, *, single: bool, real: str | None = None) -> dict[str, Any]:
+    """What the templates of our sine and cosine are told; ``real`` is the type of its numbers."""
+    syntax = c_syntax(c_spelling(single=single), real or f"{name}_real")
+    return {**trig_context(syntax), "refused": REFUSED}
+
+
+def _context(unit: Unit) -> dict[str, Any]:
+    name = unit.robot.name
+    return {
+        "trig": c_trig(name, single=unit.functions[0][0].scalar == "float"),
+        "contraction": None if unit.contraction is None else unit.contraction.upper(),
+        "math": not unit.builtin or bool(calls(unit) & OF_LIBM),
+        "guard": f"{name.upper()}_H",
+    }
+
+
+def _notes(unit: Unit) -> tuple[str, ...]:
+    return misra.notes("builtin" if unit.builtin else "libm") if unit.misra else ()
+
+
+def _batch(unit: Unit) -> dict[str, str]:
+    from robodyn.emit.batch import batch_files
+
+    return batch_files(unit)
+
+
+LANGUAGE = Language(
+    name="c",
+    title="C",
+    default=True,
+    suffixes=(".c",),
+    files={"NAME.h": "c/kernel.h.j2", "NAME.c": "c/kernel.c.j2"},
+    spelling=lambda single: c_spelling(single=single),
+    syntax=_syntax,
+    function=_function,
+    context=_context,
+    notes=_notes,
+    features=frozenset({"batch", "parallel", "misra", "firmware"}),
+    batch=_batch,
+)

@@ -1,0 +1,129 @@
+"""Fortran 2008, free form; the kind of all reals is ``rk``."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from robodyn.emit.language import FunctionText, Language, SelfTest
+from robodyn.emit.sines import ANGLES, COSINES, SINES
+from robodyn.emit.spelling import WIDTH, Spelling
+from robodyn.emit.statements import Expression
+from robodyn.emit.syntax import Sines, Syntax
+from robodyn.emit.trig import trig_context
+from robodyn.emit.unit import Unit
+from robodyn.ir.signature import Signature
+
+
+def fortran_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
+    """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
+
+    def element(array: str, i: int) -> str:
+        if array == "dt":
+            return array
+        return f"state%{states[i]}" if array == "state" else f"{array}({i + 1})"
+
+    return Spelling(
+        literal=lambda digits: digits + "_rk",
+        element=element,
+        member=lambda name: f"p%{name}",
+        functions={
+            "sin": lambda x: f"sin({x})",
+            "cos": lambda x: f"cos({x})",
+            "tanh": lambda x: f"tanh({x})",
+            "sqrt": lambda x: f"sqrt({x})",
+            "abs": lambda x: f"abs({x})",
+            "exp": lambda x: f"exp({x})",
+            "pow": lambda x, y: f"({x})**({y})",
+            "sign": lambda x: f"merge(1.0_rk, merge(-1.0_rk, 0.0_rk, {x} < 0.0_rk), {x} > 0.0_rk)",
+        },
+        single=single,
+        continuation=" &",
+    )
+
+
+def _plain_syntax(spelling: Spelling) -> Syntax:
+    def assign(target: str, text: str) -> str:
+        return f"{target} = {text}"
+
+    return Syntax(spelling, comment="! %s", declare=assign, assign=assign)
+
+
+def _syntax(signature: Signature, unit: Unit) -> Syntax:
+    syntax = _plain_syntax(fortran_spelling(single=signature.scalar == "float", states=signature.states))
+    return replace(syntax, sines=_sines(signature.robot, syntax))
+
+
+def _sines(name: str, syntax: Syntax) -> Sines:
+    """``NAME_sincos`` in Fortran, which is elemental."""
+
+    def loop(angles: Sequence[Expression]) -> list[str]:
+        lines = []
+        for i, angle in enumerate(angles):
+            lines += syntax.result(syntax.spelling.element(ANGLES, i), angle)
+        return [*lines, f"    call {name}_sincos({ANGLES}, {SINES}, {COSINES})"]
+
+    def pair(array: str, angle: Expression) -> list[str]:
+        return syntax.line(f"call {name}_sincos({syntax.spelling.text(angle)}, {array}(1), {array}(2))")
+
+    return Sines(loop, pair)
+
+
+def _function(text: FunctionText) -> dict[str, Any]:
+    signature, lines = text.signature, text.lines
+    names = [*lines.names, *(f"{array}({size})" for array, size in lines.arrays.items())]
+    arguments = [array for array, _ in (*signature.inputs, *signature.outputs)]
+    if signature.parameters:
+        arguments.append("p")
+    if signature.states:
+        arguments += ["state", "dt"]
+    return {
+        "bound": signature.fortran_symbol,
+        "arguments": ", ".join(arguments),
+        "inputs": signature.inputs,
+        "outputs": signature.outputs,
+        "states": signature.states,
+        "locals": [line.rstrip(",") for line in textwrap.wrap(", ".join(names), WIDTH - 16)],
+        "lines": lines.angles + lines.statements,
+        "results": lines.results,
+        "unused": [f"p%{signature.parameters[0]}" if name == "p" else name for name in text.unused],
+    }
+
+
+def _context(unit: Unit) -> dict[str, Any]:
+    single = unit.functions[0][0].scalar == "float"
+    return {
+        "trig": trig_context(_plain_syntax(fortran_spelling(single=single))),
+        "kind": "c_float" if single else "c_double",
+    }
+
+
+def _selftest_types(single: bool) -> dict[str, str]:
+    return {
+        "kind": "c_float" if single else "c_double",
+        "bits": "int32" if single else "int64",
+        "integers": "int32, int64" if single else "int64",
+    }
+
+
+LANGUAGE = Language(
+    name="fortran",
+    title="Fortran",
+    aliases=("f90",),
+    default=True,
+    suffixes=(".f90", ".f"),
+    files={"NAME.f90": "fortran/kernel.f90.j2"},
+    spelling=lambda single: fortran_spelling(single=single),
+    syntax=_syntax,
+    function=_function,
+    context=_context,
+    features=frozenset({"firmware"}),
+    selftest=SelfTest(
+        file="NAME_selftest.f90",
+        template="selftest.f90.j2",
+        flags=("-std=f2018", "-O2", "-ffp-contract=off"),
+        types=_selftest_types,
+    ),
+)

@@ -1,0 +1,119 @@
+"""One function on many states in one call, with the processor's vectors and, where asked for, in threads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from robodyn.errors import InputError
+from robodyn.kernels.arrays import (
+    Array,
+    check_output,
+    common_lead,
+    laid_out,
+    read_parameters,
+    read_states,
+    states_last,
+)
+from robodyn.kernels.function import Function
+from robodyn.kernels.threads import run_all
+from robodyn.toolchain.library import Library
+
+#: Fewer states than this are not worth another thread: it takes longer to wake it.
+LEAST_FOR_A_THREAD = 2048
+
+#: Threads take multiples of this many states, so that no vector is filled up in the middle.
+_GRAIN = 64
+
+
+class Batch:
+    """A batch kernel, to be called on arrays; see :meth:`robodyn.kernels.kernel.Kernel.batch`."""
+
+    def __init__(self, function: Function, library: Library) -> None:
+        self.function, self.library = function, library
+        name = function.name
+        self._columns = getattr(library.lib, f"{name}_robodyn_columns")
+        self._rows = getattr(library.lib, f"{name}_robodyn_rows")
+        self._pointer = f"{function.signature.scalar}[]"
+
+    def __call__(
+        self,
+        arrays: Sequence[object],
+        *,
+        params: Mapping[str, float] | None,
+        out: Array | None,
+        threads: int,
+    ) -> Array:
+        function, where, dtype = self.function, self.function.where, self.function.dtype
+        asked: object = threads  # nobody checks what is passed from Python
+        if isinstance(asked, bool) or not isinstance(asked, (int, np.integer)) or asked < 1:
+            raise InputError(
+                f"{where}: threads is no number of threads", found=repr(asked), expected="1 or more"
+            )
+        names = [name for name, _ in function.signature.inputs]
+        given = [
+            read_states(where, name, length, value, dtype)
+            for (name, length), value in zip(function.signature.inputs, arrays, strict=True)
+        ]
+        (count,) = common_lead(where, names, given)
+        result, columns = self._result(count, out, given, dict(zip(names, arrays, strict=True)))
+        inputs = [laid_out(array, dtype, columns=columns) for array in given]
+        values: Any = self.library.ffi.NULL
+        if function.parameters or params:
+            values = self._view(read_parameters(where, function.parameters, params, dtype))
+        if count:
+            self._run(count, int(threads), inputs, result, values, columns=columns)
+        return result
+
+    def _result(
+        self, count: int, out: Array | None, given: Sequence[Array], busy: Mapping[str, object]
+    ) -> tuple[Array, bool]:
+        """The array to write to, and whether the arrays go column by column."""
+        function = self.function
+        (name, shape), dtype = function.results[0], function.dtype
+        if out is not None:
+            checked = check_output(function.where, name, (count, *shape), out, dtype, busy, columns=True)
+            return checked, not checked.flags.c_contiguous
+        if all(array.flags.f_contiguous and not array.flags.c_contiguous for array in given):
+            return np.moveaxis(np.empty((*shape, count), dtype), -1, 0), True
+        return np.empty((count, *shape), dtype), False
+
+    def _run(
+        self,
+        count: int,
+        threads: int,
+        inputs: Sequence[Array],
+        result: Array,
+        values: Any,
+        *,
+        columns: bool,
+    ) -> None:
+        arrays = [*inputs, result]
+        if columns:
+            pointers = [self._view(states_last(array)) for array in arrays]
+            call, steps = partial(self._columns_of, count), [1] * len(arrays)
+        else:
+            pointers = [self._view(array) for array in arrays]
+            call, steps = self._rows, [array[0].size for array in arrays]
+        parts = max(1, min(threads, count // LEAST_FOR_A_THREAD))
+        size = -(-count // (parts * _GRAIN)) * _GRAIN
+        run_all(
+            [
+                partial(
+                    call,
+                    min(size, count - first),
+                    *(pointer + step * first for pointer, step in zip(pointers, steps, strict=True)),
+                    values,
+                )
+                for first in range(0, count, size)
+            ]
+        )
+
+    def _columns_of(self, stride: int, count: int, *arguments: Any) -> None:
+        self._columns(count, stride, *arguments)
+
+    def _view(self, array: Array) -> Any:
+        return self.library.ffi.from_buffer(self._pointer, array)

@@ -1,0 +1,217 @@
+"""The programs of a robot: the recursion as it is written, the passes, and what records have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from robodyn.counts import Count, count
+from robodyn.counts.objective import operations_of, parse_objective
+from robodyn.dynamics.compose import composed_forward_dynamics
+from robodyn.ir.program import Input, Program
+from robodyn.kernels.options import Options
+from robodyn.kernels.proof import prove
+from robodyn.optimize.fast import fast_choices
+from robodyn.optimize.programs import Choice, NoForwardDynamics, build, signature
+from robodyn.optimize.records import Record, best_record
+from robodyn.optimize.records.rounding import Rounding
+from robodyn.optimize.records.trust import at_rest_of, check_length, check_reading, trusted
+from robodyn.passes import FAST, FRESH, SPELLING, Pass, unchecked
+from robodyn.robot.model import Robot
+
+if TYPE_CHECKING:
+    from robodyn.optimize.prune import Pruning
+
+#: The passes take less than a tenth of a draft away; a record that is further below need not wait for them.
+_CLEARLY = 0.85
+#: Of so few operations, and of gravity's, they may save more.
+_SMALL = 100
+
+
+class SingularArm(NoForwardDynamics):
+    """The mass matrix cannot be inverted in any pose: some joint moves without inertia."""
+
+
+class Drafts:
+    """The programs of a robot before the passes, written in the way that takes the fewest operations in
+    the inverse dynamics."""
+
+    def __init__(self, robot: Robot, options: Options, pruning: Callable[[str], None] | None = None) -> None:
+        self.robot, self.options = robot, options
+        self._told = pruning
+        choices = options.choices() or fast_choices(robot)
+        self._drafts: dict[str, Program] = {}
+        self._after_passes: dict[str, Program] = {}
+        self.choice = choices[0] if len(choices) == 1 else self._cheapest(choices)
+        self._records: dict[str, Record | None] = {}
+        self._best: dict[str, Program] = {}
+        self._roundings: dict[str, Rounding] = {}
+        #: Functions whose program is a record's, or made of one, and how that was found.
+        self.taken: dict[str, str] = {}
+        #: What pruning did, by function.
+        self.prunings: dict[str, Pruning] = {}
+
+    def _cheapest(self, choices: Sequence[Choice]) -> Choice:
+        """Of ``choices`` the one whose inverse dynamics takes the fewest operations after the passes."""
+        drafts = [build(self.robot, "inverse_dynamics", choice) for choice in choices]
+        passed = [unchecked(draft, FRESH) for draft in drafts]
+        k = min(range(len(choices)), key=lambda k: count(passed[k]).total)
+        if self.options.engine == "graph":
+            self._drafts["inverse_dynamics"], self._after_passes["inverse_dynamics"] = drafts[k], passed[k]
+        return choices[k]
+
+    def program(self, function: str) -> Program:
+        """The optimised program of ``function``, pruned if that is asked for.
+
+        Raises
+        ------
+        SingularArm: forward dynamics of an arm in which a joint moves without inertia.
+        """
+        return self.pruned(function, self.best(function))
+
+    def rigid_count(self, function: str) -> Count | None:
+        """There is nothing on top of the rigid arm."""
+        return None
+
+    def pruned(self, function: str, found: Program) -> Program:
+        """``found`` without terms that cannot matter, if that is asked for; or what the passes alone give
+        without them, where that comes to less than a record."""
+        if self.options.prune is None:
+            return found
+        from robodyn.optimize.prune import PRUNED, prune
+
+        if function not in PRUNED:
+            return found
+        plain = self._passed(function)
+        smaller, self.prunings[function] = prune(
+            self.robot, function, found, self.options.prune, beside=(plain,), progress=self._told
+        )
+        return smaller
+
+    def best(self, function: str) -> Program:
+        """The optimised program of ``function``, exact: from the passes, or what a record has for it if that
+        takes fewer operations."""
+        if function not in self._best:
+            try:
+                self._best[function] = self._proven(function)
+            except ZeroDivisionError:  # a pivot that is zero, as a number or as a function
+                self.taken.pop(function, None)
+                raise self.singular() from None
+        return self._best[function]
+
+    def _proven(self, function: str) -> Program:
+        found = self._recorded(function)
+        if found is None or not self._clearly_better(function, found):
+            passed = self._passed(function)
+            if found is None or self._cost(passed) <= self._cost(found):
+                found = passed
+                self.taken.pop(function, None)
+        prove(self.robot, function, found)
+        return found
+
+    def _passed(self, function: str) -> Program:
+        """The program of ``function`` after the passes of its level."""
+        if function not in self._after_passes:
+            if self.options.optimize == "none":
+                passes: Sequence[Pass] = SPELLING
+            else:
+                passes = FAST if self.options.engine == "sympy" else FRESH
+            self._after_passes[function] = unchecked(self.draft(function), passes)
+        return self._after_passes[function]
+
+    def _clearly_better(self, function: str, found: Program) -> bool:
+        """Whether no pass will bring the recursion down to what a record has."""
+        if function == "gravity" or self.options.objective != "total":
+            return False
+        draft = count(self.draft(function)).total
+        return draft > _SMALL and count(found).total <= _CLEARLY * draft
+
+    def _cost(self, program: Program) -> float:
+        """What ``program`` costs by the objective asked for."""
+        if self.options.objective == "total":
+            return count(program).total
+        return parse_objective(self.options.objective).cost(operations_of(program))
+
+    def _recorded(self, function: str) -> Program | None:
+        """What the records have for ``function``, compared with the recursion: its own, for gravity and bias
+        that of the inverse dynamics, for forward dynamics the parts; None where they have nothing."""
+        if not self.options.takes_records:
+            return None
+        if function == "forward_dynamics":
+            return self._forward_dynamics()
+        best: Program | None = None
+        for source in dict.fromkeys((function, "inverse_dynamics")):
+            record = self._record(source)
+            if record is None or (source != function and function not in ("gravity", "bias")):
+                continue
+            made = record.program if source == function else at_rest_of(record, function)
+            passes = SPELLING if source == function else FAST
+            inputs = self._inputs(function)
+            made = trusted(made, self.draft(function), record, passes, inputs, self._rounding(source))
+            if best is None or self._cost(made) < self._cost(best):
+                best = made
+                self.taken[function] = record.found
+        return best
+
+    def _rounding(self, function: str) -> Rounding:
+        """What the recursion of ``function`` loses to rounding."""
+        if function not in self._roundings:
+            self._roundings[function] = Rounding(self.draft(function), self.options.scalar)
+        return self._roundings[function]
+
+    def _inputs(self, function: str) -> list[Input]:
+        """What the kernel of ``function`` is given."""
+        interface = signature(self.robot, function)
+        arrays = [Input(name, i) for name, size in interface.inputs for i in range(size)]
+        return arrays + [Input(name, None) for name in interface.parameters]
+
+    def _forward_dynamics(self) -> Program | None:
+        """Forward dynamics made of bias and mass matrix, if records have either."""
+        parts = {f: self.best(f) for f in ("bias", "mass_matrix")}
+        known = [self.taken[f] for f in parts if f in self.taken]
+        if not known:
+            return None
+        self.taken["forward_dynamics"] = known[0]
+        return unchecked(composed_forward_dynamics(parts["bias"], parts["mass_matrix"]), FRESH)
+
+    def _record(self, function: str) -> Record | None:
+        if function not in self._records:
+            given = [r for r in self.options.records if r.function == function]
+            folders = self.options.record_folders
+            found = given[0] if given else best_record(self.robot, function, self.options.objective, folders)
+            if found is None and self.options.target is not None:
+                found = best_record(self.robot, function, folders=folders)  # fewest operations: close enough
+            if found is not None:
+                check_length(found, self.draft(function))
+                check_reading(found, self._rounding(function))
+            self._records[function] = found
+        return self._records[function]
+
+    def draft(self, function: str) -> Program:
+        """The program of ``function``, no pass run yet.
+
+        Raises
+        ------
+        SingularArm: forward dynamics of an arm in which a joint moves without inertia.
+        """
+        if function not in self._drafts:
+            try:
+                self._drafts[function] = self._build(function)
+            except ZeroDivisionError:
+                raise self.singular() from None
+        return self._drafts[function]
+
+    def singular(self) -> SingularArm:
+        """The error of an arm in which a joint moves without inertia."""
+        return SingularArm(
+            f"{self.robot.name} has no forward dynamics",
+            found="a joint that moves without inertia: the mass matrix is singular in every pose",
+            remedy="give that joint a motor_inertia, or its link an inertia",
+        )
+
+    def _build(self, function: str) -> Program:
+        if self.options.engine == "sympy":
+            from robodyn.kernels.through_sympy import build_through_sympy
+
+            return build_through_sympy(self.robot, function, self.choice)
+        return build(self.robot, function, self.choice)

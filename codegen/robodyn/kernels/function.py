@@ -1,0 +1,187 @@
+"""One compiled function on arrays: one state or a batch, checked."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from robodyn.errors import InputError
+from robodyn.ir.signature import Signature
+from robodyn.kernels.arrays import (
+    Array,
+    Shape,
+    check_output,
+    common_lead,
+    read_input,
+    read_parameters,
+    shape_text,
+)
+from robodyn.toolchain.library import Library
+
+_UNITS = {
+    "q": "joint positions, rad or m",
+    "qd": "joint velocities, rad/s or m/s",
+    "qdd": "joint accelerations, rad/s^2 or m/s^2",
+    "tau": "joint torques or forces, N m or N",
+    "M": "joint-space mass matrix, kg m^2, kg m or kg",
+    "sc": "sines and cosines that the kernel needs, in the order that the emitted header gives",
+}
+
+
+class Function:
+    """One function of a kernel, to be called on arrays; its ``__doc__`` says on which.
+
+    Every input is one state or ``[N, ...]`` states; all agree. Lists, tuples and arrays of any real type
+    are accepted and converted to the kernel's type (rounded, if it is wider); arrays of that type that are
+    contiguous are used in place. NaN and infinity are not refused: what depends on them is NaN.
+
+    ``params`` gives every run-time parameter by name. ``out`` is an array (a tuple of them, if there is more
+    than one result) of the result's shape and the kernel's type, which is written to and returned.
+
+    A function of a robot whose effects remember (``signature.states``) takes its states as one after another
+    in time, ``dt`` [s] apart. It begins at rest, or with ``state`` [k], which it moves on in place.
+
+    Raises
+    ------
+    InputError: says which argument is wrong, what was found, what was expected.
+    """
+
+    def __init__(self, signature: Signature, library: Library, parameters: Sequence[str]) -> None:
+        self.signature = signature
+        self.name = signature.function
+        self.parameters = tuple(parameters) if signature.parameters else ()
+        self.block_parameters = tuple(parameters)
+        self.dtype: np.dtype[Any] = np.dtype(np.float64 if signature.scalar == "double" else np.float32)
+        self.library = library
+        self._inputs = tuple(name for name, _ in signature.inputs)
+        self.results = tuple((name, _state_shape(name, length)) for name, length in signature.outputs)
+        self.where = f"{signature.robot}.{signature.function}"
+        self._call = getattr(library.lib, f"{signature.function}_robodyn_batch")
+        self._pointer = f"{signature.scalar}[]"
+        self._view, self._null = library.ffi.from_buffer, library.ffi.NULL
+        self.__doc__ = _document(self)
+
+    def __call__(
+        self,
+        *arrays: object,
+        params: Mapping[str, float] | None = None,
+        out: Array | Sequence[Array] | None = None,
+        state: Array | None = None,
+        dt: float | None = None,
+        **named: object,
+    ) -> Any:
+        if named or len(arrays) != len(self._inputs):
+            arrays = self.bind(arrays, named)
+        where, dtype = self.where, self.dtype
+        inputs = [
+            read_input(where, name, length, value, dtype)
+            for (name, length), value in zip(self.signature.inputs, arrays, strict=True)
+        ]
+        lead = common_lead(where, self._inputs, inputs)
+        if (state is not None or dt is not None) and not self.signature.states:
+            raise InputError(f"{where} remembers nothing", found="state or dt", expected="neither")
+        results = self._arrays(lead, out, arrays)
+        values = self._null
+        pointer, view = self._pointer, self._view
+        if self.parameters or params:
+            values = view(pointer, read_parameters(where, self.parameters, params, dtype))
+        count = lead[0] if lead else 1
+        if count:
+            ins = [view(pointer, array) for array in inputs]
+            outs = [view(pointer, array) for array in results]
+            if self.signature.states:
+                memory = view(pointer, self._state(state, dt), True)
+                if state is None:
+                    self._call(1, *ins, *outs, values, memory, 0.0)  # at rest before the first state
+                self._call(count, *ins, *outs, values, memory, dt)
+            else:
+                self._call(count, *ins, *outs, values)
+        return results[0] if len(results) == 1 else tuple(results)
+
+    def _state(self, state: Array | None, dt: float | None) -> Array:
+        """The memory of the effects: a new one, or ``state`` itself."""
+        names = self.signature.states
+        if dt is None or not 0 <= dt < math.inf:
+            raise InputError(
+                f"{self.where} remembers, and needs the time between states",
+                found=f"dt = {dt}",
+                expected="dt in s, 0 or more",
+            )
+        if state is None:
+            return np.zeros(len(names), self.dtype)
+        if state.shape != (len(names),) or state.dtype != self.dtype or not state.flags.c_contiguous:
+            raise InputError(
+                f"{self.where}: state does not fit",
+                found=f"{list(state.shape)} of {state.dtype}",
+                expected=f"an array [{len(names)}] of {self.dtype}: {', '.join(names)}",
+            )
+        return state
+
+    def bind(self, arrays: tuple[object, ...], named: dict[str, object]) -> tuple[object, ...]:
+        """Positional and named arguments in the order of the signature."""
+        names = self._inputs
+        given = dict(zip(names, arrays, strict=False))
+        wrong = [f"{name} twice" for name in named if name in given]
+        wrong += [f"unknown {name}" for name in named if name not in names]
+        wrong += [f"no {name}" for name in names if name not in given and name not in named]
+        if len(arrays) > len(names):
+            wrong.append(f"{len(arrays)} arrays")
+        if wrong:
+            raise InputError(
+                f"{self.where}: the arguments do not fit", found=", ".join(wrong), expected=", ".join(names)
+            )
+        return tuple({**given, **named}[name] for name in names)
+
+    def _arrays(self, lead: Shape, out: object, arrays: Sequence[object]) -> list[Array]:
+        """Arrays to write to: new ones, or those of ``out``."""
+        if out is None:
+            return [np.empty(lead + shape, self.dtype) for _, shape in self.results]
+        shapes = [lead + shape for _, shape in self.results]
+        given = [out] if len(shapes) == 1 else list(out) if isinstance(out, (tuple, list)) else []
+        if len(given) != len(shapes):
+            raise InputError(
+                f"{self.where}: out does not fit", expected=f"{len(shapes)} arrays: {self._output_text()}"
+            )
+        busy = dict(zip(self._inputs, arrays, strict=True))
+        checked: list[Array] = []
+        for (name, _), shape, array in zip(self.results, shapes, given, strict=True):
+            checked.append(check_output(self.where, name, shape, array, self.dtype, busy))
+            busy[name] = array
+        return checked
+
+    def _output_text(self) -> str:
+        return ", ".join(f"{name} {shape_text(shape)}" for name, shape in self.results)
+
+    def __repr__(self) -> str:
+        return f"<{self.where}({', '.join(self._inputs)}) -> {self._output_text()}>"
+
+
+def _state_shape(name: str, length: int) -> Shape:
+    """The shape of one state's result: M is square, the others are vectors."""
+    side = math.isqrt(length)
+    return (side, side) if name == "M" and side * side == length else (length,)
+
+
+def _document(function: Function) -> str:
+    """The docstring of a function: every array with its shape and unit."""
+    s = function.signature
+
+    def line(name: str, shape: Shape) -> str:
+        both = f"{shape_text(shape)} or {shape_text(['N', *shape])}"
+        return f"{name}: {both}, {s.scalar}; {_UNITS.get(name, 'SI units')}"
+
+    lines = [
+        f"{s.function.replace('_', ' ').capitalize()} of {s.robot}, compiled.",
+        "",
+        "Parameters",
+        "----------",
+    ]
+    lines += [line(name, (length,)) for name, length in s.inputs]
+    if function.parameters:
+        lines.append(f"params: run-time parameters, SI units: {', '.join(function.parameters)}")
+    lines += ["out: array to write to, of the shape and type of the result", "", "Returns", "-------"]
+    lines += [line(name, shape) for name, shape in function.results]
+    return "\n".join(lines)

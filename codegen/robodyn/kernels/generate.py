@@ -1,0 +1,262 @@
+"""From a robot to its kernels: builds the programs, runs the passes, counts, and hands over the files.
+
+>>> made = generate(load("puma560"))                             # doctest: +SKIP
+>>> made.counts["inverse_dynamics"].total
+>>> made.files()                                                 # {"puma560.h": ..., ...}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from robodyn.counts import Count, count
+from robodyn.emit import Unit, render
+from robodyn.emit.language import require
+from robodyn.emit.languages import defaults, languages_named
+from robodyn.ir.program import Program
+from robodyn.ir.signature import Signature
+from robodyn.kernels.drafts import Drafts, SingularArm
+from robodyn.kernels.options import (
+    CHOSEN,
+    ENGINES,
+    LEVELS,
+    ORDERS,
+    TRIGONOMETRY,
+    Engine,
+    Level,
+    Options,
+    Order,
+    Trigonometry,
+)
+from robodyn.kernels.targets import TARGETS
+from robodyn.optimize.programs import FUNCTIONS, Choice, NoForwardDynamics, signature
+from robodyn.passes.angles import angles_first
+from robodyn.passes.registers import registers
+from robodyn.passes.trig_given import describe, given_layout, trig_given
+from robodyn.robot.model import Robot
+
+if TYPE_CHECKING:
+    from robodyn.kernels.layered import Layered
+    from robodyn.optimize.prune import Pruning
+
+__all__ = [
+    "CHOSEN",
+    "ENGINES",
+    "LEVELS",
+    "ORDERS",
+    "TARGETS",
+    "TRIGONOMETRY",
+    "Drafts",
+    "Engine",
+    "Generated",
+    "Level",
+    "NoForwardDynamics",
+    "Options",
+    "Order",
+    "SingularArm",
+    "Trigonometry",
+    "generate",
+    "maker",
+    "program",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Generated:
+    """The kernels of a robot: programs and their interfaces, counts, and texts on request."""
+
+    unit: Unit
+    options: Options
+    counts: dict[str, Count]
+    prunings: dict[str, Pruning] = field(default_factory=dict)
+    #: Functions that the robot does not have, and why.
+    left_out: dict[str, str] = field(default_factory=dict)
+    #: Of a robot with effects: the operations of the rigid arm alone.
+    rigid_counts: dict[str, Count | None] = field(default_factory=dict)
+
+    @property
+    def signatures(self) -> tuple[Signature, ...]:
+        """Interfaces of the functions, in order."""
+        return tuple(interface for interface, _ in self.unit.functions)
+
+    def files(self, languages: Sequence[str] | None = None, *, batch: bool = False) -> dict[str, str]:
+        """The files in ``languages`` (default: :func:`robodyn.emit.languages.defaults`): text by file name;
+        with ``batch`` those of batches too. Writes nothing.
+
+        Raises
+        ------
+        InputError: there is no such language, or none of them has what is asked for.
+        """
+        chosen = languages_named(defaults() if languages is None else languages)
+        if self.unit.misra:
+            require("misra", chosen)
+        if batch:
+            require("batch", chosen)
+        names = tuple(language.name for language in chosen)
+        files = render(self.unit, names)
+        for language in chosen:
+            if batch and language.batch is not None:
+                files.update(language.batch(self.unit))
+        return files
+
+
+def generate(
+    robot: Robot,
+    options: Options | None = None,
+    *,
+    progress: Callable[[str], None] | None = None,
+    pruning: Callable[[str], None] | None = None,
+) -> Generated:
+    """The kernels of ``robot``; ``progress`` is told each function before it is built, ``pruning`` how far
+    that is.
+
+    Raises
+    ------
+    InputError: a constant of the model does not fit the scalar type, or an option is unknown.
+    """
+    options = options or Options()
+    made = maker(robot, options, pruning)
+    drafts = made if isinstance(made, Drafts) else made.rigid
+    programs: dict[str, Program] = {}
+    left_out: dict[str, str] = {}
+    for function in options.functions or FUNCTIONS:
+        if progress is not None:
+            progress(function)
+        try:
+            programs[function] = made.program(function)
+        except NoForwardDynamics as reason:
+            if options.functions is not None:
+                raise
+            left_out[function] = (reason.found or reason.what).partition(":")[0]
+    interfaces = {f: signature(robot, f, options.scalar) for f in programs}
+    described: tuple[str, ...] = ()
+    no_angle = False
+    if options.trig == "given":
+        layout = given_layout(list(programs.values()))
+        no_angle = not layout  # C has no array of no elements: sc has one then
+        described = tuple(describe(given) for given in layout)
+        programs = {f: trig_given(p, layout) for f, p in programs.items()}
+        interfaces = {f: _with_sc(interface, max(1, len(layout))) for f, interface in interfaces.items()}
+    if options.trig == "builtin":
+        programs = {f: angles_first(p) for f, p in programs.items()}
+    if options.by_registers:
+        available = {} if options.profile is None else {"available": options.profile.registers}
+        programs = {f: registers(p, **available) for f, p in programs.items()}
+    unit = Unit(
+        robot=robot,
+        functions=tuple((interfaces[f], programs[f]) for f in programs),
+        sc=described,
+        notes=_notes(drafts)
+        + (() if isinstance(made, Drafts) else made.notes)
+        + _pruned(drafts)
+        + (("sc is not read: there is no angle.",) if no_angle else ()),
+        advice=_told(options),
+        misra=options.misra,
+        builtin=options.trig == "builtin",
+        soon=options.by_registers,
+        contraction=options.contraction or ("off" if options.trig == "builtin" else None),
+        lanes=4 if options.profile is None else options.profile.lanes,
+    )
+    counts = {f: count(p) for f, p in programs.items()}
+    rigid = {f: made.rigid_count(f) for f in programs}
+    return Generated(unit, options, counts, drafts.prunings, left_out, rigid)
+
+
+def maker(robot: Robot, options: Options, pruning: Callable[[str], None] | None = None) -> Drafts | Layered:
+    """What makes the programs of ``robot``: the recursion, or the recursion beneath its effects."""
+    if robot.effects:
+        from robodyn.drives.drive import has_drive_effects, rigid_part
+
+        if has_drive_effects(robot):
+            from robodyn.kernels.layered import Layered
+
+            return Layered(robot, options)
+        robot = rigid_part(robot)  # what sensors do is in no kernel, and no reason to miss a record
+    return Drafts(robot, options, pruning)
+
+
+def _with_sc(interface: Signature, size: int) -> Signature:
+    import dataclasses
+
+    inputs = tuple(("sc", size) if name == "q" else (name, length) for name, length in interface.inputs)
+    return dataclasses.replace(interface, inputs=inputs)
+
+
+_TITLES = {
+    "modified_newton_euler": "modified Newton-Euler (lambda matrix)",
+    "newton_euler": "Newton-Euler",
+    "balafoutis": "Balafoutis's tensor recursion",
+    "kane": "Kane's equations",
+    "lagrange": "closed-form Lagrange (Uicker, Kahn)",
+    "lagrange_4x4": "recursive Lagrange with 4x4 matrices (Hollerbach)",
+    "lagrange_3x3": "recursive Lagrange with 3x3 matrices (Hollerbach)",
+}
+
+
+def program(robot: Robot, function: str, options: Options | None = None) -> Program:
+    """The optimised program of one function of ``robot``, with its effects.
+
+    Raises
+    ------
+    NoForwardDynamics: there is none.
+    """
+    return maker(robot, options or Options()).program(function)
+
+
+def _pruned(drafts: Drafts) -> tuple[str, ...]:
+    """What the head of a file says of pruning."""
+    if not drafts.prunings:
+        return ()
+    from robodyn.optimize.prune import notes_of
+
+    return notes_of(tuple(drafts.prunings.values()))
+
+
+def _notes(drafts: Drafts) -> tuple[str, ...]:
+    if not drafts.taken:
+        return _method(drafts.choice)
+    told: dict[str, list[str]] = {}
+    for function, found in drafts.taken.items():
+        told.setdefault(found, []).append(function)
+    return _method(drafts.choice) + tuple(
+        f"Of {', '.join(functions)} the best program known for these parameters, equal to the recursion "
+        f"without being written like it: {found}."
+        for found, functions in told.items()
+    )
+
+
+def _told(options: Options) -> tuple[str, ...]:
+    """What the head of the files says of the target, of bits and of arrays."""
+    told: tuple[str, ...] = ()
+    target = options.profile
+    contraction = options.contraction or "off"
+    if target is not None:
+        told += (f"Target: {target.name} ({target.why}); compile C with {target.compiled(contraction)}.",)
+    if options.trig == "builtin":
+        told += (
+            "Sine and cosine are built in: no libm. "
+            + (
+                "Products and sums may be fused (-ffp-contract=fast): bits depend on the compiler."
+                if contraction == "on"
+                else "The same bits on every machine with IEEE arithmetic, in C and in Fortran, where "
+                "products and sums are not fused: -ffp-contract=off (gcc -std=c99 implies it)."
+            ),
+        )
+    if options.by_registers:
+        told += (
+            "Results are written early: they may take the place of q, qd or qdd (the very same array), and "
+            "must not overlap them otherwise.",
+        )
+    return told
+
+
+def _method(choice: Choice) -> tuple[str, ...]:
+    method = f"Formulation: {_TITLES[choice.formulation]} in modified Denavit-Hartenberg frames"
+    if choice.regroup:
+        method += (
+            ", on base parameters: fc and nc act at and about the frame's origin, and what of a link's mass "
+            "makes no difference is moved to its parent"
+        )
+    return (method + ".",)

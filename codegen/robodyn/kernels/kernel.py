@@ -1,0 +1,247 @@
+"""Compiled kernels on numpy arrays.
+
+    >>> kernel = load(signatures, files)                            # doctest: +SKIP
+    >>> tau = kernel.inverse_dynamics(q, qd, qdd)                   # one state [6], or N of them [N, 6]
+    >>> M = kernel.mass_matrix(q)                                   # [6, 6], or [N, 6, 6]
+    >>> ws = kernel.workspace("inverse_dynamics")                   # for a control loop
+    >>> ws.q[:] = q; ws(); ws.tau
+    >>> tau = kernel.batch(q, qd, qdd, threads=4)                   # [N, 6], with the processor's vectors
+
+Threads: a kernel has no state. Any number of threads may call it at once, and they run in parallel, because
+Python's lock (the GIL) is released while a kernel runs; an array must not be written by one thread
+while another uses it. A :class:`Workspace` is memory, and belongs to one thread at a time.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from robodyn.errors import InputError
+from robodyn.ir.signature import Signature
+from robodyn.kernels.arrays import Array
+from robodyn.kernels.batch import Batch
+from robodyn.kernels.batch_calls import batch_calls
+from robodyn.kernels.function import Function
+from robodyn.kernels.workspace import Workspace
+from robodyn.kernels.wrapper import parameters_of, prototypes, wrapper
+from robodyn.toolchain.compiler import Language
+from robodyn.toolchain.library import Calls, Library, Mode, open_library
+
+#: Emitted C files of a function's batch, ``{path: text}``, by the function's name.
+BatchFiles = Callable[[str], Mapping[str, str]]
+
+
+def load(
+    signatures: Sequence[Signature],
+    files: Mapping[str, str],
+    *,
+    cc: str | None = None,
+    fc: str | None = None,
+    flags: str | Sequence[str] | None = None,
+    language: Language = "c",
+    mode: Mode = "auto",
+    cache: Path | str | None = None,
+    batch: BatchFiles | None = None,
+) -> Kernel:
+    """Compile the emitted files with the system's compiler and load them.
+
+    Parameters
+    ----------
+    signatures: the functions to offer, all of one robot and one scalar type.
+    files: emitted files, ``{path: text}``; with ``ROBOT.h`` for C. Files of other languages are ignored.
+    cc, fc: the C and the Fortran compiler, maybe with arguments (default: ``CC``, ``FC``, the usual names).
+        Fortran needs a C compiler too, for the calls from Python.
+    flags: compiler flags of the emitted language in place of the default
+        (:data:`~robodyn.toolchain.compiler.C_FLAGS`, :data:`~robodyn.toolchain.compiler.FORTRAN_FLAGS`);
+        what makes a shared library is added.
+    language: which of the emitted files to compile, ``c`` or ``fortran``.
+    mode: ``api`` for the cheapest calls (needs Python's headers, compiles longer), ``abi`` for the least
+        needs; ``auto`` is ``api`` where that works.
+    cache: the folder of compiled kernels (default: ``$ROBODYN_CACHE``, ``$XDG_CACHE_HOME/robodyn``,
+        ``~/.cache/robodyn``).
+    batch: what hands over the C files of a function's batch, by the function's name; asked when
+        :meth:`Kernel.batch` first needs them.
+
+    Raises
+    ------
+    ToolError: no compiler, or it refuses the files, or the result does not load.
+    InputError: the files are not those of the signatures.
+    """
+    signatures = tuple(signatures)
+    _check(signatures)
+    library = open_library(
+        Calls(prototypes(signatures), wrapper(signatures, files, language)),
+        files,
+        language=language,
+        mode=mode,
+        cc=cc,
+        fc=fc,
+        flags=flags,
+        cache=None if cache is None else Path(cache),
+    )
+    again = {
+        "cc": cc,
+        "fc": fc,
+        "flags": flags,
+        "language": language,
+        "mode": mode,
+        "cache": cache,
+        "batch": batch,
+    }
+    return Kernel(signatures, library, language, (signatures, dict(files), again))
+
+
+def _check(signatures: Sequence[Signature]) -> None:
+    if not signatures:
+        raise InputError("there is no function to load", expected="one signature at least")
+    for what in ("robot", "scalar"):
+        found = sorted({str(getattr(s, what)) for s in signatures})
+        if len(found) > 1:
+            raise InputError(f"the functions of a kernel have one {what}", found=", ".join(found))
+    names = [s.function for s in signatures]
+    if len(set(names)) < len(names):
+        raise InputError("a function is there twice", found=", ".join(names))
+
+
+class Kernel:
+    """The functions of one robot, compiled; each is a method of its name (see :class:`Function`).
+
+    Attributes
+    ----------
+    robot, scalar, language: name of the robot; ``double`` or ``float``; ``c`` or ``fortran``.
+    dtype: numpy's float64 or float32.
+    functions: names of the functions.
+    signatures: ``{name: Signature}``.
+    parameters: names of the run-time parameters.
+    mode, path, compiler, flags: how it was built, and where it lies.
+    """
+
+    def __init__(
+        self, signatures: Sequence[Signature], library: Library, language: Language, recipe: tuple[Any, ...]
+    ) -> None:
+        self.robot = signatures[0].robot
+        self.scalar = signatures[0].scalar
+        self.language = language
+        self.dtype: np.dtype[Any] = np.dtype(np.float64 if self.scalar == "double" else np.float32)
+        self.signatures = {s.function: s for s in signatures}
+        self.functions = tuple(self.signatures)
+        self.parameters = parameters_of(signatures)
+        self.mode, self.path = library.mode, library.path
+        self.compiler, self.flags = library.compiler, library.flags
+        self._recipe = recipe
+        self._functions = {s.function: Function(s, library, self.parameters) for s in signatures}
+        self.__dict__.update(self._functions)
+        self._batches: dict[str, Batch] = {}
+        self._lock = threading.Lock()
+
+    def __getattr__(self, name: str) -> Function:
+        raise AttributeError(
+            f"this kernel has no {name!r}; it has {', '.join(self.__dict__.get('functions', ()))}"
+        )
+
+    def workspace(
+        self, function: str = "inverse_dynamics", params: Mapping[str, float] | None = None
+    ) -> Workspace:
+        """Memory and a bound call of ``function`` for one state, for control loops.
+
+        Raises
+        ------
+        InputError: there is no such function, or ``params`` do not fit.
+        """
+        return Workspace(self._function(function), params)
+
+    def batch(
+        self,
+        *arrays: object,
+        out: Array | None = None,
+        threads: int = 1,
+        params: Mapping[str, float] | None = None,
+        function: str = "inverse_dynamics",
+        **named: object,
+    ) -> Array:
+        """``function`` on N states in one call, with the vectors that this processor has.
+
+        The C for it is compiled when it is first asked for, and kept like the kernels. It uses sine and
+        cosine of its own: a batch gives the bits of a kernel that was compiled with ``trig="builtin"``, which
+        may differ by some units in the last place from one with those of libm.
+
+        Parameters
+        ----------
+        arrays, named: the inputs of the function, ``[N, n]`` each. Where all are of the kernel's type and row
+            by row (C order), or all column by column (Fortran order: ``[n, N]`` transposed; the fastest),
+            they are read in place; else they are copied.
+        out: array to write to, ``[N, ...]``, of the kernel's type, in C order or with N running fastest.
+            Without it there is a new one in the order of the inputs.
+        threads: how many threads at most share the work; few states are not shared.
+        params: run-time parameters, the same for all states.
+
+        Raises
+        ------
+        InputError: there is no such function, it remembers between calls, or an argument does not fit.
+        ToolError: no compiler, or it refuses the files.
+        """
+        found = self._function(function)
+        if named or len(arrays) != len(found.signature.inputs):
+            arrays = found.bind(arrays, named)
+        return self._batch(found)(arrays, params=params, out=out, threads=threads)
+
+    def _batch(self, function: Function) -> Batch:
+        """The batch of ``function``, compiled at the first time."""
+        with self._lock:
+            made = self._batches.get(function.name)
+            if made is None:
+                made = self._batches[function.name] = self._make_batch(function)
+            return made
+
+    def _make_batch(self, function: Function) -> Batch:
+        if function.signature.states:
+            raise InputError(
+                f"{function.where} remembers between calls: its states come one after another in time",
+                expected="a function without memory",
+                remedy=f"call kernel.{function.name} with dt",
+            )
+        _, _, options = self._recipe
+        files = options["batch"]
+        if files is None:
+            raise InputError(
+                f"{self.robot}: this kernel was loaded from files that hold no batch",
+                remedy="make it with robodyn.compile",
+            )
+        kept = {name: options[name] for name in ("cc", "fc", "mode")}
+        cache = None if options["cache"] is None else Path(options["cache"])
+        flags = options["flags"] if self.language == "c" else None
+        library = open_library(
+            batch_calls(function.signature, function.parameters),
+            files(function.name),
+            language="c",
+            flags=flags,
+            cache=cache,
+            **kept,
+        )
+        return Batch(function, library)
+
+    def _function(self, name: str) -> Function:
+        found = self._functions.get(name)
+        if found is None:
+            raise InputError(
+                f"{self.robot}: there is no function {name!r}", expected=" or ".join(self.functions)
+            )
+        return found
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _load_again, self._recipe
+
+    def __repr__(self) -> str:
+        return (
+            f"<Kernel {self.robot}: {', '.join(self.functions)}; {self.scalar}, {self.language}, {self.mode}>"
+        )
+
+
+def _load_again(signatures: Sequence[Signature], files: Mapping[str, str], options: dict[str, Any]) -> Kernel:
+    """A kernel that travelled to another process: found in the cache there, as a rule."""
+    return load(signatures, files, **options)

@@ -1,0 +1,141 @@
+"""What to generate and how."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any, Literal
+
+from robodyn.errors import InputError
+from robodyn.ir.signature import ScalarType
+from robodyn.kernels.targets import Contraction, Target, target_named
+from robodyn.optimize.programs import FORMULATIONS, FUNCTIONS, Choice
+from robodyn.optimize.records import Record
+
+Level = Literal["none", "fast", "search", "full", "record"]
+Trigonometry = Literal["libm", "builtin", "given"]
+Engine = Literal["graph", "sympy"]
+Order = Literal["auto", "recursion", "registers"]
+
+LEVELS: tuple[Level, ...] = ("none", "fast", "search", "full", "record")
+TRIGONOMETRY: tuple[Trigonometry, ...] = ("libm", "builtin", "given")
+ENGINES: tuple[Engine, ...] = ("graph", "sympy")
+ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
+#: What a target chooses.
+CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What to generate and how; the defaults are those of ``robodyn gen``.
+
+    ``functions`` None is all that the robot has: an arm with a joint that moves without inertia has no
+    forward dynamics.
+    ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
+    ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly these parameters, else
+    fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
+    in ``records``. ``regroup=False`` leaves out base-parameter regrouping only. ``engine="sympy"`` builds the
+    same model through sympy with named intermediates and ``sympy.cse``: a cross-check, slower and no smaller.
+    ``order="recursion"`` is the order of the book, ``"registers"`` one in which few values wait in memory
+    (:func:`robodyn.passes.registers.registers`); ``"auto"`` is the latter unless sine and cosine are libm's.
+
+    ``records`` are records at hand; ``record_folders`` are looked through for more, before the folder beside
+    the robot's file and the bundled one.
+    ``misra`` writes C for MISRA C:2012: the same operations, products within sums in parentheses, and every
+    rule that is not kept explained in the head.
+    ``target`` names the processor (:meth:`for_target` takes what it chooses); ``contraction``, on or off, is
+    whether compilers may fuse products and sums; None leaves that to their flags.
+    ``prune`` is the share of each joint's peak torque that may be wrong (:mod:`robodyn.optimize.prune`).
+    """
+
+    functions: tuple[str, ...] | None = None
+    formulation: str = "modified_newton_euler"
+    optimize: Level = "record"
+    regroup: bool = True
+    scalar: ScalarType = "double"
+    trig: Trigonometry = "libm"
+    engine: Engine = "graph"
+    order: Order = "auto"
+    objective: str = "total"
+    target: str | None = None
+    contraction: Contraction | None = None
+    records: tuple[Record, ...] = ()
+    record_folders: tuple[Path, ...] = ()
+    prune: Fraction | None = None
+    misra: bool = False
+
+    def __post_init__(self) -> None:
+        if self.functions is not None:
+            _check_functions(self.functions)
+        _one_of("formulation", self.formulation, FORMULATIONS)
+        _one_of("level of optimisation", self.optimize, LEVELS)
+        _one_of("scalar", self.scalar, ("double", "float"))
+        _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)
+        _one_of("engine", self.engine, ENGINES)
+        _one_of("order", self.order, ORDERS)
+        if self.target is not None:
+            target_named(self.target)
+        if self.contraction is not None:
+            _one_of("contraction", self.contraction, ("off", "on"))
+        if self.prune is not None:
+            from robodyn.optimize.prune import check_asked
+
+            check_asked(self.prune, self.functions)
+
+    @classmethod
+    def for_target(cls, name: str, **chosen: Any) -> Options:
+        """What :data:`~robodyn.kernels.targets.TARGETS` says of ``name``; ``chosen`` goes before it.
+
+        Raises
+        ------
+        InputError: there is no such target, or a choice is unknown.
+        """
+        target = target_named(name)
+        own = {what: getattr(target, what) for what in CHOSEN}
+        return cls(**{**own, **chosen, "target": name})
+
+    @property
+    def profile(self) -> Target | None:
+        """The target, if one is named."""
+        return None if self.target is None else target_named(self.target)
+
+    def choices(self) -> tuple[Choice, ...]:
+        """The one way of writing the recursion that is asked for; none where the robot decides."""
+        as_in_the_book = Choice(self.formulation, regroup=False, chains=False)
+        if self.formulation != "modified_newton_euler" or self.optimize == "none" or not self.regroup:
+            return (as_in_the_book,)
+        return ()
+
+    @property
+    def by_registers(self) -> bool:
+        """Whether operations come in the order for registers: unless libm takes most of the time anyway."""
+        return self.order == "registers" or (self.order == "auto" and self.trig != "libm")
+
+    @property
+    def takes_records(self) -> bool:
+        """Whether a record may stand in for the recursion that these options ask for."""
+        plain = self.formulation == "modified_newton_euler" and self.regroup and self.engine == "graph"
+        return plain and self.optimize not in ("none", "fast")
+
+
+def _check_functions(functions: tuple[str, ...]) -> None:
+    if not functions:
+        raise InputError("no function asked for", expected=f"some of {', '.join(FUNCTIONS)}")
+    for function in functions:
+        _one_of("function", function, tuple(FUNCTIONS))
+    if len(set(functions)) != len(functions):
+        raise InputError("a function is asked for twice", found=", ".join(functions))
+
+
+def _one_of(what: str, found: str, allowed: Sequence[str]) -> None:
+    if found not in allowed:
+        import difflib
+
+        close = difflib.get_close_matches(found, allowed, n=1)
+        raise InputError(
+            f"unknown {what} {found!r}",
+            expected=f"one of {', '.join(allowed)}",
+            remedy=f"did you mean {close[0]!r}?" if close else None,
+        )

@@ -1,0 +1,211 @@
+"""Programs of robots whose drives have effects: the rigid arm's program with the drives on top of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from robodyn.drives.coupling import TwistState, link_rates, memory_of, motor_rates, next_twist
+from robodyn.drives.drive import (
+    Layer,
+    Loads,
+    Rates,
+    at_motors,
+    combined,
+    directions,
+    layer_of,
+    passed_on,
+    rigid_part,
+)
+from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
+from robodyn.dynamics.compose import composed_forward_dynamics
+from robodyn.dynamics.modified_newton_euler import modified_newton_euler
+from robodyn.dynamics.newton_euler import newton_euler
+from robodyn.effects.effect import Site
+from robodyn.effects.scalars import is_zero
+from robodyn.errors import InputError
+from robodyn.ir.graph import Graph, Scalar, lower
+from robodyn.ir.program import Input, Label, Program
+from robodyn.optimize.programs import FUNCTIONS, NoForwardDynamics, turned
+from robodyn.robot.model import Robot
+
+#: Recursions that pass by the force and the moment in every joint.
+REACTIONS = {"newton_euler": newton_euler, "modified_newton_euler": modified_newton_euler}
+
+
+def as_is(x: Any) -> Any:
+    """``x``: a Fraction stays one even where it is whole, for integers divide to floats."""
+    return x
+
+
+class ImplicitDynamics(NoForwardDynamics):
+    """Friction depends on the load, the load on the accelerations: forward dynamics has no formula."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Motion:
+    """Inputs of a function; rates that it does not have are 0."""
+
+    q: list[Any]
+    qd: list[Any]
+    qdd: list[Any]
+
+
+def needs_reactions(robot: Robot) -> bool:
+    """Whether bearings of ``robot`` feel force and moment, which regrouped links do not show."""
+    return bool(layer_of(robot, as_is, lambda _: 1).needs_reactions)
+
+
+def with_effects(
+    robot: Robot, function: str, rigid: Program | None, formulation: str = "modified_newton_euler"
+) -> Program:
+    """The program of ``function`` of ``robot``; ``rigid`` is that of :func:`.drive.rigid_part`, or None: then
+    the recursion ``formulation`` runs here, with the forces in the joints.
+
+    Raises
+    ------
+    InputError: ``rigid`` is None, and ``formulation`` has no forces in joints.
+    """
+    graph = Graph()
+    layer = layer_of(robot, as_is, graph.input)
+    if function == "mass_matrix":
+        assert rigid is not None
+        return lower(graph, [("M", _mass_matrix(layer, graph.replay(rigid), robot.n))])
+    arguments, _ = FUNCTIONS[function]
+    motion = _Motion(
+        *(
+            [graph.input(name, i) if name in arguments else 0 for i in range(robot.n)]
+            for name in ("q", "qd", "qdd")
+        )
+    )
+    tau, states = outputs(
+        robot, layer, graph, motion, rigid, formulation, remembers=function == "inverse_dynamics"
+    )
+    found: list[tuple[str, Sequence[Scalar]]] = [("tau", tau)]
+    return lower(graph, found + ([("state", states)] if states else []))
+
+
+def outputs(
+    robot: Robot,
+    layer: Layer,
+    graph: Graph,
+    motion: _Motion,
+    rigid: Program | None,
+    formulation: str,
+    *,
+    remembers: bool,
+) -> tuple[list[Any], list[Any]]:
+    """Motor torques [n] and the states after the step, if the function ``remembers``."""
+    twists, memories = _given_states(layer, graph) if remembers else ({}, {})
+    measured = Rates(motion.q, motion.qd, motion.qdd, directions(robot, motion.qd, as_is))
+    link, moved = measured, measured
+    if twists:
+        link = link_rates(layer, measured, twists)
+        link = Rates(link.q, link.qd, link.qdd, directions(robot, link.qd, as_is))
+    loads = rigid_loads(robot, layer, graph, link, rigid, formulation)
+    passed = passed_on(layer, loads, link)
+    states: list[Any] = []
+    dt = graph.input("dt", 0) if twists or memories else 0
+    after = {i: next_twist(layer.joints[i], passed[i], twist, dt) for i, twist in twists.items()}
+    if after:
+        moved = motor_rates(layer, measured, after)
+        moved = Rates(moved.q, moved.qd, moved.qdd, directions(robot, moved.qd, as_is))
+    remembered: dict[int, list[Any]] = {}
+    for i, drive in enumerate(layer.joints):
+        if i in after:
+            states += [after[i].twist, after[i].rate, after[i].acceleration]
+        at = Site(drive.revolute, moved.q[i], moved.qd[i], moved.qdd[i], moved.direction[i])
+        for acting, state in zip(drive.memories, memories.get(i, ()), strict=remembers):
+            new, torque = memory_of(acting).step(acting.values, at, tuple(state), dt)
+            states += new
+            remembered.setdefault(i, []).append(torque)
+    pairs = directions(robot, [combined(pair, moved.qd) for pair in layer.pairs], as_is)
+    tau = at_motors(layer, passed, moved, pairs, remembered if remembers else None)
+    return [graph.label(x, Label(i, "tau", "")) for i, x in enumerate(tau, 1)], states
+
+
+def _given_states(layer: Layer, graph: Graph) -> tuple[dict[int, TwistState], dict[int, list[list[Any]]]]:
+    """The states before the step, by joint: of couplers, and of effects that remember."""
+    names = iter(range(len(layer.state_names)))
+    twists: dict[int, TwistState] = {}
+    memories: dict[int, list[list[Any]]] = {}
+    for i, drive in enumerate(layer.joints):
+        if drive.coupler is not None:
+            twists[i] = TwistState(*(graph.input("state", next(names)) for _ in range(3)))
+        for acting in drive.memories:
+            state = [graph.input("state", next(names)) for _ in memory_of(acting).names]
+            memories.setdefault(i, []).append(state)
+    return twists, memories
+
+
+def rigid_loads(
+    robot: Robot, layer: Layer, graph: Graph, link: Rates, rigid: Program | None, formulation: str
+) -> Loads:
+    """What the rigid arm puts on its joints, as nodes of ``graph``."""
+    if rigid is not None:
+        arrays = {"q": link.q, "qd": link.qd, "qdd": link.qdd}
+        inputs = {Input(name, i): x for name, array in arrays.items() for i, x in enumerate(array)}
+        return Loads(graph.replay(rigid, inputs=inputs))
+    if formulation not in REACTIONS:
+        raise InputError(
+            f"the formulation {formulation} has no forces in the joints, which bearings feel",
+            expected=" or ".join(REACTIONS),
+        )
+    from robodyn.optimize.costing import exact
+
+    arm = build_arm(rigid_part(robot), exact, graph.input)
+
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        return turned(graph, link.q, angle)
+
+    found: dict[tuple[int, str, str], Any] = {}
+
+    def mark(value: Any, label: Label) -> Any:
+        found[label.link - 1, label.quantity, label.axis] = value
+        return graph.label(value, label)
+
+    motion = build_motion(arm, link.q, link.qd, link.qdd, trigonometry, exact)
+    tau = REACTIONS[formulation](arm, motion, mark)
+
+    def vectors(quantity: str) -> dict[int, tuple[Any, Any, Any]]:
+        axes = {i: [found[i, quantity, axis] for axis in "xyz"] for i in layer.needs_reactions}
+        return {i: (x, y, z) for i, (x, y, z) in axes.items()}
+
+    return Loads(tau, vectors("f"), vectors("n"))
+
+
+def _mass_matrix(layer: Layer, entries: list[Any], n: int) -> list[Any]:
+    """The rigid arm's matrix with the rotors and the motors that drive two joints: row by row."""
+    matrix = list(entries)
+    for i, drive in enumerate(layer.joints):
+        if not is_zero(drive.rotor):
+            matrix[n * i + i] = matrix[n * i + i] + drive.rotor
+    for pair in layer.pairs:
+        inertia = pair.acting.values["inertia"]
+        if is_zero(inertia):
+            continue
+        for i, j, factor in (
+            (pair.one, pair.one, 1),
+            (pair.one, pair.other, pair.ratio),
+            (pair.other, pair.one, pair.ratio),
+            (pair.other, pair.other, pair.ratio * pair.ratio),
+        ):
+            matrix[n * i + j] = matrix[n * i + j] + inertia * factor
+    return matrix
+
+
+def forward_dynamics(robot: Robot, bias: Program, mass_matrix: Program) -> Program:
+    """Accelerations of torques, of the programs of ``robot`` with its effects.
+
+    Raises
+    ------
+    ImplicitDynamics: friction depends on the load.
+    """
+    if not layer_of(robot, as_is, lambda _: 1).is_affine:
+        raise ImplicitDynamics(
+            f"{robot.name} has no forward dynamics in closed form",
+            found="friction that depends on the load, and so on the accelerations",
+            remedy="robodyn simulate solves for them; or leave those effects out",
+        )
+    return composed_forward_dynamics(bias, mass_matrix)

@@ -1,0 +1,1 @@
+"""Fewer operations, proven equal: base parameters, formulation variants, closed forms, pruning, records."""

@@ -1,0 +1,132 @@
+"""What writings of an arm cost, without building their programs."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from fractions import Fraction
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, build_arm, build_motion
+from robodyn.dynamics.modified_newton_euler import modified_newton_euler
+from robodyn.dynamics.parallel import chain_turns
+from robodyn.dynamics.regroup import lumps_of
+from robodyn.optimize.base_parameters import base_newton_euler
+from robodyn.optimize.factoring import saved
+from robodyn.optimize.gauge import (
+    AT_TIP,
+    Given,
+    Regrouped,
+    Unsuited,
+    assembled,
+    check_size,
+    give,
+    in_scalars,
+    point_of,
+    with_displacements,
+)
+from robodyn.optimize.tally import SCALE, Circle, Tally, in_field
+from robodyn.optimize.writing import LinkWriting, Writing
+from robodyn.robot.model import Robot
+
+_MANY = 200_000
+
+
+def exact(x: Fraction) -> Fraction | int:
+    """``x``, as an integer where it is one: arithmetic among 0 and 1 is most of a recursion's."""
+    return x.numerator if x.denominator == 1 else x
+
+
+class Costing:
+    """Tallies of writings of one robot's inverse dynamics. What links give to their parents is remembered by
+    the rules of all links beyond (not where numbers are known only at run time)."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot
+        self.circle = Circle()
+        self._given: dict[Any, Given | Unsuited] = {}
+        self._plain = not robot.parameters
+        tally = Tally(self.circle)
+        self.arm: Arm = build_arm(robot, exact, tally.input)
+        self._lumps = lumps_of(self.arm)
+        self._field = build_arm(robot, in_field, tally.input)
+
+    def total(self, writing: Writing) -> int:
+        """Operations of ``writing``; :class:`Unsuited` where it does not suit the robot."""
+        tally, outputs = self.run(writing)
+        return operations(tally, tally.needed(outputs))
+
+    def factored_total(self, writing: Writing | None) -> int:
+        """About as many as are left after the passes; None is the recursion as in the book."""
+        tally, outputs = self._book() if writing is None else self.run(writing)
+        wanted = tally.needed(outputs)
+        return operations(tally, wanted) - saved(tally.made, wanted)
+
+    def _book(self) -> tuple[Tally, list[Any]]:
+        tally = Tally(self.circle)
+        arm = build_arm(self.robot, in_field, tally.input)
+        q, qd, qdd = ([tally.input(array, i) for i in range(self.robot.n)] for array in ("q", "qd", "qdd"))
+        motion = build_motion(arm, q, qd, qdd, tally.trigonometry, in_field)
+        return tally, modified_newton_euler(arm, motion)
+
+    def run(self, writing: Writing) -> tuple[Tally, list[Any]]:
+        """The tally of ``writing``, and its outputs; :class:`Unsuited` where it does not suit the robot."""
+        check_size(self.arm, writing)
+        tally = Tally(self.circle)
+        if self._plain:
+            field, given = self._field, self._all_given(writing)
+            links, unit = assembled(self.arm, writing, given)
+        else:
+            # Parameters are values of the tally that they are counted in.
+            arm = build_arm(self.robot, exact, tally.input)
+            field = build_arm(self.robot, in_field, tally.input)
+            links, unit = assembled(arm, writing, _all_given(arm, writing))
+        numbers = [in_scalars(link, in_field) for link in links]
+        return tally, self._outputs(tally, field, numbers, unit, writing)
+
+    def _outputs(
+        self, tally: Tally, field: Arm, numbers: list[Regrouped], unit: Any, writing: Writing
+    ) -> list[Any]:
+        arm = with_displacements(field, numbers, in_field(unit))
+        q, qd, qdd = ([tally.input(array, i) for i in range(self.robot.n)] for array in ("q", "qd", "qdd"))
+        motion = build_motion(arm, q, qd, qdd, tally.trigonometry, in_field)
+        turns = chain_turns(arm, motion, tally.trigonometry, [link.chained for link in writing.links])
+        per_unit = 1 if unit == 1 else in_field(1 / Fraction(unit))
+        return base_newton_euler(arm, motion, turns, numbers, writing, per_unit)
+
+    def _all_given(self, writing: Writing) -> list[Given]:
+        n = self.robot.n
+        given: list[Given] = [AT_TIP] * (n + 1)
+        tail: tuple[Any, ...] = ()
+        for i in reversed(range(n)):
+            how = writing.links[i]
+            tail = (how.mass, how.first, how.second, how.slide, tail)
+            found = self._given.get(tail)
+            if found is None:
+                if len(self._given) > _MANY:
+                    self._given.clear()
+                found = self._given[tail] = self._give(i, how, given[i + 1])
+            if isinstance(found, Unsuited):
+                raise found
+            point_of(i, found.own, how)  # a form that does not suit says so before the links below are made
+            given[i] = found
+        return given
+
+    def _give(self, i: int, how: LinkWriting, child: Given) -> Given | Unsuited:
+        try:
+            return give(self.arm, self._lumps, i, how, child)
+        except Unsuited as error:
+            return error
+
+
+def operations(tally: Tally, wanted: Collection[int]) -> int:
+    """How many of ``wanted`` are multiplications and additions."""
+    made = tally.made
+    return sum([made[position][0] <= SCALE for position in wanted])
+
+
+def _all_given(arm: Arm, writing: Writing) -> list[Given]:
+    lumps = lumps_of(arm)
+    given = [AT_TIP] * (len(lumps) + 1)
+    for i in reversed(range(len(lumps))):
+        given[i] = give(arm, lumps, i, writing.links[i], given[i + 1])
+    return given

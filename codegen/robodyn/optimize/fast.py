@@ -1,0 +1,75 @@
+"""The writing of ``--optimize fast``: a few changes of the textbook's that pay on most arms, each kept where
+it does on this one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+from robodyn.dynamics.arm import Arm
+from robodyn.dynamics.parallel import chained
+from robodyn.effects.scalars import is_zero
+from robodyn.optimize.costing import Costing
+from robodyn.optimize.gauge import Unsuited
+from robodyn.optimize.programs import Choice
+from robodyn.optimize.suited import suited_writing
+from robodyn.optimize.writing import LinkWriting, Writing
+from robodyn.robot.model import Robot
+
+#: Of programs whose costs are estimated so close the passes have the last word.
+_CLOSE = 4
+
+
+def fast_choices(robot: Robot) -> tuple[Choice, ...]:
+    """The choices that ``fast`` takes the best of after all passes, usually one; never dearer than
+    base-parameter regrouping alone, as the literature has it, or than the recursion as in the book."""
+    costing = Costing(robot)
+    best = suited_writing(costing.arm)
+    cost = costing.factored_total(best)
+    for change in _changes(costing.arm):
+        other = change(best)
+        if other == best:
+            continue
+        try:
+            found = costing.factored_total(other)
+        except Unsuited:
+            continue
+        if found < cost:
+            best, cost = other, found
+    alone = literature(costing.arm)
+    costs = {
+        Choice(writing=best, chains=any(link.chained for link in best.links)): cost,
+        Choice(writing=alone, chains=False): costing.factored_total(alone),
+        Choice(regroup=False, chains=False): costing.factored_total(None),
+    }
+    least = min(costs.values())
+    return tuple(choice for choice, found in costs.items() if found <= least + _CLOSE)
+
+
+def _changes(arm: Arm) -> Iterator[Callable[[Writing], Writing]]:
+    """Changes of a writing, one after another."""
+    n = len(arm.bodies)
+    if n > 1 and arm.bodies[1].revolute and not is_zero(arm.bodies[1].d):
+        # The second origin on the first axis: it only goes round.
+        yield lambda writing: writing.with_link(1, slide="own")
+    if any(chained(arm)):
+        yield lambda writing: _all(writing, chained=False)
+    if n > 1 and arm.bodies[-1].revolute:
+        # A last link that looks the same from all sides of its axis: its sine and cosine are not needed.
+        yield lambda writing: writing.with_link(n - 1, second="-xx", form="spin", frame="start")
+    yield lambda writing: _all(writing, column="own")
+
+
+def literature(arm: Arm) -> Writing:
+    """Base-parameter regrouping alone: Gautier and Khalil's choice of what moves, ``I alpha + D k``."""
+    links = [
+        LinkWriting(form="inertia", second="-xx" if i and body.revolute else "zero", chained=False)
+        for i, body in enumerate(arm.bodies)
+    ]
+    return Writing(tuple(links))
+
+
+def _all(writing: Writing, **changes: Any) -> Writing:
+    """``writing`` with ``changes`` in every link."""
+    return replace(writing, links=tuple(replace(link, **changes) for link in writing.links))

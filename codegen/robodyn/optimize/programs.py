@@ -1,0 +1,256 @@
+"""The kernels of an arm: which inputs they have, and the recursion that gives their outputs.
+
+Here a robot becomes a graph: the recursions of this room run on nodes.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from fractions import Fraction
+from typing import Any
+
+from robodyn.dynamics.arm import Arm, JointAngle, Trigonometry, build_arm, build_motion
+from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.mass_matrix import mass_matrix, solve_symmetric
+from robodyn.dynamics.parallel import chain_turns, single_turns
+from robodyn.dynamics.regroup import lumps_of, regrouped
+from robodyn.dynamics.vectors import Mark
+from robodyn.errors import InputError
+from robodyn.ir import Graph, Label, Node, Program, Signature
+from robodyn.ir.fingerprint import in_drawn_field
+from robodyn.ir.graph import lower
+from robodyn.ir.signature import ScalarType
+from robodyn.optimize.base_parameters import base_newton_euler
+from robodyn.optimize.costing import exact as exact
+from robodyn.optimize.gauge import regrouped_as, with_displacements
+from robodyn.optimize.merging import MergingGraph
+from robodyn.optimize.reading_order import in_reading_order
+from robodyn.optimize.slide import slid
+from robodyn.optimize.suited import suited_writing
+from robodyn.optimize.writing import Writing
+from robodyn.robot.identity import identity
+from robodyn.robot.model import Robot
+
+#: Inputs of each function, beside what it returns.
+FUNCTIONS: dict[str, tuple[tuple[str, ...], str]] = {
+    "inverse_dynamics": (("q", "qd", "qdd"), "tau"),
+    "gravity": (("q",), "tau"),
+    "bias": (("q", "qd"), "tau"),
+    "mass_matrix": (("q",), "M"),
+    "forward_dynamics": (("q", "qd", "tau"), "qdd"),
+}
+
+#: Formulations of the inverse dynamics, from the description as it stands.
+FORMULATIONS = (
+    "modified_newton_euler",
+    "newton_euler",
+    "balafoutis",
+    "kane",
+    "lagrange_3x3",
+    "lagrange_4x4",
+    "lagrange",
+)
+
+
+class NoForwardDynamics(InputError):
+    """An arm has no forward dynamics, or none in closed form; ``found`` says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """How the recursion is written: the formulation, and whether base parameters are regrouped (in the
+    modified Newton-Euler recursion); then ``chains`` says whether parallel joints turn as one, and
+    ``forms`` picks the form of each link's moment (empty: the forms that suit the arm), unless ``writing``
+    says everything."""
+
+    formulation: str = "modified_newton_euler"
+    regroup: bool = True
+    chains: bool = True
+    forms: tuple[MomentForm, ...] = ()
+    writing: Writing | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """As JSON has it: what is as usual is left out."""
+        made: dict[str, Any] = {}
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value != field.default:
+                made[field.name] = list(value) if field.name == "forms" else value
+        if self.writing is not None:
+            made["writing"] = self.writing.to_dict()
+        return made
+
+    @staticmethod
+    def from_dict(data: Any) -> Choice:
+        """The choice of :meth:`to_dict`; :class:`InputError` where that is none."""
+        return choice_from(data)
+
+
+def choice_from(data: Any) -> Choice:
+    """The choice that :meth:`Choice.to_dict` wrote; :class:`InputError` where that is none."""
+    allowed = {field.name: field for field in fields(Choice)}
+    if not isinstance(data, Mapping) or not set(data) <= set(allowed):
+        raise InputError(
+            "no choice of a way of writing", found=repr(data), expected=f"some of {', '.join(allowed)}"
+        )
+    made = dict(data)
+    for name in ("regroup", "chains"):
+        if not isinstance(made.get(name, True), bool):
+            raise InputError(f"{name} must be true or false", found=repr(made[name]))
+    if made.get("formulation", FORMULATIONS[0]) not in FORMULATIONS:
+        raise InputError(
+            "unknown formulation",
+            found=repr(made["formulation"]),
+            expected=f"one of {', '.join(FORMULATIONS)}",
+        )
+    forms = made.get("forms", [])
+    if not isinstance(forms, list) or not set(forms) <= {"inertia", "second_moment"}:
+        raise InputError("forms of moments", found=repr(forms), expected="a list of inertia, second_moment")
+    made["forms"] = tuple(forms)
+    if "writing" in made:
+        made["writing"] = Writing.from_dict(made["writing"])
+    return Choice(**made)
+
+
+def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Signature:
+    """The interface of ``function`` of ``robot``; :class:`InputError` for an unknown function."""
+    if function not in FUNCTIONS:
+        raise InputError(
+            f"unknown function {function!r}",
+            expected=f"one of {', '.join(FUNCTIONS)}",
+            remedy="choose one of those",
+        )
+    arguments, result = FUNCTIONS[function]
+    n = robot.n
+    size = n * n if result == "M" else n
+    return Signature(
+        robot=robot.name,
+        function=function,
+        inputs=tuple((name, n) for name in arguments),
+        outputs=((result, size),),
+        parameters=robot.parameters,
+        scalar=scalar,
+        states=_states(robot) if function == "inverse_dynamics" and robot.effects else (),
+    )
+
+
+def _states(robot: Robot) -> tuple[str, ...]:
+    from robodyn.drives.drive import layer_of
+
+    return layer_of(robot, lambda x: x, lambda _: 1).state_names
+
+
+def build(robot: Robot, function: str, choice: Choice) -> Program:
+    """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
+    nothing dead, no pass run yet."""
+    if choice.writing is None:
+        return _built(Graph(), robot, function, choice)
+    numbers = identity(robot).encode()
+    program: Program = in_drawn_field(
+        lambda field: _built(MergingGraph(field), robot, function, choice),
+        function.encode(),
+        numbers,
+        prime_of=b"merging " + numbers,
+    )
+    return program
+
+
+def _built(graph: Graph, robot: Robot, function: str, choice: Choice) -> Program:
+    interface = signature(robot, function)
+    given = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
+    arm = build_arm(robot, exact, graph.input)
+
+    def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
+        return turned(graph, given["q"], angle)
+
+    def mark(value: Any, label: Label) -> Any:
+        return graph.label(value, label)
+
+    values = outputs_of(function, arm, choice, given, trigonometry, exact, mark)
+    if choice.regroup:
+        graph, values = in_reading_order(graph, values)
+    (result, _), *_ = interface.outputs
+    return lower(graph, [(result, values)])
+
+
+def outputs_of(
+    function: str,
+    arm: Arm,
+    choice: Choice,
+    given: Mapping[str, Sequence[Any]],
+    trigonometry: Trigonometry,
+    number: Callable[[Fraction], Any],
+    mark: Mark,
+) -> list[Any]:
+    """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``given``."""
+    zeros = [0] * len(arm.bodies)
+    inverse = _inverse_dynamics(arm, choice, given["q"], trigonometry, number)
+
+    if function == "inverse_dynamics":
+        return inverse(given["qd"], given["qdd"], mark)
+    if function == "gravity":
+        return inverse(zeros, zeros, mark)
+    if function == "bias":
+        return inverse(given["qd"], zeros, mark)
+    if choice.regroup:
+        arm = slid(arm)
+    lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
+    at_rest = build_motion(arm, given["q"], zeros, zeros, trigonometry, number)
+    turns = chain_turns(arm, at_rest, trigonometry) if choice.chains else single_turns(at_rest)
+    matrix = mass_matrix(arm, at_rest, turns, lumps, mark)
+    if function == "mass_matrix":
+        return [entry for row in matrix for entry in row]
+    bias = inverse(given["qd"], zeros, mark)
+    right = [tau - h for tau, h in zip(given["tau"], bias, strict=True)]
+    return solve_symmetric(matrix, right, mark)
+
+
+def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:
+    """Cosine and sine of ``angle``; an offset of quarter turns costs nothing."""
+    total: Any = 0
+    for joint, sign in angle.terms:
+        total = total + sign * q[joint]
+    cosine, sine = exact(angle.offset.cos), exact(angle.offset.sin)
+    if angle.offset.quarter is None:
+        total = total + Fraction(angle.offset.radians)
+        cosine, sine = 1, 0
+    total = graph.label(total, angle.label("angle"))
+    c = graph.label(graph.cos(total), angle.label("c"))
+    s = graph.label(graph.sin(total), angle.label("s"))
+    return cosine * c - sine * s, cosine * s + sine * c
+
+
+#: Joint torques from rates ``qd`` and accelerations ``qdd``.
+Inverse = Callable[[Sequence[Any], Sequence[Any], Mark], list[Any]]
+
+
+def _inverse_dynamics(
+    arm: Arm,
+    choice: Choice,
+    q: Sequence[Any],
+    trigonometry: Trigonometry,
+    number: Callable[[Fraction], Any],
+) -> Inverse:
+    if choice.formulation not in FORMULATIONS:
+        raise InputError(
+            f"unknown formulation {choice.formulation!r}", expected=f"one of {', '.join(FORMULATIONS)}"
+        )
+    if choice.formulation != "modified_newton_euler" or not choice.regroup:
+        # A module and its function bear the formulation's name; only the one asked for is imported.
+        home = importlib.import_module(f"robodyn.dynamics.{choice.formulation}")
+        book = getattr(home, choice.formulation)
+        return lambda qd, qdd, mark: list(
+            book(arm, build_motion(arm, q, qd, qdd, trigonometry, number), mark)
+        )
+    writing = choice.writing or suited_writing(arm, choice.chains, choice.forms)
+    links, unit = regrouped_as(arm, writing)
+    placed = with_displacements(arm, links, unit)
+
+    def recursion(qd: Sequence[Any], qdd: Sequence[Any], mark: Mark) -> list[Any]:
+        motion = build_motion(placed, q, qd, qdd, trigonometry, number)
+        turns = chain_turns(placed, motion, trigonometry, [link.chained for link in writing.links])
+        return base_newton_euler(placed, motion, turns, links, writing, 1 if unit == 1 else 1 / unit, mark)
+
+    return recursion

@@ -1,0 +1,93 @@
+"""Where records lie: in a folder ``records`` beside the robot's file, and with the bundled robots."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from robodyn.optimize.records.record import Record, header, parse_record
+from robodyn.resources import data_dir, from_here
+from robodyn.robot.identity import identity
+from robodyn.robot.model import Robot
+
+#: The folder's name, beside the robot files.
+FOLDER = "records"
+_SUFFIX = ".record"
+#: A file with more bytes is no record; a tenth of it holds an arm of 30 joints with full inertias.
+_LARGEST = 2_000_000
+#: Of so many files in a folder the fields are looked at, besides the one that is named after the robot.
+_MOST_FILES = 1000
+#: The fields of a record stand within so many characters.
+_HEAD = 4000
+
+
+def bundled_records() -> Path:
+    """The folder of the records that come with robodyn."""
+    return data_dir("robots") / FOLDER
+
+
+def folder_beside(robot: Robot) -> Path:
+    """The folder of the records beside the file that ``robot`` was read from; the bundled one for a robot
+    that came from no file."""
+    return bundled_records() if robot.file is None else robot.file.parent / FOLDER
+
+
+def file_name(robot: str, function: str, objective: str) -> str:
+    """What the file of a record is called."""
+    return f"{robot}.{function}.{_word(objective)}{_SUFFIX}"
+
+
+def best_record(
+    robot: Robot, function: str, objective: str = "total", folders: Sequence[Path] = ()
+) -> Record | None:
+    """The record of ``function`` of a robot with exactly these parameters, or None.
+
+    ``folders`` are looked through first, then the one beside the robot's file, then the bundled records; the
+    first one found counts. A record is found by its parameters and not by its file's name, so a copy of a
+    robot has the same.
+
+    Raises
+    ------
+    InputError: a record of this robot is damaged.
+    """
+    wanted = identity(robot)
+    for folder in dict.fromkeys((*folders, folder_beside(robot), bundled_records())):
+        for path in _candidates(folder, robot.name, function, objective):
+            fields = header(_read(path, _HEAD))
+            asked = (fields.get("identity"), fields.get("function"), fields.get("objective"))
+            if asked == (wanted, function, objective):
+                return parse_record(_read(path, _LARGEST), str(from_here(path)))
+    return None
+
+
+def identity_at(path: Path) -> str | None:
+    """Which robot the record in ``path`` is of; None where there is no record."""
+    return header(_read(path, _HEAD)).get("identity")
+
+
+def _candidates(folder: Path, robot: str, function: str, objective: str) -> Iterator[Path]:
+    likely = folder / file_name(robot, function, objective)
+    yield likely
+    try:
+        named = folder.glob(f"*.{function}.{_word(objective)}{_SUFFIX}")
+        others = sorted(itertools.islice(named, _MOST_FILES))
+    except OSError:
+        return
+    yield from (path for path in others if path != likely)
+
+
+def _read(path: Path, characters: int) -> str:
+    """The beginning of a file; nothing of what is no file, or too large for a record."""
+    try:
+        if not path.is_file() or path.stat().st_size > _LARGEST:  # a pipe would wait for its writer
+            return ""
+        with path.open(encoding="utf-8", errors="replace") as file:
+            return file.read(characters)
+    except OSError:
+        return ""
+
+
+def _word(objective: str) -> str:
+    """``weighted:cortex-m4`` as a part of a file's name."""
+    return "".join(letter if letter.isalnum() or letter in "-_" else "-" for letter in objective)

@@ -1,0 +1,141 @@
+"""Pictures of the case study: new curves, in the place of Figures 3.6 to 3.15, whose data are not at hand."""
+
+from __future__ import annotations
+
+from robodyn.draw.curves import Curve, Panel, figure
+from robodyn.effects.efficiency import efficiency_at
+from robodyn.thesis.case_arm import efficiency_curve, efficiency_points
+from robodyn.thesis.case_study import LABEL, Floats, Study
+
+_JOINTS = (1, 2, 3)
+_LOADS = [k / 200 for k in range(201)]
+
+
+def pictures(study: Study) -> dict[str, str]:
+    """SVGs by file name."""
+    found = {
+        "path.svg": path(study),
+        "joints.svg": joints(study),
+        "efficiency.svg": efficiency(),
+        "following.svg": following(study),
+    }
+    return found | {f"joint-{k}.svg": torques(study, k) for k in _JOINTS}
+
+
+def path(study: Study) -> str:
+    """The line, and how far along it the point is."""
+    t, point = study.motion.t.tolist(), study.point
+    speed = study.led.kinematics.jacobian(study.motion.q)[:, :3] @ study.motion.qd[:, :, None]
+    return figure(
+        "Path of the point",
+        LABEL,
+        (
+            Panel("The line", "z over y in m, at x = 0.4 m", (_curve("path", point[:, 1], point[:, 2]),)),
+            Panel(
+                "Along the line",
+                "m and m/s over s",
+                (
+                    Curve("y = z", t, point[:, 1].tolist()),
+                    Curve("rate of y = z", t, speed[:, 1, 0].tolist(), dashed=True),
+                ),
+            ),
+        ),
+    )
+
+
+def joints(study: Study) -> str:
+    """Positions, velocities and accelerations of the joints."""
+    motion = study.motion
+    panels = tuple(
+        Panel(title, unit, tuple(_over(study, f"joint {k}", values[:, k - 1]) for k in _JOINTS))
+        for title, unit, values in (
+            ("Positions", "rad over s", motion.q),
+            ("Velocities", "rad/s over s", motion.qd),
+            ("Accelerations", "rad/s^2 over s", motion.qdd),
+        )
+    )
+    return figure("Joint trajectories", LABEL, panels)
+
+
+def torques(study: Study, joint: int) -> str:
+    """All torques of ``joint`` (from 1)."""
+    found, k = study.torques, joint - 1
+    ends = _ends(found.joint[1:-1, k])
+    return figure(
+        f"Torques of joint {joint}",
+        LABEL,
+        (
+            Panel(
+                f"Joint {joint}: with and without friction",
+                "N m over s",
+                (
+                    _over(study, "without friction", found.rigid[:, k]),
+                    _over(study, "with joint friction", found.joint[:, k]),
+                    _over(study, "with joint friction and transmission", found.input[:, k]),
+                ),
+            ),
+            Panel(
+                f"Joint {joint}: parts of the friction",
+                "N m over s",
+                (
+                    _over(study, "bearings, Eq 3.3", found.bearing[:, k]),
+                    _over(study, "breakaway torque", found.breakaway[:, k]),
+                    _over(study, "efficiency of the transmission", found.loss[:, k]),
+                ),
+            ),
+            Panel(
+                f"Joint {joint}: through the transmission",
+                "torque that goes in over torque at the joint, N m",
+                (
+                    _curve("input torque", found.joint[1:-1, k], found.input[1:-1, k]),
+                    Curve("without loss", ends, ends, dashed=True),
+                ),
+            ),
+            Panel(
+                f"Joint {joint}: efficiency",
+                "share over s",
+                (
+                    _over(study, "efficiency", found.efficiency[:, k]),
+                    _over(study, "load, share of the largest torque", found.load[:, k]),
+                ),
+            ),
+        ),
+    )
+
+
+def efficiency() -> str:
+    """The efficiency curve: what Table 3.5 gives away, and what is assumed."""
+    knots = [(float(x), float(y)) for x, y in efficiency_curve()]
+    known = sorted((float(point.load), float(point.efficiency)) for point in efficiency_points())
+    curve = [float(efficiency_at(x, knots, "cubic")) for x in _LOADS]
+    panel = Panel(
+        "Efficiency of the transmissions",
+        "share over load, a share of the largest torque",
+        (
+            Curve("assumed: through the three points, then load^0.2; level below them", _LOADS, curve),
+            Curve("the three points of Table 3.5", [x for x, _ in known], [y for _, y in known]),
+        ),
+    )
+    return figure("Efficiency curve", LABEL, (panel,))
+
+
+def following(study: Study) -> str:
+    """How far the simulated arm is from its motion."""
+    t, off = study.deviation
+    panel = Panel(
+        "Forward check", "deviation of the point in mm over s, PD controller and fed torques",
+        (_curve("deviation", t[::10], 1000 * off[::10]),),
+    )  # fmt: skip
+    return figure("The simulated arm on the line", LABEL, (panel,))
+
+
+def _over(study: Study, name: str, values: Floats) -> Curve:
+    return _curve(name, study.motion.t, values)
+
+
+def _curve(name: str, x: Floats, y: Floats) -> Curve:
+    return Curve(name, x.tolist(), y.tolist())
+
+
+def _ends(values: Floats) -> list[float]:
+    return [float(values.min()), float(values.max())]

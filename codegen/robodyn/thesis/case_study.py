@@ -1,0 +1,219 @@
+"""The thesis's case study (chapter 3), run anew: what friction does to the torques along a straight line.
+
+The source's own curves cannot be recovered: it gives the line, its start, 201 samples in 2 s and the
+parameters of Table 3.4, but not how the motion goes along the line nor where it ends, nor the span of the
+bearings, nor the efficiency curve. :class:`Assumptions` fill the gaps; what comes out is a new study, and no
+reproduction.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.effects.efficiency import efficiency_at
+from robodyn.errors import InputError
+from robodyn.kernels.robot_kernel import compile as compile_kernel
+from robodyn.simulate.simulation import Follow, Simulation, simulate
+from robodyn.simulate.trajectories import ProfileName, Trajectory, line
+from robodyn.thesis.case_arm import ARMS, D4_BRANCH, D4_START, Arm, Led, Robots, efficiency_curve, led, robots
+from robodyn.thesis.printed_counts import TABLE_3_4
+
+Floats = NDArray[np.float64]
+
+LABEL: Final = "a new study on stated assumptions, not the thesis's Figures 3.6 to 3.15"
+
+X: Final = 0.4
+START: Final = 0.1
+DURATION: Final = 2.0
+SAMPLES: Final = 201
+#: The sample that Table 3.5 shows: 0.6 s.
+SHOWN: Final = 60
+#: Profiles that begin and end at rest.
+REST_TO_REST: Final[tuple[ProfileName, ...]] = ("quintic", "trapezoid")
+#: Gains of the forward check [N m/rad, N m s/rad] and its period [s].
+KP: Final = 200.0
+KD: Final = 20.0
+CONTROL_PERIOD: Final = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Assumptions:
+    """What the source leaves open: profile along the line, y = z at its end [m], span of the bearings [m],
+    payload [kg], and which of its programs is right about the arm (:mod:`.case_arm`)."""
+
+    profile: ProfileName = "quintic"
+    end: float = 0.5
+    span: float = 0.2
+    payload: float = 0.0
+    arm: Arm = "programs"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Torques:
+    """Torques [S, 3] (N m) at the samples.
+
+    ``rigid`` is the arm's, ``bearing`` the friction in the joints (Eq 3.3), ``joint`` their sum;
+    ``transmission`` is what the transmissions take (Table 3.2), of which ``breakaway`` is one part and
+    ``loss`` the other; ``input`` what goes in. ``load`` and ``efficiency`` [S, 3] are where the
+    transmissions are on their curve.
+    """
+
+    rigid: Floats
+    bearing: Floats
+    joint: Floats
+    breakaway: Floats
+    loss: Floats
+    transmission: Floats
+    input: Floats
+    load: Floats
+    efficiency: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Following:
+    """How the simulated arm follows the motion with the torques fed to it: largest deviations of the joints
+    [3] (rad) and of the point [m], and the energies of the run [J]."""
+
+    joints: tuple[float, float, float]
+    point: float
+    energies: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Study:
+    """The study: ``motion`` and ``point`` [S, 3] (m) at the samples, torques, the forward check open loop and
+    with a small PD controller, and the deviation of the point over its samples [s, m]."""
+
+    assumptions: Assumptions
+    led: Led
+    robots: Robots
+    motion: Trajectory
+    point: Floats
+    torques: Torques
+    open_loop: Following
+    closed_loop: Following
+    deviation: tuple[Floats, Floats]
+
+    @property
+    def load_point(self) -> float:
+        """How far the point that D.1.2 loads is from the one that is led, at the start [m]."""
+        from robodyn.thesis.case_arm import FOREARM, led_at
+
+        loaded = led_at(self.robots.rigid, -FOREARM).kinematics.position(self.motion.q[0])
+        return float(np.linalg.norm(loaded - self.point[0]))
+
+
+def case_study(assumptions: Assumptions | None = None, *, cache: Path | None = None) -> Study:
+    """Run the study.
+
+    Raises
+    ------
+    InputError: a profile that is not at rest at both ends, an end out of reach, a payload or span that is
+        none.
+    ToolError: no C compiler.
+    """
+    given = assumptions or Assumptions()
+    _check(given)
+    made = robots(given.payload, given.span)
+    arm = led(given.arm)
+    fine = motion_of(given, arm)
+    motion = fine.sampled(DURATION / (SAMPLES - 1))
+    torques = torques_along(made, motion, cache)
+    runs = []
+    for law, kp, kd in (("feedforward", 0.0, 0.0), ("pd", KP, KD)):
+        drive = Follow(fine, law, kp=kp, kd=kd, period=CONTROL_PERIOD)  # type: ignore[arg-type]  # of LAWS
+        runs.append(simulate(made.complete, drive, sample_period=CONTROL_PERIOD, cache=cache))
+    off = _distance(arm, runs[1], fine)
+    return Study(
+        given,
+        arm,
+        made,
+        motion,
+        arm.kinematics.position(motion.q),
+        torques,
+        _following(arm, runs[0], fine),
+        _following(arm, runs[1], fine),
+        (runs[1].t, off),
+    )
+
+
+def _check(given: Assumptions) -> None:
+    if given.arm not in ARMS:
+        raise InputError("there is no such arm", found=repr(given.arm), expected=" or ".join(ARMS))
+    if given.profile not in REST_TO_REST:
+        raise InputError(
+            "the case study begins and ends at rest",
+            found=repr(given.profile),
+            expected=" or ".join(REST_TO_REST),
+        )
+    if given.end == START:
+        raise InputError(
+            "the line has no length", found=f"its end at y = z = {START}", remedy="choose another"
+        )
+
+
+def motion_of(given: Assumptions, arm: Led) -> Trajectory:
+    """The motion along the line, sampled as finely as it is simulated."""
+    start, end = (X, START, START), (X, given.end, given.end)
+    return line(
+        arm.kinematics,
+        start,
+        end,
+        DURATION,
+        given.profile,
+        solver=lambda path: arm.inverse.continuous(path, D4_BRANCH, near=D4_START),
+        period=CONTROL_PERIOD,
+    )
+
+
+def torques_along(made: Robots, motion: Trajectory, cache: Path | None = None) -> Torques:
+    """All torques along ``motion``, each from the compiled kernel of a robot with as much friction."""
+    kernels = [
+        compile_kernel(robot, functions=["inverse_dynamics"], cache=cache)
+        for robot in (made.rigid, made.with_bearings, made.complete)
+    ]
+    rigid, joint, total = (
+        np.asarray(kernel.inverse_dynamics(motion.q, motion.qd, motion.qdd)) for kernel in kernels
+    )
+    direction = np.sign(motion.qd)
+    breakaway = direction * np.array([float(drive.breakaway) for drive in TABLE_3_4])
+    load = np.abs(joint) / np.array([float(drive.largest) for drive in TABLE_3_4])
+    knots = [(float(x), float(y)) for x, y in efficiency_curve()]
+    efficiency = np.array([[efficiency_at(x, knots, "cubic") for x in row] for row in load.tolist()])
+    taken = total - joint
+    return Torques(rigid, joint - rigid, joint, breakaway, taken - breakaway, taken, total, load, efficiency)
+
+
+def _distance(arm: Led, run: Simulation, motion: Trajectory) -> Floats:
+    off: Floats = np.linalg.norm(arm.kinematics.position(run.q) - arm.kinematics.position(motion.q), axis=1)
+    return off
+
+
+def _following(arm: Led, run: Simulation, motion: Trajectory) -> Following:
+    one, two, three = np.abs(run.q - motion.q).max(axis=0).tolist()
+    return Following((one, two, three), float(_distance(arm, run, motion).max()), run.balance().to_dict())
+
+
+def shares(torques: Torques) -> dict[str, Any]:
+    """Peaks and root mean squares [3] of the torques [N m], the range of efficiencies [3], and by what factor
+    [3] the root mean square of the input torque is above the rigid arm's."""
+    found: dict[str, Any] = {}
+    for name in ("rigid", "bearing", "joint", "transmission", "input"):
+        values = getattr(torques, name)
+        found[name] = {
+            "peak": np.abs(values).max(axis=0).tolist(),
+            "rms": np.sqrt((values**2).mean(axis=0)).tolist(),
+        }
+    moving = slice(1, -1)  # at rest there is no loss
+    found["efficiency"] = {
+        "least": torques.efficiency[moving].min(axis=0).tolist(),
+        "greatest": torques.efficiency[moving].max(axis=0).tolist(),
+    }
+    pairs = zip(found["input"]["rms"], found["rigid"]["rms"], strict=True)
+    found["factor"] = [given / needed for given, needed in pairs]
+    return found

@@ -1,0 +1,1 @@
+"""Compilers, other programs, and a cache of what they made."""

@@ -1,0 +1,196 @@
+"""Finding and running compilers: what is missing is named, with how to get it."""
+
+from __future__ import annotations
+
+import shutil
+import stat
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from robodyn.errors import ToolError
+from robodyn.kernels.kernel import load
+from robodyn.toolchain.compiler import find_c, find_fortran, first_lines, split_flags
+from robodyn_testing import require_tool
+
+
+def script(folder: Path, name: str, text: str) -> Path:
+    """An executable shell script."""
+    path = folder / name
+    path.write_text(f"#!/bin/sh\n{text}\n", encoding="utf-8")
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return path
+
+
+@pytest.fixture
+def nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A machine without compilers."""
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.delenv("FC", raising=False)
+    monkeypatch.setenv("PATH", "")
+
+
+@pytest.mark.usefixtures("nothing")
+def test_no_c_compiler() -> None:
+    with pytest.raises(
+        ToolError, match=r"no C compiler was found.*cc, gcc, clang.*CC is not set.*apt install gcc"
+    ):
+        find_c()
+
+
+@pytest.mark.usefixtures("nothing")
+def test_no_fortran_compiler() -> None:
+    with pytest.raises(
+        ToolError, match=r"no Fortran compiler.*gfortran.*FC is not set.*apt install gfortran"
+    ):
+        find_fortran()
+
+
+@pytest.mark.usefixtures("nothing")
+def test_no_compiler_stops_the_load(toy: Callable[..., Any]) -> None:
+    arm = toy()
+    with pytest.raises(ToolError, match="no C compiler") as caught:
+        load(arm.signatures, arm.files)
+    assert caught.value.exit_code == 3
+
+
+def test_cc_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", "/nonexistent/cc -m64")
+    with pytest.raises(ToolError, match=r"no C compiler '/nonexistent/cc' \(CC names it\); install one"):
+        find_c()
+
+
+def test_fc_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("FC", "f77-of-old")
+    with pytest.raises(ToolError, match=r"no Fortran compiler 'f77-of-old' \(FC names it\)"):
+        find_fortran()
+
+
+def test_cc_that_cannot_be_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", 'gcc "')
+    with pytest.raises(ToolError, match="cannot be read"):
+        find_c()
+
+
+def test_argument_goes_before_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", "/nonexistent/cc")
+    gcc = require_tool("gcc")
+    assert find_c("gcc -m64").command == (gcc, "-m64")
+
+
+def test_empty_cc_is_no_cc(monkeypatch: pytest.MonkeyPatch) -> None:
+    require_tool("cc")
+    monkeypatch.setenv("CC", " ")
+    assert find_c().command == (shutil.which("cc"),)
+
+
+def test_cc_with_arguments_compiles(toy: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    require_tool("gcc")
+    monkeypatch.setenv("CC", "gcc -DUNUSED='a b'")
+    arm = toy()
+    kernel = load(arm.signatures, arm.files)
+    assert kernel.gravity([0.0, 0.0]).tolist() == [0.0, 0.0]
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+def test_both_usual_compilers_work(name: str, toy: Callable[..., Any]) -> None:
+    require_tool(name)
+    arm = toy()
+    kernel = load(arm.signatures, arm.files, cc=name)
+    assert name in kernel.compiler
+    assert kernel.mass_matrix([2.0, 3.0]).tolist() == [[1.0, 2.0], [3.0, 4.0]]
+
+
+def test_a_compiler_that_does_not_work(tmp_path: Path) -> None:
+    broken = script(tmp_path, "cc", "echo no licence >&2; exit 69")
+    with pytest.raises(
+        ToolError, match=r"does not work; found no licence; expected its version; .* --version"
+    ):
+        find_c(str(broken))
+
+
+def test_a_compiler_that_cannot_be_started(tmp_path: Path) -> None:
+    broken = tmp_path / "cc"
+    broken.write_bytes(b"\x7fELF no program at all")
+    broken.chmod(0o755)
+    with pytest.raises(ToolError, match="cannot be started"):
+        find_c(str(broken))
+
+
+@pytest.mark.parametrize("until", ["toy.c", "_robodyn_"])
+def test_a_compiler_that_writes_nothing(until: str, toy: Callable[..., Any], tmp_path: Path) -> None:
+    """As /bin/true: it has a version, is content with everything, and there is no file."""
+    gcc = require_tool("gcc")
+    idle = script(
+        tmp_path, "idle", f'case "$*" in --version) echo idle 1;; *{until}*) ;; *) exec {gcc} "$@";; esac'
+    )
+    arm = toy()
+    with pytest.raises(ToolError, match=rf"compiler {idle} wrote no file at {until}.*expected {until}") as e:
+        load(arm.signatures, arm.files, cc=str(idle), mode="abi")
+    assert e.value.exit_code == 3
+    assert "\n" not in str(e.value)
+
+
+def test_broken_c_is_reported_with_place_and_reason(toy: Callable[..., Any]) -> None:
+    arm = toy()
+    arm.files["toy.c"] = arm.files["toy.c"].replace("tau[1] =", "tau[1] = nosuch *", 1)
+    with pytest.raises(
+        ToolError, match=r"the C compiler failed at toy\.c; found toy\.c:\d+:.*nosuch.*command"
+    ) as e:
+        load(arm.signatures, arm.files)
+    assert "\n" not in str(e.value)
+
+
+def test_header_that_does_not_fit_the_signature(toy: Callable[..., Any]) -> None:
+    arm = toy(scalar="float")
+    double = toy(scalar="double")
+    with pytest.raises(ToolError, match="robodyn-calls"):
+        load(double.signatures, arm.files)
+
+
+@pytest.mark.parametrize("name", ["robodyn_calls", "robodyn_batch", "robodyn_work", "Python", "entry"])
+def test_robots_with_names_of_the_files_and_calls_around_them(toy: Callable[..., Any], name: str) -> None:
+    arm = toy(name=name, parameters=True)
+    kernel = load(arm.signatures, arm.files)
+    assert list(kernel.gravity([0.0, 0.0], params={"inertia": 2.0, "bend": 3.0})) == [0.0, 0.0]
+
+
+def test_function_that_the_source_lacks(toy: Callable[..., Any]) -> None:
+    arm = toy()
+    arm.files["toy.c"] = arm.files["toy.c"].replace("void toy_gravity", "void toy_levity")
+    with pytest.raises(ToolError, match="toy_gravity"):
+        load(arm.signatures, arm.files)
+
+
+def test_bad_flag(toy: Callable[..., Any]) -> None:
+    arm = toy()
+    with pytest.raises(ToolError, match="-fno-such-thing"):
+        load(arm.signatures, arm.files, flags="-std=c99 -fno-such-thing")
+
+
+def test_broken_fortran_is_reported_with_place_and_reason(toy: Callable[..., Any]) -> None:
+    require_tool("gfortran")
+    arm = toy()
+    arm.files["toy.f90"] = arm.files["toy.f90"].replace("tau(2) =", "tau(2) = =", 1)
+    with pytest.raises(ToolError, match=r"Fortran compiler failed at toy\.f90; found toy\.f90:\d+.*Error"):
+        load(arm.signatures, arm.files, language="fortran")
+
+
+def test_fortran_needs_a_fortran_compiler(toy: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("FC", "/nonexistent/gfortran")
+    arm = toy()
+    with pytest.raises(ToolError, match="Fortran compiler '/nonexistent/gfortran'"):
+        load(arm.signatures, arm.files, language="fortran")
+
+
+def test_flags_as_text_and_as_list() -> None:
+    assert split_flags("-O3 '-DX=a b'") == ("-O3", "-DX=a b")
+    assert split_flags(["-O3", "-DX=a b"]) == ("-O3", "-DX=a b")
+
+
+def test_first_lines_prefers_errors() -> None:
+    said = "In file x:\nx.c:1:2: warning: w\nx.c:3:4: error: e\n more\n"
+    assert first_lines(said) == "x.c:3:4: error: e"
+    assert first_lines("one\n\ntwo\n") == "one | two"

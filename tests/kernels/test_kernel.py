@@ -1,0 +1,287 @@
+"""Kernels on numpy arrays: values, shapes, conversions, refusals; every way to build them."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from robodyn.errors import InputError, ToolError
+from robodyn.ir.signature import Signature
+from robodyn.kernels.kernel import Kernel, load
+from robodyn.toolchain import library
+from robodyn_testing import require_tool
+
+PARAMS = {"inertia": 0.5, "bend": -1.5}
+
+
+def states(count: int | None, dtype: Any = np.float64, seed: int = 0) -> Any:
+    shape = (3, 2) if count is None else (3, count, 2)
+    return np.random.default_rng(seed).normal(size=shape).astype(dtype)
+
+
+@pytest.fixture
+def kernel(toy: Callable[..., Any]) -> Kernel:
+    arm = toy()
+    return load(arm.signatures, arm.files)
+
+
+@pytest.fixture
+def tunable(toy: Callable[..., Any]) -> Kernel:
+    arm = toy(parameters=True)
+    return load(arm.signatures, arm.files)
+
+
+@pytest.mark.parametrize("mode", ["api", "abi"])
+@pytest.mark.parametrize("language", ["c", "fortran"])
+@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize("parameters", [False, True])
+def test_values(
+    mode: Any, language: Any, scalar: Any, parameters: bool, toy: Callable[..., Any], expected: Any
+) -> None:
+    if language == "fortran":
+        require_tool("gfortran")
+    arm = toy(scalar=scalar, parameters=parameters)
+    kernel = load(arm.signatures, arm.files, language=language, mode=mode)
+    assert kernel.mode == mode
+    options: dict[str, Any] = {"params": PARAMS} if parameters else {}
+    want = expected(**PARAMS) if parameters else expected()
+    tolerance = 1e-15 if scalar == "double" else 1e-6
+    q, qd, qdd = states(7, kernel.dtype)
+    tau = kernel.inverse_dynamics(q, qd, qdd, **options)
+    assert tau.dtype == kernel.dtype
+    np.testing.assert_allclose(tau, want.inverse_dynamics(q, qd, qdd), rtol=tolerance, atol=4 * tolerance)
+    M = kernel.mass_matrix(q, **options)
+    assert M.shape == (7, 2, 2)
+    np.testing.assert_array_equal(M, want.mass_matrix(q))
+    for k in range(7):  # one state at a time gives the same bits as a batch
+        assert kernel.inverse_dynamics(q[k], qd[k], qdd[k], **options).tobytes() == tau[k].tobytes()
+    assert kernel.mass_matrix(q[0], **options).shape == (2, 2)
+
+
+@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize("parameters", [False, True])
+def test_c_and_fortran_and_both_ways_to_load_give_the_same_bits(
+    scalar: Any, parameters: bool, toy: Callable[..., Any]
+) -> None:
+    require_tool("gfortran")
+    arm = toy(scalar=scalar, parameters=parameters)
+    options: dict[str, Any] = {"params": PARAMS} if parameters else {}
+    seen = set()
+    for language in ("c", "fortran"):
+        for mode in ("api", "abi"):
+            kernel = load(arm.signatures, arm.files, language=language, mode=mode)
+            q, qd, qdd = states(1000, kernel.dtype)
+            seen.add(kernel.inverse_dynamics(q, qd, qdd, **options).tobytes())
+    assert len(seen) == 1
+
+
+def test_both_precisions_in_one_process(toy: Callable[..., Any]) -> None:
+    double, single = (load(arm.signatures, arm.files) for arm in (toy(), toy(scalar="float")))
+    third = [1 / 3, 1 / 3]
+    assert double.gravity(third).dtype == np.float64
+    assert single.gravity(third).dtype == np.float32
+    assert double.gravity(third)[0] == 3 * np.sin(1 / 3)
+
+
+def test_what_a_kernel_says_of_itself(kernel: Kernel, tunable: Kernel) -> None:
+    assert kernel.functions == ("inverse_dynamics", "gravity", "mass_matrix")
+    assert (kernel.robot, kernel.scalar, kernel.language, kernel.parameters) == ("toy", "double", "c", ())
+    assert tunable.parameters == ("inertia", "bend")
+    assert "q: [2] or [N, 2], double; joint positions, rad or m" in str(kernel.mass_matrix.__doc__)
+    assert "M: [2, 2] or [N, 2, 2]" in str(kernel.mass_matrix.__doc__)
+    assert "params: run-time parameters, SI units: inertia, bend" in str(tunable.gravity.__doc__)
+    assert repr(kernel.gravity) == "<toy.gravity(q) -> tau [2]>"
+    assert "toy: inverse_dynamics, gravity" in repr(kernel)
+    assert "gravity" in dir(kernel)
+    with pytest.raises(AttributeError, match="no 'levity'; it has inverse_dynamics, gravity, mass_matrix"):
+        _ = kernel.levity
+
+
+def test_by_name(kernel: Kernel) -> None:
+    q, qd, qdd = states(None)
+    want = kernel.inverse_dynamics(q, qd, qdd)
+    np.testing.assert_array_equal(kernel.inverse_dynamics(qdd=qdd, qd=qd, q=q), want)
+    np.testing.assert_array_equal(kernel.inverse_dynamics(q, qdd=qdd, qd=qd), want)
+    for arguments, named, message in (
+        ((q,), {}, "no qd, no qdd"),
+        ((q, qd, qdd, q), {}, "4 arrays"),
+        ((q, qd, qdd), {"q": q}, "q twice"),
+        ((q, qd), {"qqd": qdd}, "unknown qqd, no qdd"),
+    ):
+        with pytest.raises(InputError, match=f"arguments do not fit; found {message}; expected q, qd, qdd"):
+            kernel.inverse_dynamics(*arguments, **named)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        [1, 2],
+        (1.0, 2),
+        [[1, 2]],
+        [np.float32(1), 2],
+        range(1, 3),
+        np.array([1, 2], np.int64),
+        np.array([1, 2], np.uint8),
+        np.array([1, 2], np.float16),
+        np.array([1, 2], np.longdouble),
+        np.array([1, 2], ">f8"),
+        np.array([1.0, 9.0, 2.0, 9.0])[::2],
+        np.array([[1.0, 2.0], [3.0, 4.0]], order="F")[:1],
+        np.array([[1.0, 2.0], [3.0, 4.0]]).T[:, ::-1][:1, ::-1].copy()[:, ::-1] * 0 + [[1.0, 2.0]],
+        np.frombuffer(b"x" + np.array([1.0, 2.0]).tobytes(), np.uint8)[1:].view(np.float64),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_real_numbers_of_any_kind_are_taken(value: Any, scalar: Any, toy: Callable[..., Any]) -> None:
+    arm = toy(scalar=scalar)
+    kernel = load(arm.signatures, arm.files)
+    M = kernel.mass_matrix(value)
+    assert M.reshape(2, 2).tolist() == [[1.0, 1.0], [2.0, 4.0]]
+
+
+def test_every_layout_of_a_batch(kernel: Kernel) -> None:
+    q = states(6)[0]
+    want = kernel.mass_matrix(q)
+    wide = np.zeros((6, 9))
+    wide[:, 4:6] = q
+    read_only = q.copy()
+    read_only.flags.writeable = False
+    for other in (np.asfortranarray(q), wide[:, 4:6], q[::-1].copy()[::-1], read_only, q.tolist()):
+        np.testing.assert_array_equal(kernel.mass_matrix(other), want)
+    assert kernel.mass_matrix(np.empty((0, 2))).shape == (0, 2, 2)
+    assert kernel.mass_matrix(q[:1]).shape == (1, 2, 2)
+
+
+def test_a_float_kernel_rounds_doubles(toy: Callable[..., Any]) -> None:
+    arm = toy(scalar="float")
+    kernel = load(arm.signatures, arm.files)
+    assert kernel.mass_matrix([1 / 3, 0.0])[0, 1] == np.float32(1 / 3)
+    assert kernel.mass_matrix([1e300, 0.0])[0, 1] == np.inf
+
+
+def test_inputs_are_left_alone(kernel: Kernel) -> None:
+    arrays = states(5)
+    before = arrays.copy()
+    kernel.inverse_dynamics(*arrays)
+    np.testing.assert_array_equal(arrays, before)
+
+
+@pytest.mark.filterwarnings("error")
+def test_nan_and_infinity_pass_through(kernel: Kernel) -> None:
+    tau = kernel.gravity([[np.nan, 1.0], [1.0, np.inf], [1.0, 1.0]])
+    assert np.isnan(tau).tolist() == [[True, False], [False, True], [False, False]]
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (1.0, r"q has the wrong shape; found \[\]; expected \[2\] or \[N, 2\]"),
+        ([1.0], r"q has the wrong shape; found \[1\]"),
+        ([1.0, 2.0, 3.0], r"found \[3\]"),
+        (np.zeros((2, 3)), r"found \[2, 3\]"),
+        (np.zeros((1, 1, 2)), r"found \[1, 1, 2\]"),
+        ([[1.0, 2.0], [3.0]], "q is not an array of numbers"),
+        ([1.0, 2j], "q is not an array of real numbers; found complex numbers"),
+        (["1", "2"], "found text"),
+        ("12", "found text"),
+        (b"12", "found bytes"),
+        ([True, False], "found booleans"),
+        ([None, 1.0], "found Python objects"),
+        ([Fraction(1, 2), Decimal(1)], "found Python objects"),
+        ([2**70, 1], "found Python objects"),
+        (None, "found Python objects"),
+        (np.array(["2020-01-01", "2020-01-02"], "M8[D]"), "found datetime64"),
+        (np.zeros(2, [("x", float)]), "not an array of real numbers"),
+        (np.ma.masked_array([1.0, 2.0], [True, False]), "q is a masked array"),
+    ],
+    ids=repr,
+)
+def test_what_is_refused(value: Any, message: str, kernel: Kernel) -> None:
+    with pytest.raises(InputError, match=rf"toy\.gravity: .*{message}") as caught:
+        kernel.gravity(value)
+    assert caught.value.exit_code == 2
+
+
+def test_states_must_agree(kernel: Kernel) -> None:
+    q, qd, qdd = states(4)
+    for other in (qd[0], qd[:3]):
+        with pytest.raises(InputError, match=r"same number of states; found q \[4, 2\], qd \["):
+            kernel.inverse_dynamics(q, other, qdd)
+
+
+def test_two_results() -> None:
+    header = "void two_both(const double q[1], double once[1], double twice[2]);\n"
+    source = '#include "two.h"\n' + header.replace(";", "{ once[0] = q[0]; twice[0] = twice[1] = 2 * q[0]; }")
+    signature = Signature("two", "both", (("q", 1),), (("once", 1), ("twice", 2)))
+    kernel = load([signature], {"two.h": header, "two.c": source})
+    once, twice = kernel.both([[1.0], [2.0]])
+    assert (once.tolist(), twice.tolist()) == ([[1.0], [2.0]], [[2.0, 2.0], [4.0, 4.0]])
+    out = np.empty(1), np.empty(2)
+    assert kernel.both([3.0], out=out)[1] is out[1]
+    assert out[1].tolist() == [6.0, 6.0]
+    with pytest.raises(InputError, match=r"out does not fit; expected 2 arrays: once \[1\], twice \[2\]"):
+        kernel.both([3.0], out=out[0])
+    memory = np.empty(3)
+    with pytest.raises(InputError, match="found memory that once lies in"):
+        kernel.both([3.0], out=(memory[:1], memory[:2]))
+
+
+def test_a_kernel_can_be_sent_to_another_process(kernel: Kernel) -> None:
+    other = pickle.loads(pickle.dumps(kernel))
+    assert other.path == kernel.path
+    np.testing.assert_array_equal(other.gravity([1.0, 2.0]), kernel.gravity([1.0, 2.0]))
+
+
+def test_without_python_headers(toy: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(library, "_headers", lambda: False)
+    arm = toy(name="headless")
+    assert load(arm.signatures, arm.files).mode == "abi"
+    with pytest.raises(ToolError, match=r"Python's headers are missing.*python3-dev"):
+        load(arm.signatures, arm.files, mode="api")
+
+
+def test_headers_that_do_not_compile(toy: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: Any) -> str:
+        raise library._BindingError("no")
+
+    monkeypatch.setattr(library, "_binding", refuse)
+    arm = toy(name="heedless")
+    assert load(arm.signatures, arm.files).mode == "abi"
+    with pytest.raises(ToolError):
+        load(arm.signatures, arm.files, mode="api")
+
+
+def test_broken_c_is_not_tried_a_second_way(toy: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    arm = toy()
+    arm.files["toy.c"] += "oops\n"
+    with pytest.raises(ToolError, match=r"failed at toy\.c"):
+        load(arm.signatures, arm.files)
+
+
+def test_files_that_are_not_those_of_the_signatures(toy: Callable[..., Any]) -> None:
+    arm, other = toy(), toy(name="other", scalar="float")
+    with pytest.raises(InputError, match="one signature at least"):
+        load([], arm.files)
+    with pytest.raises(InputError, match="one robot; found other, toy"):
+        load([*arm.signatures, *other.signatures], arm.files)
+    with pytest.raises(InputError, match=r"twice; found inverse_dynamics, gravity, mass_matrix, gravity"):
+        load([*arm.signatures, arm.signatures[1]], arm.files)
+    with pytest.raises(InputError, match=r"no header; found other\.h.*expected toy\.h"):
+        load(arm.signatures, other.files)
+    with pytest.raises(InputError, match="no Fortran among the emitted files"):
+        load(arm.signatures, {"toy.c": ""}, language="fortran")
+    with pytest.raises(InputError, match=r"impossible path; found '\.\./toy\.c'"):
+        load(arm.signatures, {**arm.files, "../toy.c": ""})
+
+
+def test_files_in_folders(toy: Callable[..., Any]) -> None:
+    arm = toy()
+    files = {f"c/{path}": text for path, text in arm.files.items()}
+    assert load(arm.signatures, files).gravity([0.0, 0.0]).tolist() == [0.0, 0.0]

@@ -1,0 +1,280 @@
+"""The case study: its torques by an independent recursion, its motion, its pictures, its document."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import re
+import xml.etree.ElementTree as ET
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from robodyn import InputError
+from robodyn.draw.curves import Curve, Panel, figure, share, ticks
+from robodyn.thesis.case_arm import D4_START, FOREARM, efficiency_curve, led, led_at, robots
+from robodyn.thesis.case_pictures import pictures
+from robodyn.thesis.case_study import (
+    LABEL,
+    SHOWN,
+    Assumptions,
+    Study,
+    case_study,
+    motion_of,
+    shares,
+    torques_along,
+)
+from robodyn.thesis.case_text import to_csv, to_dict, to_text
+from robodyn.thesis.printed_counts import TABLE_3_4
+from robodyn.verify.reference import Reference
+from robodyn_cli.main import main
+
+SVG = "{http://www.w3.org/2000/svg}"
+DOCUMENT = Path(__file__).parents[2] / "docs" / "case-study.md"
+Capture = pytest.CaptureFixture[str]
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    return case_study()
+
+
+def test_the_motion_is_the_line_from_the_start_of_d4(study: Study) -> None:
+    motion, point = study.motion, study.point
+    assert (len(motion), motion.duration) == (201, 2.0)
+    np.testing.assert_allclose(motion.q[0], D4_START, atol=5e-6)
+    np.testing.assert_allclose(point[:, 0], 0.4, atol=1e-12)
+    np.testing.assert_allclose(point[:, 1], point[:, 2], atol=1e-12)
+    np.testing.assert_allclose(point[[0, -1], 1], [0.1, 0.5], atol=1e-12)
+    np.testing.assert_allclose(motion.qd[[0, -1]], 0, atol=1e-12)
+    h = motion.period
+    np.testing.assert_allclose((motion.q[2:] - motion.q[:-2]) / (2 * h), motion.qd[1:-1], atol=2e-3)
+    np.testing.assert_allclose((motion.qd[2:] - motion.qd[:-2]) / (2 * h), motion.qdd[1:-1], atol=2e-2)
+
+
+def test_torques_are_those_of_the_plain_recursion(study: Study) -> None:
+    """The reference shares neither code nor formulas with the kernels, effects included."""
+    motion, found = study.motion, study.torques
+    for robot, torque in (
+        (study.robots.rigid, found.rigid),
+        (study.robots.with_bearings, found.joint),
+        (study.robots.complete, found.input),
+    ):
+        expected = Reference(robot).inverse_dynamics(motion.q, motion.qd, motion.qdd)
+        np.testing.assert_allclose(torque, expected, rtol=1e-11, atol=1e-11)
+
+
+@pytest.mark.parametrize("span", [0.2, 0.4])
+def test_the_parts_add_up_to_table_3_2(span: float, study: Study) -> None:
+    """Table 3.2 written out case by case, with the curve's efficiency at the load of the moment."""
+    way = np.sign(study.motion.qd)
+    found = torques_along(robots(0.0, span), study.motion)
+    np.testing.assert_allclose(found.rigid + found.bearing, found.joint, atol=1e-12)
+    np.testing.assert_allclose(found.joint + found.transmission, found.input, atol=1e-12)
+    np.testing.assert_allclose(found.breakaway + found.loss, found.transmission, atol=1e-12)
+    largest, breakaway = (
+        np.array([float(getattr(drive, name)) for drive in TABLE_3_4]) for name in ("largest", "breakaway")
+    )
+    np.testing.assert_allclose(found.breakaway, breakaway * way)
+    np.testing.assert_allclose(found.load, np.abs(found.joint) / largest)
+    drives = found.joint * way > 0
+    passed = np.where(drives, found.joint / found.efficiency, found.joint * found.efficiency)
+    moving = slice(1, -1)
+    np.testing.assert_allclose((passed + breakaway * way)[moving], found.input[moving], atol=1e-10)
+    assert (way[[0, -1]] == 0).all()
+    np.testing.assert_allclose(found.input[[0, -1]], found.rigid[[0, -1]], atol=1e-12)  # no friction at rest
+    assert (found.bearing * way >= 0).all()
+    assert drives[moving].all() == (span == 0.2)  # narrow bearings alone outweigh what the arm gives back
+
+
+def test_the_efficiency_curve_has_the_three_points_and_rises() -> None:
+    knots = [(float(x), float(y)) for x, y in efficiency_curve()]
+    assert knots[:3] == [(0.0076, 0.3458), (0.0307, 0.4543), (0.0856, 0.5619)]
+    assert knots[-1][0] == 1
+    (x2, y2), (x3, y3) = knots[1:3]
+    (x1, y1) = knots[0]
+    for slope in (math.log(y2 / y1) / math.log(x2 / x1), math.log(y3 / y2) / math.log(x3 / x2)):
+        assert slope == pytest.approx(0.2, abs=0.01)  # what the extension goes by
+    assert all(a[0] < b[0] and a[1] < b[1] < 1 for a, b in pairwise(knots))
+
+
+def test_the_simulated_arm_follows_the_line(study: Study) -> None:
+    assert study.closed_loop.point < 2e-4 < study.open_loop.point < 1e-3
+    for run in (study.open_loop, study.closed_loop):
+        energies = run.energies
+        assert energies["error"] < 1e-9
+        assert energies["stored"] == pytest.approx(energies["work"] - energies["loss"])
+    t, off = study.deviation
+    assert (t[-1], float(off.max())) == (2.0, study.closed_loop.point)
+    found, motion = study.torques, study.motion
+    power = (found.input * motion.qd).sum(axis=1)
+    work = float(((power[1:] + power[:-1]) / 2 * motion.period).sum())  # of the torques, not of the run
+    assert study.open_loop.energies["work"] == pytest.approx(work, rel=2e-3)
+
+
+def test_the_stored_energy_is_that_of_the_raised_masses(study: Study) -> None:
+    """At rest at both ends: weight times height, from the frames alone."""
+    kinematics = led_at(study.robots.rigid, -FOREARM).kinematics
+    energy = []
+    for q in study.motion.q[[0, -1]]:
+        origins, turns = kinematics.frames(q)
+        heights = [
+            (origins[k] + turns[k] @ np.array([float(x) for x in link.com]))[2]
+            for k, link in enumerate(study.robots.rigid.links)
+        ]
+        energy.append(
+            9.8 * sum(float(m.mass) * z for m, z in zip(study.robots.rigid.links, heights, strict=True))
+        )
+    assert study.closed_loop.energies["stored"] == pytest.approx(energy[1] - energy[0], rel=1e-2)
+
+
+def test_the_load_is_not_where_the_programs_lead_the_point(study: Study) -> None:
+    """D.1.3 has the forearm along +y, D.1.2 its load along -y: twice the forearm, and the offsets' gap."""
+    assert study.load_point == pytest.approx(math.hypot(2 * 0.4318, 0.1501 - 0.127), abs=1e-5)
+
+
+def test_assumptions_change_what_they_should() -> None:
+    """Motions and kernels alone, without simulations."""
+    usual, heavy = robots(0.0, 0.2), robots(10.0, 0.2)
+    assert usual.rigid.effects == ()
+    for robot in (heavy.rigid, heavy.with_bearings, heavy.complete):
+        assert [entry.effect for entry in robot.effects].count("payload") == 1
+    consistent = led("consistent")
+    motion = motion_of(Assumptions(arm="consistent", profile="trapezoid", end=0.3), consistent).sampled(0.01)
+    np.testing.assert_allclose(consistent.kinematics.position(motion.q)[-1], [0.4, 0.3, 0.3], atol=1e-12)
+    loaded = led_at(usual.rigid, -FOREARM).kinematics.position(motion.q[0])
+    np.testing.assert_allclose(loaded, [0.4, 0.1, 0.1], atol=1e-12)
+    q, none = motion.q, np.zeros_like(motion.q)
+    weight = Reference(heavy.rigid).gravity(q) - Reference(usual.rigid).gravity(q)
+    lift = consistent.kinematics.jacobian(q)[:, 2] * 10 * 9.8  # J^T F of the load
+    np.testing.assert_allclose(weight, lift, atol=1e-9)
+    wide = robots(0.0, 0.4)
+    narrow, broad = (Reference(r.with_bearings).inverse_dynamics(q, motion.qd, none) for r in (usual, wide))
+    assert np.abs(narrow - broad)[1:-1].max() > 0.1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--profile", "constant"), "begins and ends at rest"),
+        (("--end", "0.1"), "the line has no length"),
+        (("--end", "0.6"), "is out of reach"),
+        (("--end", "nan"), "not a point"),
+        (("--payload", "-1"), "not a mass"),
+        (("--span", "0"), "not a length"),
+        (("--arm", "left"), "no such arm"),
+        (("-o", ""), "empty name"),
+    ],
+)
+def test_what_is_refused(arguments: tuple[str, ...], words: str, capsys: Capture) -> None:
+    assert main(["case-study", *arguments]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert words in err
+
+
+def test_an_arm_that_is_neither() -> None:
+    with pytest.raises(InputError, match="expected programs or consistent"):
+        case_study(Assumptions(arm="left"))  # type: ignore[arg-type]
+
+
+# --- what is printed ----------------------------------------------------------------------------------------
+
+
+def test_the_command(study: Study, tmp_path: Path, capsys: Capture) -> None:
+    folder = tmp_path / "new"
+    assert main(["case-study", "-o", str(folder)]) == 0
+    out, err = capsys.readouterr()
+    assert out == to_text(study)
+    assert max(map(len, out.splitlines())) <= 110
+    assert LABEL in out
+    assert "wrote 8 files" in err
+    expected = {"case-study.csv": to_csv(study), **pictures(study)}
+    assert {path.name: path.read_text() for path in folder.iterdir()} == expected
+
+
+def test_the_data(study: Study) -> None:
+    found = json.loads(json.dumps(to_dict(study), allow_nan=False))
+    assert found["label"] == LABEL
+    assert found["at"]["t"] == pytest.approx(0.6)
+    assert found["at"]["input"] == study.torques.input[SHOWN].tolist()
+    assert found["at"]["direction"] == [1, 1, -1]  # Table 3.5 has + - +
+    assert found["sizes"] == shares(study.torques)
+    rows = list(csv.DictReader(io.StringIO(to_csv(study))))
+    assert len(rows) == 201
+    assert float(rows[SHOWN]["input2"]) == study.torques.input[SHOWN, 1]
+    assert float(rows[SHOWN]["t"]) == study.motion.t[SHOWN]
+    assert len(rows[0]) == 1 + 3 + 9 + 27
+
+
+def test_the_document_shows_what_the_command_prints(study: Study) -> None:
+    text = DOCUMENT.read_text(encoding="utf-8")
+    (shown,) = re.findall(r"<!-- case-study -->\n```text\n(.*?)```\n<!-- end -->", text, flags=re.DOTALL)
+    assert shown == to_text(study)
+
+
+@pytest.mark.parametrize(
+    ("name", "given"),
+    [
+        ("as above", Assumptions()),
+        ("trapezoid", Assumptions(profile="trapezoid")),
+        ("bearings 0.4 m apart", Assumptions(span=0.4)),
+        ("consistent", Assumptions(arm="consistent")),
+    ],
+)
+def test_the_document_shows_other_assumptions(name: str, given: Assumptions) -> None:
+    motion = motion_of(given, led(given.arm)).sampled(0.01)
+    sizes = shares(torques_along(robots(given.payload, given.span), motion))
+    text = DOCUMENT.read_text(encoding="utf-8")
+    (row,) = re.findall(rf"^\| {name} \| (.*) \|$", text, flags=re.MULTILINE)
+    parts = [" ".join(f"{x:.2f}" for x in sizes[of]["rms"]) for of in ("rigid", "bearing", "input")]
+    assert row.split(" | ") == parts
+
+
+def test_the_document_shows_what_the_table_prints() -> None:
+    from robodyn.thesis.tables import make
+
+    text = DOCUMENT.read_text(encoding="utf-8")
+    (block,) = re.findall(r"<!-- table-3.5 -->\n(.*?)<!-- end -->", text, flags=re.DOTALL)
+    cells = [line.strip("| ").split(" | ") for line in block.splitlines()[2:]]
+    assert [(name, verdict) for name, verdict, *_ in cells] == [
+        (row.name, row.verdict) for row in make("3.5").rows
+    ]
+
+
+# --- pictures -----------------------------------------------------------------------------------------------
+
+
+def test_pictures_are_labelled_and_stay_in_their_frames(study: Study) -> None:
+    found = pictures(study)
+    assert len(found) == 7
+    for name, text in found.items():
+        root = ET.fromstring(text)
+        assert text.isascii()
+        assert LABEL in [element.text for element in root.iter(f"{SVG}text")], name
+        lines = list(root.iter(f"{SVG}polyline"))
+        assert lines
+        for line in lines:
+            points = [tuple(map(float, pair.split(","))) for pair in line.attrib["points"].split()]
+            assert all(-0.1 <= x <= 430.1 and -0.1 <= y <= 230.1 for x, y in points), name
+        width, height = (float(root.attrib[side]) for side in ("width", "height"))
+        for panel in root.iter(f"{SVG}g"):
+            x, y = map(float, panel.attrib["transform"][len("translate(") : -1].split())
+            assert x + 430 < width
+            assert y + max(float(e.attrib["y"]) for e in panel.iter(f"{SVG}text")) < height
+    assert pictures(study) == found
+
+
+def test_a_curve_is_drawn_where_its_numbers_are() -> None:
+    text = figure("t", "n", (Panel("p", "s", (Curve("c", [0, 1, 2], [-1.0, 0.0, 3.0], dashed=True),)),))
+    (line,) = ET.fromstring(text).iter(f"{SVG}polyline")
+    assert line.attrib["points"] == "0.0,230.0 215.0,172.5 430.0,0.0"
+    assert "stroke-dasharray" in line.attrib
+    assert ticks([-1, 3]) == [-1, 0, 1, 2, 3]
+    assert ticks([5.0, 5.0])[0] < 5 < ticks([5.0, 5.0])[-1]
+    assert share(2, [1, 2, 5]) == float(Fraction(1, 4))
