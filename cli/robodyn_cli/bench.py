@@ -46,6 +46,7 @@ def command(
     """
     from robodyn.bench.kernel_bench import kernel_bench, kernel_text
     from robodyn.bench.parallel_bench import bench, bench_text
+    from robodyn.dynamics.functions import function_named
     from robodyn.errors import InputError
     from robodyn.kernels.generate import Options, generate
     from robodyn.report.schedules import processors_of
@@ -63,7 +64,7 @@ def command(
     tasks = cut_program(program, cut)
     with line() as shown:
         beside = None
-        if function == "inverse_dynamics" and not no_peers:
+        if function_named(function).is_recursion and not no_peers:
             beside = kernel_bench(described, options, cc=cc, tell=lambda text: shown.tell(f"robodyn: {text}"))
         found = bench(
             described,

@@ -14,7 +14,7 @@ def record(robot: Robot, function: str, formulation: str, found: Count) -> dict[
     """A count as ``--json`` prints it."""
     from robodyn.counts import beside
 
-    printed = beside(robot, function, found)
+    printed = beside(robot, function, found, formulation)
     return {
         "robot": robot.name,
         "function": function,
@@ -48,15 +48,16 @@ def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None])
     return found
 
 
-def lines(robot: Robot, rows: Iterable[tuple[str, str, Count]]) -> list[str]:
-    """A table of counts, one row a ``(heading, function, count)``, the thesis's figure beside ours."""
+def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str]:
+    """A table of counts, one row a ``(heading, function, formulation, count)``, beside ours the thesis's
+    figure of that formulation."""
     from robodyn.counts import beside
 
     heads = ("", "mul", "add", "div", "total", "minus", "sin/cos", "thesis", "verdict")
     table: list[tuple[str, ...]] = [heads]
     notes: dict[str, None] = {}
-    for heading, function, found in rows:
-        printed = beside(robot, function, found)
+    for heading, function, formulation, found in rows:
+        printed = beside(robot, function, found, formulation)
         thesis = f"{printed.mul}+{printed.add} = {printed.total}" if printed else "-"
         numbers = (found.mul, found.add, found.div, found.total, found.neg, found.sincos)
         table.append((heading, *map(str, numbers), thesis, printed.verdict if printed else "-"))

@@ -46,9 +46,10 @@ def command(
     from dataclasses import replace
 
     from robodyn.counts import Count, count, parse_budget
+    from robodyn.dynamics.functions import FUNCTIONS
     from robodyn.errors import CheckError
     from robodyn.kernels.generate import NoForwardDynamics, Options, maker
-    from robodyn.optimize.programs import FORMULATIONS, FUNCTIONS
+    from robodyn.optimize.programs import FORMULATIONS
     from robodyn.optimize.prune import Pruning
 
     limit = None if budget is None else parse_budget(budget)
@@ -87,7 +88,8 @@ def command(
     else:
         click.echo(f"{described.name}: {described.title}" if described.title else described.name)
         many = len(formulations) > 1
-        for line in lines(described, [(f"{f}, {form}" if many else f, f, c) for f, form, c in found]):
+        rows = [(f"{f}, {form}" if many else f, f, form, c) for f, form, c in found]
+        for line in lines(described, rows):
             click.echo(line)
         for f, form, c in found:
             for line in effect_lines({f: c}, {f: rigid.get((f, form))}):

@@ -22,10 +22,11 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option
+from robodyn_cli.languages import chosen_languages, language_option, trig_for
 from robodyn_cli.options import listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
+from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated, Options
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
     "--trig",
     default="libm",
     show_default=True,
-    help="Sine and cosine: libm, builtin (no library at all), or given in sc.",
+    help="Sine and cosine: libm, builtin (no library at all; the default of rust), or given in sc.",
 )
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states in a call, with SIMD.")
 @click.option(
@@ -58,9 +59,11 @@ if TYPE_CHECKING:
 @click.option(
     "--target",
     metavar="NAME",
-    help="Choose scalar, trig, order, contraction and objective for cortex-m3, cortex-m4f, cortex-m7, "
-    "x86-64, x86-64-v3, x86-64-v4 or aarch64; each of these options goes before it. With --firmware: "
-    "cortex-m3, cortex-m4f, cortex-m7, with commas (all, unless told).",
+    cls=TargetOption,
+    lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
+    help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. Every "
+    "option given on the command line overrides them. With --firmware: processors that images are made "
+    "for, with commas: {firmware}.  [default with --firmware: all of them]",
 )
 @click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
 @click.option(
@@ -109,15 +112,16 @@ def command(
     DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
     forward_dynamics. The same input gives the same bytes, on any machine.
     """
+    from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
-    from robodyn.optimize.programs import FUNCTIONS
 
+    languages = chosen_languages(lang)
     options = _options(
         None if firmware else target,
         {
             "scalar": scalar,
-            "trig": trig,
+            "trig": trig_for(languages, trig),
             "order": order,
             "contraction": contraction,
             "objective": objective,
@@ -133,14 +137,13 @@ def command(
     if firmware:
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
-    languages = chosen_languages(lang)
     if check and keep:
         raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
     options = Search(budget_seconds, seed, options.objective, keep).applied(
-        described, options, options.functions or tuple(FUNCTIONS)
+        described, options, options.functions or by_default()
     )
     with told() as tell:
         made = generate(described, options, progress=_told(described), pruning=tell)
@@ -188,7 +191,7 @@ def command(
         )
         return
     click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
-    for line in lines(described, [(f, f, c) for f, c in made.counts.items()]):
+    for line in lines(described, [(f, f, formulation, c) for f, c in made.counts.items()]):
         click.echo(line)
     for line in effect_lines(made.counts, made.rigid_counts):
         click.echo(line)

@@ -46,3 +46,14 @@ def chosen_languages(lang: str | None) -> tuple[str, ...]:
     if not names:
         raise InputError("no language asked for", expected=f"some of {', '.join(LANGUAGES)}")
     return tuple(language.name for language in languages_named(names))
+
+
+def trig_for(languages: tuple[str, ...], trig: str) -> str:
+    """``trig``, unless it is the default and one of ``languages`` prefers something else."""
+    from click.core import ParameterSource
+
+    from robodyn.emit.languages import LANGUAGES
+
+    if click.get_current_context().get_parameter_source("trig") is not ParameterSource.DEFAULT:
+        return trig
+    return next((LANGUAGES[name].trig for name in languages if LANGUAGES[name].trig != trig), trig)

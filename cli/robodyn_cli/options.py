@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from robodyn_cli.targets import TargetOption
+
 if TYPE_CHECKING:
     from robodyn.robot import Robot
 
@@ -22,8 +24,8 @@ def model_options(command: Command) -> Command:
                 metavar="F",
                 default="modified_newton_euler",
                 show_default=True,
-                help="modified_newton_euler (lambda matrix), newton_euler, balafoutis, kane, lagrange_3x3, "
-                "lagrange_4x4 or lagrange.",
+                help="modified_newton_euler (lambda matrix), newton_euler, newton_euler_base, orin, "
+                "balafoutis, kane, lagrange_3x3, lagrange_4x4 or lagrange.",
             ),
             click.option(
                 "--optimize",
@@ -69,9 +71,11 @@ def search_options(command: Command) -> Command:
                 metavar="WHAT",
                 default="total",
                 show_default=True,
+                cls=TargetOption,
+                lists={"all": "all_targets"},
+                prefix="weighted:",
                 help="What record, search and full make small: total, mul, fma (fused multiply-adds), depth "
-                "(the longest chain), sincos, or weighted:TARGET (cortex-m3, cortex-m4, cortex-m7, x86-64, "
-                "x86-64-v3).",
+                "(the longest chain), sincos, or weighted:TARGET ({all}).",
             ),
             click.option(
                 "--keep", is_flag=True, help="Write what was found into the folder records beside ROBOT."

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
+from robodyn_cli.targets import TargetOption
 
 
 @click.command()
@@ -18,7 +19,9 @@ from robodyn_cli.common import echo_json, json_option, load_robot, robot_argumen
     "targets",
     metavar="T",
     multiple=True,
-    help="A target, again for several: cortex-m4, cortex-m7, x86-64, thesis-1990, here (measured), or "
+    cls=TargetOption,
+    lists={"planned": "planned_targets"},
+    help="A target, again for several: {planned}, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
 @click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
@@ -40,8 +43,6 @@ def command(
     1 where nothing does. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
     from robodyn.bench.plan import (
-        KNOWN,
-        Target,
         chosen,
         here,
         parse_deadline,
@@ -51,6 +52,7 @@ def command(
         spelled,
     )
     from robodyn.errors import CheckError
+    from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
@@ -61,7 +63,7 @@ def command(
         def tell(text: str) -> None:
             shown.tell(f"robodyn: {text}")
 
-        wanted = [target or here(described, tell) for target in asked] or list(KNOWN.values())
+        wanted = [target or here(described, tell) for target in asked] or list(planned_targets())
         found = plans(described, processors, wanted, function=function, tell=tell)
     best = chosen(found, limit)
     if as_json:

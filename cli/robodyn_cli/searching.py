@@ -102,9 +102,13 @@ class Search:
 
 
 def _searchable(functions: Sequence[str], level: str) -> list[str]:
-    """The functions to search for: gravity and bias come with the inverse dynamics where that is asked for,
-    and writings are known of the inverse dynamics alone."""
-    wanted = [f for f in functions if f != "forward_dynamics"]
-    if "inverse_dynamics" in wanted:
-        wanted = ["inverse_dynamics", *(f for f in wanted if f == "mass_matrix" and level == "full")]
+    """The functions to search for, not those that are put together from others. The other torques come with
+    the inverse dynamics where that is asked for, and ways of writing are known of the inverse dynamics alone.
+    """
+    from robodyn.dynamics.functions import function_named, recursion
+
+    wanted = [f for f in functions if not function_named(f).parts]
+    if recursion().name in wanted:
+        others = [f for f in wanted if not function_named(f).gives_torques]
+        wanted = [recursion().name, *(others if level == "full" else [])]
     return wanted
