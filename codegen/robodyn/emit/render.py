@@ -125,8 +125,9 @@ def _head(unit: Unit, language: Language) -> list[str]:
         say(f"Run-time parameters, in {struct}: {', '.join(parameters)}")
     if _states(unit):
         struct = language.type_name(robot.name, "state")
+        function = next(signature.function for signature, _ in unit.functions if signature.states)
         say(
-            f"inverse_dynamics remembers: {struct} begins at zero and a call with dt = 0; then "
+            f"{function} remembers: {struct} begins at zero and a call with dt = 0; then "
             "call it at every sample, dt > 0 [s] after the one before."
         )
     if unit.sc:
