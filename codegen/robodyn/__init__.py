@@ -14,8 +14,6 @@ from __future__ import annotations
 
 import sys
 
-from robodyn.version import VERSION as __version__
-
 if (sys.argv or [""])[0] == "-m" and "robodyn" in sys.orig_argv:  # python -m robodyn: a command begins here
     try:
         from robodyn.process import begin

@@ -56,10 +56,11 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
         say(f"  {array:4} {array_named(array).text}", "      ")
     for line in _sides(robot):
         say(line, "  " if line.startswith("  ") else "")
-    _say_parameters(unit, say)
+    _say_parameters(unit, language, say)
     if state_members(unit):
+        struct = language.type_name(robot.name, "state")
         say(
-            f"inverse_dynamics has states: {robot.name}_state begins at zero and a call with dt = 0; then "
+            f"inverse_dynamics has states: {struct} begins at zero and a call with dt = 0; then "
             "call it at every sample, dt > 0 [s] after the one before."
         )
     if unit.sc:
@@ -69,7 +70,7 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
             say(f"  {spelling.element('sc', k)} = {text}")
     for note in (*unit.notes, *language.notes(unit)):
         say(note)
-    for note in unit.advice:
+    for note in language.advice(unit):
         say(note, hyphens=False)
     lines.append("")
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")
@@ -238,11 +239,11 @@ def _setting(value: Any) -> str:
     return str(value)
 
 
-def _say_parameters(unit: Unit, say: Any) -> None:
+def _say_parameters(unit: Unit, language: Language, say: Any) -> None:
     names = unit.functions[0][0].parameters
     if not names:
         return
-    say(f"Run-time parameters, in {unit.robot.name}_params:")
+    say(f"Run-time parameters, in {language.type_name(unit.robot.name, 'params')}:")
     uses = _uses(unit.robot)
     for name in names:
         say(f"  {name}: {', '.join(uses.get(name, ()))}", "      ")

@@ -61,7 +61,7 @@ def environment() -> jinja2.Environment:
     """Where the templates of kernels are; what one of them asks for and is not given is an error."""
     import jinja2
 
-    return jinja2.Environment(
+    environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(data_dir("templates")),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
@@ -69,6 +69,8 @@ def environment() -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=False,  # code, not HTML; texts from files pass through comment
     )
+    environment.filters["sentence"] = lambda text: text[:1].upper() + text[1:] + "."
+    return environment
 
 
 def _template(name: str) -> jinja2.Template:

@@ -31,7 +31,6 @@ from robodyn.kernels.options import (
     Order,
     Trigonometry,
 )
-from robodyn.kernels.targets import TARGETS
 from robodyn.optimize.programs import Choice, NoForwardDynamics, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
@@ -47,7 +46,6 @@ __all__ = [
     "ENGINES",
     "LEVELS",
     "ORDERS",
-    "TARGETS",
     "TRIGONOMETRY",
     "Drafts",
     "Engine",
@@ -189,6 +187,8 @@ def _with_sc(interface: Signature, size: int) -> Signature:
 _TITLES = {
     "modified_newton_euler": "modified Newton-Euler (lambda matrix)",
     "newton_euler": "Newton-Euler",
+    "newton_euler_base": "Newton-Euler along the base's axes",
+    "orin": "Orin's Newton-Euler (motion along the base's axes, forces along each link's)",
     "balafoutis": "Balafoutis's tensor recursion",
     "kane": "Kane's equations",
     "lagrange": "closed-form Lagrange (Uicker, Kahn)",

@@ -38,6 +38,8 @@ from robodyn.robot.model import Robot
 FORMULATIONS = (
     "modified_newton_euler",
     "newton_euler",
+    "newton_euler_base",
+    "orin",
     "balafoutis",
     "kane",
     "lagrange_3x3",
