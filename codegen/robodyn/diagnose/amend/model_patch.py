@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from robodyn.diagnose.amend.amending import LEVELS
 from robodyn.diagnose.amend.combined import AXES
 from robodyn.diagnose.amend.values import (
     changed_text,
@@ -16,6 +15,8 @@ from robodyn.diagnose.amend.values import (
 )
 from robodyn.diagnose.amend.yaml_patch import Document, NotInPlaceError, Place
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Fold
 from robodyn.errors import InputError
 from robodyn.robot.keys import LINK, ROBOT
 from robodyn.robot.model import EffectEntry, Link, Robot
@@ -23,7 +24,6 @@ from robodyn.robot.reader import read_text
 from robodyn.robot.values import ZERO, Value
 from robodyn.robot.writer import to_yaml
 
-_FOLDED = frozenset({"viscous_friction", "coulomb_friction", "rotor_inertia", "inertial_error", "base_tilt"})
 _ORDER = {
     "link": [key.name for key in LINK],
     "robot": [key.name for key in ROBOT],
@@ -166,13 +166,13 @@ class _Patch:
         self._number(node, "link", "mass", old.mass, new.mass, (i, "mass"))
         self._vector(node, "link", "com", old.com, new.com, (i, "com"))
         self._group(node, "link", "inertia", _entries(old.inertia), _entries(new.inertia), (i, "inertia"))
-        rotor = self._item(node, "rotor_inertia")
-        where, level, key = (node, "link", "motor_inertia")
-        if rotor is not None and self.document.child(node, key) is None:
-            where, level, key = (rotor, "rotor_inertia", "inertia")
-        self._number(
-            where, level, key, old.joint.motor_inertia, new.joint.motor_inertia, (i, "motor_inertia")
-        )
+        for known, fold in _folds(""):
+            item = self._item(node, known.id)
+            where, level, key = (node, "link", fold.key)
+            if item is not None and self.document.child(node, key) is None:
+                where, level, key = (item, known.id, fold.parameter)
+            before, after = getattr(old.joint, fold.key), getattr(new.joint, fold.key)
+            self._number(where, level, key, before, after, (i, fold.key))
         moved = self._friction(i, node, old, new)
         self._effects(i, node, moved)
 
@@ -182,13 +182,11 @@ class _Patch:
         delete: list[int] = []
         add: list[str] = []
         group = self.document.child(node, "friction")
-        laws = any(entry.effect in LEVELS for entry in self.target.effects_at(i))
-        for name, id, parameter in (
-            ("viscous", "viscous_friction", "coefficient"),
-            ("coulomb", "coulomb_friction", "level"),
-        ):
+        laws = any(entry.definition.traits.levels for entry in self.target.effects_at(i))
+        for known, fold in _folds("friction"):
+            name = fold.key
             before, after = getattr(old.joint, name), getattr(new.joint, name)
-            item = self._item(node, id)
+            item = self._item(node, known.id)
             if before == after:
                 continue
             moved = name == "coulomb" and laws and after == 0
@@ -196,7 +194,7 @@ class _Patch:
                 if moved:
                     gone.append(item)
                 else:
-                    self._number(item, id, parameter, before, after, (i, name))
+                    self._number(item, known.id, fold.parameter, before, after, (i, name))
             elif group is None or self.document.child(group, name) is None:
                 add.append(f"{name}: {number_text(after - before)}")
             elif moved:
@@ -229,7 +227,7 @@ class _Patch:
 
     def _effects(self, joint: int | None, node: Any, gone: Iterable[Any] = ()) -> None:
         items = self._items(node)
-        kept = [item for item in items if _id(item) not in _FOLDED]
+        kept = [item for item in items if _fold(item) is None]
         numbers_ = [k for k, entry in enumerate(self.robot.effects) if entry.joint == joint]
         nodes = dict(zip(numbers_, kept, strict=True))
         stays = set()
@@ -247,7 +245,7 @@ class _Patch:
                 self._entry(nodes[origin], self.robot.effects[origin], entry)
         leaving = [id(item) for k, item in nodes.items() if k not in stays] + [id(item) for item in gone]
         if joint is None and self.robot.gravity != self.target.gravity:
-            leaving += [id(item) for item in items if _id(item) == "base_tilt"]
+            leaving += [id(item) for item in items if _turns_gravity(item)]
         delete = [k for k, item in enumerate(items) if id(item) in leaving]
         listed = self.document.child(node, "effects")
         if listed is not None:
@@ -289,8 +287,23 @@ class _Patch:
                 self._number(node, new.effect, p.name, a, b, place)  # type: ignore[arg-type]
 
     def _refuse_payload(self, entry: EffectEntry) -> None:
-        if self.standard and entry.effect == "payload":
+        if self.standard and entry.definition.traits.body:
             raise NotInPlaceError("in standard DH a payload stands in another frame")
+
+
+def _folds(group: str) -> list[tuple[Effect, Fold]]:
+    """The effects that numbers of a joint in that group of a link take, and how."""
+    folds = [(known, known.traits.fold) for known in CATALOGUE.values()]
+    return [(known, fold) for known, fold in folds if fold and fold.into == "joint" and fold.group == group]
+
+
+def _fold(item: Any) -> Fold | None:
+    return CATALOGUE[_id(item)].traits.fold
+
+
+def _turns_gravity(item: Any) -> bool:
+    fold = _fold(item)
+    return fold is not None and fold.into == "gravity"
 
 
 def _entries(inertia: Any) -> dict[str, Value]:
