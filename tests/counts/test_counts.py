@@ -11,6 +11,7 @@ from robodyn import InputError, load, program
 from robodyn.counts import Count, beside, count, parse_budget
 from robodyn.counts.thesis import TABLE_2_10
 from robodyn.ir import Input, Label, Operation, Program
+from robodyn.optimize.programs import FORMULATIONS
 from robodyn.robot import Comparison, bundled_names
 
 A3X, LAM, Q = Input("a3_x", None), Input("lam3_12", None), Input("q", 0)
@@ -157,3 +158,15 @@ def test_gravity_is_never_more_than_bias_nor_bias_than_inverse_dynamics() -> Non
         robot = load(name, warn=lambda _: None)
         totals = [count(program(robot, f)).total for f in ("gravity", "bias", "inverse_dynamics")]
         assert totals == sorted(totals), name
+
+
+def test_each_formulation_is_held_to_its_own_figure() -> None:
+    """The thesis's own recursion to method I, Balafoutis's to VI; the others have no figure in the table."""
+    robot, found = load("puma560_d2", warn=lambda _: None), Count(mul=200, add=100)
+    printed = {
+        name: None if (row := beside(robot, "inverse_dynamics", found, name)) is None else (row.mul, row.add)
+        for name in FORMULATIONS
+    }
+    own = {"modified_newton_euler": (208, 152), "balafoutis": (277, 255)}
+    assert printed == dict.fromkeys(FORMULATIONS) | own
+    assert beside(load("stanford_3dof"), "inverse_dynamics", found, "balafoutis") is None

@@ -12,11 +12,11 @@ import pytest
 from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import Options, program
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.dynamics.joints import smoothed_sign
 from robodyn.ir import Input, Operation, Program
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.fingerprint import fingerprint
-from robodyn.optimize.programs import FUNCTIONS
 from robodyn.robot import Robot, fold_rotor, read_text
 from robodyn.robot.values import circle_point
 

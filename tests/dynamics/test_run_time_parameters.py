@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from dynamics.direct import NO_SHRINKING, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, exactly
 from robodyn import Options, load, program
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input
-from robodyn.optimize.programs import FUNCTIONS
 from robodyn.robot import Robot, read_text
 
 TOOL = """

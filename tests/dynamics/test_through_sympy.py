@@ -13,11 +13,12 @@ from dynamics.direct import exact_arm, with_named_numbers
 from ir.programs import Point, exactly
 from robodyn import InputError, Options, load, program, symbolic
 from robodyn.counts import count
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input
 from robodyn.ir.evaluate import angle_form
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.kernels.generate import generate
-from robodyn.optimize.programs import FUNCTIONS, Choice
+from robodyn.optimize.programs import Choice
 from robodyn.robot import Robot
 from robodyn.robot import read_text as read
 from robodyn.robot.values import circle_point

@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import Final
 
 from robodyn.firmware import Folder, firmware, firmware_options, targets_named
-from robodyn.firmware.measure import FLAGS, FORTRAN_FLAGS
+from robodyn.firmware.measure import FLAGS
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, load, read_text
+from robodyn.toolchain.compiler import FORTRAN_FLAGS
 
 STRICT: Final = (
     "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wdouble-promotion", "-Werror",

@@ -17,11 +17,12 @@ from dynamics.direct import exact_arm
 from ir.programs import EVERYTHING, EXACT, Point, every_value, exactly, points, programs, results
 from robodyn import Options, load, program
 from robodyn.counts import count
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Graph, Input, Label, Operand, Operation, Program
 from robodyn.ir.fingerprint import agree, fingerprint
 from robodyn.ir.graph import lower
 from robodyn.kernels.generate import SingularArm
-from robodyn.optimize.programs import FUNCTIONS, Choice, build
+from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FAST, FRESH, SPELLING, PassError, cse, dce, factor, fold, negate, order, run
 from robodyn.passes.specialise import at_rest
 from robodyn.passes.trig_given import describe, given_layout, trig_given

@@ -15,9 +15,9 @@ import pytest
 import robodyn.optimize.prune.pruning
 from prune.limited import bundled, limited, random_limited
 from robodyn.counts import count
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Generated, Options, generate, program
-from robodyn.optimize.programs import FUNCTIONS
 from robodyn.optimize.prune import PRUNED, PruneError, parse_tolerance, peaks_of, prune
 from robodyn.optimize.prune.bounds import proven_errors
 from robodyn.optimize.prune.box import box_of
@@ -62,7 +62,7 @@ def puma() -> Generated:
 
 def worst(robot: Robot, function: str, one: Any, other: Any, states: int, seed: int) -> Any:
     """The largest differences at random states, in chunks."""
-    box = box_of(robot, FUNCTIONS[function][0])
+    box = box_of(robot, FUNCTIONS[function].input_names)
     found = np.zeros(robot.n)
     for k in range(0, states, 20_000):
         at = draw(box, min(20_000, states - k), seed + k)

@@ -13,9 +13,9 @@ from robodyn import InputError
 from robodyn.counts import count
 from robodyn.counts.objective import operations_of
 from robodyn.dynamics.equality import equals_recursion
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Input, Operand, Operation, Program
 from robodyn.ir.fingerprint import fingerprint
-from robodyn.optimize.programs import FUNCTIONS
 from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.search.network import (

@@ -18,11 +18,12 @@ from ir.programs import Point, exactly
 from robodyn import InputError, load
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.dynamics.regroup import Lump
 from robodyn.ir import Program
 from robodyn.optimize.costing import Costing
 from robodyn.optimize.gauge import Unsuited, regrouped_as
-from robodyn.optimize.programs import FUNCTIONS, Choice, build
+from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.suited import suited_writing
 from robodyn.optimize.writing import LINK_VALUES, LinkWriting, Writing
 from robodyn.robot import Robot

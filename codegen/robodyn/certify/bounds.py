@@ -15,6 +15,7 @@ from robodyn.certify.plan import Asked, Subject, ranges_of
 from robodyn.certify.readback import check_read_back
 from robodyn.certify.tools import GAPPA
 from robodyn.certify.trig import claim
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import CheckError, InputError, ToolError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
@@ -31,7 +32,8 @@ def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fi
         return not_run("gappa", GAPPA.remedy)
     functions = subject.bounded()
     if not functions:
-        return _failed("no function of this kernel gives torques: ask for inverse_dynamics, gravity or bias")
+        torques = ", ".join(name for name, function in FUNCTIONS.items() if function.gives_torques)
+        return _failed(f"no function of this kernel gives torques: ask for some of {torques}")
     try:
         scripts = {s.function: _scripts(subject, s, p) for s, p in functions}
         source = subject.files[f"{subject.made.unit.robot.name}.c"]

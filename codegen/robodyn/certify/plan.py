@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from robodyn.certify.ranges import Range
+from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import Signature
@@ -16,8 +17,6 @@ from robodyn.passes.trig_given import given_layout
 from robodyn.robot.model import Robot
 
 PROOFS = ("gappa", "eva", "stack", "misra")
-#: Functions whose outputs are torques.
-TORQUES = ("inverse_dynamics", "gravity", "bias")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +54,7 @@ class Subject:
 
     def bounded(self) -> list[tuple[Signature, Program]]:
         """Functions whose rounding errors are bounded."""
-        return [(s, p) for s, p in self.made.unit.functions if s.function in TORQUES]
+        return [(s, p) for s, p in self.made.unit.functions if function_named(s.function).gives_torques]
 
     def box(self, signature: Signature) -> Box:
         """Where the inputs of a function are."""

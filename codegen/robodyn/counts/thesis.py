@@ -1,10 +1,16 @@
-"""The thesis's operation counts (Table 2.10, method I), beside ours with a verdict."""
+"""The thesis's operation counts (Table 2.10), beside ours with a verdict.
+
+Each formulation is held to its own method: the modified recursion to the thesis's (I), Balafoutis's to the
+figure that the thesis quotes of him (VI). The other methods of the table are programs of others, whose
+recursions are none of ours, and formulations that the table does not list have no figure in it.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from robodyn.counts.count import Count
+from robodyn.dynamics.functions import function_named
 from robodyn.robot.model import Robot
 
 #: Row of Table 2.10: multiplications, additions, and what is to be known of the printed figure.
@@ -35,6 +41,17 @@ TABLE_2_10: dict[str, tuple[int, int, str]] = {
     ),
 }
 
+#: Method VI, quoted: row, multiplications, additions, and what is to be known of the figure.
+TABLE_2_10_BALAFOUTIS: dict[str, tuple[int, int, str]] = {
+    "puma_6": (
+        277,
+        255,
+        "method VI, Balafoutis 1988, quoted by the thesis; for which parameters, it does not say",
+    ),
+}
+#: The rows of the table by the formulation that they are of.
+_OWN_ROWS = {"modified_newton_euler": TABLE_2_10, "balafoutis": TABLE_2_10_BALAFOUTIS}
+
 
 @dataclass(frozen=True, slots=True)
 class Beside:
@@ -60,14 +77,18 @@ class Beside:
         }  # fmt: skip
 
 
-def beside(robot: Robot, function: str, found: Count) -> Beside | None:
-    """The thesis's figure for ``robot``'s inverse dynamics, if its file names a row of Table 2.10."""
+def beside(
+    robot: Robot, function: str, found: Count, formulation: str = "modified_newton_euler"
+) -> Beside | None:
+    """The thesis's figure for ``robot``'s inverse dynamics by ``formulation``, if its file names a row of
+    Table 2.10 and the table has a figure of that formulation."""
     compare = robot.compare
-    if function != "inverse_dynamics" or compare is None or compare.table != "2.10":
+    if not function_named(function).is_recursion or compare is None or compare.table != "2.10":
         return None
-    if compare.row not in TABLE_2_10:
+    printed = _OWN_ROWS.get(formulation, {}).get(compare.row)
+    if printed is None:
         return None
-    mul, add, note = TABLE_2_10[compare.row]
+    mul, add, note = printed
     return Beside("2.10", compare.row, mul, add, note, _verdict(found, mul, add))
 
 

@@ -1,24 +1,55 @@
-"""Forward dynamics out of programs of the bias and the mass matrix, however they were found."""
+"""A function out of programs of its parts, however they were found: forward dynamics of bias and matrix."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from robodyn.dynamics.mass_matrix import solve_symmetric
+from robodyn.dynamics.functions import Function, torques_at
 from robodyn.ir.graph import Graph, lower
-from robodyn.ir.program import Label, Program
+from robodyn.ir.program import Input, Label, Program
 
 
-def composed_forward_dynamics(bias: Program, mass_matrix: Program) -> Program:
-    """``qdd = M^-1 (tau - h)``: ``bias`` gives ``h`` [n], ``mass_matrix`` gives ``M`` [n, n] row by row."""
+def composed(function: Function, programs: Mapping[str, Program], n: int) -> Program:
+    """``function`` of ``n`` joints, put together from ``programs``: one for each of its parts, by name."""
     graph = Graph()
-    h = graph.replay(bias)
-    entries = graph.replay(mass_matrix)
-    n = len(h)
-    matrix: list[list[Any]] = [list(entries[n * i : n * (i + 1)]) for i in range(n)]
-    right = [graph.input("tau", i) - h[i] for i in range(n)]
+    elements = function.outputs(_OfParts(graph, function, programs, n))
+    return lower(graph, [(function.result.name, elements)])
 
-    def mark(value: Any, label: Label) -> Any:
-        return graph.label(value, label)
 
-    return lower(graph, [("qdd", solve_symmetric(matrix, right, mark))])
+class _OfParts:
+    """The dynamics that programs give, see :class:`robodyn.dynamics.functions.Dynamics`."""
+
+    def __init__(self, graph: Graph, function: Function, programs: Mapping[str, Program], n: int) -> None:
+        self._graph, self._function, self._programs = graph, function, programs
+        self._values: dict[str, list[Any]] = {part: graph.replay(programs[part]) for part in function.parts}
+        self.rest: Sequence[Any] = [0] * n
+        self.inputs = {name: [graph.input(name, i) for i in range(n)] for name in function.input_names}
+
+    def mark(self, value: Any, label: Label) -> Any:
+        """Name ``value``."""
+        return self._graph.label(value, label)
+
+    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Joint torques [n], of the part that gives them."""
+        part = torques_at(qd, qdd).name
+        rates = {"qd": qd, "qdd": qdd}
+        other = [name for name, x in rates.items() if x is not self.rest and x is not self.inputs.get(name)]
+        if not other:
+            return self._part(part)
+        self._part(part)
+        inputs = {Input(name, i): x for name in other for i, x in enumerate(rates[name])}
+        return self._graph.replay(self._programs[part], inputs=inputs)
+
+    def mass_matrix(self) -> list[list[Any]]:
+        """Mass matrix [n][n]."""
+        entries, n = self._part("mass_matrix"), len(self.rest)
+        return [list(entries[n * i : n * (i + 1)]) for i in range(n)]
+
+    def _part(self, name: str) -> list[Any]:
+        if name not in self._values:
+            parts = ", ".join(self._function.parts)
+            raise ValueError(
+                f"function {self._function.name!r} asks for what {name} gives, and its parts are {parts}"
+            )
+        return self._values[name]

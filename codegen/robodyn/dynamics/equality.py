@@ -15,8 +15,9 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Motion, build_arm, build_motion
+from robodyn.dynamics.functions import INPUTS, function_named
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.errors import InputError
+from robodyn.dynamics.vectors import unmarked
 from robodyn.ir.evaluate import evaluate_exact, turn
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import digest, fingerprint, in_drawn_field
@@ -30,6 +31,8 @@ Point = tuple[Any, Any]
 
 #: Numbers that stay integers: a recursion over them asks which are 0.
 _FEW = (0, 1, -1)
+
+_ARRAYS = tuple(array.name for array in INPUTS)
 
 #: Points at which a program is compared, each in a field of its own.
 _FIELDS = (b"one", b"two")
@@ -84,7 +87,7 @@ def _check_rigid(robot: Robot) -> None:
 
 
 def _inputs(robot: Robot) -> list[Input]:
-    arrays = [Input(array, i) for array in ("q", "qd", "qdd", "tau") for i in range(robot.n)]
+    arrays = [Input(array, i) for array in _ARRAYS for i in range(robot.n)]
     return arrays + [Input(name, None) for name in robot.parameters]
 
 
@@ -122,31 +125,34 @@ def _rational_state(robot: Robot, chance: random.Random) -> _State:
 
 
 def _equal(robot: Robot, function: str, program: Program, state: _State) -> bool:
-    n = robot.n
+    record = function_named(function)
     arm = build_arm(robot, state.number, lambda name: state.inputs[Input(name, None)])
+    plain = _Plain(arm, state)
+    one, other = record.compared(plain, list(state.run(program)), plain.inputs["qdd"])
+    return list(one) == list(other)
 
-    def row(array: str) -> list[Any]:
-        return [state.inputs[Input(array, i)] for i in range(n)]
 
-    def torques(qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
-        return newton_euler(arm, _motion(arm, row("q"), qd, qdd, state))
+class _Plain:
+    """Conventional Newton-Euler at a state, see :class:`robodyn.dynamics.functions.Dynamics`."""
 
-    zeros = [0] * n
-    outputs = list(state.run(program))
-    if function == "inverse_dynamics":
-        return outputs == torques(row("qd"), row("qdd"))
-    if function == "gravity":
-        return outputs == torques(zeros, zeros)
-    if function == "bias":
-        return outputs == torques(row("qd"), zeros)
-    if function == "forward_dynamics":
-        return torques(row("qd"), outputs) == row("tau")
-    if function != "mass_matrix":
-        raise InputError(f"there is no plain recursion of the function {function!r}")
-    # M x for a random x: as telling as all columns of M, at a fraction of the cost.
-    x = row("qdd")
-    product = [sum(outputs[n * i + j] * x[j] for j in range(n)) for i in range(n)]
-    return product == [t - g for t, g in zip(torques(zeros, x), torques(zeros, zeros), strict=True)]
+    mark = staticmethod(unmarked)
+
+    def __init__(self, arm: Arm, state: _State) -> None:
+        n = len(arm.bodies)
+        self.inputs = {array: [state.inputs[Input(array, i)] for i in range(n)] for array in _ARRAYS}
+        self.rest = [0] * n
+        self._arm, self._state = arm, state
+
+    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Joint torques [n]."""
+        return newton_euler(self._arm, _motion(self._arm, self.inputs["q"], qd, qdd, self._state))
+
+    def mass_matrix(self) -> list[list[Any]]:
+        """Mass matrix [n][n]: torques of unit accelerations less those of none."""
+        n = len(self.rest)
+        still = self.torques(self.rest, self.rest)
+        columns = [self.torques(self.rest, [int(i == j) for i in range(n)]) for j in range(n)]
+        return [[columns[j][i] - still[i] for j in range(n)] for i in range(n)]
 
 
 def _motion(arm: Arm, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any], state: _State) -> Motion:

@@ -13,9 +13,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from robodyn.dynamics.functions import array_named, function_named
 from robodyn.emit.languages.c import c_spelling, c_syntax, c_trig
 from robodyn.emit.lines import head_of
-from robodyn.emit.render import ARRAYS, PURPOSES, Unit, environment
+from robodyn.emit.render import Unit, environment
 from robodyn.emit.spelling import WIDTH, Spelling
 from robodyn.emit.statements import Apply, Body, Expression, Statement, statements
 from robodyn.emit.syntax import Syntax
@@ -85,7 +86,7 @@ def _told(signature: Signature, unit: Unit) -> list[str]:
     told = [
         "Many states in one call, as lanes of the processor's vectors.",
         "Arrays, in SI units:",
-        *(f"  {array:4} {ARRAYS[array]}" for array in arrays),
+        *(f"  {array:4} {array_named(array).text}" for array in arrays),
         f"..._batch: element j of state k is [j*stride + k], stride >= count: every joint's values stand one "
         f"after another. ..._batch_rows: it is [k*n + j], n the elements of a state ({real} each).",
         "count may be any number, 0 too. No alignment is asked for. What is written must not overlap what is "
@@ -128,7 +129,7 @@ class _Function:
         inputs = [array for array, _ in s.inputs]
         return {
             "name": s.function,
-            "purpose": PURPOSES[s.function],
+            "purpose": function_named(s.function).purpose,
             "columns": _prototype(
                 f"void {s.symbol}_batch(", ["size_t count, size_t stride", *arguments, *parameter]
             ),

@@ -6,11 +6,12 @@ import textwrap
 from typing import Any
 
 from robodyn.counts.count import Count
+from robodyn.dynamics.functions import function_named
 from robodyn.emit.body import arrays_read, body_lines, reads_parameters
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import Body
-from robodyn.emit.unit import PURPOSES, Unit, counted_text
+from robodyn.emit.unit import Unit, counted_text
 from robodyn.ir.signature import Signature
 
 
@@ -29,7 +30,7 @@ def function_text(
     rereads = not unit.builtin and any(syntax.rereads(s.expression) for s in body.statements)
     return {
         "symbol": signature.symbol,
-        "purpose": PURPOSES[signature.function],
+        "purpose": function_named(signature.function).purpose,
         "counted": textwrap.wrap(counted_text(counted), WIDTH, break_on_hyphens=False),
         "unused": unused,
         **language.function(FunctionText(signature, unit, lines, tuple(unused), rereads)),

@@ -11,9 +11,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from robodyn.dynamics.functions import array_named
 from robodyn.emit.languages.c import c_spelling, c_syntax
 from robodyn.emit.lines import Writer, head_of
-from robodyn.emit.render import ARRAYS, environment
+from robodyn.emit.render import environment
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
@@ -69,6 +70,7 @@ def _context(made: Parallel, plan: Lanes) -> dict[str, Any]:
     signature = made.signature
     p = made.timetable.machine.processors
     (output, size), *_ = signature.outputs
+    arrays = [array for array, _ in (*signature.inputs, *signature.outputs)]
     return {
         "name": signature.robot,
         "guard": f"{signature.robot.upper()}_PARALLEL_H",
@@ -78,9 +80,7 @@ def _context(made: Parallel, plan: Lanes) -> dict[str, Any]:
         "inputs": [{"name": array, "size": length} for array, length in signature.inputs],
         "output": output,
         "size": size,
-        "arrays": [
-            {"name": array, "what": ARRAYS[array]} for array, _ in (*signature.inputs, *signature.outputs)
-        ],
+        "arrays": [{"name": array, "what": array_named(array).text} for array in arrays],
         "parameters": signature.parameters,
         "shared": max(1, len(plan.shared)),
         "packed": made.packed,

@@ -8,12 +8,13 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robodyn.counts.count import count
+from robodyn.dynamics.functions import array_named
 from robodyn.emit.functions import function_text
 from robodyn.emit.language import Language
 from robodyn.emit.languages import defaults, languages_named
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import statements
-from robodyn.emit.unit import ARRAYS, PURPOSES, Unit, counted_text, has_sines
+from robodyn.emit.unit import Unit, counted_text, has_sines
 from robodyn.errors import InputError
 from robodyn.resources import data_dir
 from robodyn.robot.names import check_names
@@ -62,7 +63,7 @@ def environment() -> jinja2.Environment:
     """Where the templates of kernels are; what one of them asks for and is not given is an error."""
     import jinja2
 
-    return jinja2.Environment(
+    environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(data_dir("templates")),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
@@ -70,6 +71,8 @@ def environment() -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=False,  # code, not HTML; texts from files pass through comment
     )
+    environment.filters["sentence"] = lambda text: text[:1].upper() + text[1:] + "."
+    return environment
 
 
 def _template(name: str) -> jinja2.Template:
@@ -113,14 +116,17 @@ def _head(unit: Unit, language: Language) -> list[str]:
     say("Arguments, in SI units, joint 1 first:")
     arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
     for array in arrays:
-        say(f"  {array:4} {ARRAYS[array]}", "      ")
+        say(f"  {array:4} {array_named(array).text}", "      ")
     if robot.torque_side == "link":
         say("Torques act behind the gear: rotor inertia and friction are not in them.")
-    if unit.functions[0][0].parameters:
-        say(f"Run-time parameters, in {robot.name}_params: {', '.join(unit.functions[0][0].parameters)}")
+    parameters = unit.functions[0][0].parameters
+    if parameters:
+        struct = language.type_name(robot.name, "params")
+        say(f"Run-time parameters, in {struct}: {', '.join(parameters)}")
     if _states(unit):
+        struct = language.type_name(robot.name, "state")
         say(
-            f"inverse_dynamics remembers: {robot.name}_state begins at zero and a call with dt = 0; then "
+            f"inverse_dynamics remembers: {struct} begins at zero and a call with dt = 0; then "
             "call it at every sample, dt > 0 [s] after the one before."
         )
     if unit.sc:
@@ -130,7 +136,7 @@ def _head(unit: Unit, language: Language) -> list[str]:
             say(f"  {spelling.element('sc', k)} = {text}")
     for note in (*unit.notes, *language.notes(unit)):
         say(note)
-    for note in unit.advice:
+    for note in language.advice(unit):
         say(note, hyphens=False)
     lines.append("")
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")
@@ -155,4 +161,4 @@ def comment(text: str) -> str:
     return text
 
 
-__all__ = ["ARRAYS", "PURPOSES", "Unit", "render"]
+__all__ = ["Unit", "render"]

@@ -9,24 +9,6 @@ from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.robot.model import Robot
 
-#: What an array of an interface holds; the unit at prismatic joints stands in brackets.
-ARRAYS: dict[str, str] = {
-    "q": "joint positions [rad, prismatic m]",
-    "qd": "joint velocities [rad/s, prismatic m/s]",
-    "qdd": "joint accelerations [rad/s^2, prismatic m/s^2]",
-    "tau": "joint torques [N m, prismatic N]",
-    "M": "mass matrix, row by row [kg m^2, kg m, kg]",
-    "sc": "sines and cosines, as listed below",
-}
-
-PURPOSES: dict[str, str] = {
-    "inverse_dynamics": "torques that give the accelerations qdd",
-    "gravity": "torques that hold the arm at rest",
-    "bias": "torques at zero acceleration: Coriolis, centrifugal, gravity, friction",
-    "mass_matrix": "mass matrix, rotor inertias on its diagonal",
-    "forward_dynamics": "accelerations that the torques tau give",
-}
-
 
 @dataclass(frozen=True, slots=True)
 class Unit:

@@ -15,6 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.dynamics.functions import Pair, function_named
+from robodyn.dynamics.vectors import unmarked
 from robodyn.errors import InputError
 from robodyn.firmware.rounding import TINY, UNIT, rounding_bounds
 from robodyn.ir.evaluate import evaluate
@@ -22,7 +24,7 @@ from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import ScalarType
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Value
-from robodyn.verify.exact import exact_torque
+from robodyn.verify.exact import exact_mass_matrix, exact_torque
 from robodyn.verify.numbers import number, real
 
 _DIGITS = 40
@@ -118,38 +120,41 @@ def _confirm(
     spare: Sequence[float],
 ) -> None:
     """Hold every row of ``expected`` against the exact torque, to ``_AGREED`` of the largest term."""
-    n = robot.n
-    rest = [Fraction(0)] * n
-    pairs: list[tuple[Sequence[Fraction], list[Fraction]]] = []
+    record = function_named(function)
+    along = [Fraction(1, j + 1) for j in range(robot.n)]
+    pairs: list[Pair] = []
     fastest = Fraction(1)
     for k, row in enumerate(expected):
         at = {array: [Fraction(float(v)) for v in x[k]] for array, x in states.items()}
-
-        def torque(qd: Any, qdd: Any, q: Any = at["q"]) -> list[Fraction]:
-            return exact_torque(robot, q, qd, qdd, parameters)
-
-        if function == "inverse_dynamics":
-            pairs.append((row, torque(at["qd"], at["qdd"])))
-        elif function == "bias":
-            pairs.append((row, torque(at["qd"], rest)))
-        elif function == "gravity":
-            pairs.append((row, torque(rest, rest)))
-        elif function == "forward_dynamics":
-            pairs.append((at["tau"], torque(at["qd"], row)))
+        pairs.append(record.compared(_Exact(robot, at, parameters), row, along))
+        if record.expected is None:  # then these torques are of what the function gives
             fastest = max(fastest, *map(abs, row))
-        else:
-            along = [Fraction(1, j + 1) for j in range(n)]
-            needed = [x - y for x, y in zip(torque(rest, along), torque(rest, rest), strict=True)]
-            rows = [row[i * n : i * n + n] for i in range(n)]
-            found = [sum((x * y for x, y in zip(r, along, strict=True)), Fraction(0)) for r in rows]
-            pairs.append((found, needed))
     largest = _largest_term(robot, states, parameters) * fastest
     for one, exact in pairs:
         for j, (x, y) in enumerate(zip(one, exact, strict=True)):
             if abs(x - y) > _AGREED * largest + (Fraction(spare[j]) if spare else 0):
-                raise Unconfirmed(
-                    f"{function} of {robot.name} differs from the exact torque at joint {j + 1}"
-                )
+                raise Unconfirmed(f"{function} of {robot.name} differs from the exact torque at element {j}")
+
+
+class _Exact:
+    """Virtual work over rationals at one state; see :class:`robodyn.dynamics.functions.Dynamics`."""
+
+    mark = staticmethod(unmarked)
+
+    def __init__(
+        self, robot: Robot, inputs: Mapping[str, list[Fraction]], parameters: Mapping[str, float]
+    ) -> None:
+        self.inputs = inputs
+        self.rest = [Fraction(0)] * robot.n
+        self._robot, self._parameters = robot, parameters
+
+    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Fraction]:
+        """Joint torques [n]."""
+        return exact_torque(self._robot, self.inputs["q"], qd, qdd, self._parameters)
+
+    def mass_matrix(self) -> list[list[Fraction]]:
+        """Mass matrix [n][n]."""
+        return exact_mass_matrix(self._robot, self.inputs["q"], self._parameters)
 
 
 def _largest_term(

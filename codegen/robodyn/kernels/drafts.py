@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
 from robodyn.counts.objective import operations_of, parse_objective
-from robodyn.dynamics.compose import composed_forward_dynamics
+from robodyn.dynamics.compose import composed
+from robodyn.dynamics.functions import Function, function_named, recursion
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import prove
@@ -78,9 +79,9 @@ class Drafts:
         without them, where that comes to less than a record."""
         if self.options.prune is None:
             return found
-        from robodyn.optimize.prune import PRUNED, prune
+        from robodyn.optimize.prune import prune
 
-        if function not in PRUNED:
+        if not function_named(function).gives_torques:
             return found
         plain = self._passed(function)
         smaller, self.prunings[function] = prune(
@@ -96,7 +97,7 @@ class Drafts:
                 self._best[function] = self._proven(function)
             except ZeroDivisionError:  # a pivot that is zero, as a number or as a function
                 self.taken.pop(function, None)
-                raise self.singular() from None
+                raise self.singular(function) from None
         return self._best[function]
 
     def _proven(self, function: str) -> Program:
@@ -121,7 +122,7 @@ class Drafts:
 
     def _clearly_better(self, function: str, found: Program) -> bool:
         """Whether no pass will bring the recursion down to what a record has."""
-        if function == "gravity" or self.options.objective != "total":
+        if function_named(function).at_rest or self.options.objective != "total":
             return False
         draft = count(self.draft(function)).total
         return draft > _SMALL and count(found).total <= _CLEARLY * draft
@@ -133,16 +134,18 @@ class Drafts:
         return parse_objective(self.options.objective).cost(operations_of(program))
 
     def _recorded(self, function: str) -> Program | None:
-        """What the records have for ``function``, compared with the recursion: its own, for gravity and bias
-        that of the inverse dynamics, for forward dynamics the parts; None where they have nothing."""
+        """What the records have for ``function``, compared with the recursion: its own, for other torques
+        that of the inverse dynamics, for what is composed the parts; None where they have nothing."""
         if not self.options.takes_records:
             return None
-        if function == "forward_dynamics":
-            return self._forward_dynamics()
+        known = function_named(function)
+        if known.parts:
+            return self._composed(known)
         best: Program | None = None
-        for source in dict.fromkeys((function, "inverse_dynamics")):
+        sources = (function, recursion().name) if known.gives_torques else (function,)
+        for source in dict.fromkeys(sources):
             record = self._record(source)
-            if record is None or (source != function and function not in ("gravity", "bias")):
+            if record is None:
                 continue
             made = record.program if source == function else at_rest_of(record, function)
             passes = SPELLING if source == function else FAST
@@ -165,14 +168,14 @@ class Drafts:
         arrays = [Input(name, i) for name, size in interface.inputs for i in range(size)]
         return arrays + [Input(name, None) for name in interface.parameters]
 
-    def _forward_dynamics(self) -> Program | None:
-        """Forward dynamics made of bias and mass matrix, if records have either."""
-        parts = {f: self.best(f) for f in ("bias", "mass_matrix")}
-        known = [self.taken[f] for f in parts if f in self.taken]
+    def _composed(self, function: Function) -> Program | None:
+        """A function put together from its parts, if records have any of them."""
+        parts = {part: self.best(part) for part in function.parts}
+        known = [self.taken[part] for part in parts if part in self.taken]
         if not known:
             return None
-        self.taken["forward_dynamics"] = known[0]
-        return unchecked(composed_forward_dynamics(parts["bias"], parts["mass_matrix"]), FRESH)
+        self.taken[function.name] = known[0]
+        return unchecked(composed(function, parts, self.robot.n), FRESH)
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:
@@ -198,13 +201,13 @@ class Drafts:
             try:
                 self._drafts[function] = self._build(function)
             except ZeroDivisionError:
-                raise self.singular() from None
+                raise self.singular(function) from None
         return self._drafts[function]
 
-    def singular(self) -> SingularArm:
+    def singular(self, function: str) -> SingularArm:
         """The error of an arm in which a joint moves without inertia."""
         return SingularArm(
-            f"{self.robot.name} has no forward dynamics",
+            f"{self.robot.name} has no {function_named(function).words}",
             found="a joint that moves without inertia: the mass matrix is singular in every pose",
             remedy="give that joint a motor_inertia, or its link an inertia",
         )

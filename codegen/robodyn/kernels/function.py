@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from robodyn.dynamics.functions import Array as Described
+from robodyn.dynamics.functions import arrays
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.arrays import (
@@ -20,15 +22,6 @@ from robodyn.kernels.arrays import (
     shape_text,
 )
 from robodyn.toolchain.library import Library
-
-_UNITS = {
-    "q": "joint positions, rad or m",
-    "qd": "joint velocities, rad/s or m/s",
-    "qdd": "joint accelerations, rad/s^2 or m/s^2",
-    "tau": "joint torques or forces, N m or N",
-    "M": "joint-space mass matrix, kg m^2, kg m or kg",
-    "sc": "sines and cosines that the kernel needs, in the order that the emitted header gives",
-}
 
 
 class Function:
@@ -57,7 +50,9 @@ class Function:
         self.dtype: np.dtype[Any] = np.dtype(np.float64 if signature.scalar == "double" else np.float32)
         self.library = library
         self._inputs = tuple(name for name, _ in signature.inputs)
-        self.results = tuple((name, _state_shape(name, length)) for name, length in signature.outputs)
+        self.results = tuple(
+            (name, _array(name, length).shape_of(length)) for name, length in signature.outputs
+        )
         self.where = f"{signature.robot}.{signature.function}"
         self._call = getattr(library.lib, f"{signature.function}_robodyn_batch")
         self._pointer = f"{signature.scalar}[]"
@@ -159,10 +154,9 @@ class Function:
         return f"<{self.where}({', '.join(self._inputs)}) -> {self._output_text()}>"
 
 
-def _state_shape(name: str, length: int) -> Shape:
-    """The shape of one state's result: M is square, the others are vectors."""
-    side = math.isqrt(length)
-    return (side, side) if name == "M" and side * side == length else (length,)
+def _array(name: str, length: int) -> Described:
+    """What the array ``name`` is; one of a function by other makers is a vector."""
+    return arrays().get(name) or Described(name, "SI units", "", shape=(length,))
 
 
 def _document(function: Function) -> str:
@@ -171,7 +165,7 @@ def _document(function: Function) -> str:
 
     def line(name: str, shape: Shape) -> str:
         both = f"{shape_text(shape)} or {shape_text(['N', *shape])}"
-        return f"{name}: {both}, {s.scalar}; {_UNITS.get(name, 'SI units')}"
+        return f"{name}: {both}, {s.scalar}; {_array(name, 1).words}"
 
     lines = [
         f"{s.function.replace('_', ' ').capitalize()} of {s.robot}, compiled.",

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
+from robodyn.dynamics.functions import by_default
 from robodyn.emit import Unit, render
 from robodyn.emit.language import require
 from robodyn.emit.languages import defaults, languages_named
@@ -30,8 +31,7 @@ from robodyn.kernels.options import (
     Order,
     Trigonometry,
 )
-from robodyn.kernels.targets import TARGETS
-from robodyn.optimize.programs import FUNCTIONS, Choice, NoForwardDynamics, signature
+from robodyn.optimize.programs import Choice, NoForwardDynamics, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
@@ -46,7 +46,6 @@ __all__ = [
     "ENGINES",
     "LEVELS",
     "ORDERS",
-    "TARGETS",
     "TRIGONOMETRY",
     "Drafts",
     "Engine",
@@ -121,7 +120,7 @@ def generate(
     drafts = made if isinstance(made, Drafts) else made.rigid
     programs: dict[str, Program] = {}
     left_out: dict[str, str] = {}
-    for function in options.functions or FUNCTIONS:
+    for function in options.functions or by_default():
         if progress is not None:
             progress(function)
         try:
@@ -187,6 +186,8 @@ def _with_sc(interface: Signature, size: int) -> Signature:
 _TITLES = {
     "modified_newton_euler": "modified Newton-Euler (lambda matrix)",
     "newton_euler": "Newton-Euler",
+    "newton_euler_base": "Newton-Euler along the base's axes",
+    "orin": "Orin's Newton-Euler (motion along the base's axes, forces along each link's)",
     "balafoutis": "Balafoutis's tensor recursion",
     "kane": "Kane's equations",
     "lagrange": "closed-form Lagrange (Uicker, Kahn)",

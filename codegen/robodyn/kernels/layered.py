@@ -6,14 +6,19 @@ from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
 from robodyn.drives.drive import rigid_part
+from robodyn.dynamics.compose import composed
+from robodyn.dynamics.functions import FUNCTIONS, Function, function_named
 from robodyn.errors import InputError
 from robodyn.ir.fingerprint import agree
 from robodyn.ir.program import Program
 from robodyn.kernels.drafts import Drafts
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import Unequal
-from robodyn.kernels.with_effects import REACTIONS, forward_dynamics, needs_reactions, with_effects
-from robodyn.optimize.programs import FORMULATIONS
+from robodyn.kernels.with_effects import (
+    check_solvable,
+    layered,
+    needs_reactions,
+)
 from robodyn.passes import FRESH, SPELLING, run, unchecked
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
@@ -22,8 +27,10 @@ from robodyn.robot.values import circle_point
 if TYPE_CHECKING:
     from robodyn.optimize.prune import Pruning
 
-#: Functions in which anything moves: else no bearing rubs.
-_MOVING = ("inverse_dynamics", "bias")
+
+def moving() -> tuple[str, ...]:
+    """Torques in which anything moves: else no bearing rubs."""
+    return tuple(name for name, f in FUNCTIONS.items() if f.zeros is not None and "qd" not in f.zeros)
 
 
 class Layered:
@@ -61,45 +68,45 @@ class Layered:
         return self._programs[function]
 
     def _made(self, function: str) -> Program:
-        if function == "forward_dynamics":
-            parts = self.program("bias"), self.program("mass_matrix")
-            try:
-                composed = forward_dynamics(self.robot, *parts)
-                made = unchecked(composed, FRESH)
-                self._compare(function, made, composed)
-            except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
-                raise self.rigid.singular() from None
+        record = function_named(function)
+        check_solvable(self.robot, record)
+        if not record.parts:
+            draft = layered(self.robot, record, self._rigid, self.options.formulation)
+            made = run(draft, SPELLING if self.options.optimize == "none" else FRESH)
+            self._compare(function, made, self._plain(record))
             return made
-        inside = self._reactions and function in _MOVING
-        rigid = None if inside else self.rigid.best(function)
-        formulation = self.options.formulation
-        if inside and formulation not in REACTIONS:
-            raise InputError(
-                f"the formulation {formulation} has no forces in the joints, which bearings feel",
-                expected=" or ".join(name for name in FORMULATIONS if name in REACTIONS),
-            )
-        draft = with_effects(self.robot, function, rigid, formulation)
-        made = run(draft, SPELLING if self.options.optimize == "none" else FRESH)
-        self._prove(function, made)
+        try:
+            draft = composed(record, {part: self.program(part) for part in record.parts}, self.robot.n)
+            made = unchecked(draft, FRESH)
+            # Of what solves for accelerations there is no other formula: its parts are compared.
+            self._compare(function, made, draft if record.expected is None else self._plain(record))
+        except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
+            raise self.rigid.singular(function) from None
         return made
 
-    def _prove(self, function: str, made: Program) -> None:
-        """Compare with the recursion of the book: in finite fields, where roots and the like are random
-        functions, so that their arguments must be equal as well."""
-        rigid = None
-        if function == "mass_matrix":
-            rigid = self.rigid.best(function)  # proven there; the rotors are put on it here
-        plain = with_effects(self.robot, function, rigid, "newton_euler")
-        self._compare(function, made, plain)
+    def _rigid(self, function: str) -> Program | None:
+        """The rigid arm's best program, unless bearings feel what moves."""
+        return None if self._reactions and function in moving() else self.rigid.best(function)
+
+    def _plain(self, record: Function) -> Program:
+        """``record`` by the recursion of the book, with the drives on it."""
+
+        def rigid(function: str) -> Program | None:
+            # The mass matrix is proven beneath; the rotors are put on it here.
+            return None if function_named(function).gives_torques else self.rigid.best(function)
+
+        return layered(self.robot, record, rigid, "newton_euler", expected=True)
 
     def _compare(self, function: str, made: Program, plain: Program) -> None:
+        """In finite fields, where roots and the like are random functions, so that their arguments must be
+        equal as well."""
         context = (identity(self.robot).encode(), function.encode())
         if not all(agree(made, plain, circle_point, *context, tag) for tag in (b"one", b"two")):
             raise Unequal(f"{function} of {self.robot.name} differs from plain Newton-Euler with its effects")
 
     def rigid_count(self, function: str) -> Count | None:
         """Operations of the rigid arm beneath; None of functions that are composed."""
-        return None if function == "forward_dynamics" else count(self.rigid.best(function))
+        return None if function_named(function).parts else count(self.rigid.best(function))
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -111,7 +118,7 @@ class Layered:
         told = ["Effects: " + ", ".join(lines) + "."]
         if self._reactions:
             told.append(
-                f"Of {' and '.join(_MOVING)} the links are as described, nothing moved to a parent: bearings "
-                "feel the forces in the joints."
+                f"Of {' and '.join(moving())} the links are as described, nothing moved to a parent: "
+                "bearings feel the forces in the joints."
             )
         return tuple(told)

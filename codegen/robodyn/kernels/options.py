@@ -6,13 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
+from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.errors import InputError
 from robodyn.ir.signature import ScalarType
-from robodyn.kernels.targets import Contraction, Target, target_named
-from robodyn.optimize.programs import FORMULATIONS, FUNCTIONS, Choice
+from robodyn.optimize.programs import FORMULATIONS, Choice
 from robodyn.optimize.records import Record
+
+if TYPE_CHECKING:
+    from robodyn.targets import Contraction, Target
 
 Level = Literal["none", "fast", "search", "full", "record"]
 Trigonometry = Literal["libm", "builtin", "given"]
@@ -31,8 +34,8 @@ CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
 class Options:
     """What to generate and how; the defaults are those of ``robodyn gen``.
 
-    ``functions`` None is all that the robot has: an arm with a joint that moves without inertia has no
-    forward dynamics.
+    ``functions`` None is those that are written by default, as far as the robot has them: an arm with a
+    joint that moves without inertia has no forward dynamics.
     ``optimize="none"`` is the recursion as it stands in the book, equal nodes merged and zeros gone;
     ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly these parameters, else
     fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
@@ -76,7 +79,7 @@ class Options:
         _one_of("engine", self.engine, ENGINES)
         _one_of("order", self.order, ORDERS)
         if self.target is not None:
-            target_named(self.target)
+            object.__setattr__(self, "target", _target(self.target).name)
         if self.contraction is not None:
             _one_of("contraction", self.contraction, ("off", "on"))
         if self.prune is not None:
@@ -86,20 +89,20 @@ class Options:
 
     @classmethod
     def for_target(cls, name: str, **chosen: Any) -> Options:
-        """What :data:`~robodyn.kernels.targets.TARGETS` says of ``name``; ``chosen`` goes before it.
+        """What :data:`robodyn.targets.TARGETS` says of ``name``; ``chosen`` goes before it.
 
         Raises
         ------
         InputError: there is no such target, or a choice is unknown.
         """
-        target = target_named(name)
+        target = _target(name)
         own = {what: getattr(target, what) for what in CHOSEN}
-        return cls(**{**own, **chosen, "target": name})
+        return cls(**{**own, **chosen, "target": target.name})
 
     @property
     def profile(self) -> Target | None:
         """The target, if one is named."""
-        return None if self.target is None else target_named(self.target)
+        return None if self.target is None else _target(self.target)
 
     def choices(self) -> tuple[Choice, ...]:
         """The one way of writing the recursion that is asked for; none where the robot decides."""
@@ -120,11 +123,17 @@ class Options:
         return plain and self.optimize not in ("none", "fast")
 
 
+def _target(name: str) -> Target:
+    from robodyn.targets import compiled_targets, target_named
+
+    return target_named(name, compiled_targets())
+
+
 def _check_functions(functions: tuple[str, ...]) -> None:
     if not functions:
         raise InputError("no function asked for", expected=f"some of {', '.join(FUNCTIONS)}")
     for function in functions:
-        _one_of("function", function, tuple(FUNCTIONS))
+        function_named(function)
     if len(set(functions)) != len(functions):
         raise InputError("a function is asked for twice", found=", ".join(functions))
 

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import JointAngle, build_arm
+from robodyn.dynamics.functions import function_named
 from robodyn.ir import Graph, Label, Program
 from robodyn.ir.graph import Scalar, lower
 from robodyn.optimize.programs import Choice, outputs_of, signature
@@ -63,18 +64,19 @@ class Symbolic:
 
         names = {symbol: _latex_name(label) for symbol, label in self.labels.items()}
         for array, symbols in self.inputs.items():
-            accents = {"q": "q", "qd": r"\dot q", "qdd": r"\ddot q", "tau": r"\tau"}
-            names.update({s: f"{accents[array]}_{{{i}}}" for i, s in enumerate(symbols, 1)})
+            names.update({s: f"{_ACCENTS[array]}_{{{i}}}" for i, s in enumerate(symbols, 1)})
 
         def line(left: str, expression: sympy.Expr) -> str:
             return f"{left} &= {sympy.latex(expression, symbol_names=names)} " + r"\\"
 
-        result = {"mass_matrix": "M", "forward_dynamics": r"\ddot q"}.get(self.function, r"\tau")
+        array = function_named(self.function).result.name
+        result = _ACCENTS.get(array, array)
         lines = [line(names[symbol], expression) for symbol, expression in self.steps]
         lines += [line(f"{result}_{{{i}}}", x) for i, x in enumerate(self.results, 1)]
         return "\n".join([r"\begin{align*}", *lines, r"\end{align*}"]) + "\n"
 
 
+_ACCENTS = {"q": "q", "qd": r"\dot q", "qdd": r"\ddot q", "tau": r"\tau"}
 _LATEX = {
     "w": r"\omega", "alpha": r"\alpha", "lam": r"\lambda", "ww": r"(\omega\omega)", "fc": "F", "nc": "N",
     "tau": r"\tau", "ac": "a_c", "qdd": r"\ddot q", "m": "M",

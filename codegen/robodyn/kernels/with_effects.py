@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,7 +19,7 @@ from robodyn.drives.drive import (
     rigid_part,
 )
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
-from robodyn.dynamics.compose import composed_forward_dynamics
+from robodyn.dynamics.functions import Function, function_named, torques_at
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.effects.effect import Site
@@ -27,11 +27,11 @@ from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
 from robodyn.ir.graph import Graph, Scalar, lower
 from robodyn.ir.program import Input, Label, Program
-from robodyn.optimize.programs import FUNCTIONS, NoForwardDynamics, turned
+from robodyn.optimize.programs import NoForwardDynamics, turned
 from robodyn.robot.model import Robot
 
 #: Recursions that pass by the force and the moment in every joint.
-REACTIONS = {"newton_euler": newton_euler, "modified_newton_euler": modified_newton_euler}
+REACTIONS = {"modified_newton_euler": modified_newton_euler, "newton_euler": newton_euler}
 
 
 def as_is(x: Any) -> Any:
@@ -67,23 +67,73 @@ def with_effects(
     ------
     InputError: ``rigid`` is None, and ``formulation`` has no forces in joints.
     """
-    graph = Graph()
-    layer = layer_of(robot, as_is, graph.input)
-    if function == "mass_matrix":
-        assert rigid is not None
-        return lower(graph, [("M", _mass_matrix(layer, graph.replay(rigid), robot.n))])
-    arguments, _ = FUNCTIONS[function]
-    motion = _Motion(
-        *(
-            [graph.input(name, i) if name in arguments else 0 for i in range(robot.n)]
-            for name in ("q", "qd", "qdd")
+    return layered(robot, function_named(function), lambda _: rigid, formulation)
+
+
+def layered(
+    robot: Robot,
+    function: Function,
+    rigid: Callable[[str], Program | None],
+    formulation: str,
+    *,
+    expected: bool = False,
+) -> Program:
+    """The program of ``function`` of ``robot``. ``rigid`` has the programs of :func:`.drive.rigid_part` by
+    the function's name; of torques maybe none: then the recursion ``formulation`` runs here, with the forces
+    in the joints. ``expected``: the result by the way that it is checked by.
+
+    Raises
+    ------
+    InputError: ``formulation`` has no forces in joints, and bearings feel them.
+    """
+    at = _Layered(robot, function, rigid, formulation)
+    written = function.expected if expected and function.expected is not None else function.outputs
+    outputs: list[tuple[str, Sequence[Scalar]]] = [(function.result.name, list(written(at)))]
+    return lower(at.graph, outputs + ([("state", at.states)] if at.states else []))
+
+
+class _Layered:
+    """Drives on a rigid arm, in a graph; see :class:`robodyn.dynamics.functions.Dynamics`."""
+
+    def __init__(
+        self, robot: Robot, function: Function, rigid: Callable[[str], Program | None], formulation: str
+    ) -> None:
+        self.graph = Graph()
+        self._layer = layer_of(robot, as_is, self.graph.input)
+        self._robot, self._rigid, self._formulation = robot, rigid, formulation
+        #: Whether what remembers takes a step; else it is in its steady form.
+        self._remembers = function.is_recursion
+        #: The states after the step.
+        self.states: list[Any] = []
+        self.rest: Sequence[Any] = [0] * robot.n
+        self.inputs = {
+            name: [self.graph.input(name, i) for i in range(robot.n)] for name in function.input_names
+        }
+
+    def mark(self, value: Any, label: Label) -> Any:
+        """Name ``value``."""
+        return self.graph.label(value, label)
+
+    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Motor torques [n]."""
+        motion = _Motion(self.inputs["q"], list(qd), list(qdd))
+        tau, self.states = outputs(
+            self._robot,
+            self._layer,
+            self.graph,
+            motion,
+            self._rigid(torques_at(qd, qdd).name),
+            self._formulation,
+            remembers=self._remembers,
         )
-    )
-    tau, states = outputs(
-        robot, layer, graph, motion, rigid, formulation, remembers=function == "inverse_dynamics"
-    )
-    found: list[tuple[str, Sequence[Scalar]]] = [("tau", tau)]
-    return lower(graph, found + ([("state", states)] if states else []))
+        return tau
+
+    def mass_matrix(self) -> list[list[Any]]:
+        """The rigid arm's mass matrix [n][n] with all rotors."""
+        rigid, n = self._rigid("mass_matrix"), self._robot.n
+        assert rigid is not None  # no force in a joint is in it
+        entries = _mass_matrix(self._layer, self.graph.replay(rigid), n)
+        return [entries[n * i : n * (i + 1)] for i in range(n)]
 
 
 def outputs(
@@ -96,7 +146,7 @@ def outputs(
     *,
     remembers: bool,
 ) -> tuple[list[Any], list[Any]]:
-    """Motor torques [n] and the states after the step, if the function ``remembers``."""
+    """Motor torques [n] and the states after the step, if what has memory ``remembers``."""
     twists, memories = _given_states(layer, graph) if remembers else ({}, {})
     measured = Rates(motion.q, motion.qd, motion.qdd, directions(robot, motion.qd, as_is))
     link, moved = measured, measured
@@ -195,17 +245,12 @@ def _mass_matrix(layer: Layer, entries: list[Any], n: int) -> list[Any]:
     return matrix
 
 
-def forward_dynamics(robot: Robot, bias: Program, mass_matrix: Program) -> Program:
-    """Accelerations of torques, of the programs of ``robot`` with its effects.
-
-    Raises
-    ------
-    ImplicitDynamics: friction depends on the load.
-    """
-    if not layer_of(robot, as_is, lambda _: 1).is_affine:
+def check_solvable(robot: Robot, function: Function) -> None:
+    """:class:`ImplicitDynamics` where ``function`` solves for accelerations of ``robot``, on which friction
+    depends through the load."""
+    if function.solves and not layer_of(robot, as_is, lambda _: 1).is_affine:
         raise ImplicitDynamics(
-            f"{robot.name} has no forward dynamics in closed form",
+            f"{robot.name} has no {function.words} in closed form",
             found="friction that depends on the load, and so on the accelerations",
             remedy="robodyn simulate solves for them; or leave those effects out",
         )
-    return composed_forward_dynamics(bias, mass_matrix)

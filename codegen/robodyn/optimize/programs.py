@@ -12,8 +12,9 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import Arm, JointAngle, Trigonometry, build_arm, build_motion
+from robodyn.dynamics.functions import function_named
 from robodyn.dynamics.lump import MomentForm
-from robodyn.dynamics.mass_matrix import mass_matrix, solve_symmetric
+from robodyn.dynamics.mass_matrix import mass_matrix
 from robodyn.dynamics.parallel import chain_turns, single_turns
 from robodyn.dynamics.regroup import lumps_of, regrouped
 from robodyn.dynamics.vectors import Mark
@@ -33,19 +34,12 @@ from robodyn.optimize.writing import Writing
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
-#: Inputs of each function, beside what it returns.
-FUNCTIONS: dict[str, tuple[tuple[str, ...], str]] = {
-    "inverse_dynamics": (("q", "qd", "qdd"), "tau"),
-    "gravity": (("q",), "tau"),
-    "bias": (("q", "qd"), "tau"),
-    "mass_matrix": (("q",), "M"),
-    "forward_dynamics": (("q", "qd", "tau"), "qdd"),
-}
-
 #: Formulations of the inverse dynamics, from the description as it stands.
 FORMULATIONS = (
     "modified_newton_euler",
     "newton_euler",
+    "newton_euler_base",
+    "orin",
     "balafoutis",
     "kane",
     "lagrange_3x3",
@@ -116,23 +110,15 @@ def choice_from(data: Any) -> Choice:
 
 def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Signature:
     """The interface of ``function`` of ``robot``; :class:`InputError` for an unknown function."""
-    if function not in FUNCTIONS:
-        raise InputError(
-            f"unknown function {function!r}",
-            expected=f"one of {', '.join(FUNCTIONS)}",
-            remedy="choose one of those",
-        )
-    arguments, result = FUNCTIONS[function]
-    n = robot.n
-    size = n * n if result == "M" else n
+    record, n = function_named(function), robot.n
     return Signature(
         robot=robot.name,
         function=function,
-        inputs=tuple((name, n) for name in arguments),
-        outputs=((result, size),),
+        inputs=tuple((array.name, array.size_at(n)) for array in record.inputs),
+        outputs=((record.result.name, record.result.size_at(n)),),
         parameters=robot.parameters,
         scalar=scalar,
-        states=_states(robot) if function == "inverse_dynamics" and robot.effects else (),
+        states=_states(robot) if record.is_recursion and robot.effects else (),
     )
 
 
@@ -185,26 +171,39 @@ def outputs_of(
     mark: Mark,
 ) -> list[Any]:
     """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``given``."""
-    zeros = [0] * len(arm.bodies)
-    inverse = _inverse_dynamics(arm, choice, given["q"], trigonometry, number)
+    recursion = Recursion(arm, choice, given, trigonometry, number, mark)
+    return list(function_named(function).outputs(recursion))
 
-    if function == "inverse_dynamics":
-        return inverse(given["qd"], given["qdd"], mark)
-    if function == "gravity":
-        return inverse(zeros, zeros, mark)
-    if function == "bias":
-        return inverse(given["qd"], zeros, mark)
-    if choice.regroup:
-        arm = slid(arm)
-    lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
-    at_rest = build_motion(arm, given["q"], zeros, zeros, trigonometry, number)
-    turns = chain_turns(arm, at_rest, trigonometry) if choice.chains else single_turns(at_rest)
-    matrix = mass_matrix(arm, at_rest, turns, lumps, mark)
-    if function == "mass_matrix":
-        return [entry for row in matrix for entry in row]
-    bias = inverse(given["qd"], zeros, mark)
-    right = [tau - h for tau, h in zip(given["tau"], bias, strict=True)]
-    return solve_symmetric(matrix, right, mark)
+
+class Recursion:
+    """The dynamics of ``arm`` by the recursion that ``choice`` says; see :class:`Dynamics`."""
+
+    def __init__(
+        self,
+        arm: Arm,
+        choice: Choice,
+        inputs: Mapping[str, Sequence[Any]],
+        trigonometry: Trigonometry,
+        number: Callable[[Fraction], Any],
+        mark: Mark,
+    ) -> None:
+        self.inputs, self.mark = inputs, mark
+        self.rest: Sequence[Any] = [0] * len(arm.bodies)
+        self._arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, number
+        self._inverse = _inverse_dynamics(arm, choice, inputs["q"], trigonometry, number)
+
+    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Joint torques [n]."""
+        return self._inverse(qd, qdd, self.mark)
+
+    def mass_matrix(self) -> list[list[Any]]:
+        """Mass matrix [n][n], by composite bodies."""
+        choice, trigonometry = self._choice, self._trigonometry
+        arm = slid(self._arm) if choice.regroup else self._arm
+        lumps = regrouped(arm, ["second_moment"] * len(arm.bodies)) if choice.regroup else lumps_of(arm)
+        at_rest = build_motion(arm, self.inputs["q"], self.rest, self.rest, trigonometry, self._number)
+        turns = chain_turns(arm, at_rest, trigonometry) if choice.chains else single_turns(at_rest)
+        return mass_matrix(arm, at_rest, turns, lumps, self.mark)
 
 
 def turned(graph: Graph, q: Sequence[Node], angle: JointAngle) -> tuple[Any, Any]:

@@ -17,12 +17,12 @@ from typing import Any, Literal
 
 from robodyn.counts.objective import Objective, operations_of
 from robodyn.dynamics.equality import same_in_field
+from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.errors import InputError, ToolError
 from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options
 from robodyn.kernels.generate import program as generated
 from robodyn.optimize.closed_form import closed_forms
-from robodyn.optimize.programs import FUNCTIONS
 from robodyn.optimize.records import Record, best_record, identity
 from robodyn.optimize.records.find import file_name, identity_at
 from robodyn.optimize.records.rounding import Rounding
@@ -93,7 +93,7 @@ def improved(
     # A writing knows the inverse dynamics only; the other functions are walked from where they stand.
     # Where a record is known already, most of the time goes to walking on from it.
     written = (_WRITINGS[level] if not known else 0.5 * _WRITINGS[level]) * budget
-    if function == "inverse_dynamics":
+    if function_named(function).is_recursion:
         starts += _written(robot, written, seed, objective, processes, progress)
         if robot.n <= _SHORT and cost(recursion, objective) > 0:
             starts += closed_forms(robot, effort=min(1.0, max(_LEAST_EFFORT, budget * _EFFORT)))
@@ -141,8 +141,8 @@ def cost(program: Program, objective: Objective) -> float:
 def _checked(level: str, function: str, seconds: float | None) -> None:
     if level not in BUDGET:
         raise InputError(f"unknown search {level!r}", expected=f"one of {', '.join(BUDGET)}")
-    if function not in FUNCTIONS or function == "forward_dynamics":
-        allowed = [name for name in FUNCTIONS if name != "forward_dynamics"]
+    if function not in FUNCTIONS or FUNCTIONS[function].parts:
+        allowed = [name for name, known in FUNCTIONS.items() if not known.parts]
         raise InputError(f"no search for the function {function!r}", expected=f"one of {', '.join(allowed)}")
     if seconds is not None and not (math.isfinite(seconds) and 0 < seconds <= 1e6):
         raise InputError("no budget in seconds", found=str(seconds), expected="a number above 0, at most 1e6")

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Final
 
-from robodyn.counts.thesis import TABLE_2_10
+from robodyn.counts.thesis import TABLE_2_10, TABLE_2_10_BALAFOUTIS
 
 Pair = tuple[int, int]
 
@@ -79,7 +79,13 @@ METHODS: Final = {
 TABLE_2_10_QUOTED: Final[dict[str, dict[str, Pair]]] = {
     "puma_3": {"II": (55, 42), "III": (114, 81)},
     "stanford_3": {"II": (40, 24)},
-    "puma_6": {"II": (152, 249), "III": (441, 365), "IV": (214, 176), "V": (401, 254), "VI": (277, 255)},
+    "puma_6": {
+        "II": (152, 249),
+        "III": (441, 365),
+        "IV": (214, 176),
+        "V": (401, 254),
+        "VI": TABLE_2_10_BALAFOUTIS["puma_6"][:2],
+    },
     "stanford_6": {"II": (183, 147), "III": (338, 276), "IV": (187, 152)},
 }
 

@@ -1,7 +1,7 @@
 """Compiled kernels against the independent references: how far off, where, and whether it matters.
 
 The yardstick of torques is T, the largest torque (in absolute value, over all joints) that the reference's
-inverse dynamics needs anywhere in the sample; of mass matrices it is the largest entry in the sample. The
+inverse dynamics needs anywhere in the sample; of other results it is the largest element in the sample. The
 **error** of a comparison is the largest difference of any joint at any state, divided by its yardstick. It
 must not exceed the tolerance: 1e-10 in double, 1e-5 in single precision. A number that is not finite where
 the reference's is counts as infinitely wrong; so does everything where the yardstick overflows.
@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.dynamics.functions import FUNCTIONS, INPUTS, Function
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Robot
 from robodyn.verify.lagrangian import LIMIT
@@ -50,8 +51,6 @@ Trig = Callable[[Floats], Floats]
 #: A step of what remembers [s], and how far memories are from rest [rad, m, per second ...].
 _STEP, _BENT = 1e-3, 1e-3
 
-_KNOWN = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
-
 
 @np.errstate(all="ignore")  # what overflows is judged, not warned of
 def verify(
@@ -73,7 +72,7 @@ def verify(
     robot: what the kernel was made of.
     states, seed: size and seed of the sample (:func:`robodyn.verify.sample.draw`).
     parameters: values of the run-time parameters, SI units; random ones if not given.
-    exact_states: how many states to compare with the exact torques; of mass matrices at most two.
+    exact_states: how many states to compare with the exact torques; of matrices at most two.
     lagrangian: whether to compare with the Lagrangian; if not said, up to three joints.
     trig: for kernels that take ``sc``: the function that makes it ``[N, ...]`` of ``q`` ``[N, n]``.
     progress: called with (comparisons done, comparisons in all).
@@ -148,8 +147,9 @@ class _Run:
         reference = Reference(robot, values)
         tau = reference.inverse_dynamics(sample.q, sample.qd, sample.qdd)
         self.largest = float(np.abs(tau).max())
-        self.matrix = reference.mass_matrix(sample.q)
-        self.regular = _regular(self.matrix, kernel.dtype)
+        self.regular = _regular(reference.mass_matrix(sample.q), kernel.dtype)
+        self._reference = reference_oracle(robot, values)
+        self._largest: dict[str, float] = {}
         rounded = tau.astype(kernel.dtype).astype(np.float64)
         self.inputs: dict[str, Floats] = {"q": sample.q, "qd": sample.qd, "qdd": sample.qdd, "tau": rounded}
         if any(name == "sc" for s in kernel.signatures.values() for name, _ in s.inputs):
@@ -167,49 +167,54 @@ class _Run:
 
     def obstacle(self, function: str) -> str | None:
         """Why ``function`` cannot be compared."""
-        if function not in _KNOWN:
+        if function not in FUNCTIONS:
             return "no reference knows it"
         unknown = [name for name, _ in self.kernel.signatures[function].inputs if name not in self.inputs]
         if unknown:
             return f"its input {', '.join(unknown)} is unknown"
-        if function == "forward_dynamics" and not self.regular.any():
+        if FUNCTIONS[function].solves and not self.regular.any():
             return "the mass matrix is singular at every state"
         return None
 
     def compare(self, function: str, oracle: Oracle, count: int) -> Comparison:
         """``function`` against ``oracle`` at ``count`` states, evenly picked."""
+        record = FUNCTIONS[function]
         places = np.arange(len(self.regular))
-        if function == "forward_dynamics":
+        if record.solves:
             places = places[self.regular]
         left_out = len(self.regular) - len(places)
-        if function == "mass_matrix" and oracle.name == "exact":
-            count = min(count, 2)
+        if len(record.result.shape) > 1 and oracle.name == "exact":
+            count = min(count, 2)  # every column is a torque
         if count < len(places):
             places, left_out = places[np.linspace(0, len(places) - 1, count).astype(int)], 0
         actual = self._result(function)[places]
-        q, qd, qdd, tau = (self.inputs[name][places] for name in ("q", "qd", "qdd", "tau"))
+        inputs = {array.name: self.inputs[array.name][places] for array in INPUTS}
         yardstick = self.largest
-        if function == "mass_matrix":
-            expected = oracle.mass_matrix(q)
-            yardstick = float(np.abs(self.matrix).max())
-        elif function == "forward_dynamics":
+        if record.expected is None:
             sound = np.isfinite(actual)
-            found = oracle.torque(q, qd, np.where(sound, actual, 0.0))
-            error = differences(tau, found)
+            found, wanted = oracle.compared(record, inputs, np.where(sound, actual, 0.0))
+            error = differences(wanted, found)
             error[~sound.all(axis=1)] = np.inf
             return self._comparison(function, oracle, places, left_out, error, yardstick, None)
-        elif function == "gravity":
-            expected = oracle.gravity(q)
-        elif function == "bias":
-            expected = oracle.bias(q, qd)
-        elif self.kernel.signatures[function].states:
-            expected, _ = self.stepping.step(q, qd, qdd, self.memory[places], _STEP)
+        if self.kernel.signatures[function].states:
+            expected, _ = self.stepping.step(
+                inputs["q"], inputs["qd"], inputs["qdd"], self.memory[places], _STEP
+            )
             yardstick = max(yardstick, float(np.abs(expected).max()))
         else:
-            expected = oracle.torque(q, qd, qdd)
+            expected = oracle.expected(record, inputs)
+            if not record.gives_torques:
+                yardstick = self._largest_of(record)
         error = differences(actual, expected)
         ulps = self._ulps(error, expected, yardstick) if oracle.name == "exact" else None
         return self._comparison(function, oracle, places, left_out, error, yardstick, ulps)
+
+    def _largest_of(self, record: Function) -> float:
+        """The largest element of the result, by the reference, anywhere in the sample."""
+        if record.name not in self._largest:
+            expected = self._reference.expected(record, self.inputs)
+            self._largest[record.name] = float(np.abs(expected).max())
+        return self._largest[record.name]
 
     def _result(self, function: str) -> Floats:
         """What the kernel gives at all states of the sample, computed once."""
@@ -247,6 +252,7 @@ class _Run:
         worst = np.unravel_index(int(np.argmax(error)), error.shape)
         state = int(places[worst[0]])
         largest = float(error[worst])
+        by_joint = FUNCTIONS[function].result.shape[:1] == ("n",) or FUNCTIONS[function].expected is None
         return Comparison(
             function=function,
             against=oracle.name,
@@ -254,7 +260,7 @@ class _Run:
             left_out=left_out,
             error=_relative(largest, yardstick),
             tolerance=self.tolerance,
-            joint=int(worst[1]) + 1,
+            joint=int(worst[1]) + 1 if by_joint else None,
             column=int(worst[2]) + 1 if error.ndim == 3 else None,
             state=state,
             inputs={
@@ -265,7 +271,8 @@ class _Run:
         )
 
     def _ulps(self, error: Floats, expected: NDArray[Any], yardstick: float) -> float:
-        """The largest error in units in the last place of each joint's largest torque."""
+        """The largest error in units in the last place of each joint's largest torque, or of the yardstick of
+        a matrix or a single number."""
         sizes = np.reshape([real(abs(x)) for x in expected.flat], expected.shape)
         unit = sizes.max(axis=0) if error.ndim == 2 else np.full(sizes.shape[1:], yardstick)
         unit = np.where(unit > 0, unit, yardstick if yardstick > 0 else 1.0)

@@ -1,8 +1,9 @@
-"""The references behind one face: a torque for arrays of states, and what follows from it."""
+"""The references behind one face: torques of arrays of states, and what functions make of them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -10,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.dynamics.functions import Function
+from robodyn.dynamics.vectors import unmarked
 from robodyn.robot.model import Robot
 from robodyn.verify.exact import exact_torque
 from robodyn.verify.lagrangian import lagrangian
@@ -30,26 +33,74 @@ class Oracle:
     name: str
     torque: Callable[[Floats, Floats, Floats], Numbers]
     matrix: Callable[[Floats], Numbers] | None = None
-
-    def gravity(self, q: Floats) -> Numbers:
-        """Torques at rest, ``[N, n]``."""
-        return self.torque(q, np.zeros_like(q), np.zeros_like(q))
-
-    def bias(self, q: Floats, qd: Floats) -> Numbers:
-        """Torques at zero acceleration, ``[N, n]``."""
-        return self.torque(q, qd, np.zeros_like(q))
+    #: Whether the torques are Fractions.
+    exact: bool = False
 
     def mass_matrix(self, q: Floats) -> Numbers:
         """``[N, n, n]``: torques of unit accelerations less those of none."""
         if self.matrix is not None:
             return self.matrix(q)
-        still = self.gravity(q)
+        rest = np.zeros_like(q)
+        still = self.torque(q, rest, rest)
         columns = []
         for j in range(q.shape[1]):
             unit = np.zeros_like(q)
             unit[:, j] = 1.0
-            columns.append(self.torque(q, np.zeros_like(q), unit) - still)
+            columns.append(self.torque(q, rest, unit) - still)
         return np.stack(columns, axis=-1)
+
+    def expected(self, function: Function, inputs: Mapping[str, Floats]) -> Numbers:
+        """The result ``[N, ...]`` of ``function``, of arrays ``[N, n]`` by name."""
+        assert function.expected is not None
+        count, n = inputs["q"].shape
+        elements = self._rows(function.expected(_Columns(self, inputs)), count)
+        return elements.reshape((count, *function.result.shape_at(n)))
+
+    def compared(
+        self, function: Function, inputs: Mapping[str, Floats], result: Floats
+    ) -> tuple[Numbers, Numbers]:
+        """What is to be equal, ``[N, m]`` each, if ``result`` ``[N, ...]`` is that of ``function``."""
+        count = len(result)
+        flat, anywhere = result.reshape(count, -1), self._columns(inputs["qdd"])
+        one, other = function.compared(_Columns(self, inputs), self._columns(flat), anywhere)
+        return self._rows(one, count), self._rows(other, count)
+
+    def _columns(self, array: Floats) -> list[Numbers]:
+        """``[N, m]`` as columns of the reference's numbers."""
+        if not self.exact:
+            return list(array.T)
+        columns = []
+        for column in array.T.tolist():
+            columns.append(np.empty(len(column), object))
+            columns[-1][:] = [Fraction(x) if math.isfinite(x) else x for x in column]
+        return columns
+
+    def _rows(self, elements: Sequence[Any], count: int) -> Numbers:
+        """``[N, m]`` of ``m`` columns, some of them maybe a number; floats stay floats."""
+        rows = np.stack([np.broadcast_to(np.asarray(x), (count,)) for x in elements], axis=-1)
+        return rows if self.exact else rows.astype(np.float64)
+
+
+class _Columns:
+    """A reference over columns ``[N]`` of states; see :class:`robodyn.dynamics.functions.Dynamics`."""
+
+    mark = staticmethod(unmarked)
+
+    def __init__(self, oracle: Oracle, inputs: Mapping[str, Floats]) -> None:
+        self._oracle, self._q = oracle, inputs["q"]
+        self.inputs = {name: oracle._columns(array) for name, array in inputs.items()}
+        self.rest = [0] * self._q.shape[1]
+
+    def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
+        """Torques, ``n`` columns."""
+        speeds, accelerations = (self._oracle._rows(x, len(self._q)) for x in (qd, qdd))
+        return list(self._oracle.torque(self._q, speeds, accelerations).T)
+
+    def mass_matrix(self) -> list[list[Any]]:
+        """Mass matrix ``[n][n]``, of columns."""
+        matrix = self._oracle.mass_matrix(self._q)
+        n = len(self.rest)
+        return [[matrix[:, i, j] for j in range(n)] for i in range(n)]
 
 
 def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
@@ -67,7 +118,7 @@ def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
             found[k] = exact_torque(robot, q[k].tolist(), qd[k].tolist(), qdd[k].tolist(), parameters)
         return found
 
-    return Oracle("exact", torque)
+    return Oracle("exact", torque, exact=True)
 
 
 def lagrangian_oracle(robot: Robot, parameters: Parameters) -> Oracle:
@@ -75,7 +126,7 @@ def lagrangian_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     return Oracle("lagrangian", lagrangian(robot, parameters, limit=robot.n))
 
 
-def differences(actual: Floats, expected: Numbers) -> Floats:
+def differences(actual: Numbers, expected: Numbers) -> Floats:
     """``|actual - expected|`` without rounding ``expected`` first; infinite where one is not finite."""
     if expected.dtype != object:
         sound = np.isfinite(actual) & np.isfinite(expected)
@@ -83,6 +134,8 @@ def differences(actual: Floats, expected: Numbers) -> Floats:
             return np.where(sound, np.abs(actual - expected), np.inf)
     result = np.full(actual.shape, np.inf)
     for place in np.ndindex(actual.shape):
-        if np.isfinite(actual[place]):
-            result[place] = real(abs(Fraction(float(actual[place])) - expected[place]))
+        value: Any = actual[place]
+        if isinstance(value, Fraction) or np.isfinite(value):
+            exact = value if isinstance(value, Fraction) else Fraction(float(value))
+            result[place] = real(abs(exact - expected[place]))
     return result

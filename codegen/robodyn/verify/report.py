@@ -18,7 +18,8 @@ class Comparison:
     states, left_out: how many states were compared, and how many could not be.
     error: the largest difference divided by the yardstick (see :mod:`robodyn.verify.check`).
     tolerance: what the error may be at most.
-    joint, column: the joint (from 1) with that difference; of a matrix its row, and the column (from 1).
+    joint, column: the joint (from 1) with that difference; of a matrix its row, and the column (from 1). None
+        where the result has none.
     state, inputs: number of the state (from 0) and what the kernel was given there.
     ulps: against ``exact``: the largest difference in units in the last place (of the kernel's type) of the
         largest torque that the joint needs at the states compared, for a matrix of the yardstick; else None.
@@ -30,7 +31,7 @@ class Comparison:
     left_out: int
     error: float
     tolerance: float
-    joint: int
+    joint: int | None
     column: int | None
     state: int
     inputs: Mapping[str, tuple[float, ...]]
@@ -125,13 +126,14 @@ class VerifyReport:
             lines.append(f"FAILED: {failed} of {len(self.comparisons)}")
             worst = self.worst
             assert worst is not None
-            lines.append(f"worst: {worst.function} against {worst.against}, joint {worst.joint}, at")
+            where = "" if worst.joint is None else f", joint {worst.joint}"
+            lines.append(f"worst: {worst.function} against {worst.against}{where}, at")
             lines += [f"  {name} = [{', '.join(repr(x) for x in xs)}]" for name, xs in worst.inputs.items()]
         return "\n".join(lines)
 
 
 def _row(c: Comparison) -> tuple[str, ...]:
-    joint = str(c.joint) if c.column is None else f"{c.joint},{c.column}"
+    joint = ",".join(str(x) for x in (c.joint, c.column) if x is not None) or "-"
     states = str(c.states) if not c.left_out else f"{c.states} (-{c.left_out})"
     ulps = "" if c.ulps is None else f"{c.ulps:{'.1f' if c.ulps < 1e6 else '.1e'}}"
     verdict = "" if c.passed else "FAILED"

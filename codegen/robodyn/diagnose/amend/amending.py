@@ -8,7 +8,6 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.diagnose.amend.combined import (
-    AXES,
     COMBINED,
     WORKED_OUT,
     Body,
@@ -18,13 +17,13 @@ from robodyn.diagnose.amend.combined import (
     waves,
 )
 from robodyn.diagnose.amend.settings import checked, read_settings, summed
-from robodyn.diagnose.amend.yaml_patch import Place
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
 from robodyn.robot.effects import belongs
 from robodyn.robot.folding import folded
-from robodyn.robot.model import EffectEntry, Inertia, Robot, Vector
+from robodyn.robot.model import AXES, EffectEntry, Inertia, Robot, Vector
+from robodyn.robot.rewriting import Place
 from robodyn.robot.values import ZERO, Value
 
 #: The key of a joint whose friction a law with a level of its own takes over.

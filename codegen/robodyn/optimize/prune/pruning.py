@@ -10,9 +10,10 @@ from functools import lru_cache
 from typing import Any
 
 from robodyn.counts import count
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
-from robodyn.optimize.programs import FUNCTIONS, Choice, build
+from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.prune.bounds import proven_errors
 from robodyn.optimize.prune.box import Box, box_of
 from robodyn.optimize.prune.editor import Editor
@@ -21,9 +22,9 @@ from robodyn.optimize.prune.sampling import draw, largest, values
 from robodyn.passes import FAST, SPELLING, run
 from robodyn.robot.model import Robot
 
-#: Functions that are pruned; the others stay exact: an error of the mass matrix has no bound in terms of the
-#: torques alone, and is magnified where the matrix is inverted.
-PRUNED = ("inverse_dynamics", "bias", "gravity")
+#: Functions that are pruned, torques of the recursion. The others stay exact: an error of the mass matrix has
+#: no bound in terms of the torques alone, and is magnified where the matrix is inverted.
+PRUNED = tuple(name for name, function in FUNCTIONS.items() if function.gives_torques)
 
 #: States at which the error is sampled.
 STATES = 100_000
@@ -184,7 +185,7 @@ def prune(
     if function not in PRUNED:
         raise InputError(f"{function} cannot be pruned", expected=f"one of {', '.join(PRUNED)}")
     tell = progress or (lambda _: None)
-    box = box_of(robot, FUNCTIONS[function][0])
+    box = box_of(robot, FUNCTIONS[function].input_names)
     tell(f"peak torques of {robot.name}")
     peaks = peaks_of(robot)
     allowed = [float(tolerance) * peak for peak in peaks]

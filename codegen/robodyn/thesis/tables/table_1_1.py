@@ -95,6 +95,27 @@ DESCRIBED: Final = {
 }
 
 
+#: Formulations that the table has no row for, with the degree of their cost, and what is to be known of them.
+UNLISTED: Final = {
+    "newton_euler_base": (
+        1,
+        "every vector along the base's axes, as before Luh, Walker and Paul: each link's inertia is turned "
+        "into the base, which takes 45 multiplications and 30 additions of it",
+    ),
+    "orin": (
+        1,
+        "motion along the base's axes, forces and moments along each link's: no inertia is turned, but three "
+        "vectors a link",
+    ),
+    "balafoutis": (1, "the tensor recursion, of which Table 2.10 quotes a figure for the PUMA"),
+    "kane": (2, "Kane's equations for any arm; what a hand would see of a special one, it does not"),
+    "modified_newton_euler": (
+        1,
+        "the thesis's own; Table 2.9 has its cost a joint",
+    ),
+}
+
+
 def formulation(name: str) -> Formulation:
     """The recursion of that name; module and function share it."""
     found = getattr(importlib.import_module(f"robodyn.dynamics.{name}"), name)
@@ -107,6 +128,10 @@ def table(progress: Progress = lambda _: None) -> Table:
     for name, printed in TABLE_1_1.items():
         progress(name)
         rows += _rows(name, printed, DESCRIBED[name])
+    newton_euler = general_count(formulation("newton_euler"), JOINTS, dense=True)
+    for name, (degree, words) in UNLISTED.items():
+        progress(name)
+        rows.append(_unlisted(name, degree, words, newton_euler))
     return Table(
         "1.1",
         "operations of the inverse dynamics by formulation, n revolute joints",
@@ -166,6 +191,33 @@ def _rows(name: str, printed: PrintedCost, described: Described) -> list[Row]:
         )
     )
     return rows
+
+
+def _unlisted(name: str, degree: int, words: str, newton_euler: Count) -> Row:
+    """The row of a formulation of which nothing is printed."""
+    run = formulation(name)
+    sizes = range(2, degree + 5)
+    counts = {n: general_count(run, n, dense=True) for n in {*sizes, JOINTS}}
+    polynomials = {
+        kind: fitted({n: getattr(counts[n], kind) for n in sizes}, degree) for kind in ("mul", "add")
+    }
+    at_6 = counts[JOINTS]
+    share = 100 * (at_6.total - newton_euler.total) / newton_euler.total
+    return Row(
+        f"{name}, total",
+        {},
+        {
+            "n6": at_6.total,
+            "mul_6": at_6.mul,
+            "add_6": at_6.add,
+            "polynomial": " and ".join(
+                f"{spelled(found)} {kind}" for kind, found in polynomials.items() if found is not None
+            ),
+        },
+        None,
+        f"the table has no row of it: {words}; {abs(share):.0f} % {'more' if share > 0 else 'fewer'} "
+        "operations than Newton-Euler",
+    )
 
 
 def _printed(coefficients: Sequence[Fraction], at_6: int) -> dict[str, Any]:

@@ -1,0 +1,124 @@
+"""The functions that kernels may have: every file of this folder lists some in ``FUNCTIONS``.
+
+Nothing else knows a function by name. To add one is to add a file (CONTRIBUTING.md, "Add a function").
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from robodyn.dynamics.functions.record import INPUTS, SC, Array, Dynamics, Function, Pair
+from robodyn.effects.scalars import is_zero
+from robodyn.errors import InputError
+
+__all__ = [
+    "FUNCTIONS",
+    "INPUTS",
+    "Array",
+    "Dynamics",
+    "Function",
+    "Pair",
+    "array_named",
+    "arrays",
+    "by_default",
+    "function_named",
+    "recursion",
+    "registered",
+    "torques_at",
+]
+
+
+def registered(functions: Iterable[Function]) -> dict[str, Function]:
+    """``functions`` by name, those that are written by default first.
+
+    Raises
+    ------
+    ValueError: two have one name, two results of one name are not the same, or a part is missing.
+    """
+    table: dict[str, Function] = {}
+    arrays = {array.name: array for array in (*INPUTS, SC)}
+    for function in sorted(functions, key=lambda function: not function.by_default):
+        if function.name in table:
+            raise ValueError(f"two functions are called {function.name!r}")
+        table[function.name] = function
+        result = function.result
+        if arrays.setdefault(result.name, result) != result:
+            raise ValueError(
+                f"function {function.name!r}: the array {result.name!r} is {arrays[result.name].text!r} "
+                "elsewhere; choose another name"
+            )
+    for function in table.values():
+        missing = [part for part in function.parts if part not in table]
+        if missing:
+            raise ValueError(f"function {function.name!r}: no such parts: {', '.join(missing)}")
+    return table
+
+
+def _files() -> Iterable[Function]:
+    for module in sorted(found.name for found in pkgutil.iter_modules(__path__)):
+        if module != "record":
+            yield from importlib.import_module(f"{__name__}.{module}").FUNCTIONS
+
+
+#: Every function by its name, those that are written by default first.
+FUNCTIONS: dict[str, Function] = registered(_files())
+
+
+def function_named(name: str) -> Function:
+    """The function called ``name``.
+
+    Raises
+    ------
+    InputError: there is none; says which there are.
+    """
+    function = FUNCTIONS.get(name)
+    if function is None:
+        import difflib
+
+        close = difflib.get_close_matches(name, FUNCTIONS, n=1)
+        raise InputError(
+            f"unknown function {name!r}",
+            expected=f"one of {', '.join(FUNCTIONS)}",
+            remedy=f"did you mean {close[0]!r}?" if close else "choose one of those",
+        )
+    return function
+
+
+def arrays() -> dict[str, Array]:
+    """Every array of an interface by its name."""
+    results = (function.result for function in FUNCTIONS.values())
+    return {array.name: array for array in (*INPUTS, SC, *results)}
+
+
+def array_named(name: str) -> Array:
+    """The array of an interface that is called ``name``.
+
+    Raises
+    ------
+    InputError: no function has one.
+    """
+    known = arrays()
+    if name not in known:
+        raise InputError(f"unknown array {name!r}", expected=f"one of {', '.join(known)}")
+    return known[name]
+
+
+def torques_at(qd: Sequence[Any], qdd: Sequence[Any]) -> Function:
+    """The function that gives the recursion's torques for these velocities and accelerations ``[n]``, some of
+    which are zero throughout."""
+    zeros = tuple(name for name, x in (("qd", qd), ("qdd", qdd)) if all(map(is_zero, x)))
+    functions = {function.zeros: function for function in FUNCTIONS.values()}
+    return functions.get(zeros, functions[()])
+
+
+def recursion() -> Function:
+    """The inverse dynamics, which formulations and ways of writing are of."""
+    return next(function for function in FUNCTIONS.values() if function.is_recursion)
+
+
+def by_default() -> tuple[str, ...]:
+    """Names of the functions that are written unless others are named."""
+    return tuple(name for name, function in FUNCTIONS.items() if function.by_default)

@@ -1,0 +1,188 @@
+"""What a function of an arm is: one record that everything reads which writes, counts or checks it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from math import prod
+from typing import Any, Literal, Protocol
+
+from robodyn.dynamics.vectors import Mark
+
+#: Elements of a state along one axis: a number, or as many as there are joints.
+Length = int | Literal["n"]
+#: Scalars of any kind, one for each joint.
+Vector = Sequence[Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Array:
+    """An argument of a kernel: what it holds, its unit (and that at prismatic joints, where it is another),
+    and the shape of one state's, ``()`` for a single number. C and Fortran have it as one row of numbers,
+    matrices row by row."""
+
+    name: str
+    holds: str
+    unit: str
+    prismatic: str = ""
+    shape: tuple[Length, ...] = ("n",)
+
+    def shape_at(self, n: int) -> tuple[int, ...]:
+        """The shape for ``n`` joints."""
+        return tuple(n if length == "n" else length for length in self.shape)
+
+    def size_at(self, n: int) -> int:
+        """How many numbers these are for ``n`` joints."""
+        return prod(self.shape_at(n))
+
+    def shape_of(self, size: int) -> tuple[int, ...]:
+        """The shape of so many numbers.
+
+        Raises
+        ------
+        ValueError: the array has not so many, whatever the number of joints.
+        """
+        free = self.shape.count("n")
+        n = round((size / self.size_at(1)) ** (1 / free)) if free else 0
+        if self.size_at(n) != size:
+            raise ValueError(f"{self.name} is {list(self.shape)}, and not of {size} numbers")
+        return self.shape_at(n)
+
+    @property
+    def text(self) -> str:
+        """What it holds and its unit, for the heads of files."""
+        rows = ", row by row" if len(self.shape) > 1 else ""
+        unit = self.unit + (f", prismatic {self.prismatic}" if self.prismatic else "")
+        return f"{self.holds}{rows}" + (f" [{unit}]" if unit else "")
+
+    @property
+    def words(self) -> str:
+        """The same for Python, where matrices are matrices."""
+        units = " or ".join(unit for unit in (self.unit, self.prismatic) if unit)
+        return f"{self.holds}, {units}" if units else self.holds
+
+
+#: What a function may be given, for each joint.
+Q = Array("q", "joint positions", "rad", "m")
+QD = Array("qd", "joint velocities", "rad/s", "m/s")
+QDD = Array("qdd", "joint accelerations", "rad/s^2", "m/s^2")
+TAU = Array("tau", "joint torques", "N m", "N")
+#: In q's place, where sines and cosines are given.
+SC = Array("sc", "sines and cosines, as listed below", "")
+INPUTS = (Q, QD, QDD, TAU)
+
+
+class Dynamics(Protocol):
+    """An arm at one state, over any scalar: nodes of a graph, fractions, elements of a field, columns of
+    numbers, sympy expressions. All that functions are written in terms of, and checked by.
+
+    Attributes
+    ----------
+    inputs: by name the arrays ``[n]`` that the function is given, see :data:`INPUTS`.
+    rest: ``[n]``, zeros: no velocity, no acceleration.
+    mark: gives a quantity its name in emitted code; where nothing is emitted it does nothing.
+    """
+
+    @property
+    def inputs(self) -> Mapping[str, Vector]: ...
+    @property
+    def rest(self) -> Vector: ...
+    @property
+    def mark(self) -> Mark: ...
+
+    def torques(self, qd: Vector, qdd: Vector) -> Vector:
+        """Joint torques ``[n]`` at these velocities and accelerations, drives included [N m, prismatic N]."""
+        ...
+
+    def mass_matrix(self) -> Sequence[Vector]:
+        """Mass matrix ``[n][n]``, rotors included [kg m^2, kg m, kg]."""
+        ...
+
+
+#: What must be equal, element by element.
+Pair = tuple[Sequence[Any], Sequence[Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function that kernels may have.
+
+    Attributes
+    ----------
+    name: what it is called in C (``ROBOT_name``), on the command line, and in Python.
+    purpose: one sentence, for headers and help.
+    inputs, result: its arguments.
+    outputs: the elements of the result, one after another, matrices row by row, from the dynamics: what is
+        emitted.
+    expected: the same by another way if there is one, from the dynamics of a reference that shares nothing
+        with the kernels. None where only ``condition`` says what is right.
+    condition: for a result ``[size]``, and ``[n]`` numbers that no rule connects, two sequences that are
+        equal if the result is right: torques where there is nothing ``expected``. None: the result and
+        ``expected``. Where both are there, it is what costs less.
+    by_default: whether it is written unless functions are named.
+    parts: functions whose programs it is put together from; none: it comes straight from the recursion.
+    zeros: of the recursion's torques, the inputs that are zero in it, none in the inverse dynamics itself.
+        None: it is something else.
+    solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
+        function, nor has one with friction that depends on the accelerations.
+    """
+
+    name: str
+    purpose: str
+    inputs: tuple[Array, ...]
+    result: Array
+    outputs: Callable[[Dynamics], Sequence[Any]]
+    expected: Callable[[Dynamics], Sequence[Any]] | None = None
+    condition: Callable[[Dynamics, Sequence[Any], Vector], Pair] | None = None
+    by_default: bool = False
+    parts: tuple[str, ...] = ()
+    zeros: tuple[str, ...] | None = None
+    solves: bool = False
+
+    def __post_init__(self) -> None:
+        """:class:`ValueError` for a record that is none: found where the package is imported."""
+        if not self.name.isidentifier() or not self.purpose:
+            raise ValueError(
+                f"function {self.name!r}: a function has an identifier for a name, and a purpose"
+            )
+        if not self.inputs or not set(self.inputs) <= set(INPUTS):
+            names = ", ".join(array.name for array in INPUTS)
+            raise ValueError(f"function {self.name!r}: inputs are some of {names}")
+        if self.result in self.inputs:
+            raise ValueError(f"function {self.name!r}: the result is an input as well")
+        if self.expected is None and self.condition is None:
+            raise ValueError(f"function {self.name!r}: nothing says what is right: expected or condition")
+
+    @property
+    def is_recursion(self) -> bool:
+        """Whether it is the inverse dynamics itself: formulations, ways of writing, peers and the thesis's
+        counts are of it, and effects with memory take a step in it."""
+        return self.zeros == ()
+
+    @property
+    def gives_torques(self) -> bool:
+        """Whether the result is torques of the recursion, of all inputs or with some of them zero."""
+        return self.zeros is not None
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether it is torques at which nothing moves."""
+        return self.zeros is not None and {"qd", "qdd"} <= set(self.zeros)
+
+    @property
+    def words(self) -> str:
+        """Its name in a sentence."""
+        return self.name.replace("_", " ")
+
+    @property
+    def input_names(self) -> tuple[str, ...]:
+        """Names of the inputs."""
+        return tuple(array.name for array in self.inputs)
+
+    def compared(self, dynamics: Dynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
+        """Two sequences that are equal if ``result`` ``[size]`` is what ``dynamics`` say; ``anywhere``
+        ``[n]`` are numbers that no rule connects."""
+        if self.condition is not None:
+            return self.condition(dynamics, result, anywhere)
+        assert self.expected is not None
+        return result, self.expected(dynamics)

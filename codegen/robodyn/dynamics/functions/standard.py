@@ -1,0 +1,104 @@
+"""The functions of every kernel: torques, mass matrix, accelerations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from robodyn.dynamics.functions.record import QD, QDD, TAU, Array, Dynamics, Function, Pair, Q, Vector
+from robodyn.dynamics.mass_matrix import solve_symmetric
+
+M = Array("M", "mass matrix", "kg m^2, kg m, kg", shape=("n", "n"))
+
+
+def _inverse_dynamics(at: Dynamics) -> Sequence[Any]:
+    return at.torques(at.inputs["qd"], at.inputs["qdd"])
+
+
+def _gravity(at: Dynamics) -> Sequence[Any]:
+    return at.torques(at.rest, at.rest)
+
+
+def _bias(at: Dynamics) -> Sequence[Any]:
+    return at.torques(at.inputs["qd"], at.rest)
+
+
+def _mass_matrix(at: Dynamics) -> Sequence[Any]:
+    return [entry for row in at.mass_matrix() for entry in row]
+
+
+def _accelerates(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
+    """``M x`` for a random ``x``: as telling as all columns of ``M``, at a fraction of the cost."""
+    n = len(x)
+    product = [sum(result[n * i + j] * x[j] for j in range(n)) for i in range(n)]
+    needed = zip(at.torques(at.rest, x), at.torques(at.rest, at.rest), strict=True)
+    return product, [moving - still for moving, still in needed]
+
+
+def _forward_dynamics(at: Dynamics) -> Sequence[Any]:
+    """``qdd = M^-1 (tau - h)``."""
+    matrix = at.mass_matrix()
+    bias = at.torques(at.inputs["qd"], at.rest)
+    right = [tau - h for tau, h in zip(at.inputs["tau"], bias, strict=True)]
+    return solve_symmetric(matrix, right, at.mark)
+
+
+def _needs_the_torques(at: Dynamics, result: Sequence[Any], _: Vector) -> Pair:
+    """The torques that the accelerations need: to compare accelerations would measure the condition of the
+    mass matrix instead."""
+    return at.torques(at.inputs["qd"], result), at.inputs["tau"]
+
+
+FUNCTIONS = (
+    Function(
+        "inverse_dynamics",
+        "torques that give the accelerations qdd",
+        (Q, QD, QDD),
+        TAU,
+        _inverse_dynamics,
+        expected=_inverse_dynamics,
+        by_default=True,
+        zeros=(),
+    ),
+    Function(
+        "gravity",
+        "torques that hold the arm at rest",
+        (Q,),
+        TAU,
+        _gravity,
+        expected=_gravity,
+        by_default=True,
+        zeros=("qd", "qdd"),
+    ),
+    Function(
+        "bias",
+        "torques at zero acceleration: Coriolis, centrifugal, gravity, friction",
+        (Q, QD),
+        TAU,
+        _bias,
+        expected=_bias,
+        by_default=True,
+        zeros=("qdd",),
+    ),
+    Function(
+        "mass_matrix",
+        "mass matrix, rotor inertias on its diagonal",
+        (Q,),
+        M,
+        _mass_matrix,
+        expected=_mass_matrix,
+        condition=_accelerates,
+        by_default=True,
+    ),
+    Function(
+        "forward_dynamics",
+        "accelerations that the torques tau give",
+        (Q, QD, TAU),
+        QDD,
+        _forward_dynamics,
+        condition=_needs_the_torques,
+        by_default=True,
+        parts=("bias", "mass_matrix"),
+        solves=True,
+    ),
+)
