@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 import click
 
 Command = TypeVar("Command", bound=Callable[..., Any])
+
+#: ``robodyn.schedule.METHODS``, which tests hold equal to this: importing it would slow down ``--help``.
+METHODS: Final = ("thesis", "critical-path", "dhlf", "df-ihs", "a-star", "branch-and-bound", "optimal")
 
 
 def schedule_options(command: Command) -> Command:
@@ -22,11 +25,12 @@ def schedule_options(command: Command) -> Command:
             click.option("--links", metavar="N", type=int, help="Any revolute arm of N joints, no ROBOT."),
             click.option(
                 "--method",
-                metavar="M",
+                type=click.Choice(METHODS),
                 default="critical-path",
                 show_default=True,
-                help="thesis (section 4.3.3), critical-path, dhlf, branch-and-bound (one processor a joint) "
-                "or optimal (OR-Tools; proof or bound).",
+                help="How to schedule: list heuristics (thesis: section 4.3.3; critical-path; dhlf), "
+                "searches (df-ihs: Kasahara and Narita; a-star: Chen; branch-and-bound: one processor a joint) or "
+                "optimal (OR-Tools; proof or bound).",
             ),
             click.option("--as-printed", is_flag=True, help="The task set that the thesis printed."),
             click.option(
@@ -59,6 +63,12 @@ def schedule_options(command: Command) -> Command:
                 metavar="S",
                 type=float,
                 help="How long a search may take. [default: 60, branch-and-bound 10]",
+            ),
+            click.option(
+                "--nodes",
+                metavar="N",
+                type=click.IntRange(min=1),
+                help="How many nodes df-ihs and a-star may look at. [default: 200000]",
             ),
             click.option("--seed", metavar="N", type=int, default=0, help="Seed of the optimiser."),
             click.option(
@@ -93,6 +103,7 @@ class Asked:
     communication: int
     no_levels: bool
     seconds: float
+    nodes: int | None
     seed: int
     fewest: bool
     thesis: str | None
