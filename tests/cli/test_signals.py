@@ -7,12 +7,12 @@ import signal
 import stat
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
 
 from robodyn_testing import require_module, require_tool
+from robodyn_testing.waiting import eventually, runs
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="missing: POSIX signals")
 
@@ -191,8 +191,7 @@ def test_a_compiler_that_hangs_goes_with_its_command(
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )  # fmt: skip
     try:
-        while process.poll() is None and not (notes.exists() and len(notes.read_text().split()) == 2):
-            time.sleep(0.02)
+        assert eventually(lambda: process.poll() or (notes.exists() and len(notes.read_text().split()) == 2))
         process.send_signal(getattr(signal, name))
         out, err = process.communicate()
     finally:
@@ -203,23 +202,11 @@ def test_a_compiler_that_hangs_goes_with_its_command(
         "robodyn: interrupted" if code == 130 else "robodyn: terminated"
     ]
     assert "Traceback" not in out + err
-    end = time.monotonic() + 10
-    for text in notes.read_text().split():
-        while time.monotonic() < end and _runs(int(text)):
-            time.sleep(0.02)
-        assert not _runs(int(text))
+    ids = [int(text) for text in notes.read_text().split()]
+    assert eventually(lambda: not any(map(runs, ids)))
     assert not list(elsewhere.rglob("unfinished-*"))
     assert not list((elsewhere / "tmp").iterdir())
     assert not list(elsewhere.rglob("*.tmp"))
-
-
-def _runs(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    state = Path(f"/proc/{process}/stat")
-    return not state.exists() or state.read_text().rpartition(")")[2].split()[0] != "Z"
 
 
 # --- what cannot be imported ------------------------------------------------------------------------------

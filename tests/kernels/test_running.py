@@ -8,8 +8,7 @@ import signal
 import stat
 import sys
 import threading
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,7 @@ from robodyn.toolchain.compiler import find_c, find_fortran
 from robodyn.toolchain.program import run_program
 from robodyn.toolchain.running import end_all, run
 from robodyn_testing import require_tool
+from robodyn_testing.waiting import eventually, runs
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="missing: os.killpg; only POSIX has it")
 
@@ -51,31 +51,19 @@ def over(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def now() -> float:
         notes = tmp_path / "ids"
         there = notes.exists() and len(notes.read_text().split()) == 2
-        return time.monotonic() + (1e6 * next(later) if there else 0)
+        return 1e6 * next(later) if there else 0.0
 
     monkeypatch.setattr(running, "monotonic", now)
 
 
-def alive(folder: Path) -> Iterator[int]:
+def alive(folder: Path) -> list[int]:
     """Which of the processes that have left their ids in ``folder`` run still."""
-    for line in (folder / "ids").read_text().split():
-        try:
-            os.kill(int(line), 0)
-            state = Path(f"/proc/{line}/stat")
-            if not state.exists() or state.read_text().rpartition(")")[2].split()[0] != "Z":
-                yield int(line)
-        except ProcessLookupError:
-            continue
+    return [int(line) for line in (folder / "ids").read_text().split() if runs(int(line))]
 
 
 def all_gone(folder: Path) -> bool:
-    """Whether none of them runs; waits for a while."""
-    end = time.monotonic() + 10
-    while time.monotonic() < end:
-        if not list(alive(folder)):
-            return True
-        time.sleep(0.02)
-    return False
+    """Whether none of them runs, sooner or later."""
+    return eventually(lambda: not alive(folder))
 
 
 def test_what_is_said(script: Callable[[str], str], tmp_path: Path) -> None:
@@ -149,8 +137,7 @@ def test_what_other_threads_run_can_be_ended(script: Callable[[str], str], tmp_p
     tool = script(HANGS)
     thread = threading.Thread(target=lambda: codes.append(run([tool]).code))
     thread.start()
-    while not (tmp_path / "ids").exists() or len(list(alive(tmp_path))) < 2:
-        time.sleep(0.01)
+    assert eventually(lambda: (tmp_path / "ids").exists() and len(alive(tmp_path)) == 2)
     end_all()
     thread.join()
     assert codes == [-signal.SIGKILL]

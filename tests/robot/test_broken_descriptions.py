@@ -6,7 +6,6 @@ The mark ¶ in a text stands where the message must point; it is taken out befor
 from __future__ import annotations
 
 import re
-import time
 from pathlib import Path
 
 import pytest
@@ -14,6 +13,7 @@ import pytest
 from robodyn.errors import InputError
 from robodyn.robot import load, read_text
 from robodyn.robot.reader import read_bytes
+from robodyn_testing.clocks import calls_of
 
 HEAD = "name: arm\nlinks:\n  - joint: revolute\n"
 
@@ -208,9 +208,8 @@ BROKEN = {
 def test_refused_at_its_place_in_one_line(case: str) -> None:
     marked, message = BROKEN[case]
     text, line, column = _pointed(marked)
-    started = time.process_time()
     with pytest.raises(InputError) as caught:
-        read_text(text, "arm.yaml", strict=True)
+        calls_of(lambda: read_text(text, "arm.yaml", strict=True), most=200_000)
     told = str(caught.value)
     assert told.startswith(f"arm.yaml:{line}:{column}: "), told
     assert message in told
@@ -219,7 +218,6 @@ def test_refused_at_its_place_in_one_line(case: str) -> None:
     assert len(told) < 700
     assert caught.value.exit_code == 2
     assert caught.value.__cause__ is None
-    assert time.process_time() - started < 0.5
 
 
 @pytest.mark.parametrize("case", BROKEN)
@@ -283,8 +281,6 @@ def test_byte_order_mark_and_line_ends_are_accepted() -> None:
     ids=lambda text: text[:12],
 )
 def test_hostile_files_end_soon(text: str) -> None:
-    started = time.process_time()
     with pytest.raises(InputError) as caught:
-        read_text(text, "arm.yaml")
+        calls_of(lambda: read_text(text, "arm.yaml"), most=5_000_000)
     assert len(str(caught.value)) < 700
-    assert time.process_time() - started < 5

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import time
-
 import pytest
 
 from robodyn.errors import InputError
 from robodyn.robot import read_text
+from robodyn_testing.clocks import calls_of
 
 #: What is broken: what stands in the list of joint 1 and a part of the message. ¶ is where it must point.
 #: First R: in the robot's list; P: at a prismatic joint; F: beside friction; M: beside a huge motor_inertia.
@@ -253,11 +252,9 @@ HEAD = "name: arm\nlinks:\n  - joint: revolute\n    effects: "
     ids=lambda text: text[47:85],
 )
 def test_hostile_lists_end_soon(text: str) -> None:
-    started = time.process_time()
     with pytest.raises(InputError) as caught:
-        read_text(text, "arm.yaml")
+        calls_of(lambda: read_text(text, "arm.yaml"), most=5_000_000)
     assert len(str(caught.value)) < 700
-    assert time.process_time() - started < 5
 
 
 def test_text_is_kept_as_text() -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-import time
 from fractions import Fraction
 
 import pytest
@@ -14,6 +13,7 @@ from hypothesis import strategies as st
 from robodyn.errors import InputError
 from robodyn.robot import numbers
 from robodyn.robot.values import PI, Affine, Value, parameter
+from robodyn_testing.clocks import calls_of
 
 
 @pytest.mark.parametrize(
@@ -128,13 +128,11 @@ def test_pi_is_rounded_outside_of_angles_and_exact_in_them() -> None:
     ],
 )
 def test_anything_else_is_refused_at_its_column(text: str, column: int) -> None:
-    started = time.process_time()
     with pytest.raises(numbers.NumberError) as caught:
-        numbers.parse(text)
+        calls_of(lambda: numbers.parse(text), most=5_000)
     assert caught.value.position == column
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 400
-    assert time.process_time() - started < 0.2
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 import sys
-import time
+from functools import partial
 
 import pytest
 
@@ -17,6 +17,7 @@ from robodyn.schedule.methods import Method, check
 from robodyn.schedule.optimum import fewest_for_critical_path, optimum
 from robodyn.thesis.judge import printed_graph
 from robodyn_testing import require_module
+from robodyn_testing.clocks import Ticking, calls_of
 
 SIX = general_graph(6)
 STANFORD = printed_graph("stanford")
@@ -170,7 +171,7 @@ def test_a_bound_in_levels_is_a_bound_in_time() -> None:
 
 def test_one_processor_a_joint() -> None:
     for n, levels in ((2, 40), (3, 48)):  # CP-SAT proves both
-        found = one_processor_a_joint(general_graph(n), seconds=2)
+        found = one_processor_a_joint(general_graph(n), seconds=2, clock=Ticking(2e-2).monotonic)
         assert found.schedule.levels == levels
         assert found.lower_bound <= levels
         for slot in found.schedule.slots:
@@ -188,13 +189,11 @@ def test_branch_and_bound_proves_where_it_can() -> None:
     assert one_processor_a_joint(TaskGraph({}, {})).proven
 
 
-def test_twelve_joints_on_sixteen_processors_within_two_seconds() -> None:
+def test_twelve_joints_on_sixteen_processors_take_no_search() -> None:
     graph = general_graph(12)
     assert len(graph) == 489
     for method in LISTS:
-        begin = time.monotonic()
-        solved = solve(graph, Machine(16), method)
-        assert time.monotonic() - begin < 2
+        solved = calls_of(partial(solve, graph, Machine(16), method), most=500_000)
         assert solved.timetable.levels == 51
 
 
@@ -202,9 +201,7 @@ def test_the_optimiser_stops_with_a_valid_schedule_and_a_gap() -> None:
     """A machine whose optimum is out of reach: values take long to pass."""
     require_module("ortools")
     graph = general_graph(6)
-    begin = time.monotonic()
     solved = solve(graph, Machine(5, 3, False), "optimal", seconds=1)
-    assert time.monotonic() - begin < 15
     check(graph, solved.timetable)
     assert not solved.optimal
     assert solved.gap > 0

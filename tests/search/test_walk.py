@@ -7,7 +7,6 @@ import os
 import subprocess
 import sys
 import threading
-import time
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -280,13 +279,44 @@ def test_walks_run_side_by_side() -> None:
     threads = [threading.Thread(target=run_one, args=(seed,)) for seed in range(4)]
     for thread in threads:
         thread.start()
-    began, ticks = time.monotonic(), 0
-    while any(thread.is_alive() for thread in threads):
-        assert time.monotonic() - began < 60
-        time.sleep(0.001)
-        ticks += 1
-    assert ticks > 3
+    for thread in threads:
+        thread.join()
     assert found == expected
+
+
+ENDLESS = """
+import os, threading, time
+from robodyn.search.walk import Walk
+from records.made import ELBOW, arm, fast
+walk = Walk([fast(arm(ELBOW))], seed=1)
+walk.run(1, 0.3)
+walking = threading.Event()
+
+def run_on():
+    walking.set()
+    walk.run(1 << 60, 0.3)  # centuries, in one call into C
+
+threading.Thread(target=run_on, daemon=True).start()
+walking.wait()
+for _ in range(20):
+    time.sleep(0.01)
+print("still here", flush=True)
+os._exit(0)
+"""
+
+
+def test_a_walk_lets_other_threads_work() -> None:
+    """A call into C that kept the interpreter's lock would not let the others on before it has ended."""
+    path = os.pathsep.join(path for path in sys.path if path)
+    done = subprocess.run(
+        [sys.executable, "-c", ENDLESS],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    assert (done.stdout, done.stderr) == ("still here\n", "")
 
 
 def test_a_walk_gives_its_room_back() -> None:
@@ -374,7 +404,7 @@ def sanitized(folder: Path, steps: int) -> None:
         LD_PRELOAD=" ".join(runtimes),
         ASAN_OPTIONS="detect_leaks=0:abort_on_error=0",
         UBSAN_OPTIONS="print_stacktrace=1",
-        PYTHONPATH=str(Path(__file__).parents[1]),
+        PYTHONPATH=os.pathsep.join(path for path in sys.path if path),
     )
     done = subprocess.run(
         [sys.executable, "-c", DRIVER, str(folder / "walk.so"), str(steps)],

@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +14,7 @@ import pytest
 from robodyn.errors import InputError, ToolError
 from robodyn.search import workers
 from robodyn.search.workers import Workers
+from robodyn_testing.waiting import eventually, runs
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="missing: os.killpg; only POSIX has it")
 
@@ -116,19 +116,7 @@ def test_one_that_asks_and_goes(number: signal.Signals, work: str, tmp_path: Pat
     os.killpg(asks.pid, number)
     _, err = asks.communicate()  # ends when the last of them has
     assert err.count("Traceback") == (1 if number == signal.SIGINT else 0)  # that of the script itself
-    end = time.monotonic() + 20
-    while time.monotonic() < end and any(map(alive, helpers)):
-        time.sleep(0.02)
-    assert not any(map(alive, helpers))
-
-
-def alive(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    state = Path(f"/proc/{process}/stat")
-    return not state.exists() or state.read_text().rpartition(")")[2].split()[0] != "Z"
+    assert eventually(lambda: not any(map(runs, helpers)))
 
 
 def test_an_error_of_the_work_is_that_of_the_work() -> None:

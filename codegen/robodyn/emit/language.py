@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 from robodyn.emit.spelling import Spelling
@@ -68,6 +68,14 @@ class Language:
     default: bool = False
     #: Notes for the head of the file.
     notes: Callable[[Unit], tuple[str, ...]] = lambda unit: ()
+    #: Notes on compiling and calling, likewise.
+    advice: Callable[[Unit], tuple[str, ...]] = lambda unit: unit.advice
+    #: What the struct of a robot's ``params`` or ``state`` is called.
+    type_name: Callable[[str, str], str] = lambda robot, kind: f"{robot}_{kind}"
+    #: Whose sines and cosines its kernels have unless told otherwise.
+    trig: Literal["libm", "builtin"] = "libm"
+    #: Templates of tests with vectors, by the file that each makes (:mod:`robodyn.packages.vectors`).
+    tests: Mapping[str, str] = field(default_factory=dict)
     #: What it can do beyond plain kernels.
     features: frozenset[Feature] = frozenset()
     #: Files of batches, by name.

@@ -63,7 +63,7 @@ def environment() -> jinja2.Environment:
     """Where the templates of kernels are; what one of them asks for and is not given is an error."""
     import jinja2
 
-    return jinja2.Environment(
+    environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(data_dir("templates")),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
@@ -71,6 +71,8 @@ def environment() -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=False,  # code, not HTML; texts from files pass through comment
     )
+    environment.filters["sentence"] = lambda text: text[:1].upper() + text[1:] + "."
+    return environment
 
 
 def _template(name: str) -> jinja2.Template:
@@ -117,11 +119,14 @@ def _head(unit: Unit, language: Language) -> list[str]:
         say(f"  {array:4} {array_named(array).text}", "      ")
     if robot.torque_side == "link":
         say("Torques act behind the gear: rotor inertia and friction are not in them.")
-    if unit.functions[0][0].parameters:
-        say(f"Run-time parameters, in {robot.name}_params: {', '.join(unit.functions[0][0].parameters)}")
+    parameters = unit.functions[0][0].parameters
+    if parameters:
+        struct = language.type_name(robot.name, "params")
+        say(f"Run-time parameters, in {struct}: {', '.join(parameters)}")
     if _states(unit):
+        struct = language.type_name(robot.name, "state")
         say(
-            f"inverse_dynamics remembers: {robot.name}_state begins at zero and a call with dt = 0; then "
+            f"inverse_dynamics remembers: {struct} begins at zero and a call with dt = 0; then "
             "call it at every sample, dt > 0 [s] after the one before."
         )
     if unit.sc:
@@ -131,7 +136,7 @@ def _head(unit: Unit, language: Language) -> list[str]:
             say(f"  {spelling.element('sc', k)} = {text}")
     for note in (*unit.notes, *language.notes(unit)):
         say(note)
-    for note in unit.advice:
+    for note in language.advice(unit):
         say(note, hyphens=False)
     lines.append("")
     say("Operations (every binary * is a multiplication, every binary + or - an addition):")

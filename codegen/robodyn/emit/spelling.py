@@ -29,6 +29,8 @@ class Spelling:
     continuation: str
     #: Whether products within sums stand in parentheses, as MISRA C:2012 wants it.
     explicit: bool = False
+    #: The sign of a product; that of the others has blanks about it.
+    times: str = "*"
 
     def number(self, value: Fraction) -> str:
         """``value`` rounded once to the scalar type, in the fewest digits that give it back."""
@@ -65,7 +67,7 @@ class Spelling:
         explicit = self.explicit and own < right_strength < _ATOM
         if explicit or right_strength <= own or right.startswith("-"):  # Fortran forbids two signs in a row
             right = f"({right})"
-        return (f"{left}*{right}" if op == "mul" else f"{left} {symbol} {right}"), own
+        return (f"{left}{self.times}{right}" if op == "mul" else f"{left} {symbol} {right}"), own
 
     def wrapped(self, line: str, indent: str) -> list[str]:
         """``line`` on as many lines as it needs, broken at blanks."""

@@ -6,14 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.errors import InputError
 from robodyn.ir.signature import ScalarType
-from robodyn.kernels.targets import Contraction, Target, target_named
 from robodyn.optimize.programs import FORMULATIONS, Choice
 from robodyn.optimize.records import Record
+
+if TYPE_CHECKING:
+    from robodyn.targets import Contraction, Target
 
 Level = Literal["none", "fast", "search", "full", "record"]
 Trigonometry = Literal["libm", "builtin", "given"]
@@ -77,7 +79,7 @@ class Options:
         _one_of("engine", self.engine, ENGINES)
         _one_of("order", self.order, ORDERS)
         if self.target is not None:
-            target_named(self.target)
+            object.__setattr__(self, "target", _target(self.target).name)
         if self.contraction is not None:
             _one_of("contraction", self.contraction, ("off", "on"))
         if self.prune is not None:
@@ -87,20 +89,20 @@ class Options:
 
     @classmethod
     def for_target(cls, name: str, **chosen: Any) -> Options:
-        """What :data:`~robodyn.kernels.targets.TARGETS` says of ``name``; ``chosen`` goes before it.
+        """What :data:`robodyn.targets.TARGETS` says of ``name``; ``chosen`` goes before it.
 
         Raises
         ------
         InputError: there is no such target, or a choice is unknown.
         """
-        target = target_named(name)
+        target = _target(name)
         own = {what: getattr(target, what) for what in CHOSEN}
-        return cls(**{**own, **chosen, "target": name})
+        return cls(**{**own, **chosen, "target": target.name})
 
     @property
     def profile(self) -> Target | None:
         """The target, if one is named."""
-        return None if self.target is None else target_named(self.target)
+        return None if self.target is None else _target(self.target)
 
     def choices(self) -> tuple[Choice, ...]:
         """The one way of writing the recursion that is asked for; none where the robot decides."""
@@ -119,6 +121,12 @@ class Options:
         """Whether a record may stand in for the recursion that these options ask for."""
         plain = self.formulation == "modified_newton_euler" and self.regroup and self.engine == "graph"
         return plain and self.optimize not in ("none", "fast")
+
+
+def _target(name: str) -> Target:
+    from robodyn.targets import compiled_targets, target_named
+
+    return target_named(name, compiled_targets())
 
 
 def _check_functions(functions: tuple[str, ...]) -> None:

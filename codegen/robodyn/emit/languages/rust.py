@@ -1,0 +1,200 @@
+"""Rust, edition 2021: a ``no_std`` crate without ``unsafe``.
+
+Rust fuses no products and sums, so a kernel with its own sine and cosine gives the bits of the C. What the
+core library lacks (``exp``, ``tanh``, ``pow``, ``sqrt``, and sine and cosine unless they are built in) is the
+crate ``libm``'s; apart from ``sqrt`` its last bit may differ from that of C's library.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from robodyn.emit.language import FunctionText, Language
+from robodyn.emit.sines import ANGLES, COSINES, SINES
+from robodyn.emit.spelling import WIDTH, Spelling
+from robodyn.emit.statements import Expression
+from robodyn.emit.syntax import Sines, Syntax
+from robodyn.emit.trig import trig_context
+from robodyn.emit.unit import Unit, calls
+from robodyn.errors import InputError
+from robodyn.ir.signature import Signature
+
+#: Words that no name may be; the four that cannot even be written ``r#word`` are refused.
+_KEYWORDS = frozenset(
+    """
+    abstract as async await become box break const continue do dyn else enum extern false final fn for if impl
+    in let loop macro match mod move mut override priv pub ref return static struct trait true try type typeof
+    unsafe unsized use virtual where while yield
+    """.split()  # noqa: SIM905 (it reads as the list that it is)
+)
+_NEVER = frozenset({"self", "Self", "super", "crate"})
+#: Names that a crate should not have.
+_CRATES = _KEYWORDS | _NEVER | {"alloc", "core", "libm", "proc_macro", "std", "test"}
+
+#: rustfmt breaks a call whose arguments are longer, and an array.
+_ARGUMENTS = 60
+
+#: Operations of the crate libm.
+_OF_LIBM = frozenset({"exp", "pow", "sqrt", "tanh"})
+
+
+def rust_spelling(*, single: bool, states: Sequence[str] = ()) -> Spelling:
+    """``states`` are the members of ``state``, where a function has one; it has ``dt`` then."""
+
+    def element(array: str, i: int) -> str:
+        if array == "dt":
+            return array
+        return f"state.{identifier(states[i])}" if array == "state" else f"{array}[{i}]"
+
+    f = "f" if single else ""
+    return Spelling(
+        literal=lambda digits: digits,
+        element=element,
+        member=lambda name: f"p.{identifier(name)}",
+        functions={
+            "sin": lambda x: f"libm::sin{f}({x})",
+            "cos": lambda x: f"libm::cos{f}({x})",
+            "tanh": lambda x: f"libm::tanh{f}({x})",
+            "sqrt": lambda x: f"libm::sqrt{f}({x})",
+            "exp": lambda x: f"libm::exp{f}({x})",
+            "pow": lambda x, y: f"libm::pow{f}({x}, {y})",
+            "abs": lambda x: f"abs({x})",
+            "sign": lambda x: f"sign({x})",
+        },
+        single=single,
+        continuation="",
+        times=" * ",
+    )
+
+
+def identifier(name: str) -> str:
+    """``name`` as a member of a struct.
+
+    Raises
+    ------
+    InputError: it is one of the four words that Rust keeps for itself.
+    """
+    if name in _NEVER:
+        raise InputError(f"{name} cannot be a name in Rust", remedy="give the run-time parameter another one")
+    return f"r#{name}" if name in _KEYWORDS else name
+
+
+def crate_name(robot: str) -> str:
+    """What the crate is called: like the robot, unless that is a word or a crate of Rust's own."""
+    return f"{robot}_dynamics" if robot in _CRATES else robot
+
+
+def _plain_syntax(spelling: Spelling) -> Syntax:
+    return Syntax(
+        spelling,
+        comment="// %s",
+        declare=lambda name, text: f"let {name} = {text};",
+        assign=lambda target, text: f"{target} = {text};",
+        longest_call=_ARGUMENTS,
+    )
+
+
+def _syntax(signature: Signature, unit: Unit) -> Syntax:
+    syntax = _plain_syntax(rust_spelling(single=signature.scalar == "float", states=signature.states))
+    return replace(syntax, sines=_sines(syntax.spelling))
+
+
+def _sines(spelling: Spelling) -> Sines:
+    """``sincos`` of an angle is the array of both."""
+
+    def loop(angles: Sequence[Expression]) -> list[str]:
+        size = len(angles)
+        texts = [spelling.text(angle) for angle in angles]
+        line = f"    let {ANGLES} = [{', '.join(texts)}];"
+        lines = [line]
+        if len(", ".join(texts)) > _ARGUMENTS:
+            lines = ["    #[rustfmt::skip]", *spelling.wrapped(line.strip(), "    ")]
+        return [
+            *lines,
+            f"    let mut {SINES} = [0.0; {size}];",
+            f"    let mut {COSINES} = [0.0; {size}];",
+            f"    for (i, angle) in {ANGLES}.iter().enumerate() {{",
+            f"        [{SINES}[i], {COSINES}[i]] = sincos(*angle);",
+            "    }",
+        ]
+
+    def pair(array: str, angle: Expression) -> list[str]:
+        return [f"    let {array} = sincos({spelling.text(angle)});"]
+
+    return Sines(loop, pair)
+
+
+def _function(text: FunctionText) -> dict[str, Any]:
+    signature, lines = text.signature, text.lines
+    arguments = [f"{array}: &[Real; {size}]" for array, size in signature.inputs]
+    arguments += [f"{array}: &mut [Real; {size}]" for array, size in signature.outputs]
+    if signature.parameters:
+        arguments.append("p: &Params")
+    if signature.states:
+        arguments += ["state: &mut State", "dt: Real"]
+    one_line = f"pub fn {signature.function}({', '.join(arguments)}) {{"
+    broken = [f"pub fn {signature.function}(", *(f"    {argument}," for argument in arguments), ") {"]
+    unread = [array for array in (SINES, COSINES) if array in lines.arrays and array not in lines.reads]
+    return {
+        "name": signature.function,
+        "head": [one_line] if len(one_line) <= WIDTH else broken,
+        "lines": lines.angles + lines.statements,
+        "results": lines.results,
+        "unused": [*text.unused, *unread],
+    }
+
+
+def uses_libm(unit: Unit) -> bool:
+    """Whether the crate needs ``libm``."""
+    return bool(calls(unit) & (_OF_LIBM if unit.builtin else _OF_LIBM | {"sin", "cos"}))
+
+
+def _context(unit: Unit) -> dict[str, Any]:
+    interface = unit.functions[0][0]
+    single = interface.scalar == "float"
+    operations = calls(unit)
+    states = next((signature.states for signature, _ in unit.functions if signature.states), ())
+    return {
+        "trig": trig_context(_plain_syntax(rust_spelling(single=single))),
+        "crate": crate_name(unit.robot.name),
+        "real": "f32" if single else "f64",
+        "bits": 32 if single else 64,
+        "helpers": sorted({"abs", "sign"} & operations),
+        "libm": uses_libm(unit),
+        "parameters": [identifier(name) for name in interface.parameters],
+        "states": [identifier(name) for name in states],
+    }
+
+
+def _advice(unit: Unit) -> tuple[str, ...]:
+    advice: tuple[str, ...] = ()
+    if unit.builtin:
+        advice += (
+            "Sine and cosine are built in. The same bits on every machine with IEEE arithmetic, and those of "
+            "the C with -ffp-contract=off: Rust fuses no products and sums.",
+        )
+    if uses_libm(unit):
+        advice += (
+            "Functions of the crate libm are called; but for sqrt their last bit may differ from that of C's "
+            "library.",
+        )
+    return advice
+
+
+LANGUAGE = Language(
+    name="rust",
+    title="Rust",
+    aliases=("rs",),
+    suffixes=(".rs",),
+    files={"Cargo.toml": "rust/Cargo.toml.j2", "src/lib.rs": "rust/lib.rs.j2"},
+    tests={"tests/vectors.rs": "rust/vectors.rs.j2"},
+    spelling=lambda single: rust_spelling(single=single),
+    syntax=_syntax,
+    function=_function,
+    context=_context,
+    advice=_advice,
+    type_name=lambda robot, kind: kind.capitalize(),
+    trig="builtin",
+)
