@@ -70,4 +70,89 @@ def __getattr__(name: str) -> Any:
         value = getattr(importlib.import_module(_HOMES[name]), name)
         globals()[name] = value  # not asked for again; and a module of the same name must not win
         return value
+    if name == "__version__":
+        from robodyn.version import VERSION
+
+        return VERSION
+
+
+"""robodyn: from the description of a robot arm to small, counted, verified C and Fortran.
+
+    >>> import robodyn
+    >>> robot = robodyn.load("puma560")                              # a bundled name or a YAML file
+    >>> robodyn.generate(robot).counts["inverse_dynamics"].total     # operations
+    >>> kernel = robodyn.compile(robot)                              # needs a C compiler
+    >>> kernel.inverse_dynamics(q, qd, qdd)                          # [n] or [N, n], N m
+    >>> robodyn.symbolic(robot).tau                                  # the model as sympy expressions
+
+Names are imported when they are first used, so that a program pays only for what it calls.
+"""
+
+from __future__ import annotations
+
+import sys
+
+if (sys.argv or [""])[0] == "-m" and "robodyn" in sys.orig_argv:  # python -m robodyn: a command begins here
+    try:
+        from robodyn.process import begin
+
+        begin()
+    except KeyboardInterrupt:
+        sys.exit(130)
+
+TYPE_CHECKING = False  # as typing has it, whose import takes longer than all the rest here
+if TYPE_CHECKING:
+    from typing import Any
+
+    from robodyn.errors import CheckError, InputError, RobodynError, ToolError
+    from robodyn.kernels.generate import Generated, Options, generate, program
+    from robodyn.kernels.robot_kernel import compile
+    from robodyn.kernels.through_sympy import symbolic
+    from robodyn.robot import Robot, load
+
+_HOMES = {
+    "CheckError": "robodyn.errors",
+    "Generated": "robodyn.kernels.generate",
+    "InputError": "robodyn.errors",
+    "Options": "robodyn.kernels.generate",
+    "RobodynError": "robodyn.errors",
+    "Robot": "robodyn.robot",
+    "ToolError": "robodyn.errors",
+    "compile": "robodyn.kernels.robot_kernel",
+    "generate": "robodyn.kernels.generate",
+    "load": "robodyn.robot",
+    "program": "robodyn.kernels.generate",
+    "symbolic": "robodyn.kernels.through_sympy",
+}
+
+__all__ = [
+    "CheckError",
+    "Generated",
+    "InputError",
+    "Options",
+    "RobodynError",
+    "Robot",
+    "ToolError",
+    "compile",
+    "generate",
+    "load",
+    "program",
+    "symbolic",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOMES:
+        import importlib
+
+        value = getattr(importlib.import_module(_HOMES[name]), name)
+        globals()[name] = value  # not asked for again; and a module of the same name must not win
+        return value
+    if name == "__version__":  # of what is installed; asked for so rarely that no start-up pays for it
+        from importlib.metadata import PackageNotFoundError, version
+
+        try:
+            return version("robodyn")
+        except PackageNotFoundError:  # a source tree on the path
+            return "0+unknown"
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
