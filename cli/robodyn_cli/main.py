@@ -97,9 +97,9 @@ class LazyGroup(click.Group):
 
 def _print_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
-        from importlib.metadata import version
+        import robodyn
 
-        click.echo(f"robodyn {version('robodyn')}")
+        click.echo(f"robodyn {robodyn.__version__}")
         ctx.exit()
 
 
