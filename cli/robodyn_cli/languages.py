@@ -1,4 +1,4 @@
-"""``--lang``: the languages, as the table in :mod:`robodyn.emit.languages` has them."""
+"""``--lang``: the languages, from the table in :mod:`robodyn.emit.languages`."""
 
 from __future__ import annotations
 
@@ -16,15 +16,16 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 class _Languages(click.Option):
-    """An option whose help names the languages; they are looked up when the help is asked for."""
+    """An option whose help names the languages; they are looked up when the help is printed."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         from robodyn.emit.languages import LANGUAGES, defaults
 
         names = [
-            name if not it.aliases else f"{name} ({', '.join(it.aliases)})" for name, it in LANGUAGES.items()
+            name if not language.aliases else f"{name} ({', '.join(language.aliases)})"
+            for name, language in LANGUAGES.items()
         ]
-        self.help = f"Languages, with commas: {', '.join(names)}.  [default: {','.join(defaults())}]"
+        self.help = f"Languages, separated by commas: {', '.join(names)}.  [default: {','.join(defaults())}]"
         return super().get_help_record(ctx)
 
 
@@ -39,7 +40,8 @@ class _Compiled(click.Option):
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         from robodyn.emit.languages import LANGUAGES
 
-        self.help = " or ".join(name for name, language in LANGUAGES.items() if language.compiled)
+        names = (name for name, language in LANGUAGES.items() if language.compiled)
+        self.help = f"Language: {' or '.join(names)}."
         return super().get_help_record(ctx)
 
 
@@ -50,12 +52,11 @@ def compiled_language_option(command: Command) -> Command:
 
 
 def chosen_languages(lang: str | None, *, compiled: bool = False) -> tuple[str, ...]:
-    """The names of the languages that ``--lang`` asks for, each once, aliases resolved; ``compiled``: to be
-    called from Python.
+    """The names of the languages of ``--lang``, aliases resolved; ``compiled``: to be called from Python.
 
     Raises
     ------
-    InputError: none is asked for, one twice, there is no such language, or it cannot be called.
+    InputError: no language, a duplicate, an unknown language, or one that cannot be called.
     """
     from robodyn.emit.languages import LANGUAGES, compiled_language, defaults, languages_named
     from robodyn.errors import InputError
@@ -64,7 +65,7 @@ def chosen_languages(lang: str | None, *, compiled: bool = False) -> tuple[str, 
         return defaults()
     names = listed(lang)
     if not names:
-        raise InputError("no language asked for", expected=f"some of {', '.join(LANGUAGES)}")
+        raise InputError("--lang names no language", expected=f"some of {', '.join(LANGUAGES)}")
     languages = languages_named(names)
     for language in languages if compiled else ():
         compiled_language(language.name)

@@ -1,28 +1,32 @@
-"""``robodyn plan``: which formulation, schedule and target meet a deadline."""
+"""``robodyn plan``: find a formulation, schedule and target that meet a deadline."""
 
 from __future__ import annotations
 
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
+from robodyn_cli.options import function_option
+from robodyn_cli.targets import TargetOption
 
 
 @click.command()
 @robot_argument
 @click.option(
-    "-p", "--processors", metavar="N", type=int, default=1, show_default=True, help="Cores at most."
+    "-p", "--processors", metavar="N", type=int, default=1, show_default=True, help="Maximum number of cores."
 )
-@click.option("--deadline", metavar="T", required=True, help="Time for a call: 100us, 0.5ms, 800ns.")
+@click.option("--deadline", metavar="T", required=True, help="Maximum time of a call: 100us, 0.5ms, 800ns.")
 @click.option(
     "--target",
     "targets",
     metavar="T",
     multiple=True,
-    help="A target, again for several: cortex-m4, cortex-m7, x86-64, thesis-1990, here (measured), or "
+    cls=TargetOption,
+    lists={"planned": "planned_targets"},
+    help="Target; repeat for several: {planned}, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
-@click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
-@click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers.")
+@function_option("Function to plan.")
+@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
     robot: str,
@@ -33,15 +37,13 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Say which formulation, which schedule and which target meet a deadline.
+    """Find a formulation, schedule and target that meet a deadline.
 
-    Formulations are cut into tasks of several sizes and scheduled on 1 to N cores of every target, at its
-    cost of passing a value. Of those that meet the deadline the one with the fewest cores is taken. Exits
-    1 where nothing does. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
+    The formulations are split into tasks of several sizes and scheduled on 1 to N cores of every target, with
+    its communication cost. The plan with the fewest cores that meets the deadline is chosen. Exits with 1 if
+    there is none. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
     from robodyn.bench.plan import (
-        KNOWN,
-        Target,
         chosen,
         here,
         parse_deadline,
@@ -50,10 +52,13 @@ def command(
         plans,
         spelled,
     )
+    from robodyn.dynamics.functions import function_named
     from robodyn.errors import CheckError
+    from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
+    function_named(function)
     asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
     described = load_robot(robot, strict=strict)
     with line() as shown:
@@ -61,7 +66,7 @@ def command(
         def tell(text: str) -> None:
             shown.tell(f"robodyn: {text}")
 
-        wanted = [target or here(described, tell) for target in asked] or list(KNOWN.values())
+        wanted = [target or here(described, tell) for target in asked] or list(planned_targets())
         found = plans(described, processors, wanted, function=function, tell=tell)
     best = chosen(found, limit)
     if as_json:
@@ -79,5 +84,5 @@ def command(
         raise CheckError(
             f"nothing meets {spelled(limit)}",
             found=f"{spelled(found[0].time_ns)} at best",
-            remedy="allow more cores with -p, another target, or more time",
+            remedy="allow more cores with -p, or choose another target or a longer deadline",
         )

@@ -12,8 +12,11 @@ import pytest
 
 from robodyn import InputError
 from robodyn.bench.parallel_bench import Measured
-from robodyn.bench.plan import KNOWN, chosen, parse_deadline, parse_target, plans, spelled
+from robodyn.bench.plan import chosen, parse_deadline, parse_target, plans, spelled
 from robodyn.robot import bundled_text, load
+from robodyn.schedule.tasks import FLOPS_PER_TASK
+from robodyn.targets import TARGETS, planned_targets
+from robodyn.thesis.printed_tasks import LEVELS_STANFORD, TIMES_STANFORD
 from robodyn_cli.main import main
 from robodyn_testing import require_tool
 
@@ -203,6 +206,9 @@ def test_targets_that_cannot_be_read(text: str) -> None:
 
 
 def test_known_targets_say_where_their_figures_are_from() -> None:
-    assert all(target.source for target in KNOWN.values())
-    assert KNOWN["thesis-1990"].cycle_ns == pytest.approx(45_000)
+    chips = {target.name: target.chip for target in planned_targets()}
+    assert all(chip is not None and chip.source for chip in chips.values())
+    task_ns = 1e6 * TIMES_STANFORD[1] / LEVELS_STANFORD[1]
+    assert TARGETS["thesis-1990"].chip is not None
+    assert TARGETS["thesis-1990"].chip.cycle_ns == pytest.approx(task_ns / FLOPS_PER_TASK)
     assert [spelled(x) for x in (12.0, 1500.0, 2e6, 3e9)] == ["12 ns", "1.5 us", "2 ms", "3 s"]

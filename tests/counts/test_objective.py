@@ -8,12 +8,13 @@ import pytest
 
 from robodyn import InputError, load
 from robodyn.counts import count
-from robodyn.counts.objective import TARGETS, Objective, operations_of
+from robodyn.counts.objective import Objective, operations_of
 from robodyn.ir import Input, Operation, Program
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.suited import suited_writing
 from robodyn.search.candidate import Candidates
 from robodyn.search.space import Space
+from robodyn.targets import TARGETS
 
 X, Y, Q = Input("qd", 0), Input("qd", 1), Input("q", 0)
 
@@ -51,8 +52,8 @@ def test_an_addition_fuses_with_one_product() -> None:
         (Objective("fma"), 2),
         (Objective("depth"), 2),
         (Objective("sincos"), 1),
-        (Objective("weighted", "cortex-m4"), 3 + TARGETS["cortex-m4"].sincos),
-        (Objective("weighted", "x86-64-v3"), 2 + TARGETS["x86-64-v3"].sincos),
+        (Objective("weighted", "cortex-m4"), 3 + TARGETS["cortex-m4f"].costs.sincos),
+        (Objective("weighted", "x86-64-v3"), 2 + TARGETS["x86-64-v3"].costs.sincos),
     ],
     ids=lambda value: str(value),
 )

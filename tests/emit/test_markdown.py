@@ -19,7 +19,7 @@ from robodyn.certify import Finding
 from robodyn.certify.plan import Subject, subject
 from robodyn.certify.run import Proof
 from robodyn.emit.markdown import Markdown, block, code, codes, markdown_environment, plain
-from robodyn.firmware import TARGETS, Figures, Folder, firmware, targets_named
+from robodyn.firmware import Figures, Folder, firmware, targets_named
 
 #: Ends of lines, as somebody sees them.
 ENDS = ("\n\n", "\r", "\r\n\r\n", "\x0b", "\x0c", "\x1c", "\x85", "\u2028", "\u2029")
@@ -110,7 +110,8 @@ def readme(text: str) -> str:
     assert folder._context["title"] in ("PLAIN", text)
     folder = replace(folder, _context={**folder._context, "title": text})
     sections = dict.fromkeys(("text", "rodata", "data", "bss"), 0)
-    one = Figures(TARGETS["cortex-m4f"], compiler=text, sections=sections, undefined=(text,), not_run=text)
+    (target,) = targets_named(("cortex-m4f",))
+    one = Figures(target, compiler=text, sections=sections, undefined=(text,), not_run=text)
     return folder.readme([one, replace(one, missing=text)])
 
 

@@ -9,10 +9,12 @@ import pytest
 
 from firmware.folders import SCALARS, digests, folder, fortran, host, robot, run, write
 from robodyn.errors import CheckError
-from robodyn.firmware import TARGETS, Figures, measure
+from robodyn.firmware import Figures, measure, targets_named
 from robodyn.firmware.measure import worst_stack
 from robodyn.verify.exact import exact_torque
 from robodyn_testing import require_tool
+
+TARGETS = {target.name: target for target in targets_named(())}
 
 #: Bytes of code and of stack, and instructions a call, that puma560's inverse dynamics may take.
 CEILINGS = {

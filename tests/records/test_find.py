@@ -140,6 +140,13 @@ def test_objectives_make_plain_file_names(objective: str, tmp_path: Path) -> Non
     assert look(ROBOT, tmp_path, objective=objective) == record.text()
 
 
+def test_a_record_outlives_the_name_of_its_target(tmp_path: Path) -> None:
+    record = recorded(ROBOT, fast(ROBOT), objective="weighted:cortex-m4")
+    write_record(record, tmp_path)
+    assert look(ROBOT, tmp_path, objective="weighted:cortex-m4f") == record.text()
+    assert look(ROBOT, tmp_path, objective="weighted:cortex-m7") is None
+
+
 def test_two_robots_of_one_name_keep_their_records(tmp_path: Path) -> None:
     heavier = replace(ROBOT, gravity=(ROBOT.gravity[0], ROBOT.gravity[1], Fraction(-10)))
     for _ in range(2):

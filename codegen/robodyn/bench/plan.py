@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from robodyn.counts.objective import TARGETS, Costs
 from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
@@ -20,45 +19,7 @@ from robodyn.kernels.generate import Options, program
 from robodyn.robot.model import Robot
 from robodyn.schedule import Machine, solve
 from robodyn.schedule.cutting import COSTS, cut
-from robodyn.schedule.tasks import FLOPS_PER_TASK
-from robodyn.thesis.printed_tasks import LEVELS_STANFORD, TIMES_STANFORD
-
-
-@dataclass(frozen=True, slots=True)
-class Target:
-    """A machine: its cores, its clock, what operations cost in cycles, and how long a value takes to get
-    from one core to another, waiting included [ns]. ``source`` says where the figures are from."""
-
-    name: str
-    cores: int
-    clock_mhz: float
-    costs: Costs
-    passing_ns: float
-    source: str
-
-    @property
-    def cycle_ns(self) -> float:
-        """Nanoseconds a cycle."""
-        return 1e3 / self.clock_mhz
-
-
-#: What a flop took the thesis: 0.135 ms a task of three.
-_THESIS_FLOP_NS: Final = 1e6 * TIMES_STANFORD[1] / LEVELS_STANFORD[1] / FLOPS_PER_TASK
-_DATASHEET = "cycles as robodyn's searches weigh them (--objective weighted), usual clock"
-
-#: Targets by name; the clocks, and what passing a value costs, are usual figures and not measurements.
-KNOWN: Final[dict[str, Target]] = {
-    target.name: target
-    for target in (
-        Target("cortex-m4", 1, 168.0, TARGETS["cortex-m4"], 0.0, f"STM32F4; {_DATASHEET}"),
-        Target("cortex-m7", 1, 480.0, TARGETS["cortex-m7"], 0.0, f"STM32H7; {_DATASHEET}"),
-        Target("x86-64", 8, 3000.0, TARGETS["x86-64"], 100.0, f"a desktop; {_DATASHEET}, 100 ns a value"),
-        Target(
-            "thesis-1990", 13, 1e3 / _THESIS_FLOP_NS, Costs(1.0, 1.0, None, 1.0, 1.0, 0.0), 0.0,
-            "Table 4.8: 45 us an operation, sines and passing values free",
-        ),
-    )
-}  # fmt: skip
+from robodyn.targets import Chip, Costs, Target, planned_targets, target_named
 
 #: Programs of the inverse dynamics that are tried, by the names of their options.
 FORMULATIONS: Final[dict[str, Mapping[str, Any]]] = {
@@ -117,8 +78,8 @@ def parse_deadline(text: str) -> float:
 
 #: A target of one's own, where it says nothing: cores, MHz, ns to pass a value, cycles of operations.
 _OWN: Final = {
-    "cores": 1.0, "mhz": 100.0, "pass": 0.0, "mul": 1.0, "add": 1.0, "div": 14.0,
-    "sqrt": 14.0, "sincos": 46.0,
+    "cores": 1.0, "mhz": 100.0, "pass": 0.0,
+    "mul": 1.0, "add": 1.0, "div": 14.0, "sqrt": 14.0, "sincos": 46.0,
 }  # fmt: skip
 
 
@@ -131,33 +92,22 @@ def parse_target(text: str) -> Target:
     """
     name, colon, rest = text.partition(":")
     if not colon:
-        if name not in KNOWN:
-            raise InputError(
-                f"unknown target {name!r}",
-                expected=f"one of {', '.join(KNOWN)}, here, or NAME:cores=4,mhz=1500,pass=150,mul=1 ...",
-            )
-        return KNOWN[name]
-    given = {
-        "cores": 1.0,
-        "mhz": 100.0,
-        "pass": 0.0,
-        "mul": 1.0,
-        "add": 1.0,
-        "div": 14.0,
-        "sqrt": 14.0,
-        "sincos": 46.0,
-    }
+        return target_named(
+            name, planned_targets(), others=", here, or NAME:cores=4,mhz=1500,pass=150,mul=1 ..."
+        )
+    own = dict(_OWN)
     for part in filter(None, rest.split(",")):
         key, _, value = (piece.strip() for piece in part.partition("="))
-        if key not in given or not re.fullmatch(r"\d+(\.\d+)?", value) or len(value) > 12:
+        if key not in own or not re.fullmatch(r"\d+(\.\d+)?", value) or len(value) > 12:
             raise InputError(
-                "a target cannot be read", found=repr(part), expected=f"KEY=NUMBER, keys {', '.join(given)}"
+                "a target cannot be read", found=repr(part), expected=f"KEY=NUMBER, keys {', '.join(own)}"
             )
-        given[key] = float(value)
-    if given["cores"] < 1 or given["mhz"] <= 0:
+        own[key] = float(value)
+    if own["cores"] < 1 or own["mhz"] <= 0:
         raise InputError("a target has cores and a clock", found=repr(text))
-    costs = Costs(given["mul"], given["add"], None, given["div"], given["sqrt"], given["sincos"])
-    return Target(name or "own", int(given["cores"]), given["mhz"], costs, given["pass"], "as given")
+    costs = Costs(own["mul"], own["add"], None, own["div"], own["sqrt"], own["sincos"])
+    chip = Chip(own["mhz"], "as asked for", int(own["cores"]), own["pass"])
+    return Target(name or "own", "a target of one's own", costs, chip=chip)
 
 
 def here(robot: Robot, tell: Callable[[str], None] = lambda _: None) -> Target:
@@ -175,14 +125,14 @@ def here(robot: Robot, tell: Callable[[str], None] = lambda _: None) -> Target:
     found = bench(robot, signature(robot, "inverse_dynamics"), tasks, (2,))
     row = min(found.rows, key=lambda row: row.parallel_ns)
     load = "" if found.load is None else f", load {found.load:.1f}"
-    return Target(
-        "here",
-        found.cores,
+    chip = Chip(
         1e3 / row.operation_ns,
-        Costs(1.0, 1.0, None, 1.0, 1.0, 0.0),  # sines are in what an operation takes
-        row.waiting_ns / row.meetings if row.meetings else 0.0,
         f"measured now on {robot.name} with {found.compiler}{load}; an operation a cycle",
+        found.cores,
+        row.waiting_ns / row.meetings if row.meetings else 0.0,
     )
+    costs = Costs(div=1.0, sqrt=1.0, sincos=0.0)  # sines are in what an operation takes
+    return Target("here", "this machine", costs, chip=chip)
 
 
 def plans(
@@ -198,9 +148,11 @@ def plans(
 
     Raises
     ------
-    InputError: no processors, or an unknown function.
+    InputError: no processors, a target whose clock is not known, or an unknown function.
     """
     Machine(processors)
+    for target in targets:
+        _chip(target)
     programs: dict[str, Program] = {}
     for name, options in FORMULATIONS.items():
         if not function_named(function).is_recursion and "formulation" in options:
@@ -211,18 +163,25 @@ def plans(
     for target in targets:
         for name, made in programs.items():
             tell(f"{target.name}, {name}")
-            found += _of_target(target, name, made, min(processors, target.cores))
+            found += _of_target(target, name, made, min(processors, _chip(target).cores))
     return sorted(found, key=lambda plan: (plan.time_ns, plan.processors))
+
+
+def _chip(target: Target) -> Chip:
+    if target.chip is None:
+        raise InputError(f"there is no plan for {target.name}, whose clock is not known")
+    return target.chip
 
 
 def _of_target(target: Target, formulation: str, made: Program, most: int) -> list[Plan]:
     """The serial kernel, and for every number of cores the best cut and machine."""
     units, costs = _units(target.costs)
-    unit_ns = target.cycle_ns / units
+    chip = _chip(target)
+    unit_ns = chip.cycle_ns / units
     whole = sum(costs[operation.op] for operation in made.operations)
     operations = sum(COSTS[operation.op] for operation in made.operations)
     found = [Plan(target.name, formulation, 1, None, True, 1, operations, whole * unit_ns, whole * unit_ns)]
-    passing = round(target.passing_ns / unit_ns)
+    passing = round(chip.passing_ns / unit_ns)
     graphs = {k: cut(made, k, costs).graph for k in CUTS} if most > 1 else {}
     for p in range(2, most + 1):
         best: Plan | None = None
@@ -276,8 +235,8 @@ def plan_text(robot: Robot, found: Sequence[Plan], targets: Sequence[Target], de
     else:
         lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best)}")
     lines += [
-        f"{target.name}: {target.cores} cores, {target.clock_mhz:g} MHz; {target.source}"
-        for target in targets
+        f"{target.name}: {chip.cores} cores, {chip.mhz:.4g} MHz; {chip.source}"
+        for target, chip in ((target, _chip(target)) for target in targets)
     ]
     lines.append(
         "times are the schedules', by the targets' costs: estimates, until robodyn bench has measured them"

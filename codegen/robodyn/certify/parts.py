@@ -8,7 +8,7 @@ from typing import Any
 from robodyn.certify import eva, misra, stack
 from robodyn.certify.finding import Finding, Tell, not_run
 from robodyn.certify.plan import Asked, Subject
-from robodyn.certify.tools import ARM_GCC, CPPCHECK, FRAMA_C, GCC, run
+from robodyn.certify.tools import CPPCHECK, FRAMA_C, GCC, run
 from robodyn.emit.misra import deviations
 from robodyn.emit.render import environment
 
@@ -52,7 +52,8 @@ def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Findi
 
 def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Finding:
     """The most stack a call needs, machine by machine."""
-    if GCC.path() is None and ARM_GCC.path() is None:
+    machines = stack.machines()
+    if all(machine.tool.path() is None for machine in machines):
         return not_run("stack", GCC.remedy)
     source = f"{subject.made.unit.robot.name}.c"
     symbols = [s.symbol for s in subject.made.signatures]
@@ -65,7 +66,7 @@ def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
     stand_in = f"{stack.STAND_IN}/math.h"
     (folder / stack.STAND_IN).mkdir()
     (folder / stand_in).write_text(stack.MATH_H, encoding="utf-8", newline="\n")
-    for machine in stack.MACHINES:
+    for machine in machines:
         if machine.tool.path() is None:
             lines.append(f"{machine.name}: not run, {machine.tool.remedy}")
             rows.append({"machine": machine.name, "remedy": machine.tool.remedy})

@@ -8,7 +8,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from robodyn.certify.tools import ARM_GCC, GCC, Tool, last_lines, run
+from robodyn.certify.tools import GCC, Tool, last_lines, run
+from robodyn.targets import firmware_targets
 from robodyn.toolchain.compiler import C_FLAGS
 
 #: A folder with a math.h, for compilers that have none: whatever a kernel may call.
@@ -19,7 +20,7 @@ MATH_H = "".join(
     for real, end in (("double", ""), ("float", "f"))
 )
 #: The compiler's own arithmetic, on machines that lack it: its stack comes on top.
-_HELPER = re.compile(r"__(aeabi_|gnu_|[a-z]+[sd]f[0-9]?$)")
+_HELPER = re.compile(r"__(aeabi_|gnu_|[a-z]+[sd][fi][0-9]?$)")
 _NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*)"', re.M)
 _EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', re.M)
 _BYTES = re.compile(r"\\n([0-9]+) bytes \(([a-z,]+)\)")
@@ -27,7 +28,7 @@ _BYTES = re.compile(r"\\n([0-9]+) bytes \(([a-z,]+)\)")
 
 @dataclass(frozen=True, slots=True)
 class Machine:
-    """A compiler with flags that the stack is told for."""
+    """A compiler with the flags of a processor."""
 
     name: str
     tool: Tool
@@ -36,15 +37,26 @@ class Machine:
 
 #: Without the red zone, which gcc does not count.
 _HERE = ("-mno-red-zone",) if platform.machine() in ("x86_64", "AMD64") else ()
-MACHINES = (
-    Machine("this machine, gcc -O2", GCC, (*C_FLAGS, *_HERE)),
-    Machine(
-        "cortex-m4f, gcc -O2",
-        ARM_GCC,
-        (*C_FLAGS, "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"),
-    ),
-    Machine("cortex-m3, gcc -O2", ARM_GCC, (*C_FLAGS, "-mcpu=cortex-m3", "-mthumb")),
-)
+
+
+def machines() -> tuple[Machine, ...]:
+    """This machine, and every target that a firmware image is made for."""
+    return (
+        Machine("this machine, gcc -O2", GCC, (*C_FLAGS, *_HERE)),
+        *(
+            Machine(
+                f"{target.name}, gcc -O2",
+                Tool(
+                    target.board.architecture.compiler.name,
+                    ("--version",),
+                    f"needs apt-get install {target.board.architecture.compiler.package}",
+                ),
+                (*C_FLAGS, *(target.flags or ())),
+            )
+            for target in firmware_targets()
+            if target.board is not None
+        ),
+    )
 
 
 @dataclass(frozen=True, slots=True)

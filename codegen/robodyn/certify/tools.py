@@ -56,7 +56,6 @@ CPPCHECK = Tool(
     "cppcheck", ("--version",), "needs apt-get install cppcheck (or https://cppcheck.sourceforge.io)"
 )
 GCC = Tool("gcc", ("--version",), "needs apt-get install gcc (a real gcc: clang writes no stack usage)")
-ARM_GCC = Tool("arm-none-eabi-gcc", ("--version",), "needs apt-get install gcc-arm-none-eabi")
 
 
 @dataclass(frozen=True, slots=True)

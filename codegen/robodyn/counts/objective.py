@@ -6,10 +6,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
+
+if TYPE_CHECKING:
+    from robodyn.targets import Costs
 
 ObjectiveName = Literal["total", "mul", "fma", "depth", "sincos", "weighted"]
 
@@ -104,49 +107,34 @@ def operations_of(program: Program) -> Operations:
 
 
 @dataclass(frozen=True, slots=True)
-class Costs:
-    """What operations cost on a machine, in cycles; ``fma`` None where products and sums do not fuse."""
-
-    mul: float = 1.0
-    add: float = 1.0
-    fma: float | None = None
-    div: float = 14.0
-    sqrt: float = 14.0
-    sincos: float = 46.0
-
-
-#: Machines by name. On a Cortex-M4 a fused multiply-add takes three cycles, so products and sums stay apart;
-#: its sines and cosines and the M7's were measured in instructions, as was software floating
-#: point on an M3. A desktop's core does a multiplication, an addition or both fused in one slot.
-TARGETS: dict[str, Costs] = {
-    "cortex-m3": Costs(60.0, 64.0, None, 190.0, 260.0, 1400.0),
-    "cortex-m4": Costs(),
-    "cortex-m7": Costs(sincos=47.0, div=30.0, sqrt=30.0),
-    "x86-64": Costs(div=4.0, sqrt=5.0, sincos=20.0),
-    "x86-64-v3": Costs(fma=1.0, div=4.0, sqrt=5.0, sincos=18.0),
-}
-
-
-@dataclass(frozen=True, slots=True)
 class Objective:
-    """What to make small; ``target`` names a machine for ``weighted``."""
+    """What to make small; ``target`` names a processor for ``weighted`` (:mod:`robodyn.targets`)."""
 
     name: ObjectiveName = "total"
     target: str = ""
 
     def __post_init__(self) -> None:
-        for what, found, allowed in (
-            ("objective", self.name, get_args(ObjectiveName)),
-            ("target", self.target, tuple(TARGETS) if self.name == "weighted" else ("",)),
-        ):
-            if found not in allowed:
-                known = ", ".join(repr(name) for name in allowed)
-                raise InputError(f"unknown {what} {found!r}", expected=f"one of {known}")
+        if self.name not in get_args(ObjectiveName):
+            known = ", ".join(repr(name) for name in get_args(ObjectiveName))
+            raise InputError(f"unknown objective {self.name!r}", expected=f"one of {known}")
+        if self.name != "weighted" and self.target:
+            raise InputError(f"unknown target {self.target!r}", expected=f"{self.name}, and no target")
+        if self.name == "weighted":
+            from robodyn.targets import target_named
+
+            object.__setattr__(self, "target", target_named(self.target).name)
 
     @property
     def key(self) -> str:
-        """The objective in a word, as records and ``--objective`` have it: ``weighted:cortex-m4``."""
+        """The objective in a word, as records and ``--objective`` have it: ``weighted:cortex-m4f``."""
         return f"{self.name}:{self.target}" if self.target else self.name
+
+    @property
+    def costs(self) -> Costs:
+        """What operations cost on the target of ``weighted``."""
+        from robodyn.targets import TARGETS
+
+        return TARGETS[self.target].costs
 
     def cost(self, operations: Operations) -> float:
         """The cost; of equals the one with fewer operations costs a little less."""
@@ -164,7 +152,7 @@ class Objective:
         sincos = counts.get("sin", 0) + counts.get("cos", 0)
         if self.name == "sincos":
             return sincos + tie
-        costs = TARGETS[self.target]
+        costs = self.costs
         mul, add = counts.get("mul", 0), counts.get("add", 0)
         spent = costs.div * counts.get("div", 0) + costs.sqrt * counts.get("sqrt", 0) + costs.sincos * sincos
         if costs.fma is not None:

@@ -11,6 +11,7 @@ from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.result import Finding, Tried, Window
 from robodyn.diagnose.select.choice import LOSS, Trial
 from robodyn.diagnose.select.selection import Selection
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 
 #: Flags of motions that show little.
@@ -52,7 +53,7 @@ def windows(gates: Sequence[Gate], findings: Sequence[Finding]) -> tuple[Window,
     """Contacts, and gaps in the first log."""
     found = []
     for finding in findings:
-        if finding.effect == "external_contact":
+        if CATALOGUE[finding.effect].place == "outside":
             start, end = (float(finding.parameters[name].value) for name in ("start", "end"))
             found.append(Window("train", start, end, "contact"))
     gate = gates[0]

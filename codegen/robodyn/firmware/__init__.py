@@ -6,14 +6,11 @@
 
 from robodyn.firmware.files import Folder, firmware
 from robodyn.firmware.measure import Figures, measure
-from robodyn.firmware.options import check_firmware, firmware_options
-from robodyn.firmware.targets import TARGETS, Target, targets_named
+from robodyn.firmware.options import check_firmware, firmware_options, targets_named
 
 __all__ = [
-    "TARGETS",
     "Figures",
     "Folder",
-    "Target",
     "check_firmware",
     "firmware",
     "firmware_options",

@@ -19,7 +19,8 @@ from robodyn.emit.render import environment
 from robodyn.emit.spelling import Spelling
 from robodyn.errors import InputError
 from robodyn.firmware.digest import FNV_BASIS, FNV_PRIME, fnv1a, outputs
-from robodyn.firmware.measure import FLAGS, QEMU, REPEATED, STATES, Figures
+from robodyn.firmware.images import image_context, image_files, ticks
+from robodyn.firmware.measure import FLAGS, REPEATED, STATES, Figures
 from robodyn.firmware.options import check_firmware
 from robodyn.firmware.sine import kernel_sine
 from robodyn.firmware.states import (
@@ -33,12 +34,12 @@ from robodyn.firmware.states import (
     ranges,
     vector_states,
 )
-from robodyn.firmware.targets import Target
 from robodyn.firmware.vectors import SMALLEST, Vectors, rounded_up, vectors
 from robodyn.ir.evaluate import angle_form
 from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType, Signature
 from robodyn.kernels.generate import Generated
+from robodyn.targets import Target
 from robodyn.verify.sample import draw_parameters
 
 if TYPE_CHECKING:
@@ -54,7 +55,6 @@ _C = {
     "NAME_image.c": "image.c.j2",
     "link.ld": "link.ld.j2",
     "CMakeLists.txt": "CMakeLists.txt.j2",
-    "arm-none-eabi.cmake": "toolchain.cmake.j2",
     "Makefile": "Makefile.j2",
 }
 _TOLD = {
@@ -64,14 +64,13 @@ _TOLD = {
     "constants and sines included: a compiler that rounds as written cannot exceed it. Digest: every bit of "
     "the results at {states} states; it differs where a compiler contracts or reorders.",
     "NAME_selftest_main.c": "The self-test on this computer.",
-    "NAME_semihosting.h": "Output and exit through a debugger, or qemu.",
-    "NAME_startup.c": "Start of a bare-metal image: vector table, floating-point unit, .data and .bss.",
-    "NAME_image.c": "The self-test as an image, and what a call costs: ticks of SysTick at the processor's "
-    "clock (cycles; in qemu with -icount shift=5 an instruction is 0.8 ticks), and bytes of stack.",
-    "link.ld": "Memory of the boards mps2-an385, an386 and an500 of Arm, which qemu has: another board needs "
-    "other addresses here.",
+    "NAME_semihosting.h": "What an image needs of the processor: output and exit through a debugger, or "
+    "qemu, and a counter at its clock.",
+    "NAME_startup.c": "Start of a bare-metal image: stack, traps, floating-point unit, .data and .bss.",
+    "NAME_image.c": "The self-test as an image, and what a call costs: ticks at the processor's clock, which "
+    "are cycles (in qemu with {ticks}), and bytes of stack.",
+    "link.ld": "Sections of the image; the file of each target says where memory is, and includes this.",
     "CMakeLists.txt": "The kernel as a library; alone, or with {prefix}_SELFTEST, its self-test.",
-    "arm-none-eabi.cmake": "A toolchain file: gcc for Cortex-M.",
     "Makefile": "The self-test as an image and on this computer; GNU make.",
 }
 _OTHER = "Self-test of the {title} kernel: the same digest of the bits as of the C."
@@ -122,6 +121,7 @@ def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str
         "confirmed": " and confirmed by exact torques from virtual work" if context["confirmed"] else "",
         "states": DIGEST_STATES,
         "prefix": context["prefix"],
+        "ticks": ticks(targets),
     }
 
     def write(file: str, template: str, head: str, **own: object) -> None:
@@ -135,6 +135,7 @@ def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str
             own = _in_language(language, context["numbers"], single=made.options.scalar == "float")
             head = _OTHER.format(title=language.title)
             write(language.selftest.file, language.selftest.template, head, own=own)
+    files |= image_files(made.unit.robot, targets, context)
     return Folder(files, context)
 
 
@@ -173,10 +174,9 @@ def _base(made: Generated, targets: Sequence[Target], others: Sequence[Language]
         "guard": robot.name.upper(),
         "n": robot.n,
         "scalar": scalar,
-        "targets": targets,
+        **image_context(targets),
         "others": {language.name: language.selftest for language in others},
         "flags": FLAGS,
-        "qemu": QEMU,
         "measured_states": STATES,
         "repeated": REPEATED,
         "states": DIGEST_STATES,

@@ -15,8 +15,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from robodyn.errors import CheckError, ToolError
-from robodyn.firmware.targets import Target
+from robodyn.errors import CheckError, InputError, ToolError
+from robodyn.targets import Board, Program, Target
 from robodyn.toolchain.compiler import first_lines
 from robodyn.toolchain.running import run
 
@@ -24,21 +24,9 @@ from robodyn.toolchain.running import run
 FLAGS = (
     "-O2", "-ffp-contract=off", "-fno-math-errno", "-ffreestanding", "-ffunction-sections", "-fdata-sections",
 )  # fmt: skip
-#: How the image is run: an instruction takes 2^5 ns of qemu's time, and SysTick ticks every 40 ns.
-QEMU = (
-    "-display", "none", "-monitor", "none", "-serial", "none",
-    "-semihosting-config", "enable=on,target=native", "-icount", "shift=5",
-)  # fmt: skip
-_INSTRUCTIONS_A_TICK = 40 / 2**5
 #: States that the image measures each function at, and calls of each.
 STATES, REPEATED = 32, 16
 
-_HOW = {
-    "arm-none-eabi-gcc": "gcc-arm-none-eabi",
-    "arm-none-eabi-nm": "binutils-arm-none-eabi",
-    "arm-none-eabi-size": "binutils-arm-none-eabi",
-    "qemu-system-arm": "qemu-system-arm",
-}
 _SECONDS = 120
 
 
@@ -101,7 +89,8 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
     ToolError: a tool is there and fails.
     CheckError: the self-test fails on the processor.
     """
-    missing = _missing("arm-none-eabi-gcc", "arm-none-eabi-nm", "arm-none-eabi-size")
+    tools = _board(target).architecture
+    missing = _missing(tools.compiler, tools.nm, tools.size)
     if missing:
         return Figures(target, missing=missing)
     with tempfile.TemporaryDirectory(prefix="robodyn-") as temporary:
@@ -111,24 +100,26 @@ def measure(name: str, files: Mapping[str, str], functions: Sequence[str], targe
         image, stacks = _built(name, target, folder)
         figures = Figures(
             target,
-            compiler=_run(["arm-none-eabi-gcc", "--version"], folder).splitlines()[0],
-            sections=_sections(_run(["arm-none-eabi-size", "-A", f"{name}.o"], folder)),
+            compiler=_run([tools.compiler.name, "--version"], folder).splitlines()[0],
+            sections=_sections(_run([tools.size.name, "-A", f"{name}.o"], folder)),
             undefined=tuple(
-                line.split()[-1]
-                for line in _run(["arm-none-eabi-nm", "-u", f"{name}.o"], folder).splitlines()
+                line.split()[-1] for line in _run([tools.nm.name, "-u", f"{name}.o"], folder).splitlines()
             ),
             costs=tuple(Cost(f, stacks.get(f"{name}_{f}")) for f in functions),
-            not_run=_missing("qemu-system-arm"),
+            not_run=_missing(tools.emulator),
         )
         return figures if figures.not_run else _with_run(figures, name, image, folder)
 
 
-def _missing(*tools: str) -> str | None:
+def _board(target: Target) -> Board:
+    if target.board is None:
+        raise InputError(f"there is no firmware for the target {target.name!r}, which has no board")
+    return target.board
+
+
+def _missing(*tools: Program) -> str | None:
     """What to install, if one of ``tools`` is not there."""
-    for tool in tools:
-        if shutil.which(tool) is None:
-            return f"{tool} (Debian, Ubuntu: apt install {_HOW[tool]})"
-    return None
+    return next((tool.remedy for tool in tools if shutil.which(tool.name) is None), None)
 
 
 def _run(command: Sequence[str], folder: Path, codes: Sequence[int] = (0,)) -> str:
@@ -149,14 +140,15 @@ def _run(command: Sequence[str], folder: Path, codes: Sequence[int] = (0,)) -> s
 
 def _built(name: str, target: Target, folder: Path) -> tuple[str, dict[str, int]]:
     """The image, and the worst stack of the kernel's functions by symbol."""
-    compiler = ["arm-none-eabi-gcc", *target.flags, "-std=c99", *FLAGS]
+    linker = [_board(target).architecture.compiler.name, *(target.flags or ())]
+    compiler = [*linker, "-std=c99", *FLAGS]
     objects = []
     for source in (name, f"{name}_selftest", f"{name}_image", f"{name}_startup"):
         _run([*compiler, "-fcallgraph-info=su", "-c", f"{source}.c", "-o", f"{source}.o"], folder)
         objects.append(f"{source}.o")
     image = f"{name}.elf"
-    options = ["-nostdlib", "-static", "-T", "link.ld", "-Wl,--gc-sections"]
-    _run(["arm-none-eabi-gcc", *target.flags, *options, *objects, "-lgcc", "-o", image], folder)
+    options = ["-nostdlib", "-static", "-L", ".", "-T", f"{target.name}.ld", "-Wl,--gc-sections"]
+    _run([*linker, *options, *objects, "-lgcc", "-o", image], folder)
     return image, worst_stack((folder / f"{name}.ci").read_text(encoding="utf-8"))
 
 
@@ -195,7 +187,9 @@ def _sections(said: str) -> dict[str, int]:
 
 def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
     """``figures`` with what the image says of itself in qemu."""
-    command = ["qemu-system-arm", "-M", figures.target.machine, *QEMU, "-kernel", image]
+    board = _board(figures.target)
+    emulator, ticks_each = board.architecture.emulator.name, board.architecture.ticks
+    command = [emulator, "-M", board.machine, *board.architecture.options, "-kernel", image]
     said = _run(command, folder, range(256))
     if "self-test passed" not in said:
         raise CheckError(
@@ -217,11 +211,11 @@ def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
         costs.append(
             dataclasses.replace(
                 cost,
-                instructions=(total - idle) / calls * _INSTRUCTIONS_A_TICK,
-                most=(most - idle / STATES) / REPEATED * _INSTRUCTIONS_A_TICK,
+                instructions=(total - idle) / calls / ticks_each,
+                most=(most - idle / STATES) / REPEATED / ticks_each,
                 stack_used=used,
                 digest=int(digest[1], 16),
             )
         )
-    version = _run(["qemu-system-arm", "--version"], folder).splitlines()[0]
+    version = _run([emulator, "--version"], folder).splitlines()[0]
     return dataclasses.replace(figures, costs=tuple(costs), emulator=version)

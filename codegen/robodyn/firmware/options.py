@@ -6,15 +6,29 @@ import dataclasses
 from collections.abc import Sequence
 
 from robodyn.errors import InputError
-from robodyn.firmware.targets import targets_named
 from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Generated, Options
+from robodyn.targets import Target, firmware_targets, target_named
 
 #: What a controller calls; more of them make the code larger.
 FUNCTIONS = ("inverse_dynamics",)
 
 #: What the C library has, and -ffreestanding leaves to it.
 _LIBRARY = ("tanh", "exp", "pow", "sqrt", "abs")
+
+
+def targets_named(names: Sequence[str]) -> tuple[Target, ...]:
+    """The processors called ``names``; all that have a board where there is no name.
+
+    Raises
+    ------
+    InputError: one is unknown, has no board, or is named twice.
+    """
+    known = firmware_targets()
+    named = tuple(target_named(name, known, what="there is no firmware for the target") for name in names)
+    if len({target.name for target in named}) != len(named):
+        raise InputError("a target is named twice", found=", ".join(names))
+    return named or known
 
 
 def firmware_options(

@@ -31,7 +31,6 @@ from robodyn.kernels.options import (
     Order,
     Trigonometry,
 )
-from robodyn.kernels.targets import TARGETS
 from robodyn.optimize.programs import Choice, NoForwardDynamics, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
@@ -47,7 +46,6 @@ __all__ = [
     "ENGINES",
     "LEVELS",
     "ORDERS",
-    "TARGETS",
     "TRIGONOMETRY",
     "Drafts",
     "Engine",
@@ -154,6 +152,7 @@ def generate(
         + _pruned(drafts)
         + (("sc is not read: there is no angle.",) if no_angle else ()),
         advice=_told(options),
+        options=options.text,
         misra=options.misra,
         builtin=options.trig == "builtin",
         soon=options.by_registers,

@@ -6,14 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.errors import InputError
 from robodyn.ir.signature import ScalarType
-from robodyn.kernels.targets import Contraction, Target, target_named
 from robodyn.optimize.programs import FORMULATIONS, Choice
 from robodyn.optimize.records import Record
+
+if TYPE_CHECKING:
+    from robodyn.targets import Contraction, Target
 
 Level = Literal["none", "fast", "search", "full", "record"]
 Trigonometry = Literal["libm", "builtin", "given"]
@@ -26,6 +28,10 @@ ENGINES: tuple[Engine, ...] = ("graph", "sympy")
 ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
 #: What a target chooses.
 CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
+
+
+#: Options that the head of a file names where they are not as usual.
+_SHOWN = ("functions", "formulation", "engine", "order", "objective", "target", "contraction", "prune")
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +83,7 @@ class Options:
         _one_of("engine", self.engine, ENGINES)
         _one_of("order", self.order, ORDERS)
         if self.target is not None:
-            target_named(self.target)
+            object.__setattr__(self, "target", _target(self.target).name)
         if self.contraction is not None:
             _one_of("contraction", self.contraction, ("off", "on"))
         if self.prune is not None:
@@ -87,20 +93,20 @@ class Options:
 
     @classmethod
     def for_target(cls, name: str, **chosen: Any) -> Options:
-        """What :data:`~robodyn.kernels.targets.TARGETS` says of ``name``; ``chosen`` goes before it.
+        """What :data:`robodyn.targets.TARGETS` says of ``name``; ``chosen`` goes before it.
 
         Raises
         ------
         InputError: there is no such target, or a choice is unknown.
         """
-        target = target_named(name)
+        target = _target(name)
         own = {what: getattr(target, what) for what in CHOSEN}
-        return cls(**{**own, **chosen, "target": name})
+        return cls(**{**own, **chosen, "target": target.name})
 
     @property
     def profile(self) -> Target | None:
         """The target, if one is named."""
-        return None if self.target is None else target_named(self.target)
+        return None if self.target is None else _target(self.target)
 
     def choices(self) -> tuple[Choice, ...]:
         """The one way of writing the recursion that is asked for; none where the robot decides."""
@@ -108,6 +114,29 @@ class Options:
         if self.formulation != "modified_newton_euler" or self.optimize == "none" or not self.regroup:
             return (as_in_the_book,)
         return ()
+
+    @property
+    def text(self) -> str:
+        """These options as the command line has them: precision, sines and level always, the rest where it
+        is not as usual. Records and their folders are not named: the head says which program was taken."""
+        usual = Options()
+        words = [f"--optimize {self.optimize}", f"--scalar {self.scalar}", f"--trig {self.trig}"]
+        for name in (
+            "functions",
+            "formulation",
+            "engine",
+            "order",
+            "objective",
+            "target",
+            "contraction",
+            "prune",
+        ):
+            value = getattr(self, name)
+            if value != getattr(usual, name):
+                text = f"{float(value)!r}" if isinstance(value, Fraction) else value
+                words.append(f"--{name} {','.join(value) if isinstance(value, tuple) else text}")
+        words += ["--no-regroup"] * (not self.regroup) + ["--misra"] * self.misra
+        return " ".join(words)
 
     @property
     def by_registers(self) -> bool:
@@ -119,6 +148,12 @@ class Options:
         """Whether a record may stand in for the recursion that these options ask for."""
         plain = self.formulation == "modified_newton_euler" and self.regroup and self.engine == "graph"
         return plain and self.optimize not in ("none", "fast")
+
+
+def _target(name: str) -> Target:
+    from robodyn.targets import compiled_targets, target_named
+
+    return target_named(name, compiled_targets())
 
 
 def _check_functions(functions: tuple[str, ...]) -> None:

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from robodyn.counts.objective import TARGETS, Objective, operations_of
+from robodyn.counts.objective import Objective, operations_of
 from robodyn.ir.program import Program
 from robodyn.search.network import NoWalk
 from robodyn.search.walk import CHAIN, FUSED, SUM, Walk, library
@@ -168,7 +168,7 @@ def _inner(objective: Objective) -> tuple[int, tuple[int, int], float]:
     if objective.name == "mul":
         return SUM, (1, 3), 1.0
     if objective.name == "weighted":
-        costs = TARGETS[objective.target]
+        costs = objective.costs
         cheaper = min(costs.add, costs.mul)
         weights = (round(4 * costs.add / cheaper), round(4 * costs.mul / cheaper))
         return (SUM if costs.fma is None else FUSED), weights, 4.0

@@ -17,7 +17,7 @@ from robodyn.diagnose.gate.flag import Flag, Floats, named, refuse
 from robodyn.diagnose.gate.likeness import Likeness, Trial, gain_of, likeness
 from robodyn.diagnose.gate.readings import Change, signs_and_order, units
 from robodyn.diagnose.gate.smooth import Smooth
-from robodyn.robot.model import Robot
+from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.sensors import measured_position
 from robodyn.verify.reference import Reference
@@ -44,10 +44,6 @@ SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT = 0.002, 6.0, 0.001
 WORSE, TIMES = 0.01, 3.0
 #: So many times less is left beside a spring, where a flipped sign is none.
 SPRUNG = 4.0
-_FRICTION = {
-    "asymmetric_friction", "stribeck_friction", "power_law_friction", "load_dependent_friction",
-    "presliding_hysteresis", "transmission_loss", "viscous_friction", "coulomb_friction",
-}  # fmt: skip
 
 
 def check_model(
@@ -89,10 +85,14 @@ def check_model(
     return found.unexplained
 
 
+def _rubs(entry: EffectEntry) -> bool:
+    return entry.definition.dissipative and entry.definition.level == "joint"
+
+
 def _frictionless(robot: Robot) -> Robot:
     """``robot`` without friction, which is fitted here: how much there is says nothing of units."""
     links = tuple(replace(k, joint=replace(k.joint, viscous=ZERO, coulomb=ZERO)) for k in robot.links)
-    return replace(robot, links=links, effects=tuple(e for e in robot.effects if e.effect not in _FRICTION))
+    return replace(robot, links=links, effects=tuple(e for e in robot.effects if not _rubs(e)))
 
 
 def _tell(

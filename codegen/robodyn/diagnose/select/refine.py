@@ -14,19 +14,19 @@ from numpy.typing import NDArray
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
-from robodyn.diagnose.select.library.friction import bent
+from robodyn.diagnose.select.library.laws import bent
 from robodyn.diagnose.select.predict import given_torque, offsets
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.twist import behind_motors
+from robodyn.effects.catalogue import effect
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Bristles
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_torque
 
 Floats = NDArray[np.float64]
 
-#: Names of numbers that are no size but a choice, and effects of which the numbers are not changed here.
-_CHOSEN = frozenset({"with", "ratio", "transition", "cycles_per_rev"})
-_LEFT = frozenset({"external_contact", "inertial_error", "payload"})
 _ROUNDS, _STEP = 4, 1e-3
 #: What a round must gain to be followed by another, as a share of the sum of squares.
 _WORTH = 1e-3
@@ -44,9 +44,8 @@ def refined(
     places = [
         (k, name)
         for k, one in enumerate(found)
-        if one.effect not in _LEFT
         for name, value in one.parameters.items()
-        if isinstance(value, float) and value and name not in _CHOSEN
+        if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
     ]
     if not places:
         return list(found)
@@ -120,6 +119,14 @@ def costs(
     return found
 
 
+def _is_refined(known: Effect, name: str) -> bool:
+    """Whether the number is a size and not a choice, of an effect that is no window in time and whose numbers
+    the arm's own do not make up for."""
+    fold = known.traits.fold
+    is_body = known.traits.body or (fold is not None and fold.into == "link")
+    return known.place != "outside" and not is_body and name not in known.traits.chosen
+
+
 def _own(start: Problem) -> tuple[Floats, Floats]:
     """Columns [N n, p] of the arm's own numbers, and how they are held [p, p]."""
     nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
@@ -163,10 +170,11 @@ def _rest(robot: Robot, c: Context) -> Floats:
     found = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
     total = found.total
     for entry in robot.effects:
-        if entry.effect == "presliding_hysteresis" and entry.joint:  # the model has them sliding
-            j, level = entry.joint - 1, entry.number("level")
-            if level > 0:
-                bristles = bent(s.q[:, j], level / entry.number("stiffness"))
-                total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
+        for law in entry.definition.traits.candidates:
+            if isinstance(law, Bristles) and entry.joint:  # the model has them sliding
+                j, level = entry.joint - 1, entry.number(law.level)
+                if level > 0:
+                    bristles = bent(s.q[:, j], level / entry.number(law.stiffness))
+                    total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
     tau = measured_torque(total, s.t, robot.effects)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

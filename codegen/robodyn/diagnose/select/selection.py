@@ -31,11 +31,6 @@ Floats = NDArray[np.float64]
 
 #: Most effects in one look.
 _MOST = 6
-#: What changes the columns of all others: the model is to be evaluated anew before more is looked for.
-_BENDS = frozenset({
-    "time_delay", "torque_gain", "encoder_offset", "joint_elasticity", "backlash", "torque_saturation",
-    "base_tilt",
-})  # fmt: skip
 #: What an effect must explain at some joint: shares of the raw noise, of the torque (RMS), and of what the
 #: encoders' noise makes of it.
 _OF_NOISE, _OF_TORQUE, _OF_SHAKEN = 0.3, 0.004, 2.0
@@ -188,7 +183,7 @@ def select(
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, _TIGHT)
         # Not their errors, which are within what is said of them.
-        others = [pair for pair in library if pair[0].effect != "inertial_error"]
+        others = [pair for pair in library if not _is_of_link(pair[0])]
         other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
         if other.found and _evidence(tight, other) > _evidence(start, chosen) + _SURELY:
             start, chosen = tight, other
@@ -247,9 +242,15 @@ def _chosen(
         current = fitted(now)
         if progress is not None:
             progress(one.candidate.name)
-        if one.candidate.effect in _BENDS:
-            break
+        if one.candidate.definition.traits.reevaluate:
+            break  # the model is to be evaluated anew before more is looked for
     return _Chosen(found, now, current, trials)
+
+
+def _is_of_link(candidate: Candidate) -> bool:
+    """Whether it is an error of the arm's own numbers."""
+    fold = candidate.definition.traits.fold
+    return fold is not None and fold.into == "link"
 
 
 def _evidence(start: Problem, chosen: _Chosen) -> float:
@@ -302,7 +303,8 @@ def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Can
     """Whether a torque that is cut off explains the burst as well as a force does."""
     b = start.rest[touched.mask]
     for candidate, columns in library:
-        if candidate.effect == "torque_saturation":
+        channel = candidate.definition.traits.channel
+        if channel is not None and channel.acts == "limit":
             left = b.copy()
             rows = list(candidate.rows)
             left[:, rows] -= columns[touched.mask][:, :, 0] / start.sigma[rows]

@@ -53,17 +53,29 @@ def best_record(
     """
     wanted = identity(robot)
     for folder in dict.fromkeys((*folders, folder_beside(robot), bundled_records())):
-        for path in _candidates(folder, robot.name, function, objective):
-            fields = header(_read(path, _HEAD))
-            asked = (fields.get("identity"), fields.get("function"), fields.get("objective"))
-            if asked == (wanted, function, objective):
-                return parse_record(_read(path, _LARGEST), str(from_here(path)))
+        for spelling in _spellings(objective):
+            for path in _candidates(folder, robot.name, function, spelling):
+                fields = header(_read(path, _HEAD))
+                asked = (fields.get("identity"), fields.get("function"), fields.get("objective"))
+                if asked == (wanted, function, spelling):
+                    return parse_record(_read(path, _LARGEST), str(from_here(path)))
     return None
 
 
 def identity_at(path: Path) -> str | None:
     """Which robot the record in ``path`` is of; None where there is no record."""
     return header(_read(path, _HEAD)).get("identity")
+
+
+def _spellings(objective: str) -> tuple[str, ...]:
+    """``objective``, and of one for a target with several names the others: records outlive a name."""
+    kind, _, name = objective.partition(":")
+    if not name:
+        return (objective,)
+    from robodyn.targets import target_named
+
+    target = target_named(name)
+    return tuple(f"{kind}:{spelling}" for spelling in (target.name, *target.aliases))
 
 
 def _candidates(folder: Path, robot: str, function: str, objective: str) -> Iterator[Path]:
@@ -89,5 +101,5 @@ def _read(path: Path, characters: int) -> str:
 
 
 def _word(objective: str) -> str:
-    """``weighted:cortex-m4`` as a part of a file's name."""
+    """``weighted:cortex-m4f`` as a part of a file's name."""
     return "".join(letter if letter.isalnum() or letter in "-_" else "-" for letter in objective)

@@ -1,0 +1,27 @@
+"""Architectures that images are made for: compiler, emulator, and how instructions are counted there."""
+
+from __future__ import annotations
+
+from robodyn.targets.target import Architecture, Program, Region
+
+#: An image is run without a screen, and talks through the debugger.
+_QUIET = (
+    "-display", "none", "-monitor", "none", "-serial", "none", "-semihosting-config",
+    "enable=on,target=native",
+)  # fmt: skip
+
+#: Cortex-M. An instruction takes 2^5 ns of the emulator's time, and SysTick ticks every 40 ns.
+CORTEX_M = Architecture(
+    name="arm",
+    macro="__arm__",
+    prefix="arm-none-eabi-",
+    compiler_package="gcc-arm-none-eabi",
+    binutils_package="binutils-arm-none-eabi",
+    emulator=Program("qemu-system-arm", "qemu-system-arm"),
+    options=(*_QUIET, "-icount", "shift=5"),
+    counter="SysTick",
+    ticks=2**5 / 40,
+)
+
+#: Memory of Arm's boards MPS2 with a Cortex-M3, M4 or M7.
+MPS2 = {"code": Region(0x0000_0000, "4M"), "data": Region(0x2000_0000, "4M")}

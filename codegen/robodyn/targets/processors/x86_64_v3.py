@@ -1,0 +1,13 @@
+"""x86-64-v3 (Haswell, Zen): a product, a sum or both fused in one slot."""
+
+from robodyn.targets.target import Costs, Target
+
+TARGET = Target(
+    name="x86-64-v3",
+    title="x86-64 with AVX2 and fused multiply-add",
+    why="a fused multiply-add costs what a product does",
+    flags=("-march=x86-64-v3",),
+    contraction="on",
+    lanes=4,
+    costs=Costs(fma=1.0, div=4.0, sqrt=5.0, sincos=18.0),
+)

@@ -1,0 +1,153 @@
+"""A processor that kernels are made for: its compiler, what operations cost, which board has it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from robodyn.ir.signature import ScalarType
+
+Contraction = Literal["off", "on"]
+
+
+@dataclass(frozen=True, slots=True)
+class Costs:
+    """What operations cost on a processor [cycles]; ``fma`` None where products and sums do not fuse."""
+
+    mul: float = 1.0
+    add: float = 1.0
+    fma: float | None = None
+    div: float = 14.0
+    sqrt: float = 14.0
+    sincos: float = 46.0
+
+
+@dataclass(frozen=True, slots=True)
+class Chip:
+    """A chip with the processor, as plans count with it: its clock [MHz], its cores, and how long a value
+    takes to get from one core to another, waiting included [ns]. ``source`` says where the figures are from.
+    """
+
+    mhz: float
+    source: str
+    cores: int = 1
+    passing_ns: float = 0.0
+
+    @property
+    def cycle_ns(self) -> float:
+        """Nanoseconds a cycle."""
+        return 1e3 / self.mhz
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A program of a tool chain, and Debian's and Ubuntu's package of it."""
+
+    name: str
+    package: str
+
+    @property
+    def remedy(self) -> str:
+        """How to get it."""
+        return f"{self.name} (Debian, Ubuntu: apt install {self.package})"
+
+
+@dataclass(frozen=True, slots=True)
+class Architecture:
+    """Processors that have their compiler, their emulator and the way an image starts in common.
+
+    ``name`` is the folder in ``templates/firmware`` with what an image needs of the processor: its start,
+    output and exit through a debugger, and its counter. ``prefix`` begins the names of the compiler's
+    programs, and ``macro`` is what it defines. ``options`` are the emulator's; with them the counter, called
+    ``counter`` in documents, counts ``ticks`` an instruction.
+    """
+
+    name: str
+    macro: str
+    prefix: str
+    compiler_package: str
+    binutils_package: str
+    emulator: Program
+    options: tuple[str, ...]
+    counter: str
+    ticks: float
+
+    @property
+    def toolchain(self) -> str:
+        """The compiler's triplet: ``arm-none-eabi``."""
+        return self.prefix.rstrip("-")
+
+    @property
+    def compiler(self) -> Program:
+        """The C compiler, a gcc."""
+        return Program(f"{self.prefix}gcc", self.compiler_package)
+
+    @property
+    def nm(self) -> Program:
+        """What lists the symbols of an object."""
+        return Program(f"{self.prefix}nm", self.binutils_package)
+
+    @property
+    def size(self) -> Program:
+        """What tells the sizes of an object's sections."""
+        return Program(f"{self.prefix}size", self.binutils_package)
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """Memory of a board from address ``origin`` on, ``length`` as linkers take it: ``4M``."""
+
+    origin: int
+    length: str
+
+
+@dataclass(frozen=True, slots=True)
+class Board:
+    """A board that the emulator has, by its name there; code and constants are linked into the one region,
+    data and stack into the other."""
+
+    machine: str
+    architecture: Architecture
+    code: Region
+    data: Region
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A processor, and what is chosen for it where no option says otherwise.
+
+    ``flags`` choose the processor for gcc and clang; None: there is no compiler, and it is for plans only.
+    ``scalar``, ``contraction``, ``trig`` and ``order`` are the defaults of generation and ``why`` the reason
+    for the contraction; ``lanes`` how many sines its vectors take at once (1: no vectors); ``registers`` how
+    many values it keeps at hand. ``hardware`` names the scalar types that its floating-point unit has: for
+    the others the compiler calls its own library. ``costs_as`` names another target that has the same costs,
+    so that searches share their records. Without a ``board`` there is no firmware image, without a ``chip``
+    no plan.
+    """
+
+    name: str
+    title: str
+    costs: Costs
+    why: str = ""
+    aliases: tuple[str, ...] = ()
+    flags: tuple[str, ...] | None = None
+    scalar: ScalarType = "double"
+    contraction: Contraction = "off"
+    trig: Literal["builtin"] = "builtin"
+    order: Literal["registers"] = "registers"
+    lanes: int = 1
+    registers: int = 16
+    hardware: tuple[ScalarType, ...] = ("float", "double")
+    costs_as: str = ""
+    chip: Chip | None = None
+    board: Board | None = None
+
+    @property
+    def objective(self) -> str:
+        """What searches make small for it, as ``--objective`` has it."""
+        return f"weighted:{self.costs_as or self.name}"
+
+    def compiled(self, contraction: Contraction) -> str:
+        """The flags of gcc and clang, for ``contraction``."""
+        contract = f"-ffp-contract={'fast' if contraction == 'on' else 'off'}"
+        return " ".join(("-std=c99", "-O2", *(self.flags or ()), contract, "-fno-math-errno"))
