@@ -10,8 +10,8 @@ import pytest
 
 ROOT = Path(__file__).parents[1] / "codegen"
 ROOMS = """
-    errors process resources files ir effects robot targets dynamics drives passes counts optimize schedule
-    emit draw toolchain kernels verify firmware certify search simulate diagnose thesis bench report
+    errors version process resources files ir effects robot targets dynamics drives passes counts optimize
+    schedule emit draw toolchain kernels verify firmware certify search simulate diagnose thesis bench report
 """.split()  # noqa: SIM905 (it reads as the list that it is)
 LATE = {"sympy", "numpy", "scipy", "matplotlib"}
 LEAN = {"ir", "robot", "dynamics", "passes", "counts", "optimize", "emit"}

@@ -118,11 +118,3 @@ def test_the_version_is_that_of_the_installation_and_costs_no_start_up(tmp_path:
         [sys.executable, "-m", "robodyn", "--version"], capture_output=True, text=True, check=True
     )
     assert done.stdout == f"robodyn {robodyn.__version__}\n"
-
-
-def test_a_source_tree_has_no_version(monkeypatch: pytest.MonkeyPatch) -> None:
-    def missing(name: str) -> str:
-        raise importlib.metadata.PackageNotFoundError(name)
-
-    monkeypatch.setattr(importlib.metadata, "version", missing)
-    assert robodyn.__version__ == "0+unknown"

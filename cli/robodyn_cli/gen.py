@@ -23,7 +23,7 @@ from robodyn_cli.common import (
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
 from robodyn_cli.languages import chosen_languages, language_option, trig_for
-from robodyn_cli.options import listed, load, model_options, search_options
+from robodyn_cli.options import functions_option, listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
 from robodyn_cli.targets import TargetOption
@@ -66,7 +66,7 @@ if TYPE_CHECKING:
     "option given on the command line overrides them. With --firmware: processors of the images, "
     "separated by commas: {firmware}.  [default with --firmware: all]",
 )
-@click.option("--functions", metavar="A,B", help="Functions, separated by commas.  [default: all]")
+@functions_option()
 @click.option(
     "--misra",
     is_flag=True,
@@ -110,8 +110,8 @@ def command(
 ) -> None:
     """Write the kernels of a robot in C and Fortran, and print the operation counts.
 
-    DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
-    forward_dynamics. The same input gives the same bytes on any machine.
+    DIR gets NAME.h, NAME.c and NAME.f90 with the functions of --functions. The same
+    input gives the same bytes on any machine.
     """
     from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError

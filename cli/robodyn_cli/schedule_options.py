@@ -9,6 +9,8 @@ from typing import Any, Final, TypeVar
 
 import click
 
+from robodyn_cli.options import function_option
+
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 #: ``robodyn.schedule.METHODS``, which tests hold equal to this: importing it would slow down ``--help``.
@@ -46,13 +48,7 @@ def schedule_options(command: Command) -> Command:
                 metavar="K",
                 help="Split a kernel into tasks of at most K operations; thesis: the thesis's tasks.",
             ),
-            click.option(
-                "--function",
-                metavar="F",
-                default="inverse_dynamics",
-                show_default=True,
-                help="Function to split (with --cut K).",
-            ),
+            function_option("Function to split (with --cut K)."),
             click.option(
                 "--form",
                 metavar="F",

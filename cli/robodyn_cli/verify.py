@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
-from robodyn_cli.options import load, model_options
+from robodyn_cli.options import functions_option, listed, load, model_options
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 @click.option("--scalar", default="double", show_default=True, help="Scalar type: double or float.")
 @click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm or builtin.")
 @click.option("--lang", default="c", show_default=True, help="Language: c or fortran.")
+@functions_option()
 @model_options
 @json_option
 def command(
@@ -32,6 +33,7 @@ def command(
     scalar: str,
     trig: str,
     lang: str,
+    functions: str | None,
     formulation: str,
     optimize: str,
     no_regroup: bool,
@@ -57,6 +59,7 @@ def command(
     if trig == "given":
         raise InputError("a kernel with --trig given has no angles to verify", expected="libm or builtin")
     options = Options(
+        functions=None if functions is None else listed(functions),
         trig=trig,  # type: ignore[arg-type]
         formulation=formulation,
         optimize=optimize,  # type: ignore[arg-type]  # checked by Options
