@@ -246,9 +246,11 @@ def _with_form(asked: Asked) -> Asked:
 
 def _kernel(given: dict[str, Any]) -> bool:
     """Whether an option selects a kernel."""
+    from robodyn.dynamics.functions import function_named
+
     usual = {"formulation": "modified_newton_euler", "optimize": "record", "engine": "graph"}
     changed = any(given[name] != value for name, value in usual.items())
-    return changed or given["no_regroup"] or given["function"] != "inverse_dynamics"
+    return changed or given["no_regroup"] or not function_named(given["function"]).is_recursion
 
 
 def _operations(text: str) -> int:
