@@ -1,4 +1,4 @@
-"""Counts as rows: the same for ``gen`` and ``flops``."""
+"""Rows of operation counts, as printed by ``gen`` and ``flops``."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def record(robot: Robot, function: str, formulation: str, found: Count) -> dict[
 
 
 def with_rigid(row: dict[str, Any], rigid: Count | None) -> dict[str, Any]:
-    """``row`` of a robot with effects: the rigid arm's operations, and what the effects add, apart."""
+    """``row`` of a robot with effects, split into the rigid arm's operations and those of the effects."""
     if rigid is not None:
         own = rigid.to_dict()
         row["rigid"] = own
@@ -34,13 +34,13 @@ def with_rigid(row: dict[str, Any], rigid: Count | None) -> dict[str, Any]:
 
 
 def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None]) -> list[str]:
-    """What effects add to each function, a line each."""
+    """The operations that effects add to each function, one line per function."""
     found = []
     for function, beneath in rigid.items():
         whole = counts[function]
         if beneath is not None and (whole.total, whole.other) != (beneath.total, beneath.other):
             found.append(
-                f"{function}: {beneath.mul}+{beneath.add} = {beneath.total} of the rigid arm; effects "
+                f"{function}: {beneath.mul}+{beneath.add} = {beneath.total} for the rigid arm; effects "
                 f"{whole.mul - beneath.mul:+}/{whole.add - beneath.add:+} mul/add, "
                 f"{whole.div - beneath.div:+} div, {whole.sqrt - beneath.sqrt:+} sqrt, "
                 f"{whole.other - beneath.other:+} other = {whole.total - beneath.total:+}"
@@ -49,8 +49,8 @@ def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None])
 
 
 def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str]:
-    """A table of counts, one row a ``(heading, function, formulation, count)``, beside ours the thesis's
-    figure of that formulation."""
+    """A table of counts, one row per ``(heading, function, formulation, count)``, with the thesis's figure of
+    that formulation."""
     from robodyn.counts import beside
 
     heads = ("", "mul", "add", "div", "total", "minus", "sin/cos", "thesis", "verdict")

@@ -1,4 +1,4 @@
-"""``gen --firmware``: the option, and writing the folder with what was measured."""
+"""``gen --firmware``: the option, and writing the folder with the measured figures."""
 
 from __future__ import annotations
 
@@ -25,24 +25,24 @@ def firmware_option(command: Command) -> Command:
     return click.option(
         "--firmware",
         is_flag=True,
-        help="Write DIR/firmware instead: kernel (inverse_dynamics unless --functions says else) with sines "
-        "of its own, self-test, CMake, an image for qemu, a README with what it costs.",
+        help="Write DIR/firmware instead: kernel with built-in sine and cosine (inverse_dynamics, or "
+        "--functions), self-test, CMake, an image for qemu, a README with the measured cost.",
     )(command)
 
 
 def for_firmware(options: Options, target: str | None, **others: object) -> Options:
-    """``options`` for a firmware folder; ``others`` are options that do not go with it, by name.
+    """``options`` for a firmware folder; ``others`` are options that cannot be combined with it, by name.
 
     Raises
     ------
-    InputError: one of them is there.
+    InputError: one of them is set.
     """
     from robodyn.errors import InputError
     from robodyn.firmware import firmware_options
 
     for name, value in others.items():
         if value:
-            raise InputError(f"--{name} does not go with --firmware", remedy="leave one of them out")
+            raise InputError(f"--{name} cannot be combined with --firmware", remedy="remove one of them")
     return firmware_options(
         options,
         listed(target or ""),
@@ -60,8 +60,8 @@ def write_firmware(
     check: bool,
     as_json: bool,
 ) -> None:
-    """Write the folder, or hold it against what would be written (the README, which tells of this machine,
-    is not looked at).
+    """Write the folder, or compare it with what would be written (except the README, which depends on this
+    machine).
 
     Raises
     ------
@@ -78,7 +78,7 @@ def write_firmware(
         different = compare_files(folder, files)
         if different:
             raise CheckError(
-                f"{', '.join(printable(folder / file) for file in different)}: not what robodyn generates",
+                f"{', '.join(printable(folder / file) for file in different)}: not up to date",
                 remedy="run the same command without --check",
             )
         if as_json:

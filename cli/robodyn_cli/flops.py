@@ -1,4 +1,4 @@
-"""``robodyn flops``: operation counts, beside the thesis's, and held to a budget."""
+"""``robodyn flops``: operation counts, compared with the thesis's and with a budget."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from robodyn_cli.searching import Search
 
 @click.command()
 @robot_argument
-@click.option("--function", default="inverse_dynamics", show_default=True, help="A function, or all.")
-@click.option("--budget", metavar="KIND=N,...", help="Most operations, e.g. mul=208,add=152,total=360.")
+@click.option("--function", default="inverse_dynamics", show_default=True, help="Function to count, or all.")
+@click.option("--budget", metavar="KIND=N,...", help="Maximum operations, e.g. mul=208,add=152,total=360.")
 @model_options
 @search_options
 @prune_option
@@ -36,12 +36,12 @@ def command(
     prune: str | None,
     as_json: bool,
 ) -> None:
-    """Count multiplications and additions, and hold them to a budget.
+    """Count multiplications and additions, and check them against a budget.
 
     Every binary * is one multiplication (by constants, by 2 and squares too), every binary + or - one
-    addition; unary minus and sine/cosine are free and shown apart. For example,
-    fc3_x = 4.8*(a3_x - 0.07*lam3_12) is two multiplications and one addition. Exits 1 where a
-    budget is exceeded. With --function or --formulation "all" --json prints a list.
+    addition; unary minus and sine/cosine are free and have their own columns. For example,
+    fc3_x = 4.8*(a3_x - 0.07*lam3_12) is two multiplications and one addition. Exits with 1 if a budget is
+    exceeded. With --function all or --formulation all, --json prints a list.
     """
     from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""``robodyn gen``: from a robot to its kernels."""
+"""``robodyn gen``: write a robot's kernels."""
 
 from __future__ import annotations
 
@@ -35,26 +35,27 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", metavar="DIR", help="Where to write.  [default: generated/NAME]")
+@click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: generated/NAME]")
 @language_option
-@click.option("--compile", "compile_", is_flag=True, help="Build and load the kernels, too.")
-@click.option("--scalar", default="double", show_default=True, help="double or float.")
+@click.option("--compile", "compile_", is_flag=True, help="Also compile and load the kernels.")
+@click.option("--scalar", default="double", show_default=True, help="Scalar type: double or float.")
 @click.option(
     "--trig",
     default="libm",
     show_default=True,
-    help="Sine and cosine: libm, builtin (no library at all; the default of rust), or given in sc.",
+    help="Sine and cosine: libm, builtin (no library; the default of rust), or given (passed in sc).",
 )
-@click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states in a call, with SIMD.")
+@click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states per call, with SIMD.")
 @click.option(
     "--order",
     default="auto",
     show_default=True,
-    help="recursion (as the book has it), registers (few values wait in memory), or auto: registers unless "
-    "sine and cosine are libm's.",
+    help="Order of operations: recursion (textbook order), registers (few live values), or auto (registers "
+    "unless sine and cosine are from libm).",
 )
 @click.option(
-    "--contraction", help="Whether C compilers may fuse products and sums: off or on.  [default: their flags]"
+    "--contraction",
+    help="Let C compilers fuse products and sums: off or on.  [default: as their flags say]",
 )
 @click.option(
     "--target",
@@ -62,21 +63,21 @@ if TYPE_CHECKING:
     cls=TargetOption,
     lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
     help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. Every "
-    "option given on the command line overrides them. With --firmware: processors that images are made "
-    "for, with commas: {firmware}.  [default with --firmware: all of them]",
+    "option given on the command line overrides them. With --firmware: processors of the images, "
+    "separated by commas: {firmware}.  [default with --firmware: all]",
 )
-@click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
+@click.option("--functions", metavar="A,B", help="Functions, separated by commas.  [default: all]")
 @click.option(
     "--misra",
     is_flag=True,
-    help="C for MISRA C:2012: the same operations, grouped by parentheses throughout.",
+    help="Write C for MISRA C:2012: the same operations with explicit parentheses.",
 )
 @model_options
 @search_options
 @prune_option
 @firmware_option
-@click.option("--latex", is_flag=True, help="Also write NAME.tex, the recursion typeset (through sympy).")
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 if the files in DIR differ.")
+@click.option("--latex", is_flag=True, help="Also write NAME.tex, the typeset recursion (uses sympy).")
+@click.option("--check", is_flag=True, help="Write nothing; exit with 1 if the files in DIR differ.")
 @json_option
 def command(
     robot: str,
@@ -107,10 +108,10 @@ def command(
     check: bool,
     as_json: bool,
 ) -> None:
-    """Write the C and Fortran of a robot's dynamics, and print the counts.
+    """Write the kernels of a robot in C and Fortran, and print the operation counts.
 
     DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
-    forward_dynamics. The same input gives the same bytes, on any machine.
+    forward_dynamics. The same input gives the same bytes on any machine.
     """
     from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
@@ -138,7 +139,7 @@ def command(
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
     if check and keep:
-        raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
+        raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
@@ -156,14 +157,14 @@ def command(
     if batch:
         for interface in made.signatures:
             if interface.states:
-                talk(f"robodyn: note: no batch of {interface.function}, which remembers between calls")
+                talk(f"robodyn: note: no batch of {interface.function}, which is stateful")
     if latex:
         files[f"{described.name}.tex"] = _typeset(described, formulation)
     if check:
         different = compare_files(folder, files)
         if different:
             raise CheckError(
-                f"{', '.join(printable(folder / name) for name in different)}: not what robodyn generates",
+                f"{', '.join(printable(folder / name) for name in different)}: not up to date",
                 remedy="run the same command without --check",
             )
         if as_json:
@@ -202,7 +203,7 @@ def command(
 
 
 def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Options:
-    """The options; those of ``chosen`` that stand on the command line go before what ``target`` says."""
+    """The options; those of ``chosen`` given on the command line override the defaults of ``target``."""
     from click.core import ParameterSource
 
     from robodyn.kernels.generate import Options
@@ -219,7 +220,7 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
 
 
 def _profile(options: Options) -> dict[str, Any]:
-    """What the options choose for the processor, as JSON has it."""
+    """The target and the options it sets, for JSON."""
     from robodyn.kernels.generate import CHOSEN
 
     found: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
@@ -229,7 +230,7 @@ def _profile(options: Options) -> dict[str, Any]:
 
 
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
-    """Build and load each language; where both are there, compare them bit by bit."""
+    """Compile and load each language; compare C and Fortran bit by bit if both are there."""
     from robodyn.errors import CheckError, ToolError
     from robodyn.kernels.kernel import load as load_kernel
 
@@ -256,19 +257,19 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, ba
     return said
 
 
-#: From so many joints on a function takes long enough to be announced.
+#: From this number of joints on, the progress is shown.
 _MANY = 12
 
 
 def _told(robot: Robot) -> Callable[[str], None] | None:
-    """What announces the functions of a long arm on a terminal; nothing in a pipe."""
+    """Progress messages for a long arm on a terminal; None otherwise."""
     if robot.n < _MANY or not sys.stderr.isatty():
         return None
     return lambda function: talk(f"robodyn: {function} of {robot.n} joints ...")
 
 
 def _typeset(robot: Robot, formulation: str) -> str:
-    """The recursion as LaTeX; of a robot with effects that of the rigid arm beneath, and this is said."""
+    """The recursion as LaTeX; for a robot with effects that of its rigid arm, with a note."""
     from robodyn.drives.drive import has_drive_effects, rigid_part
     from robodyn.kernels.through_sympy import symbolic
     from robodyn.optimize.programs import Choice
@@ -276,7 +277,7 @@ def _typeset(robot: Robot, formulation: str) -> str:
     choice = Choice(formulation, regroup=False)
     if not has_drive_effects(robot):
         return symbolic(robot, choice=choice).latex()
-    said = "the rigid arm alone; robodyn effects --latex has the equations of effects"
+    said = "the rigid arm only; robodyn effects --latex prints the equations of effects"
     talk(f"robodyn: note: {robot.name}.tex is {said}")
     return f"% {said}\n{symbolic(rigid_part(robot), choice=choice).latex()}"
 

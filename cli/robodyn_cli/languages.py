@@ -1,4 +1,4 @@
-"""``--lang``: the languages, as the table in :mod:`robodyn.emit.languages` has them."""
+"""``--lang``: the languages, from the table in :mod:`robodyn.emit.languages`."""
 
 from __future__ import annotations
 
@@ -13,15 +13,16 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 class _Languages(click.Option):
-    """An option whose help names the languages; they are looked up when the help is asked for."""
+    """An option whose help names the languages; they are looked up when the help is printed."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         from robodyn.emit.languages import LANGUAGES, defaults
 
         names = [
-            name if not it.aliases else f"{name} ({', '.join(it.aliases)})" for name, it in LANGUAGES.items()
+            name if not language.aliases else f"{name} ({', '.join(language.aliases)})"
+            for name, language in LANGUAGES.items()
         ]
-        self.help = f"Languages, with commas: {', '.join(names)}.  [default: {','.join(defaults())}]"
+        self.help = f"Languages, separated by commas: {', '.join(names)}.  [default: {','.join(defaults())}]"
         return super().get_help_record(ctx)
 
 
@@ -31,11 +32,11 @@ def language_option(command: Command) -> Command:
 
 
 def chosen_languages(lang: str | None) -> tuple[str, ...]:
-    """The names of the languages that ``--lang`` asks for, each once, aliases resolved.
+    """The names of the languages of ``--lang``, without duplicates, aliases resolved.
 
     Raises
     ------
-    InputError: none is asked for, one twice, or there is no such language.
+    InputError: no language, a duplicate, or an unknown language.
     """
     from robodyn.emit.languages import LANGUAGES, defaults, languages_named
     from robodyn.errors import InputError
@@ -44,7 +45,7 @@ def chosen_languages(lang: str | None) -> tuple[str, ...]:
         return defaults()
     names = listed(lang)
     if not names:
-        raise InputError("no language asked for", expected=f"some of {', '.join(LANGUAGES)}")
+        raise InputError("--lang names no language", expected=f"some of {', '.join(LANGUAGES)}")
     return tuple(language.name for language in languages_named(names))
 
 

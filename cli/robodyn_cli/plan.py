@@ -1,4 +1,4 @@
-"""``robodyn plan``: which formulation, schedule and target meet a deadline."""
+"""``robodyn plan``: find a formulation, schedule and target that meet a deadline."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from robodyn_cli.targets import TargetOption
 @click.command()
 @robot_argument
 @click.option(
-    "-p", "--processors", metavar="N", type=int, default=1, show_default=True, help="Cores at most."
+    "-p", "--processors", metavar="N", type=int, default=1, show_default=True, help="Maximum number of cores."
 )
-@click.option("--deadline", metavar="T", required=True, help="Time for a call: 100us, 0.5ms, 800ns.")
+@click.option("--deadline", metavar="T", required=True, help="Maximum time of a call: 100us, 0.5ms, 800ns.")
 @click.option(
     "--target",
     "targets",
@@ -21,11 +21,13 @@ from robodyn_cli.targets import TargetOption
     multiple=True,
     cls=TargetOption,
     lists={"planned": "planned_targets"},
-    help="A target, again for several: {planned}, here (measured), or "
+    help="Target; repeat for several: {planned}, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
-@click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
-@click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers.")
+@click.option(
+    "--function", metavar="F", default="inverse_dynamics", show_default=True, help="Function to plan."
+)
+@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
     robot: str,
@@ -36,11 +38,11 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Say which formulation, which schedule and which target meet a deadline.
+    """Find a formulation, schedule and target that meet a deadline.
 
-    Formulations are cut into tasks of several sizes and scheduled on 1 to N cores of every target, at its
-    cost of passing a value. Of those that meet the deadline the one with the fewest cores is taken. Exits
-    1 where nothing does. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
+    The formulations are split into tasks of several sizes and scheduled on 1 to N cores of every target, with
+    its communication cost. The plan with the fewest cores that meets the deadline is chosen. Exits with 1 if
+    there is none. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
     from robodyn.bench.plan import (
         chosen,
@@ -81,5 +83,5 @@ def command(
         raise CheckError(
             f"nothing meets {spelled(limit)}",
             found=f"{spelled(found[0].time_ns)} at best",
-            remedy="allow more cores with -p, another target, or more time",
+            remedy="allow more cores with -p, or choose another target or a longer deadline",
         )

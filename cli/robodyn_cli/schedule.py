@@ -1,4 +1,4 @@
-"""``robodyn schedule``: tasks, machines, schedules, bounds; pictures; parallel C."""
+"""``robodyn schedule``: schedule the dynamics on several processors; write pictures and parallel C."""
 
 from __future__ import annotations
 
@@ -25,14 +25,13 @@ if TYPE_CHECKING:
 @model_options
 @json_option
 def command(robot: str | None, as_json: bool, **given: Any) -> None:
-    """Cut the dynamics into tasks and schedule them on processors.
+    """Split the dynamics into tasks and schedule them on processors.
 
-    Without --cut the tasks are those of the thesis, three operations each, of ROBOT or of any revolute arm of
-    --links N. With --cut K they are the operations of a kernel of ROBOT, at most K in a task. Every schedule
-    is judged by a validator of its own. -p 2..13 sweeps over processors. --emit DIR writes parallel C (tasks
-    of
-    --cut 3 unless told otherwise) with the serial kernel that has the same bits. --thesis TABLE sets a
-    printed schedule (4.3, 4.7, C.1 to C.15, or all) or Table 4.8 beside ours, with every violation.
+    Without --cut the tasks are those of the thesis, three operations each, for ROBOT or for any revolute arm
+    of --links N. With --cut K they are the operations of a kernel of ROBOT, at most K per task. A separate
+    validator checks every schedule. -p 2..13 sweeps over the number of processors. --emit DIR writes parallel
+    C (tasks of --cut 3 by default) and the serial kernel, which gives the same bits. --thesis TABLE compares
+    a printed schedule (4.3, 4.7, C.1 to C.15, or all) or Table 4.8 with ours and lists every violation.
 
     With --json: {"robot", "method", "processors", "tasks", "levels", "critical_path", "lower_bound",
     "optimal", "speedup", "efficiency", "slots", "thesis", ...}, a list of them for a sweep.
@@ -116,7 +115,7 @@ def _schedule(asked: Asked, as_json: bool) -> None:
 
 
 def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
-    """What is scheduled, and of a kernel the robot and its interface."""
+    """The task graph to schedule; for a kernel also the robot and the signature."""
     from robodyn.report.schedules import cut_source, links_source, robot_source
     from robodyn.schedule.cutting import cut, parse_costs
 
@@ -175,13 +174,13 @@ def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
         return
     least = "fewer" if found.proven else f"fewer than {found.at_least}"
     click.echo(f"{source.name}: {len(source.graph)} {source.tasks}, critical path {found.span}")
-    click.echo(f"{found.found} processors do it in {found.span} levels; {least} cannot, by proof")
+    click.echo(f"{found.found} processors reach it in {found.span} levels; {least} are proven not to")
 
 
 def _emitted(
     asked: Asked, described: Robot | None, source: Source, signature: Signature | None, solved: Solved
 ) -> tuple[Path, dict[str, str]]:
-    """Where C is to be written, and which; none if none is asked for."""
+    """The folder and the files of the parallel C; no files without ``--emit``."""
     if asked.emit is None:
         return Path(), {}
     from robodyn.emit.schedule_files import schedule_files

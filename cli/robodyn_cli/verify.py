@@ -1,4 +1,4 @@
-"""``robodyn verify``: is the compiled kernel right?"""
+"""``robodyn verify``: compare the compiled kernels with independent references."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 @click.command()
 @robot_argument
 @click.option(
-    "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Sample size."
+    "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Number of states."
 )
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the sample.")
-@click.option("--scalar", default="double", show_default=True, help="double or float.")
+@click.option("--scalar", default="double", show_default=True, help="Scalar type: double or float.")
 @click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm or builtin.")
-@click.option("--lang", default="c", show_default=True, help="c or fortran.")
+@click.option("--lang", default="c", show_default=True, help="Language: c or fortran.")
 @model_options
 @json_option
 def command(
@@ -40,12 +40,12 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Set the compiled kernels against independent references.
+    """Compare the compiled kernels with independent references.
 
-    The programs are compared with plain Newton-Euler on exact fractions, where they must be equal; the
-    compiled kernels with plain Newton-Euler in double, with exact torques, and, up to three joints, with
-    the Lagrangian. Shows the worst error, relative to the largest torque, and the state that made it.
-    Exits 1 if one is above 1e-10 (float: 1e-5).
+    The programs must equal plain Newton-Euler on exact fractions. The compiled kernels are compared with
+    plain Newton-Euler in double, with exact torques and, up to three joints, with the Lagrangian. Prints the
+    largest error relative to the largest torque, and the state where it occurs. Exits with 1 if an error
+    exceeds 1e-10 (float: 1e-5).
     """
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import Options, generate
@@ -55,7 +55,7 @@ def command(
     if lang not in ("c", "fortran"):
         raise InputError(f"unknown language {lang!r}", expected="c or fortran")
     if trig == "given":
-        raise InputError("a kernel that is given sines has no angles to verify", expected="libm or builtin")
+        raise InputError("a kernel with --trig given has no angles to verify", expected="libm or builtin")
     options = Options(
         trig=trig,  # type: ignore[arg-type]
         formulation=formulation,
@@ -77,13 +77,13 @@ def command(
         click.echo(report.to_text())
         if report.worst is not None:
             state = "; ".join(f"{name} = {list(x)}" for name, x in report.worst.to_dict()["inputs"].items())
-            click.echo(f"the worst error is at {state}")
+            click.echo(f"the largest error occurs at {state}")
         for function, equal in exact.items():
             click.echo(
                 f"{function}: {'equal to' if equal else 'NOT EQUAL to'} plain Newton-Euler on fractions"
             )
     if not passed:
-        raise CheckError(f"{described.name}: the kernel is not what the references say")
+        raise CheckError(f"{described.name}: the kernel does not agree with the references")
 
 
 def _exactly(made: Generated) -> dict[str, bool]:
@@ -92,7 +92,7 @@ def _exactly(made: Generated) -> dict[str, bool]:
     robot = made.unit.robot
     smooth = robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links)
     if smooth or not all(entry.definition.traits.body for entry in robot.effects):
-        return {}  # tanh, roots and their like have no exact values
+        return {}  # tanh and roots have no exact values
     return {
         interface.function: equals_recursion(robot, interface.function, program)
         for interface, program in made.unit.functions

@@ -8,7 +8,6 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.diagnose.amend.combined import (
-    AXES,
     WORKED_OUT,
     Body,
     bearing,
@@ -19,12 +18,12 @@ from robodyn.diagnose.amend.combined import (
     total,
 )
 from robodyn.diagnose.amend.settings import checked, read_settings, summed
-from robodyn.diagnose.amend.yaml_patch import Place
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
 from robodyn.robot.effects import belongs
 from robodyn.robot.folding import folded
-from robodyn.robot.model import EffectEntry, Inertia, Robot, Vector
+from robodyn.robot.model import AXES, EffectEntry, Inertia, Robot, Vector
+from robodyn.robot.rewriting import Place
 from robodyn.robot.values import ZERO, Value
 
 #: Laws of friction with a Coulomb level of their own: the parameters that hold it.

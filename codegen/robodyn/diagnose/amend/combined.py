@@ -10,14 +10,13 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.robot import numbers
-from robodyn.robot.model import Inertia, Vector
+from robodyn.robot.model import AXES, Inertia, Vector
 from robodyn.robot.values import Value
 
 Settings = Mapping[str, Any]
 
 #: Digits of an amendment, and of what is worked out from it.
 DIGITS, WORKED_OUT = 6, 9
-AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 def significant(x: float, digits: int = DIGITS) -> Fraction:
