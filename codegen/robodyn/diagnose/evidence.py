@@ -8,6 +8,7 @@ from dataclasses import asdict
 
 from robodyn.counts.count import Count, count
 from robodyn.diagnose.gate.gate import Gate
+from robodyn.diagnose.limits import MOST_TRIED
 from robodyn.diagnose.result import Finding, Tried, Window
 from robodyn.diagnose.select.choice import LOSS, Trial
 from robodyn.diagnose.select.selection import Selection
@@ -15,8 +16,6 @@ from robodyn.robot.model import Robot
 
 #: Flags of motions that show little.
 _POOR = frozenset({"motionless", "one_way", "narrow", "few_reversals"})
-#: The best so many of what was not named.
-_TRIED = 8
 
 
 def why_not(other: Trial, named: Trial) -> str:
@@ -43,7 +42,7 @@ def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
             else "not there in enough parts of the log"
         )
         found.append(Tried(*key, one.gain, float(one.t), reason))
-        if len(found) == _TRIED:
+        if len(found) == MOST_TRIED:
             break
     return tuple(found)
 

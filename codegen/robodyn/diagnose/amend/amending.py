@@ -7,17 +7,9 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.diagnose.amend.combined import (
-    WORKED_OUT,
-    Body,
-    bearing,
-    joined,
-    ripple,
-    significant,
-    springs,
-    total,
-)
+from robodyn.diagnose.amend.combined import Body, bearing, joined, ripple, significant, springs, total
 from robodyn.diagnose.amend.settings import checked, read_settings, summed
+from robodyn.diagnose.limits import WORKED_OUT
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
 from robodyn.robot.effects import belongs

@@ -9,17 +9,15 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from robodyn.diagnose.limits import AMENDED_DIGITS, WORKED_OUT
 from robodyn.robot import numbers
 from robodyn.robot.model import AXES, Inertia, Vector
 from robodyn.robot.values import Value
 
 Settings = Mapping[str, Any]
 
-#: Digits of an amendment, and of what is worked out from it.
-DIGITS, WORKED_OUT = 6, 9
 
-
-def significant(x: float, digits: int = DIGITS) -> Fraction:
+def significant(x: float, digits: int = AMENDED_DIGITS) -> Fraction:
     """``x`` rounded to so many significant digits.
 
     Raises

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.amend.amending import LEVELS
+from robodyn.diagnose.blind.limits import DRAWN_SAMPLES, LOADED_SHARE
 from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
@@ -34,8 +35,6 @@ _OF_LOAD = frozenset(
     {"load_dependent_friction", "transmission_loss", "torque_gain", "encoder_offset", "inertial_error",
      "torque_saturation", *_COUPLERS}
 )  # fmt: skip
-_LOADED = 0.2  # of the largest RMS torque
-_SAMPLES = 1000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,7 +58,7 @@ class Usual:
 
 def usual(robot: Robot, motion: Trajectory) -> Usual:
     """What is usual of ``robot`` on ``motion``."""
-    step = max(1, len(motion) // _SAMPLES)
+    step = max(1, len(motion) // DRAWN_SAMPLES)
     q, qd, qdd = (x[::step] for x in (motion.q, motion.qd, motion.qdd))
     model = Model(robot)
     tau = model.torque(q, qd, qdd)
@@ -96,9 +95,9 @@ def places(id: str, u: Usual) -> list[int | None]:
         return [None]
     found: list[int | None] = []
     for j, link in enumerate(u.robot.links):
-        if id in _OF_LOAD and u.tau[j] < _LOADED * u.tau.max():
+        if id in _OF_LOAD and u.tau[j] < LOADED_SHARE * u.tau.max():
             continue
-        if id == "encoder_offset" and u.held[j] <= _LOADED * u.held.max():
+        if id == "encoder_offset" and u.held[j] <= LOADED_SHARE * u.held.max():
             continue
         if id in _COUPLERS and link.joint.motor_inertia == 0:
             continue

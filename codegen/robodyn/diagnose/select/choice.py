@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.content import ONE_WAY
+from robodyn.diagnose.gate.limits import ONE_WAY_SHARE
 from robodyn.diagnose.select.fit import BLOCKS, Fit, Problem, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context, again
 from robodyn.diagnose.select.predict import delays
@@ -168,7 +168,7 @@ def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
     """Which joints [n] move in one direction only."""
     forth = sum(np.maximum(c.signals.qd, 0).sum(axis=0) for c in contexts)
     back = sum(np.maximum(-c.signals.qd, 0).sum(axis=0) for c in contexts)
-    return np.asarray(np.minimum(forth, back) < ONE_WAY * np.maximum(forth, back))
+    return np.asarray(np.minimum(forth, back) < ONE_WAY_SHARE * np.maximum(forth, back))
 
 
 def numbers_of(one: Trial) -> int:
