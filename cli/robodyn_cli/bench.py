@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
-from robodyn_cli.options import load, model_options
+from robodyn_cli.options import function_option, load, model_options
 from robodyn_cli.searching import Search
 
 
@@ -18,9 +18,7 @@ from robodyn_cli.searching import Search
     help="Number of threads: 2, 2,4 or 2..4. [default: 2 to the number of cores]",
 )
 @click.option("--cut", metavar="K", type=int, default=3, show_default=True, help="Operations per task.")
-@click.option(
-    "--function", metavar="F", default="inverse_dynamics", show_default=True, help="Function to time."
-)
+@function_option("Function to time.")
 @click.option(
     "--lanes", metavar="W", type=int, default=4, show_default=True, help="Lanes of the packed form."
 )

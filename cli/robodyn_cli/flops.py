@@ -6,14 +6,14 @@ import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
-from robodyn_cli.options import load, model_options, search_options
+from robodyn_cli.options import function_option, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
 
 
 @click.command()
 @robot_argument
-@click.option("--function", default="inverse_dynamics", show_default=True, help="Function to count, or all.")
+@function_option("Function to count, or all.")
 @click.option("--budget", metavar="KIND=N,...", help="Maximum operations, e.g. mul=208,add=152,total=360.")
 @model_options
 @search_options

@@ -22,10 +22,7 @@ from robodyn.process import quiet, received
 from robodyn_cli.common import drop, talk
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
-    "gen": (
-        "robodyn_cli.gen",
-        "Write the kernels of a robot in C and Fortran, and print the operation counts.",
-    ),
+    "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and check them against a budget."),
     "tables": ("robodyn_cli.tables", "Compare the thesis's tables with recomputed figures."),
     "schedule": (
@@ -97,9 +94,9 @@ class LazyGroup(click.Group):
 
 def _print_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
-        from importlib.metadata import version
+        import robodyn
 
-        click.echo(f"robodyn {version('robodyn')}")
+        click.echo(f"robodyn {robodyn.__version__}")
         ctx.exit()
 
 

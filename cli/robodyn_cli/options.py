@@ -10,6 +10,8 @@ import click
 from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
     from robodyn.robot import Robot
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -111,3 +113,55 @@ def _refuse_drives(robot: Robot) -> None:
 def listed(text: str) -> tuple[str, ...]:
     """``a,b`` as ``("a", "b")``."""
     return tuple(part.strip() for part in text.split(",") if part.strip())
+
+
+class _Functions(click.Option):
+    """An option whose help and completions list the functions; they are looked up when that is asked for."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from robodyn.dynamics.functions import FUNCTIONS
+
+        name, text = super().get_help_record(ctx) or ("", "")
+        listed = "; ".join(
+            f"{function.name} ({function.purpose}{'' if function.by_default else '; on request'})"
+            for function in FUNCTIONS.values()
+        )
+        return name, f"{text}  There are {listed}."
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        from click.shell_completion import CompletionItem
+
+        from robodyn.dynamics.functions import FUNCTIONS
+
+        before, comma, begun = incomplete.rpartition(",")
+        return [
+            CompletionItem(before + comma + function.name, help=function.purpose)
+            for function in FUNCTIONS.values()
+            if function.name.startswith(begun)
+        ]
+
+
+def functions_option(default: str | None = None) -> Callable[[Command], Command]:
+    """Add ``--functions``, passed to the command as ``functions: str | None``; without ``default`` those that
+    are written by default."""
+    without = "" if default else "  [default: all but those on request]"
+    return click.option(
+        "--functions",
+        metavar="A,B",
+        default=default,
+        show_default=default is not None,
+        cls=_Functions,
+        help=f"Functions, separated by commas.{without}",
+    )
+
+
+def function_option(text: str) -> Callable[[Command], Command]:
+    """Add ``--function``, passed to the command as ``function: str``; ``text`` is the help."""
+    return click.option(
+        "--function",
+        metavar="F",
+        default="inverse_dynamics",
+        show_default=True,
+        cls=_Functions,
+        help=text,
+    )

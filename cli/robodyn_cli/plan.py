@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
+from robodyn_cli.options import function_option
 from robodyn_cli.targets import TargetOption
 
 
@@ -24,9 +25,7 @@ from robodyn_cli.targets import TargetOption
     help="Target; repeat for several: {planned}, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
-@click.option(
-    "--function", metavar="F", default="inverse_dynamics", show_default=True, help="Function to plan."
-)
+@function_option("Function to plan.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
@@ -53,11 +52,13 @@ def command(
         plans,
         spelled,
     )
+    from robodyn.dynamics.functions import function_named
     from robodyn.errors import CheckError
     from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
+    function_named(function)
     asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
     described = load_robot(robot, strict=strict)
     with line() as shown:

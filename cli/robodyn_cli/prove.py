@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument, write_files
-from robodyn_cli.options import listed, load, model_options
+from robodyn_cli.options import functions_option, listed, load, model_options
 
 if TYPE_CHECKING:
     from robodyn.certify import Proof
@@ -26,9 +26,7 @@ if TYPE_CHECKING:
 )
 @click.option("--scalar", default="float", show_default=True, help="Scalar type: float or double.")
 @click.option("--trig", default="builtin", show_default=True, help="Sine and cosine: builtin, libm or given.")
-@click.option(
-    "--functions", default="inverse_dynamics", show_default=True, help="Functions, separated by commas."
-)
+@functions_option("inverse_dynamics")
 @click.option("--only", metavar="A,B", help="Proofs to run: gappa, eva, stack, misra.  [default: all]")
 @click.option(
     "--seconds",

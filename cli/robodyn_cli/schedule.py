@@ -72,6 +72,8 @@ def _schedule(asked: Asked, as_json: bool) -> None:
     from robodyn.report.gantt import gantt_svg, layers_svg, sweep_svg
     from robodyn.report.schedules import processors_of, sweep_text, to_dict, to_text
     from robodyn.schedule import Machine, solve
+    from robodyn.schedule.methods import SEARCHES
+    from robodyn.schedule.tree import MOST_NODES
     from robodyn_cli.progress import line
 
     described, source, signature = _source(asked)
@@ -85,12 +87,19 @@ def _schedule(asked: Asked, as_json: bool) -> None:
 
     def solved(method: Any) -> list[Solved]:
         return [
-            solve(source.graph, machine, method, seconds=asked.seconds, seed=asked.seed)
+            solve(
+                source.graph,
+                machine,
+                method,
+                seconds=asked.seconds,
+                seed=asked.seed,
+                nodes=asked.nodes or MOST_NODES,
+            )
             for machine in machines
         ]
 
     with line() as shown:
-        if asked.method in ("optimal", "branch-and-bound"):
+        if asked.method in SEARCHES:
             shown.tell(f"robodyn: {source.name}: searching, {asked.seconds:g} s at most")
         found = solved(asked.method)
     pictures: dict[Path, str] = {}

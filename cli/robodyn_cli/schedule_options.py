@@ -5,11 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 import click
 
+from robodyn_cli.options import function_option
+
 Command = TypeVar("Command", bound=Callable[..., Any])
+
+#: ``robodyn.schedule.METHODS``, which tests hold equal to this: importing it would slow down ``--help``.
+METHODS: Final = ("thesis", "critical-path", "dhlf", "df-ihs", "a-star", "branch-and-bound", "optimal")
 
 
 def schedule_options(command: Command) -> Command:
@@ -31,11 +36,11 @@ def schedule_options(command: Command) -> Command:
             ),
             click.option(
                 "--method",
-                metavar="M",
+                type=click.Choice(METHODS),
                 default="critical-path",
                 show_default=True,
-                help="Method: thesis (section 4.3.3), critical-path, dhlf, branch-and-bound (one processor "
-                "per joint) or optimal (OR-Tools; proof or bound).",
+                help="Method: list heuristics (thesis: section 4.3.3; critical-path; dhlf), searches (df-ihs,"
+                " a-star, branch-and-bound: one processor per joint) or optimal (OR-Tools; proof or bound).",
             ),
             click.option("--as-printed", is_flag=True, help="Use the task set printed in the thesis."),
             click.option(
@@ -43,13 +48,7 @@ def schedule_options(command: Command) -> Command:
                 metavar="K",
                 help="Split a kernel into tasks of at most K operations; thesis: the thesis's tasks.",
             ),
-            click.option(
-                "--function",
-                metavar="F",
-                default="inverse_dynamics",
-                show_default=True,
-                help="Function to split (with --cut K).",
-            ),
+            function_option("Function to split (with --cut K)."),
             click.option(
                 "--form",
                 metavar="F",
@@ -76,6 +75,12 @@ def schedule_options(command: Command) -> Command:
                 metavar="S",
                 type=float,
                 help="Time limit of a search. [default: 60, branch-and-bound 10]",
+            ),
+            click.option(
+                "--nodes",
+                metavar="N",
+                type=click.IntRange(min=1),
+                help="Limit of nodes that df-ihs and a-star visit. [default: 200000]",
             ),
             click.option("--seed", metavar="N", type=int, default=0, help="Seed of the optimiser."),
             click.option(
@@ -117,6 +122,7 @@ class Asked:
     communication: int
     no_levels: bool
     seconds: float
+    nodes: int | None
     seed: int
     fewest: bool
     thesis: str | None

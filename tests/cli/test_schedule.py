@@ -11,7 +11,8 @@ from typing import Any
 
 import pytest
 
-from robodyn.schedule import faults_of_levels, general_graph
+from robodyn.schedule import METHODS, faults_of_levels, general_graph
+from robodyn_cli import schedule_options
 from robodyn_cli.main import main
 from robodyn_testing import require_module, require_tool
 
@@ -65,6 +66,24 @@ def test_the_stanford_arm_by_rule_and_as_printed(capsys: Capture) -> None:
         assert words in text
     printed = made(capsys, "stanford", "-p", "8", "--as-printed")
     assert (printed["tasks"], printed["levels"]) == (156, 25)
+
+
+def test_the_methods_that_the_command_offers() -> None:
+    assert schedule_options.METHODS == METHODS
+
+
+@pytest.mark.parametrize("method", ["df-ihs", "a-star"])
+def test_searches_say_what_they_looked_at(method: str, capsys: Capture) -> None:
+    asked = ("stanford", "-p", "4", "--as-printed", "--method", method)
+    found = made(capsys, *asked)
+    assert (found["levels"], found["optimal"], found["ended"]) == (39, True, "proven")
+    assert f"looked at {found['nodes']} nodes; nothing shorter exists" in run(capsys, *asked)[0]
+    short = made(capsys, *asked, "--nodes", "1")
+    assert (short["levels"], short["optimal"], short["ended"]) == (40, False, "nodes")
+    text = run(capsys, *asked, "--nodes", "1")[0]
+    assert "gave up there: --nodes for more" in text
+    assert "at most 2.6 % above the optimum (none below 39)" in text
+    assert "nothing was left to search" in run(capsys, "stanford", "-p", "8", "--method", method)[0]
 
 
 def test_optimal_needs_or_tools(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -198,7 +217,7 @@ def test_the_thesis_s_own_tasks_emitted(capsys: Capture, tmp_path: Path) -> None
         (("puma560", "-p", "many"), "processors cannot be read"),
         (("puma560", "-p", "9..2"), "processors cannot be read"),
         (("puma560", "-p", "5000"), "not meant"),
-        (("puma560", "-p", "4", "--method", "best"), "unknown method"),
+        (("puma560", "-p", "4", "--method", "best"), "'df-ihs', 'a-star'"),
         (("puma560", "-p", "4", "--as-printed"), "prints no tasks of puma560"),
         (("--links", "5", "-p", "4", "--as-printed"), "six links"),
         (("--links", "0", "-p", "4"), "an arm has joints"),

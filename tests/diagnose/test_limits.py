@@ -14,8 +14,6 @@ from robodyn import diagnose
 ROOM = Path(diagnose.__file__).parent
 FILES = sorted(path.relative_to(ROOM).as_posix() for path in ROOM.rglob("*.py"))
 LIMITS = [file for file in FILES if Path(file).name == "limits.py"]
-NOT_YET = {"amend", "select"}
-"""Folders whose numbers still stand in their modules."""
 
 
 def constants(tree: ast.Module) -> Iterator[tuple[str, ast.expr]]:
@@ -46,8 +44,6 @@ def is_number(value: ast.expr) -> bool:
 
 @pytest.mark.parametrize("file", [file for file in FILES if file not in LIMITS])
 def test_no_number_stands_elsewhere(file: str) -> None:
-    if file.split("/")[0] in NOT_YET:
-        return
     tree = ast.parse((ROOM / file).read_text(encoding="utf-8"))
     assert [name for name, value in constants(tree) if is_number(value)] == []
 

@@ -10,8 +10,10 @@ from robodyn.counts.count import Count, count
 from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.limits import MOST_TRIED
 from robodyn.diagnose.result import Finding, Tried, Window
-from robodyn.diagnose.select.choice import LOSS, Trial
+from robodyn.diagnose.select.choice import Trial
+from robodyn.diagnose.select.limits import TIE_LOSS
 from robodyn.diagnose.select.selection import Selection
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 
 #: Flags of motions that show little.
@@ -20,7 +22,7 @@ _POOR = frozenset({"motionless", "one_way", "narrow", "few_reversals"})
 
 def why_not(other: Trial, named: Trial) -> str:
     """Why ``other`` is not the name that ``named`` is."""
-    if other.gain < (1 - LOSS) * named.gain:
+    if other.gain < (1 - TIE_LOSS) * named.gain:
         return "explains less on parts of the log that were not fitted"
     if other.candidate.order > named.candidate.order:
         return "explains no more, with more numbers"
@@ -51,7 +53,7 @@ def windows(gates: Sequence[Gate], findings: Sequence[Finding]) -> tuple[Window,
     """Contacts, and gaps in the first log."""
     found = []
     for finding in findings:
-        if finding.effect == "external_contact":
+        if CATALOGUE[finding.effect].place == "outside":
             start, end = (float(finding.parameters[name].value) for name in ("start", "end"))
             found.append(Window("train", start, end, "contact"))
     gate = gates[0]

@@ -165,7 +165,7 @@ def _holds(
 ) -> bool:
     """Whether the model is nearer to a log that it was not fitted to, a contact apart; or no farther from
     one in which nothing shows of what was found."""
-    if all(f.effect == "external_contact" for f in findings):
+    if all(CATALOGUE[f.effect].place == "outside" for f in findings):
         return True
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))

@@ -8,6 +8,7 @@ from typing import Any
 from robodyn.counts.count import Count
 from robodyn.dynamics.functions import function_named
 from robodyn.emit.body import arrays_read, body_lines, reads_parameters
+from robodyn.emit.head import contained
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import Body
@@ -31,7 +32,18 @@ def function_text(
     return {
         "symbol": signature.symbol,
         "purpose": function_named(signature.function).purpose,
+        "contains": textwrap.wrap(_contains(signature, unit), WIDTH, break_on_hyphens=False),
         "counted": textwrap.wrap(counted_text(counted), WIDTH, break_on_hyphens=False),
         "unused": unused,
         **language.function(FunctionText(signature, unit, lines, tuple(unused), rereads)),
     }
+
+
+def _contains(signature: Signature, unit: Unit) -> str:
+    """What of the drives is in a function's torques; empty if nothing is."""
+    function = function_named(signature.function)
+    taken = {array.name for array in function.inputs}
+    drives: tuple[str, ...] = ()
+    if "qd" in taken:
+        drives = contained(unit.robot, accelerated="qdd" in taken or function.solves)
+    return f"with {', '.join(drives)}" if drives else ""

@@ -18,7 +18,8 @@ class Unit:
     are lines for the head of the file; ``misra``: C with products within sums in parentheses.
     ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
     written as soon as they are there. ``contraction``, on or off, stands in a pragma; ``advice`` is for the
-    head too, with flags of compilers.
+    head too, with flags of compilers; ``options`` are those it was written with, as on the
+    command line.
     """
 
     robot: Robot
@@ -31,6 +32,7 @@ class Unit:
     soon: bool = False
     contraction: str | None = None
     advice: tuple[str, ...] = ()
+    options: str = ""
 
 
 #: What is libm's, whoever makes the sines.

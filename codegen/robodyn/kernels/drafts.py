@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from robodyn.optimize.prune import Pruning
 
 #: The passes take less than a tenth of a draft away; a record that is further below need not wait for them.
-_CLEARLY = 0.85
+_CLEARLY = 0.9
 #: Of so few operations, and of gravity's, they may save more.
 _SMALL = 100
 

@@ -152,6 +152,7 @@ def generate(
         + _pruned(drafts)
         + (("sc is not read: there is no angle.",) if no_angle else ()),
         advice=_told(options),
+        options=options.text,
         misra=options.misra,
         builtin=options.trig == "builtin",
         soon=options.by_registers,

@@ -110,15 +110,10 @@ class Layered:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the head of the files says of the effects."""
-        lines = [
-            f"{entry.effect}" + (f" at joint {entry.joint}" if entry.joint else "")
-            for entry in self.robot.effects
-        ]
-        told = ["Effects: " + ", ".join(lines) + "."]
-        if self._reactions:
-            told.append(
-                f"Of {' and '.join(moving())} the links are as described, nothing moved to a parent: "
-                "bearings feel the forces in the joints."
-            )
-        return tuple(told)
+        """What the head of the files says of how the programs were built."""
+        if not self._reactions:
+            return ()
+        return (
+            f"Of {' and '.join(moving())} the links are as described, nothing moved to a parent: "
+            "bearings feel the forces in the joints.",
+        )

@@ -30,6 +30,10 @@ ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
 CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
 
 
+#: Options that the head of a file names where they are not as usual.
+_SHOWN = ("functions", "formulation", "engine", "order", "objective", "target", "contraction", "prune")
+
+
 @dataclass(frozen=True, slots=True)
 class Options:
     """What to generate and how; the defaults are those of ``robodyn gen``.
@@ -110,6 +114,29 @@ class Options:
         if self.formulation != "modified_newton_euler" or self.optimize == "none" or not self.regroup:
             return (as_in_the_book,)
         return ()
+
+    @property
+    def text(self) -> str:
+        """These options as the command line has them: precision, sines and level always, the rest where it
+        is not as usual. Records and their folders are not named: the head says which program was taken."""
+        usual = Options()
+        words = [f"--optimize {self.optimize}", f"--scalar {self.scalar}", f"--trig {self.trig}"]
+        for name in (
+            "functions",
+            "formulation",
+            "engine",
+            "order",
+            "objective",
+            "target",
+            "contraction",
+            "prune",
+        ):
+            value = getattr(self, name)
+            if value != getattr(usual, name):
+                text = f"{float(value)!r}" if isinstance(value, Fraction) else value
+                words.append(f"--{name} {','.join(value) if isinstance(value, tuple) else text}")
+        words += ["--no-regroup"] * (not self.regroup) + ["--misra"] * self.misra
+        return " ".join(words)
 
     @property
     def by_registers(self) -> bool:

@@ -21,7 +21,7 @@ from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
 from robodyn.ir.fingerprint import in_drawn_field
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.base_parameters import base_newton_euler
 from robodyn.optimize.costing import exact as exact
@@ -190,10 +190,14 @@ class Recursion:
         self.inputs, self.mark = inputs, mark
         self.rest: Sequence[Any] = [0] * len(arm.bodies)
         self._arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, number
-        self._inverse = _inverse_dynamics(arm, choice, inputs["q"], trigonometry, number)
+        self._inverse: Inverse | None = None
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
+        if self._inverse is None:
+            self._inverse = _inverse_dynamics(
+                self._arm, self._choice, self.inputs["q"], self._trigonometry, self._number
+            )
         return self._inverse(qd, qdd, self.mark)
 
     def mass_matrix(self) -> list[list[Any]]:

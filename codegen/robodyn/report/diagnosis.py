@@ -14,9 +14,9 @@ from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, 
 from robodyn.report.diagnosis_gap import ladder, tables, units_at
 from robodyn.report.diagnosis_glance import advice, tiles, told_about
 from robodyn.report.diagnosis_text import (
-    CONTACT,
     VERDICTS,
     headline,
+    is_contact,
     is_touched_only,
     number,
     place_of,
@@ -90,7 +90,7 @@ def _windows(found: Diagnosis) -> list[Window]:
     made = []
     for f in found.findings:
         start, end = (f.parameters[k].value if k in f.parameters else None for k in ("start", "end"))
-        if f.effect == CONTACT and not isinstance(start, str | None) and not isinstance(end, str | None):
+        if is_contact(f.effect) and not isinstance(start, str | None) and not isinstance(end, str | None):
             made.append(Window("train", start, end, "contact"))
     return made
 

@@ -12,14 +12,13 @@ from numpy.typing import NDArray
 from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.traits import Traits
 
 Floats = NDArray[np.float64]
 
 #: Lines on a terminal, parameters in one of them, and joints that stand beside each other.
 LINES: Final = 10
 _PARAMETERS, _JOINTS = 4, 8
-#: The effect that is reported and never added.
-CONTACT: Final = "external_contact"
 #: An error so many times its value says nothing.
 _UNSEEN: Final = 20.0
 #: A gap so many times the noise is still one.
@@ -35,6 +34,16 @@ VERDICTS: Final = {
 def title_of(effect: str) -> str:
     """An effect as people call it; the id where the catalogue has no such effect."""
     return CATALOGUE[effect].title if effect in CATALOGUE else effect
+
+
+def traits_of(effect: str) -> Traits:
+    """The traits of an effect; none where the catalogue has no such effect."""
+    return CATALOGUE[effect].traits if effect in CATALOGUE else Traits()
+
+
+def is_contact(effect: str) -> bool:
+    """Whether it is reported and never added."""
+    return effect in CATALOGUE and CATALOGUE[effect].place == "outside"
 
 
 def place_of(joint: int | None) -> str:
@@ -90,8 +99,8 @@ def headline(found: Diagnosis) -> str:
         worst = worst_joint(found.left)
         where = "" if worst is None else f" It shows most at joint {worst}."
         return f"Something is there that no effect of the catalogue explains.{where}"
-    lacking = [f for f in claims(found) if f.effect != CONTACT]
-    touched = [_touched(f) for f in claims(found) if f.effect == CONTACT]
+    lacking = [f for f in claims(found) if not is_contact(f.effect)]
+    touched = [_touched(f) for f in claims(found) if is_contact(f.effect)]
     if not lacking and touched:
         return f"{found.robot.name} lacks nothing, but {listed(touched)}."
     parts = [_at(named(f.effect), place_of(f.joint)) for f in lacking] or ["an effect"]
@@ -126,7 +135,7 @@ def touched_at(contact: Finding) -> tuple[str, str]:
 def is_touched_only(found: Diagnosis) -> bool:
     """Whether contact is all that was found."""
     lacking = claims(found)
-    return bool(lacking) and all(f.effect == CONTACT for f in lacking)
+    return bool(lacking) and all(is_contact(f.effect) for f in lacking)
 
 
 def named(effect: str) -> str:

@@ -9,10 +9,11 @@ from typing import Any, Final
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.schedule import FLOPS_PER_TASK, Solved, TaskGraph, general_graph, robot_graph
-from robodyn.schedule.arithmetic import operations_of_tasks
 from robodyn.schedule.cutting import Cut
 from robodyn.schedule.graph import link_and_number, task_id
 from robodyn.schedule.methods import TITLES
+from robodyn.schedule.task_counts import operations_of_tasks
+from robodyn.schedule.tree import Searched
 from robodyn.schedule.validate import faults_of_times
 from robodyn.thesis.judge import graph_of, printed_schedule, rule_graph
 from robodyn.thesis.printed_tasks import LEVELS_SIX_LINK, LEVELS_STANFORD
@@ -188,6 +189,8 @@ def to_dict(source: Source, solved: Solved) -> dict[str, Any]:
         "time": table.span,
         "gap": solved.gap,
         "own_bound": solved.own_bound,
+        "nodes": None if solved.search is None else solved.search.nodes,
+        "ended": None if solved.search is None else solved.search.ended,
         "synchronised": machine.synchronised,
         "communication": machine.communication,
         "faults": _faults(solved),
@@ -237,6 +240,8 @@ def _head(source: Source, solved: Solved) -> list[str]:
         lines.append(f"time {table.span} for work of {graph.work}; {what} takes {machine.communication}")
     if solved.own_bound is not None:
         lines.append(f"with one processor a joint none below {solved.own_bound}")
+    if solved.search is not None:
+        lines.append(_effort(solved.search))
     beside = source.printed.get(p)
     if beside is not None:
         lines.append(f"thesis: {beside[0]} levels (Table {beside[1]}; robodyn schedule --thesis {beside[1]})")
@@ -245,6 +250,17 @@ def _head(source: Source, solved: Solved) -> list[str]:
             f"a task is {FLOPS_PER_TASK} operations: {FLOPS_PER_TASK * table.levels} one after another"
         )
     return lines
+
+
+def _effort(search: Searched) -> str:
+    why = {
+        "proven": "nothing shorter exists",
+        "nodes": "gave up there: --nodes for more",
+        "seconds": "gave up when its time was over: --seconds for more",
+    }
+    if not search.nodes:
+        return "the heuristic that the search begins with meets the bound: nothing was left to search"
+    return f"the search looked at {search.nodes} nodes; {why[search.ended]}"
 
 
 def _grid(solved: Solved) -> list[str]:

@@ -137,7 +137,7 @@ def _solved(
         where = None
         if places is not None:
             where = {t: next(k for k, x in enumerate(row) if run.value(x)) for t, row in places.items()}
-        found = _read(graph, machine, when, where)
+        found = placed(graph, machine, when, where)
     known = max(bound, -int(-run.best_objective_bound // 1)) if status != cp.UNKNOWN else bound
     # A length with which to be content is no bound.
     known = min(known, found.levels) if enough == bound or not proven else bound
@@ -175,9 +175,11 @@ def _processors(
     return here
 
 
-def _read(
+def placed(
     graph: TaskGraph, machine: Machine, when: dict[TaskId, int], where: dict[TaskId, int] | None
 ) -> Timetable:
+    """The timetable in which every task begins when ``when`` says (in levels: its level, from 0), on the
+    processor that ``where`` says or on any that is free."""
     if machine.synchronised:
         return in_levels(graph, machine, settled(when, critical_path_order(graph), machine.processors))
     if where is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -116,11 +117,7 @@ def to_dict(study: Study) -> dict[str, Any]:
     return {
         "label": LABEL,
         "assumptions": {
-            "profile": given.profile,
-            "end": given.end,
-            "span": given.span,
-            "payload": given.payload,
-            "arm": given.arm,
+            **asdict(given),
             "stiction": None,
             "efficiency": [[float(x), float(y)] for x, y in efficiency_curve()],
             "efficiency_known": [[float(p.load), float(p.efficiency)] for p in efficiency_points()],

@@ -7,10 +7,11 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.diagnose.amend.combined import Body, bearing, joined, ripple, significant, springs, total
+from robodyn.diagnose.amend.combined import COMBINED, Body, joined, significant, total, waves
 from robodyn.diagnose.amend.settings import checked, read_settings, summed
 from robodyn.diagnose.limits import WORKED_OUT
 from robodyn.effects.catalogue import CATALOGUE, effect
+from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
 from robodyn.robot.effects import belongs
 from robodyn.robot.folding import folded
@@ -18,14 +19,8 @@ from robodyn.robot.model import AXES, EffectEntry, Inertia, Robot, Vector
 from robodyn.robot.rewriting import Place
 from robodyn.robot.values import ZERO, Value
 
-#: Laws of friction with a Coulomb level of their own: the parameters that hold it.
-LEVELS = {
-    "stribeck_friction": ("level", "static"),
-    "asymmetric_friction": ("positive", "negative"),
-    "presliding_hysteresis": ("level",),
-}
-#: Effects that are summed as wholes.
-_WHOLE = frozenset({"spring", "torque_ripple", "load_dependent_friction"})
+#: The key of a joint whose friction a law with a level of its own takes over.
+_LEVEL = "coulomb"
 
 
 class Work:
@@ -51,24 +46,21 @@ class Work:
         if joint is not None and not 1 <= joint <= self.robot.n:
             raise InputError(f"{known.id}: no such joint", found=str(joint), expected=f"1 to {self.robot.n}")
         given = read_settings(known, parameters, self.robot.n)
-        if known.id == "payload":
-            self._payload(given)
-        elif known.id == "base_tilt":
-            self._tilt(given)
+        fold = known.traits.fold
+        if known.traits.body:
+            self._body(known.id, given)
+        elif fold is not None and fold.into == "gravity":
+            self._tilt(known.id, given)
         elif joint is None:
-            self._of_robot(known.id, given)
-        elif known.id == "viscous_friction":
-            self._friction(joint, "viscous", given["coefficient"])
-        elif known.id == "coulomb_friction":
-            self._coulomb(joint, given["level"])
-        elif known.id == "rotor_inertia":
-            at = self.robot.links[joint - 1].joint
-            value = self._sum(at.motor_inertia, given["inertia"], "motor_inertia")
-            self._link(joint, "motor_inertia", joint=replace(at, motor_inertia=value))
-        elif known.id == "inertial_error":
+            self._of_robot(known, given)
+        elif fold is None:
+            self._at_joint(known, joint, given)
+        elif fold.into == "link":
             self._inertials(joint, given)
+        elif fold.key == _LEVEL:
+            self._level(joint, given[fold.parameter])
         else:
-            self._at_joint(known.id, joint, given)
+            self._of_joint(joint, fold.key, given[fold.parameter])
 
     # --- numbers of the rigid arm -----------------------------------------------------------------------
 
@@ -85,22 +77,23 @@ class Work:
         self.robot = replace(self.robot, links=tuple(links))
         self.places.add((number, place))
 
-    def _friction(self, joint: int, name: str, added: Value) -> None:
+    def _of_joint(self, joint: int, key: str, added: Value) -> None:
         at = self.robot.links[joint - 1].joint
-        value = self._sum(getattr(at, name), added, name)
-        changed = replace(at, viscous=value) if name == "viscous" else replace(at, coulomb=value)
-        self._link(joint, name, joint=changed)
+        value = self._sum(getattr(at, key), added, key)
+        changes: dict[str, Any] = {key: value}
+        self._link(joint, key, joint=replace(at, **changes))
 
-    def _coulomb(self, joint: int, level: Value) -> None:
+    def _level(self, joint: int, level: Value) -> None:
         """The level goes to the law of friction that the joint has."""
         for k, (origin, entry) in enumerate(self.entries):
-            if entry.joint == joint and entry.effect in LEVELS:
+            levels = entry.definition.traits.levels
+            if entry.joint == joint and levels:
                 values = dict(entry.settings)
-                for name in LEVELS[entry.effect]:
+                for name in levels:
                     values[name] = total(values[name], level)  # type: ignore[arg-type]
                 self._store(k, origin, entry.effect, joint, values)
                 return
-        self._friction(joint, "coulomb", level)
+        self._of_joint(joint, _LEVEL, level)
 
     def _inertials(self, joint: int, given: dict[str, Any]) -> None:
         link = self.robot.links[joint - 1]
@@ -120,17 +113,17 @@ class Work:
         if sums:
             self._link(joint, "inertia", inertia=replace(link.inertia, **sums))
 
-    def _tilt(self, given: dict[str, Any]) -> None:
+    def _tilt(self, id: str, given: dict[str, Any]) -> None:
         settings = (("tilt_x", given.get("tilt_x", ZERO)), ("tilt_y", given.get("tilt_y", ZERO)))
         if any(value for _, value in settings):
-            entry = EffectEntry("base_tilt", None, settings)
+            entry = EffectEntry(id, None, settings)
             tilted = folded(replace(self.robot, effects=(entry,))).gravity
             x, y, z = (significant(float(g), WORKED_OUT) for g in tilted)
             self.robot = replace(self.robot, gravity=(x, y, z))
             self.places.add((None, "gravity"))
 
-    def _payload(self, given: dict[str, Any]) -> None:
-        at = self._find("payload", None)
+    def _body(self, id: str, given: dict[str, Any]) -> None:
+        at = self._find(id, None)
         old: dict[str, Any] = dict(self.entries[at][1].settings) if at is not None else {}
         added: Vector = given.get("com", old.get("com", (ZERO, ZERO, ZERO)))
         load = Body(given.get("mass", ZERO), added, given.get("inertia", Inertia()))
@@ -145,9 +138,9 @@ class Work:
         elif "inertia" in old or both.inertia != Inertia():
             values["inertia"] = both.inertia
         if at is None:
-            self._append("payload", None, values)
+            self._append(id, None, values)
         else:
-            self._store(at, self.entries[at][0], "payload", None, values)
+            self._store(at, self.entries[at][0], id, None, values)
 
     def _into_last_link(self, load: Body) -> None:
         """A payload with run-time numbers cannot take another one; the link that it is fixed to can."""
@@ -172,11 +165,12 @@ class Work:
                 return k
         return None
 
-    def _of_robot(self, id: str, given: dict[str, Any]) -> None:
-        if id == "external_contact":
-            values = checked(CATALOGUE[id], None, given, self.robot, self.remarks)
-            known = [entry for _, entry in self.entries]
-            if EffectEntry(id, None, values) not in known:
+    def _of_robot(self, known: Effect, given: dict[str, Any]) -> None:
+        id = known.id
+        if known.place == "outside":
+            values = checked(known, None, given, self.robot, self.remarks)
+            there = [entry for _, entry in self.entries]
+            if EffectEntry(id, None, values) not in there:
                 self._append(id, None, given)
             return
         if any(entry.effect == id and entry.joint is not None for _, entry in self.entries):
@@ -185,44 +179,45 @@ class Work:
             return
         self._merge(id, None, given)
 
-    def _at_joint(self, id: str, joint: int, given: dict[str, Any]) -> None:
+    def _at_joint(self, known: Effect, joint: int, given: dict[str, Any]) -> None:
+        id = known.id
         of_all = self._find(id, None)
         if of_all is not None:
             values = dict(self.entries.pop(of_all)[1].settings)
             self.became[None, id] = (joint, id)
             for each in range(1, self.robot.n + 1):
                 self._merge(id, each, values)
-        if id in LEVELS:
-            self._take_coulomb(joint, id, given)
-        coupler = {"backlash": "joint_elasticity", "joint_elasticity": "backlash"}.get(id, "")
-        at = self._find(coupler, joint)
-        if at is not None:
-            # Play with stiff teeth holds both: the reader allows one of the two at a joint.
-            origin, entry = self.entries[at]
-            if id == "joint_elasticity":
-                self._store(at, origin, coupler, joint, {**dict(entry.settings), **given})
+        self._take_level(joint, known, given)
+        # What holds another effect, as play with stiff teeth holds an elastic joint, is there alone: the
+        # reader allows one of the two at a joint.
+        for k, (origin, entry) in enumerate(self.entries):
+            if entry.joint == joint and id in entry.definition.traits.absorbs:
+                self._store(k, origin, entry.effect, joint, {**dict(entry.settings), **given})
                 return
-            self.entries.pop(at)
-            self.became[joint, coupler] = (joint, id)
-            given = {**dict(entry.settings), **given}
+        for part in known.traits.absorbs:
+            at = self._find(part, joint)
+            if at is not None:
+                given = {**dict(self.entries.pop(at)[1].settings), **given}
+                self.became[joint, part] = (joint, id)
         self._merge(id, joint, given)
 
-    def _take_coulomb(self, joint: int, id: str, given: dict[str, Any]) -> None:
+    def _take_level(self, joint: int, known: Effect, given: dict[str, Any]) -> None:
         """Coulomb friction of the joint becomes the level of the law that is added."""
         at = self.robot.links[joint - 1].joint
-        if at.coulomb == ZERO:
+        if at.coulomb == ZERO or not known.traits.levels:
             return
-        for name in LEVELS[id]:
+        for name in known.traits.levels:
             if name in given:
                 given[name] = total(given[name], at.coulomb)
-        self._link(joint, "coulomb", joint=replace(at, coulomb=ZERO))
-        self.became[joint, "coulomb"] = (joint, id)
+        self._link(joint, _LEVEL, joint=replace(at, coulomb=ZERO))
+        self.became[joint, _LEVEL] = (joint, known.id)
 
     def _merge(self, id: str, joint: int | None, given: dict[str, Any]) -> None:
         """Into an entry that is there, or as one more."""
         known = CATALOGUE[id]
+        combined = COMBINED.get(known.traits.combines)
         whole: dict[str, Any] = (
-            dict(checked(known, joint, given, self.robot, [], bounds=False)) if id in _WHOLE else dict(given)
+            dict(checked(known, joint, given, self.robot, [], bounds=False)) if combined else dict(given)
         )
         for k, (origin, entry) in enumerate(self.entries):
             if (entry.effect, entry.joint) != (id, joint):
@@ -230,19 +225,12 @@ class Work:
             old = dict(entry.settings)
             if old.get("with") != given.get("with"):
                 continue
-            if id == "spring":
-                values: dict[str, Any] | None = springs(old, whole, self.remarks)
-            elif id == "torque_ripple":
-                values = ripple(old, whole)
-            elif id == "load_dependent_friction":
-                values = bearing(old, whole)
-            else:
-                values = summed(known, old, given)
+            values = combined(old, whole, self.remarks) if combined else summed(known, old, given)
             if values is not None:
                 self._store(k, origin, id, joint, values)
                 return
-        if id == "torque_ripple" and whole["amplitude"] < 0:
-            given = ripple({**whole, "amplitude": ZERO}, whole) or given
+        if known.traits.combines == "waves" and whole["amplitude"] < 0:
+            given = waves({**whole, "amplitude": ZERO}, whole, self.remarks) or given
         self._append(id, joint, given)
 
     def _append(self, id: str, joint: int | None, values: dict[str, Any]) -> None:

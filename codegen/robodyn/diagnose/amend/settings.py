@@ -13,9 +13,6 @@ from robodyn.robot.effects import default_of
 from robodyn.robot.model import AXES, Inertia, Robot, Setting
 from robodyn.robot.values import ZERO, Affine
 
-#: What adds up although the torque is not linear in it.
-_ADDS_UP = frozenset({("time_delay", "delay"), ("presliding_hysteresis", "level")})
-
 
 def read_settings(effect: Effect, given: Mapping[str, Any], joints: int) -> dict[str, Any]:
     """Those parameters that are ``given``, numbers rounded to six digits; vectors and tensors may be given by
@@ -77,7 +74,7 @@ def summed(effect: Effect, old: Mapping[str, Any], given: Mapping[str, Any]) -> 
     in its place."""
     values = dict(old)
     for name, value in given.items():
-        adds = name in effect.linear or (effect.id, name) in _ADDS_UP
+        adds = name in effect.linear or name in effect.traits.adds
         values[name] = total(old[name], value) if adds and name in old else value
     if "rated_torque" in values and not isinstance(values["efficiency"], tuple):
         del values["rated_torque"]

@@ -31,6 +31,7 @@ from robodyn.diagnose.blind.seal import seal
 from robodyn.diagnose.blind.true_arm import Arm, lacking, measured, rms
 from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import effect
+from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
 from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot
@@ -41,9 +42,6 @@ from robodyn.simulate.trajectories.fourier import fourier
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
-
-#: Effects whose gap must be tried out: steady formulas do not tell it.
-_TRIED = frozenset({"joint_elasticity", "backlash", "external_contact", "torque_saturation"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -241,7 +239,7 @@ class _Bench:
     def _shows(self, one: Amendment) -> float:
         """The gap that an effect makes, in noise floors, where it shows best."""
         true = amended(self.robot, [one])
-        if one.effect in _TRIED:
+        if _is_tried(effect(one.effect)):
             exact = Arm(self.robot, true, self.motion, self.cache).log(self.motion, 500.0)
             gap = lacking(self.robot, measured(exact, true))
         else:
@@ -251,6 +249,13 @@ class _Bench:
 
 
 # --- how the logs come about ------------------------------------------------------------------------------
+
+
+def _is_tried(known: Effect) -> bool:
+    """Whether the gap of an effect must be tried out: steady formulas do not tell it."""
+    channel = known.traits.channel
+    limits = channel is not None and channel.acts == "limit"
+    return limits or known.coupler is not None or known.place == "outside"
 
 
 def _sensors(robot: Robot, how: Setup, noise: Floats) -> Sensors:

@@ -244,9 +244,7 @@ def _holds(finding: Mapping[str, Any], hidden: Mapping[str, Any]) -> bool:
 def _wide(id: str) -> bool:
     """Whether an effect shows at other joints than its own."""
     known = CATALOGUE.get(id)
-    return known is not None and (
-        known.level != "joint" or known.place in ("rigid", "coupler") or id == "encoder_offset"
-    )
+    return known is not None and known.traits.wide
 
 
 def _closed(answer: Mapping[str, Any], diagnosis: Part) -> float | None:

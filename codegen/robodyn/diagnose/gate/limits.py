@@ -174,7 +174,7 @@ LIKE: Final = 0.3
 """[share of variance] A joint with less unexplained is like it. Between the two nothing is said."""
 
 REFUSED_GAIN: Final = 8.0
-"""[factor of the unexplained] A changed reading (joints swapped, a sign flipped): refused beyond."""
+"""[factor of the unexplained] A log is refused for a changed reading (two joints swapped) that gains more."""
 
 FLAGGED_GAIN: Final = 3.0
 """[factor of the unexplained] One that gains more is flagged."""

@@ -38,15 +38,10 @@ from robodyn.diagnose.gate.limits import (
 )
 from robodyn.diagnose.gate.readings import Change, signs_and_order, units
 from robodyn.diagnose.gate.smooth import Smooth
-from robodyn.robot.model import Robot
+from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.sensors import measured_position
 from robodyn.verify.reference import Reference
-
-_FRICTION = {
-    "asymmetric_friction", "stribeck_friction", "power_law_friction", "load_dependent_friction",
-    "presliding_hysteresis", "transmission_loss", "viscous_friction", "coulomb_friction",
-}  # fmt: skip
 
 
 def check_model(
@@ -88,10 +83,14 @@ def check_model(
     return found.unexplained
 
 
+def _rubs(entry: EffectEntry) -> bool:
+    return entry.definition.dissipative and entry.definition.level == "joint"
+
+
 def _frictionless(robot: Robot) -> Robot:
     """``robot`` without friction, which is fitted here: how much there is says nothing of units."""
     links = tuple(replace(k, joint=replace(k.joint, viscous=ZERO, coulomb=ZERO)) for k in robot.links)
-    return replace(robot, links=links, effects=tuple(e for e in robot.effects if e.effect not in _FRICTION))
+    return replace(robot, links=links, effects=tuple(e for e in robot.effects if not _rubs(e)))
 
 
 def _tell(

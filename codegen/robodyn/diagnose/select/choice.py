@@ -9,51 +9,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.gate.limits import ONE_WAY_SHARE
-from robodyn.diagnose.select.fit import BLOCKS, Fit, Problem, fitted, less
-from robodyn.diagnose.select.library import Candidate, Context, again
+from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
+from robodyn.diagnose.select.library import Candidate, Context
+from robodyn.diagnose.select.limits import (
+    BLOCKS,
+    BODY_NUMBERS,
+    CLOSE,
+    LEAST_T,
+    MANY_POWER,
+    NEARLY,
+    REFINING_ROUNDS,
+    RELIEF,
+    ROUGH,
+    ROUGH_T,
+    SWING_DIRECTIONS,
+    SWING_FARTHEST,
+    SWING_GAIN,
+    SWING_STARTS,
+    TIE,
+    TIE_LOSS,
+)
 from robodyn.diagnose.select.predict import delays
 from robodyn.effects.catalogue import CATALOGUE
 
 Floats = NDArray[np.float64]
 
-#: Least paired t over the parts of the log.
-_T = 3.0
-#: How far beyond their confidence the arm's own numbers would have to be, in units of log-likelihood.
-_RELIEF = 20.0
-#: Of the ten numbers of a body about four are seen in most motions.
-_BODY = 4
-#: Rivals: within so many standard errors of the best, or so small a share of its gain.
-_TIE, LOSS = 2.0, 0.02
-#: Or so near in log-likelihood, of those that explain so nearly the same.
-_CLOSE, _NEARLY = 5.0, 0.9
-#: More than noise, in mean squares of the noise.
-_ROUGH = 3.0
-#: A t over the parts of such a log that is enough with twice the gain.
-_ROUGHLY = 1.3
-#: By what power of the number of its numbers a candidate must then explain more.
-_MANY = 0.25
-#: Rounds of refining what is not linear, and the factor below which it is fine enough.
-_ROUNDS, _FINE = 12, 1.03
-_SPREADS = {"torque_ripple": (1.002, 1.0001)}
-#: What swings: so many of the best of a grid are refined, if they gain this share of the most, by steps in so
-#: many directions, at first as long as this (of logarithms), never farther than by this factor.
-_SWINGING, _STARTS, _SOME = ("joint_elasticity", "backlash"), 2, 0.1
-_DIRECTIONS, _REACH, _FARTHEST = 16, {"gap": 0.1, "stiffness": 0.3, "damping": 0.5}, 8.0
 #: What is the same in a joint that moves in one direction only.
-_LEVELS = ["coulomb_friction", "torque_bias"]
-#: What a late torque channel does not delay.
-_UNDELAYED = frozenset({"time_delay", "torque_bias", "torque_gain", "torque_saturation"})
-
-
-#: What has what as a special case: a tie with it says nothing.
-_CONTAINS = {
-    "asymmetric_friction": ("coulomb_friction",),
-    "stribeck_friction": ("coulomb_friction",),
-    "power_law_friction": ("coulomb_friction", "viscous_friction"),
-    "transmission_loss": ("coulomb_friction",),
-    "spring": ("torque_bias",),
-    "motor_coupling": ("rotor_inertia", "viscous_friction", "coulomb_friction"),
-}
+_LEVELS = [id for id, known in CATALOGUE.items() if known.traits.one_way == "level"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -87,8 +69,8 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
     explained = np.sqrt(np.mean((columns @ fit.x) ** 2, axis=0)) / now.sigma[rows]
     matters = float(np.max(explained / least[rows]))
     t = float(per_part.mean()) / error
-    if relief > max(0.5 * gain, _RELIEF):
-        t = max(t, _T)  # the residual is small either way: the arm's numbers would be wrong
+    if relief > max(0.5 * gain, RELIEF):
+        t = max(t, LEAST_T)  # the residual is small either way: the arm's numbers would be wrong
     return Trial(candidate, columns, fit, gain, t, matters, per_part)
 
 
@@ -97,12 +79,17 @@ def prepared(context: Context, candidate: Candidate) -> Floats:
     signals = context.slow if candidate.coarse else context.signals
     columns = candidate.columns
     late = delays(context.model.robot)[list(candidate.rows)]
-    if late.any() and candidate.effect not in _UNDELAYED:
+    if late.any() and not _of_torque_channel(candidate):
         columns = columns.copy()
         for k, delay in enumerate(late):
             for i in range(columns.shape[2]):
                 columns[:, k, i] = np.interp(signals.t - delay, signals.t, columns[:, k, i])
     return signals.thinned(signals.filtered(columns))
+
+
+def _of_torque_channel(candidate: Candidate) -> bool:
+    channel = candidate.definition.traits.channel
+    return channel is not None and channel.is_torque
 
 
 def best_of(
@@ -115,13 +102,15 @@ def best_of(
     def passes(one: Trial) -> bool:
         c = one.candidate
         wanted = enough(now, numbers_of(one))
-        if c.effect in _SWINGING:  # smoother than the motor, a link takes noise of the encoders away
+        if (
+            c.definition.coupler is not None
+        ):  # smoother than the motor, a link takes noise of the encoders away
             wanted += now.independent / 2 * float(np.sum((now.shaken / now.sigma) ** 2))
         better = int(np.sum(one.per_part > 0))
-        steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
-        steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
-        if rough and CATALOGUE[c.effect].kind != "sensor":  # parts differ by what is not in the library
-            steady = steady or (one.t >= _ROUGHLY and one.gain > 2 * wanted)
+        steady = one.t >= LEAST_T or (one.t >= LEAST_T / 2 and better >= BLOCKS - 1)
+        steady = steady or (one.t >= LEAST_T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
+        if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
+            steady = steady or (one.t >= ROUGH_T and one.gain > 2 * wanted)
         if c.local:
             steady = one.t >= 1 and one.gain > 3 * wanted
         return bool(
@@ -134,7 +123,7 @@ def best_of(
     good = [
         one
         for one in good
-        if one.candidate.effect != "asymmetric_friction" or not one_way[one.candidate.rows[0]]
+        if not one.candidate.definition.traits.both_ways or not one_way[one.candidate.rows[0]]
     ]
     if not good:
         return None
@@ -148,8 +137,8 @@ def best_of(
             best[key] = _refined(now, current, one, least, contexts)
     most = max(best.values(), key=lambda one: one.gain)
     left = np.median(most.fit.held[:, list(most.candidate.rows)], axis=0).max()
-    if rough or left > _ROUGH:  # nothing explains all there is: many numbers must bring that much more
-        ranked = sorted(best.values(), key=lambda one: -one.gain / numbers_of(one) ** _MANY)
+    if rough or left > ROUGH:  # nothing explains all there is: many numbers must bring that much more
+        ranked = sorted(best.values(), key=lambda one: -one.gain / numbers_of(one) ** MANY_POWER)
     else:
         ranked = sorted(best.values(), key=lambda one: -one.gain)
     winner = ranked[0]
@@ -173,7 +162,7 @@ def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
 
 def numbers_of(one: Trial) -> int:
     """How many free numbers a candidate has, as far as most motions show them."""
-    return min(len(one.candidate.signs), _BODY) + len(one.candidate.given)
+    return min(len(one.candidate.signs), BODY_NUMBERS) + len(one.candidate.given)
 
 
 def enough(now: Problem, numbers: int) -> float:
@@ -187,13 +176,13 @@ def nearest(
     """The trials, best first, and for what swings the best of its grid refined: a swing a little off is in
     step for a while and then worse than none."""
     found, count = list(tried), dict[tuple[str, int | None], int]()
-    least_gain = max(_SOME * max((one.gain for one in tried), default=0.0), enough(now, 3))
+    least_gain = max(SWING_GAIN * max((one.gain for one in tried), default=0.0), enough(now, 3))
     for one in tried:
         key = (one.candidate.effect, one.candidate.joint)
-        if one.candidate.effect not in _SWINGING or not one.candidate.given or one.gain < least_gain:
+        if not one.candidate.reach or one.gain < least_gain:
             continue
         count[key] = count.get(key, 0) + 1
-        if count[key] <= _STARTS and sum(count.values()) <= 2 * _STARTS:
+        if count[key] <= SWING_STARTS and sum(count.values()) <= 2 * SWING_STARTS:
             found.append(_refined(now, current, one, least, contexts))
     return sorted(found, key=lambda one: -one.gain)
 
@@ -201,24 +190,23 @@ def nearest(
 def _contains(wide: Candidate, narrow: Candidate) -> bool:
     if wide.joint != narrow.joint:
         return False
-    beside = wide.effect == "viscous_friction" and len(wide.signs) > 1 and narrow.effect == "coulomb_friction"
-    return beside or narrow.effect in _CONTAINS.get(wide.effect, ())
+    return narrow.effect in (*wide.beside, *wide.definition.traits.contains)
 
 
 def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
     """Whether ``other`` explains what ``winner`` does, as far as the log can tell."""
     if not set(winner.candidate.rows) & set(other.candidate.rows) or other.gain < 0.5 * winner.gain:
         return False
-    if other.gain > (1 - LOSS) * winner.gain:
+    if other.gain > (1 - TIE_LOSS) * winner.gain:
         return True
     # Where nearly all is explained, a small share of the gain may be much more than noise, or no more.
     left = np.maximum(winner.fit.held.mean(axis=0), 1.0)
     apart = float(((other.fit.held - winner.fit.held) / left).sum()) * now.independent / BLOCKS / 2
-    if apart < _CLOSE and other.gain > _NEARLY * winner.gain:
+    if apart < CLOSE and other.gain > NEARLY * winner.gain:
         return True
     worse = winner.per_part - other.per_part
     error = float(worse.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
-    return bool(winner.gain - other.gain < _TIE * error * BLOCKS)
+    return bool(winner.gain - other.gain < TIE * error * BLOCKS)
 
 
 def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
@@ -226,14 +214,16 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
     random directions, for it has many optima."""
 
     def at(values: dict[str, float]) -> Trial:
-        made = [again(c, one.candidate, values) for c in contexts]
+        again = one.candidate.again
+        assert again is not None
+        made = [again(c, values) for c in contexts]
         columns = [prepared(c, each) for c, each in zip(contexts, made, strict=True)]
         return trial(now, current, made[0], np.concatenate(columns), least)
 
-    if one.candidate.effect in _SWINGING:
+    if one.candidate.reach:
         return _wandered(one, at)
-    spread, fine = _SPREADS.get(one.candidate.effect, (1.5, _FINE))
-    for _ in range(_ROUNDS):
+    spread, fine = one.candidate.spread
+    for _ in range(REFINING_ROUNDS):
         better = one
         given = dict(one.candidate.given)
         for name, value in given.items():
@@ -257,14 +247,14 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
 def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
     """The best of steps in random directions, shorter and shorter."""
     rng, start = np.random.default_rng(0), one.candidate.given
-    size = np.array([_REACH[name] for name in one.candidate.given])
-    for _ in range(_ROUNDS):
+    size = np.array([one.candidate.reach[name] for name in start])
+    for _ in range(REFINING_ROUNDS):
         given = one.candidate.given
-        steps = np.exp(size * rng.standard_normal((_DIRECTIONS, len(size))))
+        steps = np.exp(size * rng.standard_normal((SWING_DIRECTIONS, len(size))))
         tried = []
         for row in steps:
             values = {name: given[name] * float(f) for name, f in zip(given, row, strict=True)}
-            if all(1 / _FARTHEST < x / start[name] < _FARTHEST for name, x in values.items()):
+            if all(1 / SWING_FARTHEST < x / start[name] < SWING_FARTHEST for name, x in values.items()):
                 tried.append(at(values))
         if not tried:
             continue

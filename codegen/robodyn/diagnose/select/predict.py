@@ -12,10 +12,11 @@ from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.signals import Signals, knee, smoothed_motion
 from robodyn.diagnose.select.twist import behind_motors
+from robodyn.effects.traits import Acts
 from robodyn.kernels.kernel import Kernel
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
-from robodyn.simulate.sensors import measured_torque
+from robodyn.simulate.sensors import acting_on, measured_torque
 
 Floats = NDArray[np.float64]
 
@@ -45,20 +46,21 @@ def agreement(robot: Robot, gate: Gate) -> float | None:
 
 def offsets(robot: Robot) -> Floats:
     """Encoder offsets [n] of the model: measured less true."""
-    return _sums(robot, "encoder_offset", "offset")
+    return _sums(robot, "position")
 
 
 def delays(robot: Robot) -> Floats:
     """How late [n] the model knows the torque channels to be [s]."""
-    return _sums(robot, "time_delay", "delay")
+    return _sums(robot, "delay")
 
 
-def _sums(robot: Robot, effect: str, name: str) -> Floats:
-    """By joint [n], the sum of a parameter; an entry of the whole robot is one of every joint."""
+def _sums(robot: Robot, acts: Acts) -> Floats:
+    """By joint [n], the sum of what so acts on a channel; an entry of the whole robot is one of every
+    joint."""
     found = np.zeros(robot.n)
-    for entry in robot.effects:
-        if entry.effect == effect:
-            found[slice(None) if entry.joint is None else entry.joint - 1] += entry.number(name)
+    for entry, channel in acting_on(robot.effects, acts):
+        joints = slice(None) if entry.joint is None else entry.joint - 1
+        found[joints] += entry.number(channel.parameter)
     return found
 
 
@@ -82,9 +84,9 @@ def model_torque(
 def given_torque(tau: Floats, robot: Robot) -> Floats:
     """Of commands [K, n], what the drives of ``robot`` gave: no more than their limits."""
     found = np.array(tau)
-    for entry in robot.effects:
-        if entry.effect == "torque_saturation" and entry.joint and entry.text("clips") == "drive":
-            limit = entry.number("limit")
+    for entry, channel in acting_on(robot.effects, "limit"):
+        if entry.joint and entry.text(channel.who) == "drive":
+            limit = entry.number(channel.parameter)
             found[:, entry.joint - 1] = np.clip(found[:, entry.joint - 1], -limit, limit)
     return found
 

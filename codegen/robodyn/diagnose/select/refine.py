@@ -14,26 +14,26 @@ from numpy.typing import NDArray
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
-from robodyn.diagnose.select.library.friction import bent
+from robodyn.diagnose.select.library.laws import bent
+from robodyn.diagnose.select.limits import (
+    HUBER,
+    HUBER_ROUNDS,
+    REFINE_FARTHEST,
+    REFINE_ROUNDS,
+    REFINE_STEP,
+    REFINE_WORTH,
+)
 from robodyn.diagnose.select.predict import given_torque, offsets
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.twist import behind_motors
+from robodyn.effects.catalogue import effect
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Bristles
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_torque
 
 Floats = NDArray[np.float64]
-
-#: Names of numbers that are no size but a choice, and effects of which the numbers are not changed here.
-_CHOSEN = frozenset({"with", "ratio", "transition", "cycles_per_rev"})
-_LEFT = frozenset({"external_contact", "inertial_error", "payload"})
-_ROUNDS, _STEP = 4, 1e-3
-#: What a round must gain to be followed by another, as a share of the sum of squares.
-_WORTH = 1e-3
-#: So many times larger than it began, a number is lost.
-_FARTHEST = 5.0
-#: From here on, in middle residuals, an error counts by its size and no more by its square.
-_USUAL, _REWEIGHTED = 2.0, 3
 
 
 def refined(
@@ -44,9 +44,8 @@ def refined(
     places = [
         (k, name)
         for k, one in enumerate(found)
-        if one.effect not in _LEFT
         for name, value in one.parameters.items()
-        if isinstance(value, float) and value and name not in _CHOSEN
+        if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
     ]
     if not places:
         return list(found)
@@ -71,22 +70,22 @@ def refined(
     begun, now = x, missed(x)
     if now is None:
         return list(found)
-    for _ in range(_ROUNDS):
+    for _ in range(REFINE_ROUNDS):
         rows = now.reshape(-1, start.n)
         weight, _ = _weights(rows, nuisance, prior)
         best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
         columns = []
         for i in range(len(x)):
             moved = x.copy()
-            moved[i] *= 1 + _STEP
+            moved[i] *= 1 + REFINE_STEP
             other = missed(moved)
-            columns.append(np.zeros_like(now) if other is None else (other - now) / (_STEP * x[i]))
+            columns.append(np.zeros_like(now) if other is None else (other - now) / (REFINE_STEP * x[i]))
         J = np.stack(columns, axis=1)
         all_of_it = weight[:, None] * np.concatenate([J, nuisance], axis=1)
         _, step = _least(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
             tried = x - share * step[: len(x)]
-            within = np.all(tried * x > 0) and np.all(np.abs(tried) < _FARTHEST * np.abs(begun))
+            within = np.all(tried * x > 0) and np.all(np.abs(tried) < REFINE_FARTHEST * np.abs(begun))
             other = missed(tried) if within else None
             if other is None:
                 continue
@@ -96,7 +95,7 @@ def refined(
         else:
             break
         assert other is not None
-        worth = best - sum_of_squares > _WORTH * best
+        worth = best - sum_of_squares > REFINE_WORTH * best
         x, now = tried, other
         if not worth:
             break
@@ -120,6 +119,14 @@ def costs(
     return found
 
 
+def _is_refined(known: Effect, name: str) -> bool:
+    """Whether the number is a size and not a choice, of an effect that is no window in time and whose numbers
+    the arm's own do not make up for."""
+    fold = known.traits.fold
+    is_body = known.traits.body or (fold is not None and fold.into == "link")
+    return known.place != "outside" and not is_body and name not in known.traits.chosen
+
+
 def _own(start: Problem) -> tuple[Floats, Floats]:
     """Columns [N n, p] of the arm's own numbers, and how they are held [p, p]."""
     nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
@@ -138,11 +145,11 @@ def _weights(
     1964), as factors of rows, and the middle sizes [n]; by what the nuisance too leaves of ``left``
     [N, n]."""
     weight, size = np.ones(left.size), np.ones(left.shape[1])
-    for _ in range(_REWEIGHTED):
+    for _ in range(HUBER_ROUNDS):
         x = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[1]
         rest = left - (nuisance @ x).reshape(left.shape)
         size = _usual(rest) if usual is None else usual
-        weight = np.sqrt(np.minimum(1.0, _USUAL * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
+        weight = np.sqrt(np.minimum(1.0, HUBER * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
     return weight, size
 
 
@@ -163,10 +170,11 @@ def _rest(robot: Robot, c: Context) -> Floats:
     found = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
     total = found.total
     for entry in robot.effects:
-        if entry.effect == "presliding_hysteresis" and entry.joint:  # the model has them sliding
-            j, level = entry.joint - 1, entry.number("level")
-            if level > 0:
-                bristles = bent(s.q[:, j], level / entry.number("stiffness"))
-                total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
+        for law in entry.definition.traits.candidates:
+            if isinstance(law, Bristles) and entry.joint:  # the model has them sliding
+                j, level = entry.joint - 1, entry.number(law.level)
+                if level > 0:
+                    bristles = bent(s.q[:, j], level / entry.number(law.stiffness))
+                    total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
     tau = measured_torque(total, s.t, robot.effects)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

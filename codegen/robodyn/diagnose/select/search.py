@@ -12,6 +12,7 @@ from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.select.choice import enough, numbers_of
 from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.rigid import Model, physical
 from robodyn.diagnose.select.selection import Named, Selection, select
@@ -21,18 +22,6 @@ from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
 Key = tuple[str, int | None]
-
-#: After each pass the model is amended and looked at again.
-_PASSES = 10
-#: What must be lost by leaving an effect out, in what it had to gain to be taken.
-_PRICE = 0.3
-#: Of more than so many the others are left as they are where one is left out: that takes too long.
-_FEW = 6
-#: One law with a power of the speed at the same joint.
-_BENT = ("viscous_friction", "coulomb_friction")
-#: With an exponent below this a power of the speed is a level, and below this share of its top speed a joint
-#: stands.
-_LEVEL, _STANDS = 0.15, 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,7 +56,7 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
     tell("fitting the catalogue")
     first = last = look(robot)
     model, found, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
-    for _ in range(_PASSES):
+    for _ in range(PASSES):
         if not last.found:
             break
         _take(last, found, digest)
@@ -91,19 +80,19 @@ def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
         without = []
         for key in found:
             others = {other: one for other, one in found.items() if other != key}
-            if len(found) <= _FEW:
+            if len(found) <= FEW:
                 _refit(robot, others, first)
             without.append(others)
         models = [_amendments(found), *(_amendments(others) for others in without)]
         whole, *less = costs(robot, models, first.contexts, first.start)
         spare = [
-            cost - whole - _PRICE * enough(first.start, numbers_of(one.named.trial))
+            cost - whole - PRICE * enough(first.start, numbers_of(one.named.trial))
             for cost, one in zip(less, found.values(), strict=True)
         ]
-        bent = {joint for effect, joint in found if effect == "power_law_friction"}
+        laws = {(part, joint) for effect, joint in found for part in CATALOGUE[effect].traits.one_law_with}
         for k, (effect, joint) in enumerate(found):
             # Of a contact the window is left out of the costs.
-            if effect == "external_contact" or (effect in _BENT and joint in bent):
+            if CATALOGUE[effect].place == "outside" or (effect, joint) in laws:
                 spare[k] = np.inf
         k = int(np.argmin(spare))
         if spare[k] >= 0:
@@ -124,28 +113,27 @@ def _refit(robot: Robot, found: dict[Key, Found], begun: Selection) -> None:
 
 
 def _levelled(found: dict[Key, Found], begun: Selection) -> bool:
-    """Whether a power of the speed was no more than a level: it is Coulomb friction then."""
-    flat = [
-        (effect, joint)
-        for (effect, joint), one in found.items()
-        if effect == "power_law_friction" and float(one.parameters["exponent"]) < _LEVEL
-    ]
-    for key in flat:
+    """Whether an effect was no more than its limit, as a power of the speed may be a level: it is Coulomb
+    friction then."""
+    limits = [(key, CATALOGUE[key[0]].traits.limit) for key in found]
+    flat = [(key, limit) for key, limit in limits if limit and limit.when(found[key].parameters)]
+    for key, limit in flat:
         one, j = found.pop(key), (key[1] or 1) - 1
         speed = np.abs(begun.context.signals.qd[:, j])
-        usual = float(np.median(speed[speed > _STANDS * speed.max()]))
-        velocity = float(one.parameters.get("velocity", 1.0))
-        level = float(one.parameters["level"]) * (usual / velocity) ** float(one.parameters["exponent"])
-        plain = ("coulomb_friction", key[1])
+        usual = float(np.median(speed[speed > STANDING * speed.max()]))
+        parameters = limit.parameters(one.parameters, usual)
+        plain = (limit.id, key[1])
         if plain in found:
             before = found[plain]
-            level += float(before.parameters["level"])
-            found[plain] = replace(before, parameters={"level": level})
+            sums = {name: float(x) + float(before.parameters[name]) for name, x in parameters.items()}
+            found[plain] = replace(before, parameters={**before.parameters, **sums})
             continue
-        candidate = replace(one.named.trial.candidate, effect=plain[0], signs=(1,), given={}, order=1)
+        candidate = replace(
+            one.named.trial.candidate, effect=plain[0], signs=(1,), given={}, beside=(), again=None, order=1
+        )
         named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
-        errors = {"level": one.errors["level"]} if "level" in one.errors else {}
-        found[plain] = Found(named, {"level": level}, errors, one.first)
+        errors = {name: one.errors[name] for name in parameters if name in one.errors}
+        found[plain] = Found(named, parameters, errors, one.first)
     return bool(flat)
 
 
@@ -154,7 +142,7 @@ def _take(step: Selection, found: dict[Key, Found], digest: str) -> None:
     for named in step.found:
         candidate = named.trial.candidate
         values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
-        if candidate.effect == "external_contact":
+        if candidate.definition.place == "outside":
             values["log"] = digest
         key = (candidate.effect, candidate.joint)
         if key in found:
@@ -180,7 +168,9 @@ def estimates(
     candidate: Candidate, x: Floats, stderr: Floats, model: Model
 ) -> tuple[dict[str, float | str], dict[str, float]]:
     """The catalogue's parameters of the coefficients, and their standard errors."""
-    read = candidate.read if candidate.effect != "inertial_error" else lambda v: _deltas(candidate, v, model)
+    fold = candidate.definition.traits.fold
+    of_link = fold is not None and fold.into == "link"
+    read = (lambda v: _deltas(candidate, v, model)) if of_link else candidate.read
     values = read(x)
     errors: dict[str, float] = {}
     for name, value in values.items():
