@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import itertools
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -22,7 +23,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option, trig_for
+from robodyn_cli.languages import chosen_languages, language_option, tests_of, trig_for
 from robodyn_cli.options import functions_option, listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -108,16 +109,16 @@ def command(
     check: bool,
     as_json: bool,
 ) -> None:
-    """Write the kernels of a robot in C and Fortran, and print the operation counts.
+    """Write the kernels of a robot, in C and Fortran or other languages, and print the operation counts.
 
-    DIR gets NAME.h, NAME.c and NAME.f90 with the functions of --functions. The same
-    input gives the same bytes on any machine.
+    DIR gets NAME.h, NAME.c and NAME.f90 (a crate with --lang rust) with the functions of --functions. The
+    same input gives the same bytes on any machine.
     """
     from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
 
-    languages = chosen_languages(lang)
+    languages = chosen_languages(lang, compiled=compile_)
     options = _options(
         None if firmware else target,
         {
@@ -153,7 +154,7 @@ def command(
     if firmware:
         write_firmware(made, folder, languages, target, check=check, as_json=as_json)
         return
-    files = made.files(languages, batch=batch)
+    files = {**made.files(languages, batch=batch), **tests_of(made, languages)}
     if batch:
         for interface in made.signatures:
             if interface.states:
@@ -230,7 +231,8 @@ def _profile(options: Options) -> dict[str, Any]:
 
 
 def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
-    """Compile and load each language; compare C and Fortran bit by bit if both are there."""
+    """Compile and load each language; compare their results bit by bit if there are several."""
+    from robodyn.emit.languages import LANGUAGES
     from robodyn.errors import CheckError, ToolError
     from robodyn.kernels.kernel import load as load_kernel
 
@@ -239,7 +241,7 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, ba
     for language in languages:
         try:
             files = made.files((language,), batch=batch and language == "c")
-            kernel = load_kernel(made.signatures, files, language=language)  # type: ignore[arg-type]
+            kernel = load_kernel(made.signatures, files, language=language)
         except ToolError as error:
             if language != "c" and not explicit:
                 said[language] = f"written, not compiled: {error}"
@@ -247,13 +249,13 @@ def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, ba
             raise
         kernels[language] = kernel
         said[language] = f"compiled with {kernel.compiler}, loaded"
-    if len(kernels) == 2:
-        if not _same_bits(made, *kernels.values()):
+    for one, other in itertools.pairwise(kernels):
+        if not _same_bits(made, kernels[one], kernels[other]):
             raise CheckError(
-                "the compiled C and Fortran give different bits",
+                f"the compiled {LANGUAGES[one].title} and {LANGUAGES[other].title} give different bits",
                 remedy="compile both without contraction and -ffast-math (CC, FC), or one of them (--lang)",
             )
-        said["c and fortran"] = "the same bits on 100 states"
+        said[f"{one} and {other}"] = "the same bits on 100 states"
     return said
 
 

@@ -34,7 +34,7 @@ from robodyn.firmware.states import (
     ranges,
     vector_states,
 )
-from robodyn.firmware.vectors import Vectors, vectors
+from robodyn.firmware.vectors import SMALLEST, Vectors, rounded_up, vectors
 from robodyn.ir.evaluate import angle_form
 from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType, Signature
@@ -74,11 +74,8 @@ _TOLD = {
     "Makefile": "The self-test as an image and on this computer; GNU make.",
 }
 _OTHER = "Self-test of the {title} kernel: the same digest of the bits as of the C."
-#: Digits of a tolerance, which is rounded up.
-_UP = 1.0051
 #: Of the digests' generator: from an integer to a position in a range.
 _SCALE = Fraction(1, 2**23)
-_SMALLEST = {"float": 2.0**-126, "double": 2.0**-1022}
 _WIDTH = 96
 
 
@@ -279,18 +276,14 @@ def _vector_lines(
     lines = []
     for k, expected in enumerate(found.expected):
         arrays = [[float(v) for v in x[k]] for x in states.values()]
-        small = [Fraction(0) if abs(x) < _SMALLEST[scalar] else x for x in expected]
+        small = [Fraction(0) if abs(x) < SMALLEST[scalar] else x for x in expected]
         rows = [_braced([Fraction(v) for v in row], spelling) for row in arrays]
-        rows += [_braced(small, spelling), _braced([_up(t, scalar) for t in found.tolerance[k]], spelling)]
+        rows += [
+            _braced(small, spelling),
+            _braced([rounded_up(t, scalar) for t in found.tolerance[k]], spelling),
+        ]
         lines.append([[*row[:-1], row[-1] + ","] for row in rows[:-1]] + [rows[-1]])
     return lines
-
-
-def _up(tolerance: float, scalar: ScalarType) -> Fraction:
-    """``tolerance`` rounded up to three digits, to a number that is not subnormal."""
-    if tolerance == 0:
-        return Fraction(0)
-    return Fraction(f"{max(tolerance, 2 * _SMALLEST[scalar]) * _UP:.2e}")
 
 
 def _braced(numbers: Sequence[Fraction], spelling: Spelling) -> list[str]:

@@ -29,7 +29,6 @@ from robodyn.kernels.batch_calls import batch_calls
 from robodyn.kernels.function import Function
 from robodyn.kernels.workspace import Workspace
 from robodyn.kernels.wrapper import parameters_of, prototypes, wrapper
-from robodyn.toolchain.compiler import Language
 from robodyn.toolchain.library import Calls, Library, Mode, open_library
 
 #: Emitted C files of a function's batch, ``{path: text}``, by the function's name.
@@ -43,7 +42,7 @@ def load(
     cc: str | None = None,
     fc: str | None = None,
     flags: str | Sequence[str] | None = None,
-    language: Language = "c",
+    language: str = "c",
     mode: Mode = "auto",
     cache: Path | str | None = None,
     batch: BatchFiles | None = None,
@@ -57,7 +56,7 @@ def load(
     cc, fc: the C and the Fortran compiler, maybe with arguments (default: ``CC``, ``FC``, the usual names).
         Fortran needs a C compiler too, for the calls from Python.
     flags: compiler flags of the emitted language in place of the default
-        (:data:`~robodyn.toolchain.compiler.C_FLAGS`, :data:`~robodyn.toolchain.compiler.FORTRAN_FLAGS`);
+        (:class:`~robodyn.emit.language.Compiled`);
         what makes a shared library is added.
     language: which of the emitted files to compile, ``c`` or ``fortran``.
     mode: ``api`` for the cheapest calls (needs Python's headers, compiles longer), ``abi`` for the least
@@ -122,7 +121,7 @@ class Kernel:
     """
 
     def __init__(
-        self, signatures: Sequence[Signature], library: Library, language: Language, recipe: tuple[Any, ...]
+        self, signatures: Sequence[Signature], library: Library, language: str, recipe: tuple[Any, ...]
     ) -> None:
         self.robot = signatures[0].robot
         self.scalar = signatures[0].scalar
