@@ -19,16 +19,16 @@ def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:
     log = grid.log
     stay = max(STAY_ROWS, round(STAY_TIME / grid.period))
     for j in range(log.n):
-        found = [part.start + row for part in grid.segments for row in _stuck(log.q[part, j], stay)]
-        if not found:
+        rows = [part.start + row for part in grid.segments for row in _stuck(log.q[part, j], stay)]
+        if not rows:
             continue
-        spans = grid.spans(np.array(found, dtype=np.intp))
-        share = len(found) / log.samples
+        spans = grid.spans(np.array(rows, dtype=np.intp))
+        share = len(rows) / log.samples
         if share > STUCK_SHARE:
             refuse(
                 source,
                 f"q{j + 1} stops dead and stays on one number while the joint moves",
-                found=f"{log.q[found[0], j]:.6g} in {spans[0]}, {share:.0%} of the samples in all",
+                found=f"{log.q[rows[0], j]:.6g} in {spans[0]}, {share:.0%} of the samples in all",
                 expected="positions that follow the motion",
                 remedy="see whether the sensor freezes, or its range ends there; leave such rows out",
             )
@@ -43,10 +43,10 @@ def _stuck(q: Floats, stay: int) -> list[int]:
     step = np.diff(q)
     top = float(np.quantile(np.abs(q[BEFORE_STAY:] - q[:-BEFORE_STAY]), 0.99)) / BEFORE_STAY
     edges: Rows = np.flatnonzero(np.diff(np.r_[0, (step == 0).astype(np.int8), 0]))
-    found: list[int] = []
+    rows: list[int] = []
     for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         if b - a < stay or a < BEFORE_STAY:
             continue
         if top > 0 and abs(float(q[a] - q[a - BEFORE_STAY])) > STUCK_SPEED * top * BEFORE_STAY:
-            found += range(a + 1, b + 1)
-    return found
+            rows += range(a + 1, b + 1)
+    return rows
