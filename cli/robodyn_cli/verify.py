@@ -69,9 +69,9 @@ def command(
         engine=engine,  # type: ignore[arg-type]
     )
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    made = generate(described, options)
-    kernel = load_kernel(made.signatures, made.files((lang,)), language=lang)
-    exact = _exactly(made)
+    generated = generate(described, options)
+    kernel = load_kernel(generated.signatures, generated.files((lang,)), language=lang)
+    exact = _exactly(generated)
     with _Bar() as step:
         report = verify(described, kernel, states=states, seed=seed, progress=step)
     passed = report.passed and all(exact.values())
@@ -90,16 +90,16 @@ def command(
         raise CheckError(f"{described.name}: the kernel does not agree with the references")
 
 
-def _exactly(made: Generated) -> dict[str, bool]:
+def _exactly(generated: Generated) -> dict[str, bool]:
     from robodyn.dynamics.equality import equals_recursion
 
-    robot = made.unit.robot
+    robot = generated.unit.robot
     smooth = robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links)
     if smooth or not all(entry.definition.traits.body for entry in robot.effects):
         return {}  # tanh and roots have no exact values
     return {
         interface.function: equals_recursion(robot, interface.function, program)
-        for interface, program in made.unit.functions
+        for interface, program in generated.unit.functions
     }
 
 

@@ -126,7 +126,7 @@ def test_evaluate_over_sympy_gives_expressions() -> None:
     over_sympy = evaluate(
         made,
         symbols,
-        number=lambda x: sympy.Rational(x.numerator, x.denominator),
+        constant=lambda x: sympy.Rational(x.numerator, x.denominator),
         functions={"sin": sympy.sin, "cos": sympy.cos},
     )["tau"]
     at = Point(5)

@@ -59,11 +59,11 @@ def rounding_bounds(
     """
     unit, tiny = UNIT[scalar], TINY[scalar]
     states = len(next(iter(inputs.values()))) if inputs else 1
-    made: list[_Bounded] = []
+    bounded: list[_Bounded] = []
 
     def at(operand: Operand) -> _Bounded:
         if isinstance(operand, int):
-            return made[operand]
+            return bounded[operand]
         if isinstance(operand, Input):
             return _Bounded(inputs[operand], np.zeros(states))
         return _constant(operand, scalar, states)
@@ -82,7 +82,7 @@ def rounding_bounds(
         elif op not in ("neg", "abs", "sign"):
             rounded = error + unit * (np.abs(value) + error) + tiny
             error = np.where(_exact(op, value, *operands), error, rounded)
-        made.append(_Bounded(value, error))
+        bounded.append(_Bounded(value, error))
     return {
         name: np.stack([at(operand).error * _SPARE for operand in elements], axis=1)
         for name, elements in program.outputs

@@ -108,7 +108,7 @@ def evaluated(
         outputs = evaluate(
             program,
             {name: mpmath.mpf(float(x[k])) for name, x in inputs.items()},
-            number=lambda x: mpmath.mpf(x.numerator) / x.denominator,
+            constant=lambda x: mpmath.mpf(x.numerator) / x.denominator,
             functions=functions,
         )
         return {array: [_fraction(mpmath.mpf(x)) for x in row] for array, row in outputs.items()}

@@ -99,9 +99,9 @@ def _check(signatures: Sequence[Signature]) -> None:
     if not signatures:
         raise InputError("there is no function to load", expected="one signature at least")
     for what in ("robot", "scalar"):
-        found = sorted({str(getattr(s, what)) for s in signatures})
-        if len(found) > 1:
-            raise InputError(f"the functions of a kernel have one {what}", found=", ".join(found))
+        values = sorted({str(getattr(s, what)) for s in signatures})
+        if len(values) > 1:
+            raise InputError(f"the functions of a kernel have one {what}", found=", ".join(values))
     names = [s.function for s in signatures]
     if len(set(names)) < len(names):
         raise InputError("a function is there twice", found=", ".join(names))
@@ -184,18 +184,18 @@ class Kernel:
         InputError: there is no such function, it remembers between calls, or an argument does not fit.
         ToolError: no compiler, or it refuses the files.
         """
-        found = self._function(function)
-        if named or len(arrays) != len(found.signature.inputs):
-            arrays = found.bind(arrays, named)
-        return self._batch(found)(arrays, params=params, out=out, threads=threads)
+        entry = self._function(function)
+        if named or len(arrays) != len(entry.signature.inputs):
+            arrays = entry.bind(arrays, named)
+        return self._batch(entry)(arrays, params=params, out=out, threads=threads)
 
     def _batch(self, function: Function) -> Batch:
         """The batch of ``function``, compiled at the first time."""
         with self._lock:
-            made = self._batches.get(function.name)
-            if made is None:
-                made = self._batches[function.name] = self._make_batch(function)
-            return made
+            batch = self._batches.get(function.name)
+            if batch is None:
+                batch = self._batches[function.name] = self._make_batch(function)
+            return batch
 
     def _make_batch(self, function: Function) -> Batch:
         if function.signature.states:
@@ -225,12 +225,12 @@ class Kernel:
         return Batch(function, library)
 
     def _function(self, name: str) -> Function:
-        found = self._functions.get(name)
-        if found is None:
+        entry = self._functions.get(name)
+        if entry is None:
             raise InputError(
                 f"{self.robot}: there is no function {name!r}", expected=" or ".join(self.functions)
             )
-        return found
+        return entry
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _load_again, self._recipe

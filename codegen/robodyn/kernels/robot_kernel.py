@@ -47,9 +47,9 @@ def compile(
         trig=trig,  # type: ignore[arg-type]
         engine=engine,  # type: ignore[arg-type]
     )
-    made = generate(robot, options)
+    generated = generate(robot, options)
     batch = _Batches(robot, options)
-    return load(made.signatures, made.files((language,)), language=language, batch=batch, **build)
+    return load(generated.signatures, generated.files((language,)), language=language, batch=batch, **build)
 
 
 @dataclass(frozen=True)

@@ -52,22 +52,22 @@ class Compiler:
             of what it said; or it is content and has not written the target.
         """
         command = [*self.command, *arguments]
-        code, said = _execute(command, folder, SECONDS)
+        code, output = _execute(command, folder, SECONDS)
         if code != 0:
             raise ToolError(
                 f"the {language_named(self.language).title} compiler failed at {doing}",
-                found=first_lines(said) or f"exit status {code} and no message",
+                found=first_lines(output) or f"exit status {code} and no message",
                 remedy=f"the command was: {shlex.join(command)}",
             )
         if target is not None and not (folder / target).is_file():
             title = language_named(self.language).title
             raise ToolError(
                 f"the {title} compiler {self.command[0]} wrote no file at {doing}",
-                found=first_lines(said) or "exit status 0 and no message",
+                found=first_lines(output) or "exit status 0 and no message",
                 expected=target,
                 remedy=f"the command was: {shlex.join(command)}",
             )
-        return said
+        return output
 
     def compile(self, source: str, *, flags: Sequence[str], folder: Path) -> str:
         """Compile ``source`` (a path in ``folder``) to a position-independent object; the object's name."""
@@ -105,9 +105,9 @@ def split_flags(flags: str | Sequence[str]) -> tuple[str, ...]:
     return tuple(shlex.split(flags)) if isinstance(flags, str) else tuple(flags)
 
 
-def first_lines(said: str, count: int = 3) -> str:
+def first_lines(output: str, count: int = 3) -> str:
     """The lines of a compiler's output that matter: the first ``count`` errors, else the first lines."""
-    lines = [line.strip() for line in said.splitlines() if line.strip()]
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
     errors = [k for k, line in enumerate(lines) if re.search(r"\b(error|undefined|multiple def)", line, re.I)]
     if not errors:
         return " | ".join(lines[:count])
@@ -157,17 +157,17 @@ def find_compiler(language: str, asked: str | None = None) -> Compiler:
 
 @functools.lru_cache(maxsize=32)
 def _identify(language: str, command: tuple[str, ...]) -> Compiler:
-    code, said = _execute([*command, "--version"], None, ANSWER)
-    if code != 0 or not said.strip():
+    code, output = _execute([*command, "--version"], None, ANSWER)
+    if code != 0 or not output.strip():
         raise ToolError(
             f"the {language_named(language).title} compiler does not work",
-            found=first_lines(said) or f"exit status {code} and no message",
+            found=first_lines(output) or f"exit status {code} and no message",
             expected="its version",
             remedy=f"the command was: {shlex.join([*command, '--version'])}",
         )
     code, machine = _execute([*command, "-dumpmachine"], None, ANSWER)
-    identity = said.strip() + (f"\n{machine.strip()}" if code == 0 else "")
-    return Compiler(language, command, said.strip().splitlines()[0], identity)
+    identity = output.strip() + (f"\n{machine.strip()}" if code == 0 else "")
+    return Compiler(language, command, output.strip().splitlines()[0], identity)
 
 
 def _execute(command: Sequence[str], folder: Path | None, seconds: float) -> tuple[int, str]:
