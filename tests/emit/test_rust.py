@@ -13,7 +13,8 @@ from emit.kernels import ODD, in_single, made, robots
 from emit.test_bits import DT, arrays, own_cache, parameters, run, same_bits
 from robodyn import compile as compile_robot
 from robodyn.emit.languages.rust import uses_libm
-from robodyn.kernels.generate import Generated
+from robodyn.kernels.generate import Generated, Options, generate
+from robodyn.robot import read_text
 from robodyn_testing import covering, representative, require_tool, sampled
 
 __all__ = ["own_cache"]
@@ -70,6 +71,18 @@ def test_no_warning_and_nothing_to_format(name: str, trig: str, tmp_path: Path) 
     command = [rustfmt, "--check", "--edition", "2021", "src/lib.rs"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (0, "")
+
+
+@pytest.mark.parametrize("name", ["core", "std", "Arm", "crate", "move"])
+def test_names_that_rust_has_itself(name: str, tmp_path: Path) -> None:
+    """Of the robot, whose crate is called otherwise then, and of run-time parameters."""
+    link = "{joint: revolute, mass: match, com: [r_x, sign, 0], friction: {coulomb: q}}"
+    generated = generate(read_text(f"name: {name}\nlinks: [{link}]"), Options(trig="builtin"))
+    crate = Crate(generated, tmp_path)
+    parameters = dict.fromkeys(generated.signatures[0].parameters, 0.5)
+    torques = crate.run("inverse_dynamics", {a: np.ones((1, 1)) for a in ("q", "qd", "qdd")}, parameters, DT)
+    friction, inertia = 0.5, 0.5 * (0.5**2 + 0.5**2)
+    np.testing.assert_allclose(torques, [[friction + inertia]])
 
 
 def test_no_std_and_no_unsafe() -> None:
