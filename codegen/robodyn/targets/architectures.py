@@ -25,3 +25,16 @@ CORTEX_M = Architecture(
 
 #: Memory of Arm's boards MPS2 with a Cortex-M3, M4 or M7.
 MPS2 = {"code": Region(0x0000_0000, "4M"), "data": Region(0x2000_0000, "4M")}
+
+#: RISC-V with 32 bits, where an image has the machine to itself; mcycle then counts what icount does.
+RISCV = Architecture(
+    name="riscv",
+    macro="__riscv",
+    prefix="riscv64-unknown-elf-",
+    compiler_package="gcc-riscv64-unknown-elf",
+    binutils_package="binutils-riscv64-unknown-elf",
+    emulator=Program("qemu-system-riscv32", "qemu-system-misc"),
+    options=(*_QUIET, "-bios", "none", "-icount", "shift=0"),
+    counter="mcycle",
+    ticks=1.0,
+)

@@ -9,7 +9,8 @@ TARGET = Target(
     why="the bits are those of every other target",
     flags=("-mcpu=cortex-m7", "-mthumb", "-mfpu=fpv5-d16", "-mfloat-abi=hard"),
     registers=15,
-    costs=Costs(div=30.0, sqrt=30.0, sincos=47.0),
+    single=Costs(div=16.0, sqrt=14.0, sincos=38.0),
+    double=Costs(div=30.0, sqrt=30.0, sincos=47.0),
     chip=Chip(480.0, "STM32H7; cycles as robodyn's searches weigh them (--objective weighted), usual clock"),
     board=Board("mps2-an500", CORTEX_M, **MPS2),
 )
