@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+import robodyn
+
 HEAVY = {"numpy", "sympy", "scipy", "matplotlib", "cffi", "pycparser", "hypothesis", "pytest"}
 
 
-def loaded(code: str, folder: Path) -> set[str]:
-    """The top-level modules that a fresh interpreter has loaded after ``code``, run in ``folder``."""
+def modules(code: str, folder: Path) -> set[str]:
+    """The modules that a fresh interpreter has loaded after ``code``, run in ``folder``."""
     script = f"import sys\n{code}\nprint(*sys.modules, file=sys.stderr)"
     done = subprocess.run(
         [sys.executable, "-c", script], cwd=folder, capture_output=True, text=True, check=True
     )
-    return {name.partition(".")[0] for name in done.stderr.splitlines()[-1].split()}
+    return set(done.stderr.splitlines()[-1].split())
+
+
+def loaded(code: str, folder: Path) -> set[str]:
+    """The top-level ones among them."""
+    return {name.partition(".")[0] for name in modules(code, folder)}
 
 
 def command(*arguments: str) -> str:
@@ -101,3 +109,12 @@ def test_the_benchmark_of_generation_measures(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
     done = subprocess.run([*run, "--runs", "0"], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 2
+
+
+def test_the_version_is_that_of_the_installation_and_costs_no_start_up(tmp_path: Path) -> None:
+    assert robodyn.__version__ == importlib.metadata.version("robodyn")
+    assert "importlib.metadata" not in modules("import robodyn\nrobodyn.load", tmp_path)
+    done = subprocess.run(
+        [sys.executable, "-m", "robodyn", "--version"], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == f"robodyn {robodyn.__version__}\n"

@@ -1,22 +1,29 @@
-"""``robodyn bench``: what a call takes here, beside the installed peers; and when threads would win."""
+"""``robodyn bench``: time a call on this machine, with installed peers for comparison, and on threads."""
 
 from __future__ import annotations
 
 import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
-from robodyn_cli.options import load, model_options
+from robodyn_cli.options import function_option, load, model_options
 from robodyn_cli.searching import Search
 
 
 @click.command()
 @robot_argument
-@click.option("-p", "--processors", metavar="N", help="Threads: 2, 2,4 or 2..4. [default: 2 to the cores]")
-@click.option("--cut", metavar="K", type=int, default=3, show_default=True, help="Operations a task.")
-@click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
-@click.option("--lanes", metavar="W", type=int, default=4, show_default=True, help="Of the packed form.")
-@click.option("--states", metavar="N", type=int, help="States of a measurement.")
-@click.option("--cc", metavar="CC", help="The C compiler.")
+@click.option(
+    "-p",
+    "--processors",
+    metavar="N",
+    help="Number of threads: 2, 2,4 or 2..4. [default: 2 to the number of cores]",
+)
+@click.option("--cut", metavar="K", type=int, default=3, show_default=True, help="Operations per task.")
+@function_option("Function to time.")
+@click.option(
+    "--lanes", metavar="W", type=int, default=4, show_default=True, help="Lanes of the packed form."
+)
+@click.option("--states", metavar="N", type=int, help="Number of states per measurement.")
+@click.option("--cc", metavar="CC", help="C compiler.")
 @click.option("--no-peers", is_flag=True, help="Leave out the peers and the calls from Python.")
 @model_options
 @json_option
@@ -37,12 +44,12 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Time a kernel here: alone, beside its peers, packed, and on threads, with what waiting costs.
+    """Time a kernel on this machine: serial, packed, on threads, and compared with installed peers.
 
-    First nanoseconds and instructions a call, beside those of pin, mujoco and casadi that are installed, each
-    timed only if it gives the same torques. Then threads; all bits are compared first. For every number of
-    threads the table says what meeting costs, whether threads win, and from how many operations a task (and
-    in all) they would.
+    The first table has nanoseconds and instructions per call, also for those of pin, mujoco and casadi that
+    are installed and give the same torques. The second table is for threads, after a bitwise comparison: the
+    synchronisation cost for every number of threads, whether threads are faster, and from how many
+    operations per task (and in total) they would be.
     """
     from robodyn.bench.kernel_bench import kernel_bench, kernel_text
     from robodyn.bench.parallel_bench import bench, bench_text
@@ -56,7 +63,9 @@ def command(
 
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     if states is not None and states < 1:
-        raise InputError("a measurement needs states", found=f"--states {states}", expected="1 or more")
+        raise InputError(
+            "a measurement needs at least one state", found=f"--states {states}", expected="1 or more"
+        )
     counts = processors_of(processors or f"2..{max(2, min(4, cores()))}")
     options = Options((function,), formulation, optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
     options = Search(None, 0, "total", False).applied(described, options, (function,))
@@ -66,7 +75,7 @@ def command(
         beside = None
         if function_named(function).is_recursion and not no_peers:
             beside = kernel_bench(described, options, cc=cc, tell=lambda text: shown.tell(f"robodyn: {text}"))
-        found = bench(
+        measured = bench(
             described,
             interface,
             tasks,
@@ -77,8 +86,8 @@ def command(
             tell=lambda text: shown.tell(f"robodyn: {text}"),
         )
     if as_json:
-        echo_json({**found.to_dict(), **({} if beside is None else beside.to_dict())})
+        echo_json({**measured.to_dict(), **({} if beside is None else beside.to_dict())})
     else:
         if beside is not None:
             click.echo(kernel_text(beside))
-        click.echo(bench_text(found), nl=False)
+        click.echo(bench_text(measured), nl=False)

@@ -1,4 +1,4 @@
-"""``robodyn case-study``: chapter 3 of the thesis run anew, on assumptions that are stated."""
+"""``robodyn case-study``: repeat the case study of the thesis's chapter 3, with stated assumptions."""
 
 from __future__ import annotations
 
@@ -10,31 +10,45 @@ from robodyn_cli.common import echo_json, json_option, output_folder, printable,
 
 
 @click.command()
-@click.option("-o", "output", metavar="DIR", help="Write the samples as CSV and the pictures into DIR.")
-@click.option("--profile", default="quintic", show_default=True, help="Along the line: quintic or trapezoid.")
-@click.option("--end", metavar="M", type=float, default=0.5, show_default=True, help="y = z at its end.")
-@click.option("--payload", metavar="KG", type=float, default=0.0, show_default=True, help="Load of the arm.")
+@click.option("-o", "output", metavar="DIR", help="Write the samples (CSV) and the pictures to DIR.")
 @click.option(
-    "--span", metavar="M", type=float, default=0.2, show_default=True, help="Distance of a joint's bearings."
+    "--profile",
+    default="quintic",
+    show_default=True,
+    help="Velocity profile along the line: quintic or trapezoid.",
+)
+@click.option(
+    "--end", metavar="M", type=float, default=0.5, show_default=True, help="End of the line: y = z."
+)
+@click.option(
+    "--payload", metavar="KG", type=float, default=0.0, show_default=True, help="Payload of the arm."
+)
+@click.option(
+    "--span",
+    metavar="M",
+    type=float,
+    default=0.2,
+    show_default=True,
+    help="Distance between the bearings of a joint.",
 )
 @click.option(
     "--arm",
     default="programs",
     show_default=True,
-    help="programs: D.1.3's joint angles in D.1.2's dynamics; consistent: D.1.2's arm all the way.",
+    help="programs: joint angles of D.1.3 with the dynamics of D.1.2; consistent: D.1.2's arm for both.",
 )
 @json_option
 def command(
     output: str | None, profile: str, end: float, payload: float, span: float, arm: str, as_json: bool
 ) -> None:
-    """Run the thesis's case study of friction (chapter 3) anew.
+    """Repeat the thesis's case study of friction (chapter 3).
 
-    A PUMA 560 of three joints moves its point along the line y = z at x = 0.4 m, with the friction of Table
-    3.4 in its bearings and transmissions. The thesis's own curves cannot be recovered: it gives neither
-    profile nor end of the motion, nor the span of the bearings, nor the efficiency curve beyond three points.
-    What is assumed in their place is printed, then the torques, and a forward check: the arm is simulated
-    with the torques fed to it, and must follow the line. docs/case-study.md tells more; "robodyn tables 3.5"
-    sets the printed figures beside what follows from them.
+    The end point of a three-joint PUMA 560 moves along the line y = z at x = 0.4 m, with the friction of
+    Table 3.4 in its bearings and transmissions. The thesis's own curves cannot be recovered, because it does
+    not give the profile and end of the motion, the span of the bearings, or the efficiency curve beyond three
+    points. The command prints what is assumed instead, then the torques and a forward check: the simulated
+    arm must follow the line under these torques. See docs/case-study.md. "robodyn tables 3.5" compares the
+    printed figures with recomputed ones.
     """
     folder = None if output is None else output_folder(output)
     from robodyn.thesis.case_study import Assumptions, case_study
@@ -52,4 +66,4 @@ def command(
         from robodyn.thesis.case_pictures import pictures
 
         written = write_files(folder, {"case-study.csv": to_csv(study), **pictures(study)})
-        talk(f"robodyn: wrote {len(written)} files into {printable(folder)}")
+        talk(f"robodyn: wrote {len(written)} files to {printable(folder)}")

@@ -1,4 +1,4 @@
-"""What the commands share: arguments, output, and writing files whole or not at all."""
+"""Shared by the commands: arguments, output, and atomic writing of files."""
 
 from __future__ import annotations
 
@@ -22,13 +22,15 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 def robot_argument(command: Command) -> Command:
-    """Add the argument ROBOT, passed to `command` as ``robot: str``; it is not looked at here."""
+    """Add the argument ROBOT, passed to `command` as ``robot: str`` without any check."""
     return click.argument("robot", metavar="ROBOT")(command)
 
 
 def json_option(command: Command) -> Command:
     """Add the flag ``--json``, passed to `command` as ``as_json: bool``."""
-    return click.option("--json", "as_json", is_flag=True, help="Print the data as JSON on stdout.")(command)
+    return click.option("--json", "as_json", is_flag=True, help="Print the results as JSON on stdout.")(
+        command
+    )
 
 
 def echo_json(obj: object) -> None:
@@ -39,10 +41,7 @@ def echo_json(obj: object) -> None:
 
 
 def talk(text: str) -> None:
-    """Print `text` on stderr: for the person who watches, not for the program that reads stdout.
-
-    Where stderr cannot be written, nobody watches: that is no error.
-    """
+    """Print the message `text` on stderr; a stderr that cannot be written is ignored."""
     try:
         click.echo(text, err=True)
     except OSError:
@@ -50,18 +49,18 @@ def talk(text: str) -> None:
 
 
 def drop(stream: IO[str] | None) -> None:
-    """Send what `stream` still holds nowhere, lest the interpreter complain of it on its way out."""
+    """Discard what `stream` still buffers, so that the interpreter does not complain at exit."""
     if stream is None:
         return
-    with contextlib.suppress(OSError, ValueError):  # it has no descriptor: a stand-in, of a test perhaps
-        number = stream.fileno()
+    with contextlib.suppress(OSError, ValueError):  # a replacement without a descriptor, as in tests
+        descriptor = stream.fileno()
         null = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(null, number)
+        os.dup2(null, descriptor)
         os.close(null)
 
 
 def printable(path: Path | str) -> str:
-    """`path` for a message: itself, or quoted and escaped if it holds a control character."""
+    """`path` for a message: as it is, or quoted and escaped if it contains a control character."""
     from robodyn.robot.names import shown
 
     text = str(path)
@@ -70,23 +69,23 @@ def printable(path: Path | str) -> str:
 
 
 def output_folder(text: str) -> Path:
-    """The place that the option ``-o`` names, a folder or a file.
+    """The folder or file named by the option ``-o``.
 
     Raises
     ------
-    InputError: the name is empty, as that of an unset variable is.
+    InputError: the name is empty, for instance from an unset variable.
     """
     if not text:
-        raise InputError("the place given with -o has an empty name", remedy="write -o . for this folder")
+        raise InputError("the path after -o is empty", remedy="use -o . for this folder")
     return Path(text)
 
 
 def load_robot(robot: str, *, strict: bool = False) -> Robot:
-    """Load ROBOT, a path or a bundled name; doubts about its numbers go to stderr, one line each.
+    """Load ROBOT, a path or a bundled name; warnings about implausible values go to stderr, one line each.
 
     Raises
     ------
-    InputError: there is no such robot, the file is wrong, or `strict` and there are doubts.
+    InputError: there is no such robot, the file is invalid, or `strict` is set and values are implausible.
     """
     from robodyn.robot import load
 
@@ -114,16 +113,16 @@ def parameter_values(robot: Robot, options: Sequence[tuple[str, float]]) -> dict
 
 
 def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
-    """Write `files` (path relative to `folder` -> text or bytes), each whole or not at all; return the paths.
+    """Write `files` (path relative to `folder` -> text or bytes) atomically; return the paths.
 
-    All are written under temporary names beside their places first, and take their names only when all of
-    them are there. On an error the temporary files, and the folders made for them, are removed again.
-    Where a symbolic link stands, the file that it leads to is written, and the link stays.
+    All files are first written under temporary names in their folders, and renamed only when all of them are
+    complete. On an error the temporary files, and the folders created for them, are removed again.
+    A symbolic link is kept, and the file it leads to is written.
 
     Raises
     ------
-    InputError: the place cannot be written, or something that is not a file is in the way.
-    OutputError: there is no room, or the device fails.
+    InputError: the path cannot be written, or something that is not a file is in the way.
+    OutputError: the disk is full, or the device fails.
     """
     targets = [folder / name for name in files]
     ends: list[Path] = []
@@ -139,7 +138,7 @@ def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
             if end.exists() and not end.is_file():
                 raise InputError(
                     f"cannot write {printable(path)}",
-                    found="something that is not a file there",
+                    found="something that is not a file",
                     remedy=_ELSEWHERE,
                 )
             end.parent.mkdir(parents=True, exist_ok=True)
@@ -158,11 +157,11 @@ def write_files(folder: Path, files: Mapping[str, str | bytes]) -> list[Path]:
     return targets
 
 
-_ELSEWHERE: Final = "choose another place with -o, or make room there"
+_ELSEWHERE: Final = "choose another path with -o, or free some space there"
 
 
 def _end_of_links(path: Path) -> Path:
-    """`path`, or what it leads to if it is a symbolic link, whether or not there is anything."""
+    """`path`, or the target of a symbolic link, which need not exist."""
     if not path.is_symlink():
         return path
     end = Path(os.path.realpath(path))
@@ -172,14 +171,14 @@ def _end_of_links(path: Path) -> Path:
 
 
 def _missing_folders(folders: Iterable[Path]) -> list[Path]:
-    """The folders, and the ones above them, that do not exist yet: deepest first."""
+    """The folders and parent folders that do not exist yet, deepest first."""
     missing = {level for folder in folders for level in (folder, *folder.parents) if not level.exists()}
     return sorted(missing, key=lambda level: len(level.parts), reverse=True)
 
 
 def _remove(temporary: list[Path], folders: list[Path]) -> None:
     for path in temporary:
-        with contextlib.suppress(OSError):  # the error that brought us here is the one to tell
+        with contextlib.suppress(OSError):  # report the original error, not this one
             path.unlink(missing_ok=True)
     for folder in folders:
         with contextlib.suppress(OSError):
@@ -188,9 +187,9 @@ def _remove(temporary: list[Path], folders: list[Path]) -> None:
 
 
 def compare_files(folder: Path, files: Mapping[str, str]) -> list[str]:
-    """The names among `files` (path relative to `folder` -> text) that are missing there or differ, in order.
+    """The names among `files` (path relative to `folder` -> text) that are missing or differ, in order.
 
-    Bytes are compared, so line endings count. Other files in the folder are not looked at.
+    Bytes are compared, so line endings matter. Other files in the folder are ignored.
     """
     return [name for name, text in files.items() if _read(folder / name) != text.encode("utf-8")]
 

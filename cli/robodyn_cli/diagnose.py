@@ -1,4 +1,4 @@
-"""``robodyn diagnose``: from logs to what a model lacks, the better model, its kernels and a report."""
+"""``robodyn diagnose``: find missing effects in logs; write the amended model, kernels and a report."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from robodyn.diagnose.result import Diagnosis
     from robodyn.robot import Robot
 
-#: The exit code of a diagnosis that found something and cannot name it.
+#: Exit code if a residual remains that no effect explains.
 UNEXPLAINED: Final = 4
 _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html", "kernels"
 
@@ -36,11 +36,13 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @click.command()
 @robot_argument
 @click.argument("logs", metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
-@click.option("--validate", metavar="V.csv", help="A log that is not fitted: the proof.")
-@click.option("--out", required=True, metavar="DIR", help="Where to write.")
-@click.option("--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Of the robot.")
-@click.option("--no-kernels", is_flag=True, help="Write no C and Fortran of the amended model.")
-@click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers.")
+@click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@click.option("--out", required=True, metavar="DIR", help="Output folder.")
+@click.option(
+    "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
+)
+@click.option("--no-kernels", is_flag=True, help="Do not write C and Fortran of the amended model.")
+@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
     robot: str,
@@ -52,41 +54,41 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Find what a model lacks to explain logs, name it, add it, and prove that the gap shrank.
+    """Find the effects that a model is missing, add them, and validate the amended model.
 
-    Logs (.csv or .parquet) have the columns t, q1.., tau1.., and qd1.., qdd1.. if there are any, in SI units.
-    DIR gets diagnosis.json, model.yaml (the description with what was missing), report.html (one page that
-    needs no network) and kernels/. The same input gives the same files. Exit code 4 says that something is
-    there that no effect of the catalogue explains.
+    Logs (.csv or .parquet) have the columns t, q1.., tau1.., and optionally qd1.. and qdd1.., in SI units.
+    The command writes diagnosis.json, model.yaml (the amended description), report.html (one page, no network
+    access) and kernels/ to DIR. The same input gives the same files. Exit code 4 means that a residual
+    remains that no effect of the catalogue explains.
     """
     folder = _folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
     _spare_inputs(folder, [robot, *sources])
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
-    found = _diagnosed(described, robot, logs, validate, values)
+    diagnosis = _diagnosed(described, robot, logs, validate, values)
     validated = validate is not None
-    text = json.dumps(_finite(found.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from robodyn.report.diagnosis import page
 
     files: dict[str, str | bytes] = {
         _DATA: text,
-        _MODEL: found.model_text,
-        _REPORT: page(found, validated=validated),
+        _MODEL: diagnosis.model_text,
+        _REPORT: page(diagnosis, validated=validated),
     }
     if not no_kernels:
-        files.update(_kernels(found))
+        files.update(_kernels(diagnosis))
     elif (folder / _KERNELS).exists():
-        talk(f"robodyn: note: {printable(folder / _KERNELS)} is of an earlier run")
+        talk(f"robodyn: note: {printable(folder / _KERNELS)} is from an earlier run")
     write_files(folder, files)
     if as_json:
         click.echo(text, nl=False)
     else:
         from robodyn.report.diagnosis_text import summary
 
-        for line in summary(found, printable(folder / _REPORT), validated=validated):
+        for line in summary(diagnosis, printable(folder / _REPORT), validated=validated):
             click.echo(line)
-    if found.verdict == "unexplained":
+    if diagnosis.verdict == "unexplained":
         raise click.exceptions.Exit(UNEXPLAINED)
 
 
@@ -94,27 +96,25 @@ def command(
 
 
 def _folder(text: str) -> Path:
-    """The folder of ``--out``, there or not yet."""
+    """The folder of ``--out``, which need not exist yet."""
     if not text:
-        raise InputError(
-            "the place given with --out has an empty name", remedy="write --out . for this folder"
-        )
+        raise InputError("the path after --out is empty", remedy="use --out . for this folder")
     folder = Path(text)
     if folder.exists() and not folder.is_dir():
         raise InputError(
-            f"cannot write into {printable(folder)}", found="a file", remedy="another name with --out"
+            f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with --out"
         )
     return folder
 
 
 def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
-    """Refuse to write over what is read, as a second run on its own model would."""
+    """Refuse to overwrite an input, as a second run on its own model would."""
     for output in (folder / name for name in (_DATA, _MODEL, _REPORT)):
         for source in inputs:
             if output.exists() and Path(source).exists() and output.samefile(source):
                 raise InputError(
-                    f"{printable(output)} would be written over, and it is read",
-                    remedy="another folder with --out",
+                    f"{printable(output)} is an input and would be overwritten",
+                    remedy="choose another folder with --out",
                 )
 
 
@@ -143,7 +143,7 @@ def _diagnosed(
             if hashes[k] in hashes[:k]:
                 shown.clear()
                 first = printable(paths[hashes.index(hashes[k])])
-                talk(f"robodyn: warning: {printable(path)} is the same as {first}: it proves nothing")
+                talk(f"robodyn: warning: {printable(path)} is identical to {first} and adds no evidence")
         return diagnose(
             robot,
             read[: len(logs)],
@@ -157,22 +157,22 @@ def _diagnosed(
 
 
 def _text(spec: str) -> str:
-    """The description of the robot ``spec`` as it stands in its file."""
+    """The text of the robot description ``spec``."""
     from robodyn.robot import bundled_text
 
     path = Path(spec)
     return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
 
 
-def _kernels(found: Diagnosis) -> dict[str, str]:
-    """C and Fortran of the amended model, by their places in the folder."""
+def _kernels(diagnosis: Diagnosis) -> dict[str, str]:
+    """C and Fortran of the amended model, by their paths in the folder."""
     from robodyn.kernels.generate import generate
 
-    return {f"{_KERNELS}/{name}": text for name, text in generate(found.model).files().items()}
+    return {f"{_KERNELS}/{name}": text for name, text in generate(diagnosis.model).files().items()}
 
 
 def _finite(value: Any) -> Any:
-    """``value`` of what JSON has: what is no number, such as the error of what cannot be known, is null."""
+    """``value`` for JSON: non-finite numbers, such as the error of an unidentifiable parameter, are null."""
     if isinstance(value, Mapping):
         return {key: _finite(each) for key, each in value.items()}
     if isinstance(value, (list, tuple)):

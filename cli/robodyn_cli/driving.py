@@ -1,4 +1,4 @@
-"""From the options of ``simulate`` to what drives the robot."""
+"""The input of a simulation, from the options of ``simulate``."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from robodyn.simulate.simulation import Drive, Follow
     from robodyn.simulate.trajectories import Trajectory
 
-#: How long a run is [s] where nothing says it: of --to and --line, and of all else.
+#: Default duration [s]: of --to and --line, and of everything else.
 MOVE, RUN = 2.0, 10.0
 _CONTROL_RATE = 1000.0
 _HARMONICS = 5
@@ -26,7 +26,7 @@ _HARMONICS = 5
 
 @dataclass(frozen=True, slots=True)
 class Driven:
-    """A robot ready to go: compiled, and what drives it for how long [s]; ``said`` is that in words."""
+    """A compiled robot with its input and duration [s]; ``said`` describes the input for the provenance."""
 
     plant: Plant
     drive: Drive | None
@@ -35,12 +35,12 @@ class Driven:
 
     @property
     def reference(self) -> Trajectory | None:
-        """The motion that is followed."""
+        """The reference motion."""
         return getattr(self.drive, "trajectory", None)
 
 
 def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
-    """What ``asked`` says drives ``robot``, whose run-time parameters are ``values``.
+    """The input of ``robot`` that ``asked`` selects; ``values`` are its run-time parameters.
 
     Raises
     ------
@@ -56,13 +56,13 @@ def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
     motion = _motion(robot, asked, values)
     duration = asked.duration if asked.duration is not None else motion.duration
     if asked.drive == "trajectory" and duration > motion.duration * (1 + 1e-9):
-        talk(f"robodyn: note: the motion ends at {motion.duration:g} s; its last row stays")
+        talk(f"robodyn: note: the motion ends at {motion.duration:g} s; its last row is held")
     _warn_of_limits(robot, motion)
     model = None if asked.model is None else _model(robot, asked.model)
     law = (asked.controller or "pd").replace("-", "_")
     plant = build_plant(robot, model=model)
     follow = _controller(plant, asked, motion, law, model, values)
-    said = {
+    description = {
         "kind": "follow",
         "trajectory": motion.describe(),
         "controller": law,
@@ -70,10 +70,10 @@ def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
         "model": None if model is None else model.name,
     }
     if asked.trajectory is not None:
-        said["sha256"] = _hash(asked.trajectory)
+        description["sha256"] = _hash(asked.trajectory)
     if law != "feedforward":
-        said.update(kp=follow.kp, kd=follow.kd)
-    return Driven(plant, follow, duration, said)
+        description.update(kp=follow.kp, kd=follow.kd)
+    return Driven(plant, follow, duration, description)
 
 
 def _torques(robot: Robot, asked: Asked) -> Driven:
@@ -86,18 +86,18 @@ def _torques(robot: Robot, asked: Asked) -> Driven:
     table, period = read_torques(asked.torque, robot.n)
     end = (len(table) - 1) * period if len(table) > 1 else 0.0
     if asked.duration is None and len(table) == 1:
-        raise InputError("one row of torques does not say for how long", remedy="give --duration S")
+        raise InputError("one row of torques has no duration", remedy="add --duration S")
     duration = asked.duration if asked.duration is not None else end
     if len(table) > 1 and duration > end * (1 + 1e-9):
-        talk(f"robodyn: note: the torques end at {end:g} s; their last row stays")
+        talk(f"robodyn: note: the torques end at {end:g} s; the last row is held")
     drive = Torques(table, period if math.isfinite(period) else duration, asked.linear)
-    said = {
+    description = {
         "kind": "torque",
         "file": Path(asked.torque).name,
         "sha256": _hash(asked.torque),
         "linear": asked.linear,
     }
-    return Driven(build_plant(robot), drive, duration, said)
+    return Driven(build_plant(robot), drive, duration, description)
 
 
 def _controller(
@@ -118,7 +118,7 @@ def _controller(
 
 
 def _model(robot: Robot, spec: str) -> Robot:
-    """What the controller takes ``robot`` for."""
+    """The controller's model of ``robot``."""
     from robodyn.errors import InputError
 
     model = load_robot(spec)
@@ -173,7 +173,7 @@ def _straight(robot: Robot, asked: Asked, start: tuple[float, ...], duration: fl
     way = np.abs(np.subtract(end, start))
     if asked.profile != "trapezoid" or not way.any():
         return quintic(start, end, duration, period=period)
-    # A quarter of the time to speed up, a quarter to slow down; joints that stay have no pace of their own.
+    # A quarter of the time to accelerate, a quarter to decelerate; joints at rest get the largest limits.
     fastest = np.where(way > 0, way, way.max()) / (0.75 * duration)
     return trapezoid(start, end, fastest, fastest / (0.25 * duration), period=period)
 
@@ -223,7 +223,7 @@ def _excitation(robot: Robot, asked: Asked) -> Trajectory:
                 f"{float(low):.3g} to {float(high):.3g} {unit}, {v} {unit}/s, {a} {unit}/s^2 ({kind})"
             )
         joints = ", ".join(map(str, filled))
-        talk(f"robodyn: note: {robot.name} lacks limits of joint {joints}; taken: {'; '.join(words)}")
+        talk(f"robodyn: note: {robot.name} has no limits for joint {joints}; assumed: {'; '.join(words)}")
     frequency = asked.base_frequency
     if frequency is None:
         frequency = 1 / (asked.duration if asked.duration is not None else RUN)

@@ -1,4 +1,4 @@
-"""``robodyn effects``: what a rigid arm may lack."""
+"""``robodyn effects``: the catalogue of effects beyond the rigid arm."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from robodyn_cli.common import echo_json, json_option
 
 @click.command()
 @click.argument("id", metavar="[ID]", required=False)
-@click.option("--markdown", is_flag=True, help="Print the whole page, as docs/effects.md has it.")
+@click.option("--markdown", is_flag=True, help="Print the whole page (docs/effects.md).")
 @click.option("--latex", is_flag=True, help="Print the equations as LaTeX.")
 @json_option
 def command(id: str | None, markdown: bool, latex: bool, as_json: bool) -> None:
-    """List the effects that a robot may have, or tell all of one."""
+    """List the effects of the catalogue, or describe one of them."""
     from robodyn.effects.catalogue import CATALOGUE, effect
     from robodyn.errors import InputError
     from robodyn.report import effects as report
 
     if markdown + latex + as_json > 1:
-        raise InputError("one form at a time", expected="--markdown, --latex or --json")
+        raise InputError("more than one output format", expected="--markdown, --latex or --json")
     chosen = CATALOGUE if id is None else {id: effect(id)}
     if as_json:
-        found = [report.data(each) for each in chosen.values()]
-        echo_json(found if id is None else found[0])
+        pages = [report.data(each) for each in chosen.values()]
+        echo_json(pages if id is None else pages[0])
     elif latex:
         click.echo(report.latex(chosen), nl=False)
     elif markdown or id is not None:

@@ -1,4 +1,4 @@
-"""``robodyn excite``: a motion that tells effects apart."""
+"""``robodyn excite``: design a motion that distinguishes effects."""
 
 from __future__ import annotations
 
@@ -25,74 +25,93 @@ if TYPE_CHECKING:
     from robodyn.diagnose.excite import Design, Told
     from robodyn.simulate.trajectories import Trajectory
 
-#: From so small a separation on two effects are the same to a log.
+#: Below this separation a log cannot distinguish two effects.
 _NONE = 0.02
 _LARGEST = 5_000_000  # samples times joints
 
 
 @click.command()
 @robot_argument
-@click.option("--tell", metavar="A,B[@JOINT]", help="Effects to tell apart.  [default: the whole library]")
-@click.option("--duration", type=POSITIVE, default=10.0, metavar="S", help="[default: 10]")
+@click.option("--tell", metavar="A,B[@JOINT]", help="Effects to distinguish.  [default: the whole catalogue]")
 @click.option(
-    "--harmonics", type=click.IntRange(2, 50), default=5, metavar="N", show_default=True, help="Of the sum."
-)
-@click.option("--rate", type=POSITIVE, default=100.0, metavar="HZ", help="Of the file.  [default: 100]")
-@click.option(
-    "--seed", type=click.IntRange(0), default=0, metavar="S", show_default=True, help="Of the tries."
+    "--duration", type=POSITIVE, default=10.0, metavar="S", help="Duration of the motion.  [default: 10]"
 )
 @click.option(
-    "--tries", type=click.IntRange(1, 10_000), default=20, metavar="N", show_default=True, help="Motions."
+    "--harmonics",
+    type=click.IntRange(2, 50),
+    default=5,
+    metavar="N",
+    show_default=True,
+    help="Number of harmonics of the motion.",
 )
-@click.option("-o", "--output", metavar="TRAJ.csv", required=True, help="Where to write; - for stdout.")
+@click.option(
+    "--rate", type=POSITIVE, default=100.0, metavar="HZ", help="Sample rate of the file.  [default: 100]"
+)
+@click.option(
+    "--seed",
+    type=click.IntRange(0),
+    default=0,
+    metavar="S",
+    show_default=True,
+    help="Seed of the random motions.",
+)
+@click.option(
+    "--tries",
+    type=click.IntRange(1, 10_000),
+    default=20,
+    metavar="N",
+    show_default=True,
+    help="Number of motions to try.",
+)
+@click.option("-o", "--output", metavar="TRAJ.csv", required=True, help="Output file, - for stdout.")
 @json_option
-def command(robot: str, tell: str | None, output: str, as_json: bool, rate: float, **given: Any) -> None:
-    """Design a motion inside the limits that tells effects apart.
+def command(robot: str, tell: str | None, output: str, as_json: bool, rate: float, **options: Any) -> None:
+    """Design a motion within the limits that distinguishes effects.
 
-    Of several random periodic motions the one is written on which the torques of the effects of --tell differ
-    most, whatever their parameters and whatever the arm's own numbers may explain within their confidence.
-    A joint that stands at one of them is that of all; without one every joint counts. Without --tell the
-    whole library is to be told apart. The file has t, q.., qd.. and qdd.., as simulate --trajectory
-    and hide --trajectory take it.
+    The command tries several random periodic motions and writes the best one: the one on which the torques of
+    the effects of --tell differ most, for any parameter values, and after everything that errors of the arm's
+    parameters within their confidence may explain. A joint given with one effect applies to all of them;
+    without a joint, all joints are considered. Without --tell, all effects of the catalogue are considered.
+    The file has the columns t, q.., qd.. and qdd.., as read by simulate --trajectory and hide --trajectory.
     """
     from robodyn.diagnose.excite import design
     from robodyn.errors import InputError
 
     described = load_robot(robot)
     if output == "-" and as_json:
-        raise InputError("--json and -o - both print on stdout", remedy="leave one of them out")
-    samples = given["duration"] * rate
+        raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
+    samples = options["duration"] * rate
     if not 20 <= samples <= _LARGEST / described.n:
         raise InputError(
             "the motion would have too few or too many samples",
-            found=f"{given['duration']:g} s at {rate:g} Hz",
+            found=f"{options['duration']:g} s at {rate:g} Hz",
             expected=f"20 to {_LARGEST // described.n}",
         )
     with progress.line() as shown:
-        found = design(
+        best = design(
             described,
             _told(tell),
             period=1 / rate,
-            progress=lambda k: shown.tell(f"robodyn: {described.name}: {k} of {given['tries']} motions"),
-            **given,
+            progress=lambda k: shown.tell(f"robodyn: {described.name}: {k} of {options['tries']} motions"),
+            **options,
         )
-    text = _csv(found.trajectory)
+    text = _csv(best.trajectory)
     files: list[str] = []
     if output == "-":
         click.echo(text, nl=False)
     else:
         files = [str(path) for path in write_files(Path(), {str(output_folder(output)): text})]
     if as_json:
-        echo_json(_summary(found, files))
+        echo_json(_summary(best, files))
         return
-    for line in _lines(found, files):
+    for line in _lines(best, files):
         click.echo(line, err=output == "-")
-    if found.tell and found.separation < _NONE:
-        talk(f"robodyn: warning: no motion tells {found.pair} apart; see what else there is to record")
+    if best.tell and best.separation < _NONE:
+        talk(f"robodyn: warning: no motion distinguishes {best.pair}; see which other data to record")
 
 
 def _told(text: str | None) -> list[Told]:
-    """Effects and joints; one joint that is named is that of all effects of joints."""
+    """Effects and joints; if only one joint is named, it applies to all joint effects."""
     from robodyn.effects.catalogue import effect
 
     if text is None:
@@ -114,30 +133,30 @@ def _csv(motion: Trajectory) -> str:
     return write_csv(["t", *names], [motion.t, *columns])
 
 
-def _summary(found: Design, files: list[str]) -> dict[str, Any]:
+def _summary(design: Design, files: list[str]) -> dict[str, Any]:
     return {
         "files": files,
-        "tell": [{"effect": id, "joint": joint} for id, joint in found.tell],
-        "separation": found.separation,
-        "typical": found.typical,
-        "worst": found.pair,
-        "tries": found.tries,
-        "experiments": found.experiments,
-        "motion": found.trajectory.describe(),
+        "tell": [{"effect": id, "joint": joint} for id, joint in design.tell],
+        "separation": design.separation,
+        "typical": design.typical,
+        "worst": design.pair,
+        "tries": design.tries,
+        "experiments": design.experiments,
+        "motion": design.trajectory.describe(),
     }
 
 
-def _lines(found: Design, files: list[str]) -> list[str]:
+def _lines(design: Design, files: list[str]) -> list[str]:
     from math import asin, degrees
 
-    motion = found.trajectory
+    motion = design.trajectory
     lines = [f"{printable(file)}: {motion.duration:g} s, {len(motion)} samples" for file in files]
-    if not found.tell:
+    if not design.tell:
         lines.append(
-            f"independence of the whole library: {found.separation:.3g}, typically {found.typical:.3g}"
+            f"independence of the catalogue: {design.separation:.3g}, typically {design.typical:.3g}"
         )
         return lines
-    best, typical = (degrees(asin(min(x, 1.0))) for x in (found.separation, found.typical))
-    lines.append(f"{found.pair}: {best:.1f} degrees apart, on a typical motion {typical:.1f}")
-    lines += [f"to tell {id}: {text}" for id, text in found.experiments.items()]
+    best, typical = (degrees(asin(min(x, 1.0))) for x in (design.separation, design.typical))
+    lines.append(f"{design.pair}: {best:.1f} degrees apart, on a typical motion {typical:.1f}")
+    lines += [f"to identify {id}: {text}" for id, text in design.experiments.items()]
     return lines

@@ -1,4 +1,4 @@
-"""``gen --firmware``: the option, and writing the folder with what was measured."""
+"""``gen --firmware``: the option, and writing the folder with the measured figures."""
 
 from __future__ import annotations
 
@@ -25,24 +25,24 @@ def firmware_option(command: Command) -> Command:
     return click.option(
         "--firmware",
         is_flag=True,
-        help="Write DIR/firmware instead: kernel (inverse_dynamics unless --functions says else) with sines "
-        "of its own, self-test, CMake, an image for qemu, a README with what it costs.",
+        help="Write DIR/firmware instead: kernel with built-in sine and cosine (inverse_dynamics, or "
+        "--functions), self-test, CMake, an image for qemu, a README with the measured cost.",
     )(command)
 
 
 def for_firmware(options: Options, target: str | None, **others: object) -> Options:
-    """``options`` for a firmware folder; ``others`` are options that do not go with it, by name.
+    """``options`` for a firmware folder; ``others`` are options that cannot be combined with it, by name.
 
     Raises
     ------
-    InputError: one of them is there.
+    InputError: one of them is set.
     """
     from robodyn.errors import InputError
     from robodyn.firmware import firmware_options
 
     for name, value in others.items():
         if value:
-            raise InputError(f"--{name} does not go with --firmware", remedy="leave one of them out")
+            raise InputError(f"--{name} cannot be combined with --firmware", remedy="remove one of them")
     return firmware_options(
         options,
         listed(target or ""),
@@ -52,7 +52,7 @@ def for_firmware(options: Options, target: str | None, **others: object) -> Opti
 
 
 def write_firmware(
-    made: Generated,
+    generated: Generated,
     folder: Path,
     languages: tuple[str, ...],
     target: str | None,
@@ -60,8 +60,8 @@ def write_firmware(
     check: bool,
     as_json: bool,
 ) -> None:
-    """Write the folder, or hold it against what would be written (the README, which tells of this machine,
-    is not looked at).
+    """Write the folder, or compare it with what would be written (except the README, which depends on this
+    machine).
 
     Raises
     ------
@@ -71,14 +71,14 @@ def write_firmware(
     from robodyn.firmware import firmware, measure, targets_named
 
     folder = folder / FOLDER
-    name, targets = made.unit.robot.name, targets_named(listed(target or ""))
-    made_folder = firmware(made, targets, languages)
+    name, targets = generated.unit.robot.name, targets_named(listed(target or ""))
+    made_folder = firmware(generated, targets, languages)
     files = dict(made_folder.files)
     if check:
         different = compare_files(folder, files)
         if different:
             raise CheckError(
-                f"{', '.join(printable(folder / file) for file in different)}: not what robodyn generates",
+                f"{', '.join(printable(folder / file) for file in different)}: not up to date",
                 remedy="run the same command without --check",
             )
         if as_json:
@@ -86,11 +86,13 @@ def write_firmware(
         else:
             click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
         return
-    functions = [interface.function for interface in made.signatures]
+    functions = [interface.function for interface in generated.signatures]
     figures = [measure(name, files, functions, one) for one in targets]
     files["README.md"] = made_folder.readme(figures)
     write_files(folder, files)
-    for needed in dict.fromkeys(missing for found in figures for missing in (found.missing, found.not_run)):
+    for needed in dict.fromkeys(
+        missing for measured in figures for missing in (measured.missing, measured.not_run)
+    ):
         if needed is not None:
             talk(f"robodyn: note: not everything was measured: needs {needed}")
     if as_json:
@@ -98,13 +100,13 @@ def write_firmware(
             {
                 "robot": name,
                 "files": [str(folder / file) for file in files],
-                "firmware": [found.to_dict() for found in figures],
+                "firmware": [measured.to_dict() for measured in figures],
             }
         )
         return
     click.echo(f"{name}: wrote {len(files)} files in {printable(folder)}")
-    for found in figures:
-        for line in found.lines():
+    for measured in figures:
+        for line in measured.lines():
             click.echo(line)
 
 

@@ -1,4 +1,4 @@
-"""``robodyn flops``: operation counts, beside the thesis's, and held to a budget."""
+"""``robodyn flops``: operation counts, compared with the thesis's and with a budget."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
-from robodyn_cli.options import load, model_options, search_options
+from robodyn_cli.options import function_option, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
 
 
 @click.command()
 @robot_argument
-@click.option("--function", default="inverse_dynamics", show_default=True, help="A function, or all.")
-@click.option("--budget", metavar="KIND=N,...", help="Most operations, e.g. mul=208,add=152,total=360.")
+@function_option("Function to count, or all.")
+@click.option("--budget", metavar="KIND=N,...", help="Maximum operations, e.g. mul=208,add=152,total=360.")
 @model_options
 @search_options
 @prune_option
@@ -36,12 +36,12 @@ def command(
     prune: str | None,
     as_json: bool,
 ) -> None:
-    """Count multiplications and additions, and hold them to a budget.
+    """Count multiplications and additions, and check them against a budget.
 
     Every binary * is one multiplication (by constants, by 2 and squares too), every binary + or - one
-    addition; unary minus and sine/cosine are free and shown apart. For example,
-    fc3_x = 4.8*(a3_x - 0.07*lam3_12) is two multiplications and one addition. Exits 1 where a
-    budget is exceeded. With --function or --formulation "all" --json prints a list.
+    addition; unary minus and sine/cosine are free and have their own columns. For example,
+    fc3_x = 4.8*(a3_x - 0.07*lam3_12) is two multiplications and one addition. Exits with 1 if a budget is
+    exceeded. With --function all or --formulation all, --json prints a list.
     """
     from dataclasses import replace
 
@@ -64,39 +64,39 @@ def command(
         for form in formulations
         for f in functions
     ]
-    found: list[tuple[str, str, Count]] = []
+    counts: list[tuple[str, str, Count]] = []
     prunings: dict[tuple[str, str], Pruning] = {}
     rigid: dict[tuple[str, str], Count | None] = {}
     with told() as tell:
         for f, form, one in choices:
-            made = maker(described, one, tell)
+            programs = maker(described, one, tell)
             try:
-                found.append((f, form, count(made.program(f))))
+                counts.append((f, form, count(programs.program(f))))
             except NoForwardDynamics:
                 if function != "all":
                     raise
-            rigid[f, form] = made.rigid_count(f)
-            prunings.update({(name, form): pruning for name, pruning in made.prunings.items()})
+            rigid[f, form] = programs.rigid_count(f)
+            prunings.update({(name, form): pruning for name, pruning in programs.prunings.items()})
     if as_json:
         records = [
             with_pruning(
                 with_rigid(record(described, f, form, c), rigid.get((f, form))), prunings.get((f, form))
             )
-            for f, form, c in found
+            for f, form, c in counts
         ]
         echo_json(records if "all" in (function, formulation) else records[0])
     else:
         click.echo(f"{described.name}: {described.title}" if described.title else described.name)
         many = len(formulations) > 1
-        rows = [(f"{f}, {form}" if many else f, f, form, c) for f, form, c in found]
+        rows = [(f"{f}, {form}" if many else f, f, form, c) for f, form, c in counts]
         for line in lines(described, rows):
             click.echo(line)
-        for f, form, c in found:
+        for f, form, c in counts:
             for line in effect_lines({f: c}, {f: rigid.get((f, form))}):
                 click.echo(line)
         for line in pruning_lines(prunings):
             click.echo(line)
     if limit is not None:
-        over = [f"{described.name} {f}: {text}" for f, _, c in found for text in limit.exceeded(c)]
+        over = [f"{described.name} {f}: {text}" for f, _, c in counts for text in limit.exceeded(c)]
         if over:
             raise CheckError("; ".join(over), remedy="raise the budget or simplify the model")

@@ -1,8 +1,9 @@
-"""``robodyn gen``: from a robot to its kernels."""
+"""``robodyn gen``: write a robot's kernels."""
 
 from __future__ import annotations
 
 import gc
+import itertools
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -22,8 +23,8 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option, trig_for
-from robodyn_cli.options import listed, load, model_options, search_options
+from robodyn_cli.languages import chosen_languages, language_option, tests_of, trig_for
+from robodyn_cli.options import functions_option, listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
 from robodyn_cli.targets import TargetOption
@@ -35,26 +36,27 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", metavar="DIR", help="Where to write.  [default: generated/NAME]")
+@click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: generated/NAME]")
 @language_option
-@click.option("--compile", "compile_", is_flag=True, help="Build and load the kernels, too.")
-@click.option("--scalar", default="double", show_default=True, help="double or float.")
+@click.option("--compile", "compile_", is_flag=True, help="Also compile and load the kernels.")
+@click.option("--scalar", default="double", show_default=True, help="Scalar type: double or float.")
 @click.option(
     "--trig",
     default="libm",
     show_default=True,
-    help="Sine and cosine: libm, builtin (no library at all; the default of rust), or given in sc.",
+    help="Sine and cosine: libm, builtin (no library; the default of rust), or given (passed in sc).",
 )
-@click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states in a call, with SIMD.")
+@click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states per call, with SIMD.")
 @click.option(
     "--order",
     default="auto",
     show_default=True,
-    help="recursion (as the book has it), registers (few values wait in memory), or auto: registers unless "
-    "sine and cosine are libm's.",
+    help="Order of operations: recursion (textbook order), registers (few live values), or auto (registers "
+    "unless sine and cosine are from libm).",
 )
 @click.option(
-    "--contraction", help="Whether C compilers may fuse products and sums: off or on.  [default: their flags]"
+    "--contraction",
+    help="Let C compilers fuse products and sums: off or on.  [default: as their flags say]",
 )
 @click.option(
     "--target",
@@ -62,21 +64,21 @@ if TYPE_CHECKING:
     cls=TargetOption,
     lists={"compiled": "compiled_targets", "firmware": "firmware_targets"},
     help="Defaults of scalar, trig, order, contraction and objective for a processor: {compiled}. Every "
-    "option given on the command line overrides them. With --firmware: processors that images are made "
-    "for, with commas: {firmware}.  [default with --firmware: all of them]",
+    "option given on the command line overrides them. With --firmware: processors of the images, "
+    "separated by commas: {firmware}.  [default with --firmware: all]",
 )
-@click.option("--functions", metavar="A,B", help="Functions, with commas.  [default: all]")
+@functions_option()
 @click.option(
     "--misra",
     is_flag=True,
-    help="C for MISRA C:2012: the same operations, grouped by parentheses throughout.",
+    help="Write C for MISRA C:2012: the same operations with explicit parentheses.",
 )
 @model_options
 @search_options
 @prune_option
 @firmware_option
-@click.option("--latex", is_flag=True, help="Also write NAME.tex, the recursion typeset (through sympy).")
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 if the files in DIR differ.")
+@click.option("--latex", is_flag=True, help="Also write NAME.tex, the typeset recursion (uses sympy).")
+@click.option("--check", is_flag=True, help="Write nothing; exit with 1 if the files in DIR differ.")
 @json_option
 def command(
     robot: str,
@@ -107,16 +109,16 @@ def command(
     check: bool,
     as_json: bool,
 ) -> None:
-    """Write the C and Fortran of a robot's dynamics, and print the counts.
+    """Write the kernels of a robot, in C and Fortran or other languages, and print the operation counts.
 
-    DIR gets NAME.h, NAME.c and NAME.f90 with inverse_dynamics, gravity, bias, mass_matrix and
-    forward_dynamics. The same input gives the same bytes, on any machine.
+    DIR gets NAME.h, NAME.c and NAME.f90 (a crate with --lang rust) with the functions of --functions. The
+    same input gives the same bytes on any machine.
     """
     from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
 
-    languages = chosen_languages(lang)
+    languages = chosen_languages(lang, compiled=compile_)
     options = _options(
         None if firmware else target,
         {
@@ -138,7 +140,7 @@ def command(
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
         options = for_firmware(options, target, **unfit)
     if check and keep:
-        raise InputError("--check writes nothing, and --keep writes a record", remedy="leave one of them out")
+        raise InputError("--check writes nothing, but --keep writes a record", remedy="remove one of them")
     gc.set_threshold(100_000, 20, 20)  # programs are many small objects and no garbage
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     folder = output_folder(output) if output is not None else Path("generated") / described.name
@@ -146,24 +148,24 @@ def command(
         described, options, options.functions or by_default()
     )
     with told() as tell:
-        made = generate(described, options, progress=_told(described), pruning=tell)
-    for function, reason in made.left_out.items():
+        generated = generate(described, options, progress=_told(described), pruning=tell)
+    for function, reason in generated.left_out.items():
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")
     if firmware:
-        write_firmware(made, folder, languages, target, check=check, as_json=as_json)
+        write_firmware(generated, folder, languages, target, check=check, as_json=as_json)
         return
-    files = made.files(languages, batch=batch)
+    files = {**generated.files(languages, batch=batch), **tests_of(generated, languages)}
     if batch:
-        for interface in made.signatures:
+        for interface in generated.signatures:
             if interface.states:
-                talk(f"robodyn: note: no batch of {interface.function}, which remembers between calls")
+                talk(f"robodyn: note: no batch of {interface.function}, which is stateful")
     if latex:
         files[f"{described.name}.tex"] = _typeset(described, formulation)
     if check:
         different = compare_files(folder, files)
         if different:
             raise CheckError(
-                f"{', '.join(printable(folder / name) for name in different)}: not what robodyn generates",
+                f"{', '.join(printable(folder / name) for name in different)}: not up to date",
                 remedy="run the same command without --check",
             )
         if as_json:
@@ -171,7 +173,7 @@ def command(
         else:
             click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
-    built = _compiled(made, languages, explicit=lang is not None, batch=batch) if compile_ else None
+    built = _compiled(generated, languages, explicit=lang is not None, batch=batch) if compile_ else None
     write_files(folder, files)
     if as_json:
         echo_json(
@@ -181,28 +183,28 @@ def command(
                 "files": [str(folder / name) for name in files],
                 "functions": [
                     with_pruning(
-                        with_rigid(record(described, f, formulation, c), made.rigid_counts.get(f)),
-                        made.prunings.get(f),
+                        with_rigid(record(described, f, formulation, c), generated.rigid_counts.get(f)),
+                        generated.prunings.get(f),
                     )
-                    for f, c in made.counts.items()
+                    for f, c in generated.counts.items()
                 ],
                 "compiled": built,
             }
         )
         return
     click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
-    for line in lines(described, [(f, f, formulation, c) for f, c in made.counts.items()]):
+    for line in lines(described, [(f, f, formulation, c) for f, c in generated.counts.items()]):
         click.echo(line)
-    for line in effect_lines(made.counts, made.rigid_counts):
+    for line in effect_lines(generated.counts, generated.rigid_counts):
         click.echo(line)
-    for line in pruning_lines(made.prunings):
+    for line in pruning_lines(generated.prunings):
         click.echo(line)
     for language, text in (built or {}).items():
         click.echo(f"{language}: {text}")
 
 
 def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Options:
-    """The options; those of ``chosen`` that stand on the command line go before what ``target`` says."""
+    """The options; those of ``chosen`` given on the command line override the defaults of ``target``."""
     from click.core import ParameterSource
 
     from robodyn.kernels.generate import Options
@@ -210,65 +212,68 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
     if target is None:
         return Options(**chosen, **others)
     context = click.get_current_context()
-    said = {
+    explicit = {
         what: value
         for what, value in chosen.items()
         if context.get_parameter_source(what) is not ParameterSource.DEFAULT
     }
-    return Options.for_target(target, **said, **others)
+    return Options.for_target(target, **explicit, **others)
 
 
 def _profile(options: Options) -> dict[str, Any]:
-    """What the options choose for the processor, as JSON has it."""
+    """The target and the options it sets, for JSON."""
     from robodyn.kernels.generate import CHOSEN
 
-    found: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
+    settings: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
     target = options.profile
     flags = None if target is None else target.compiled(options.contraction or "off")
-    return {"target": options.target, **found, "flags": flags}
+    return {"target": options.target, **settings, "flags": flags}
 
 
-def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
-    """Build and load each language; where both are there, compare them bit by bit."""
+def _compiled(
+    generated: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool
+) -> dict[str, Any]:
+    """Compile and load each language; compare their results bit by bit if there are several."""
+    from robodyn.emit.languages import LANGUAGES
     from robodyn.errors import CheckError, ToolError
     from robodyn.kernels.kernel import load as load_kernel
 
     kernels: dict[str, Any] = {}
-    said: dict[str, Any] = {}
+    results: dict[str, Any] = {}
     for language in languages:
         try:
-            files = made.files((language,), batch=batch and language == "c")
-            kernel = load_kernel(made.signatures, files, language=language)  # type: ignore[arg-type]
+            files = generated.files((language,), batch=batch and language == "c")
+            kernel = load_kernel(generated.signatures, files, language=language)
         except ToolError as error:
             if language != "c" and not explicit:
-                said[language] = f"written, not compiled: {error}"
+                results[language] = f"written, not compiled: {error}"
                 continue
             raise
         kernels[language] = kernel
-        said[language] = f"compiled with {kernel.compiler}, loaded"
-    if len(kernels) == 2:
-        if not _same_bits(made, *kernels.values()):
+        results[language] = f"compiled with {kernel.compiler}, loaded"
+    for one, other in itertools.pairwise(kernels):
+        if not _same_bits(generated, kernels[one], kernels[other]):
             raise CheckError(
-                "the compiled C and Fortran give different bits",
+                f"the compiled {LANGUAGES[one].title} and {LANGUAGES[other].title} give different bits",
                 remedy="compile both without contraction and -ffast-math (CC, FC), or one of them (--lang)",
             )
-        said["c and fortran"] = "the same bits on 100 states"
-    return said
+        results[f"{one} and {other}"] = "the same bits on 100 states"
+    return results
 
 
-#: From so many joints on a function takes long enough to be announced.
+#: From this number of joints on, the progress is shown.
 _MANY = 12
 
 
 def _told(robot: Robot) -> Callable[[str], None] | None:
-    """What announces the functions of a long arm on a terminal; nothing in a pipe."""
+    """Progress messages for a long arm on a terminal; None otherwise."""
     if robot.n < _MANY or not sys.stderr.isatty():
         return None
     return lambda function: talk(f"robodyn: {function} of {robot.n} joints ...")
 
 
 def _typeset(robot: Robot, formulation: str) -> str:
-    """The recursion as LaTeX; of a robot with effects that of the rigid arm beneath, and this is said."""
+    """The recursion as LaTeX; for a robot with effects that of its rigid arm, with a note."""
     from robodyn.drives.drive import has_drive_effects, rigid_part
     from robodyn.kernels.through_sympy import symbolic
     from robodyn.optimize.programs import Choice
@@ -276,17 +281,17 @@ def _typeset(robot: Robot, formulation: str) -> str:
     choice = Choice(formulation, regroup=False)
     if not has_drive_effects(robot):
         return symbolic(robot, choice=choice).latex()
-    said = "the rigid arm alone; robodyn effects --latex has the equations of effects"
-    talk(f"robodyn: note: {robot.name}.tex is {said}")
-    return f"% {said}\n{symbolic(rigid_part(robot), choice=choice).latex()}"
+    note = "the rigid arm only; robodyn effects --latex prints the equations of effects"
+    talk(f"robodyn: note: {robot.name}.tex is {note}")
+    return f"% {note}\n{symbolic(rigid_part(robot), choice=choice).latex()}"
 
 
-def _same_bits(made: Generated, one: Any, other: Any) -> bool:
+def _same_bits(generated: Generated, one: Any, other: Any) -> bool:
     import numpy as np
 
     random = np.random.default_rng(0)
-    params = dict.fromkeys(made.signatures[0].parameters, 1.0) or None
-    for interface in made.signatures:
+    params = dict.fromkeys(generated.signatures[0].parameters, 1.0) or None
+    for interface in generated.signatures:
         arrays = [random.uniform(-1, 1, (100, size)) for _, size in interface.inputs]
         dt = 1e-3 if interface.states else None
         mine, theirs = (getattr(k, interface.function)(*arrays, params=params, dt=dt) for k in (one, other))

@@ -1,4 +1,4 @@
-"""``robodyn hide``: a blind test of ``robodyn diagnose`` on one's own arm."""
+"""``robodyn hide``: make and score blind tests of ``robodyn diagnose`` for your own arm."""
 
 from __future__ import annotations
 
@@ -32,37 +32,70 @@ _OF_HIDING = ("effects", "random", "trajectories", "output")
     "effects",
     multiple=True,
     metavar="ID[@JOINT][:K=V,...]",
-    help="To hide; what is left out is drawn.",
-)
-@click.option("--random", type=click.IntRange(0, 20), metavar="N", help="So many more, drawn.  [default: 1]")
-@click.option("--seed", type=click.IntRange(0), metavar="S", default=0, show_default=True, help="Of all.")
-@click.option("--duration", type=POSITIVE, default=10.0, metavar="S", help="Of each log.  [default: 10]")
-@click.option("--rate", type=POSITIVE, default=1000.0, metavar="HZ", help="Of the logs.  [default: 1000]")
-@click.option(
-    "--trajectory", "trajectories", multiple=True, metavar="FILE.csv", help="Own motion; twice: validation."
+    help="Effect to hide; missing parameters are random.",
 )
 @click.option(
-    "--noise", type=POSITIVE, default=0.015, metavar="SHARE", help="Of the RMS torque.  [default: 0.015]"
+    "--random",
+    type=click.IntRange(0, 20),
+    metavar="N",
+    help="Hide N more effects, chosen at random.  [default: 1]",
 )
-@click.option("--ratio", type=POSITIVE, default=4.0, metavar="R", help="Drawn gap over noise.  [default: 4]")
-@click.option("--encoder-bits", type=SIZE, default=20.0, metavar="B", help="A turn; 0: exact.  [default: 20]")
-@click.option("-o", "--output", metavar="DIR", help="Where to write.")
-@click.option("--open", "opened", metavar="FILE", help="Print a sealed answer, and do nothing else.")
-@click.option("--score", nargs=2, metavar="DIR DIAGNOSIS", help="Set a diagnosis.json beside DIR's answer.")
+@click.option(
+    "--seed", type=click.IntRange(0), metavar="S", default=0, show_default=True, help="Random seed."
+)
+@click.option(
+    "--duration", type=POSITIVE, default=10.0, metavar="S", help="Duration of each log.  [default: 10]"
+)
+@click.option(
+    "--rate", type=POSITIVE, default=1000.0, metavar="HZ", help="Sample rate of the logs.  [default: 1000]"
+)
+@click.option(
+    "--trajectory",
+    "trajectories",
+    multiple=True,
+    metavar="FILE.csv",
+    help="Motion of train.csv; if given twice, the second is that of validate.csv.",
+)
+@click.option(
+    "--noise",
+    type=POSITIVE,
+    default=0.015,
+    metavar="SHARE",
+    help="Torque noise as a share of the RMS torque.  [default: 0.015]",
+)
+@click.option(
+    "--ratio",
+    type=POSITIVE,
+    default=4.0,
+    metavar="R",
+    help="Size of random effects relative to the noise.  [default: 4]",
+)
+@click.option(
+    "--encoder-bits",
+    type=SIZE,
+    default=20.0,
+    metavar="B",
+    help="Encoder bits per turn; 0: exact.  [default: 20]",
+)
+@click.option("-o", "--output", metavar="DIR", help="Output folder.")
+@click.option("--open", "opened", metavar="FILE", help="Print a sealed answer and exit.")
+@click.option(
+    "--score", nargs=2, metavar="DIR DIAGNOSIS", help="Compare a diagnosis.json with the answer in DIR."
+)
 @json_option
 def command(
-    robot: str | None, opened: str | None, score: tuple[str, str] | None, as_json: bool, **given: Any
+    robot: str | None, opened: str | None, score: tuple[str, str] | None, as_json: bool, **options: Any
 ) -> None:
-    """Hide effects in simulated logs, and seal the answer: a blind test.
+    """Make a blind test: hide effects in simulated logs and seal the answer.
 
-    ROBOT is taken as it is for the model; the arm that moves has effects besides, those of --effect and drawn
-    ones. DIR gets given.yaml (the model), train.csv, validate.csv and answer.sealed. Diagnose them, then let
-    --score say how it went. Effects without all their parameters are made to show --ratio times
-    the noise where they show best. --random 0 alone hides nothing: does diagnose see ghosts?
+    The model is ROBOT; the simulated arm also has the effects of --effect and random ones. DIR gets
+    given.yaml (the model), train.csv, validate.csv and answer.sealed. Run diagnose on these files, then score
+    the result with --score. Effects with missing parameters are scaled so that their largest contribution is
+    --ratio times the noise. --random 0 alone hides nothing and tests for false claims.
     """
     from robodyn.errors import InputError
 
-    _one_of(robot, opened, score, given)
+    _one_of(robot, opened, score, options)
     if opened is not None:
         click.echo(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
         return
@@ -70,47 +103,49 @@ def command(
         _scored(Path(score[0]), Path(score[1]), as_json=as_json)
         return
     assert robot is not None
-    if given["output"] is None:
-        raise InputError("there is no place to write to", remedy="give -o DIR")
-    folder = output_folder(given["output"])
-    for file in given["trajectories"]:
+    if options["output"] is None:
+        raise InputError("no output folder", remedy="add -o DIR")
+    folder = output_folder(options["output"])
+    for file in options["trajectories"]:
         for name in ("train.csv", "validate.csv"):
             there = (folder / name).exists() and Path(file).exists()
             if there and (folder / name).samefile(file):
                 raise InputError(
-                    f"{printable(folder / name)} would be written over, and it is read",
-                    remedy="another folder with -o",
+                    f"{printable(folder / name)} is an input and would be overwritten",
+                    remedy="choose another folder with -o",
                 )
-    made = _hidden(robot, given)
-    files = made.files()
+    blind = _hidden(robot, options)
+    files = blind.files()
     write_files(folder, files)
-    _tell(made, folder, list(files), [*given["effects"]], as_json=as_json)
+    _tell(blind, folder, list(files), [*options["effects"]], as_json=as_json)
 
 
-def _one_of(robot: str | None, opened: str | None, score: object, given: dict[str, Any]) -> None:
-    """Either hide, or open, or score."""
+def _one_of(robot: str | None, opened: str | None, score: object, options: dict[str, Any]) -> None:
+    """Refuse a mixture of hiding, opening and scoring."""
     from robodyn.errors import InputError
 
     asked = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
-    hiding = [name for name in _OF_HIDING if given[name] not in (None, ())]
+    hiding = [name for name in _OF_HIDING if options[name] not in (None, ())]
     if len(asked) == 2 or (asked and (robot is not None or hiding)):
         other = asked[1] if len(asked) == 2 else "ROBOT" if robot is not None else "options of hiding"
-        raise InputError(f"{asked[0]} stands alone", found=other, remedy="leave one of the two out")
+        raise InputError(
+            f"{asked[0]} cannot be combined with other options", found=other, remedy="remove one of them"
+        )
     if not asked and robot is None:
-        raise InputError("no robot is named", remedy="name one: robodyn hide ROBOT -o DIR")
+        raise InputError("no robot is named", remedy="use robodyn hide ROBOT -o DIR")
 
 
 # --- hiding -----------------------------------------------------------------------------------------------
 
 
-def _hidden(spec: str, given: dict[str, Any]) -> Blind:
+def _hidden(spec: str, options: dict[str, Any]) -> Blind:
     from robodyn.diagnose.blind.hide import hide
     from robodyn.robot import bundled_text
 
     robot = load_robot(spec)
-    wanted = [_parsed(text) for text in given["effects"]]
-    count = given["random"] if given["random"] is not None else int(not wanted)
-    motions = _motions(given["trajectories"], robot.n)
+    wanted = [_parsed(text) for text in options["effects"]]
+    count = options["random"] if options["random"] is not None else int(not wanted)
+    motions = _motions(options["trajectories"], robot.n)
     path = Path(spec)
     text = path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
     with progress.line() as shown:
@@ -118,28 +153,28 @@ def _hidden(spec: str, given: dict[str, Any]) -> Blind:
             robot,
             wanted,
             random=count,
-            setup=_setup(given, robot.n, max((motion.duration for motion in motions), default=0.0)),
+            setup=_setup(options, robot.n, max((motion.duration for motion in motions), default=0.0)),
             motions=motions,
             text=text,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
         )
 
 
-def _setup(given: dict[str, Any], n: int, longest: float) -> Setup:
+def _setup(options: dict[str, Any], n: int, longest: float) -> Setup:
     from robodyn.diagnose.blind.hide import Setup
     from robodyn.errors import InputError
     from robodyn_cli.simulate_options import whole
 
-    longest = max(longest, given["duration"])
-    if not 50 <= longest * given["rate"] * n <= _LARGEST:
+    longest = max(longest, options["duration"])
+    if not 50 <= longest * options["rate"] * n <= _LARGEST:
         raise InputError(
             "the logs would be too long or too short",
-            found=f"{longest:g} s at {given['rate']:g} Hz",
-            expected=f"50 to {_LARGEST} numbers of all joints together",
+            found=f"{longest:g} s at {options['rate']:g} Hz",
+            expected=f"50 to {_LARGEST} values over all joints",
         )
-    bits = whole(given["encoder_bits"])
+    bits = whole(options["encoder_bits"])
     names = ("duration", "rate", "noise", "ratio", "seed")
-    return Setup(encoder_bits=bits or None, **{name: given[name] for name in names})
+    return Setup(encoder_bits=bits or None, **{name: options[name] for name in names})
 
 
 def _motions(files: Sequence[str], n: int) -> list[Trajectory]:
@@ -148,7 +183,9 @@ def _motions(files: Sequence[str], n: int) -> list[Trajectory]:
 
     if len(files) > 2:
         raise InputError(
-            "too many trajectories", found=str(len(files)), expected="that of train.csv, that of validate.csv"
+            "too many trajectories",
+            found=str(len(files)),
+            expected="one for train.csv and one for validate.csv",
         )
     return [from_file(file, n) for file in files]
 
@@ -169,7 +206,7 @@ def _parsed(text: str) -> Amendment:
         name, equals, value = (piece.strip() for piece in part.partition("="))
         if not equals or not name or name in values:
             raise InputError(
-                f"--effect {id}: {part.strip()!r} is not one more key=value", expected="such as level=2.5"
+                f"--effect {id}: {part.strip()!r} is not a new key=value", expected="for instance level=2.5"
             )
         values[name] = value if name in words else float(number(value))
     return Amendment(id, joint, values)
@@ -186,33 +223,33 @@ def placed(text: str) -> tuple[str, int | None]:
 
     id, at, joint = (part.strip() for part in text.partition("@"))
     if at and not (joint.isascii() and joint.isdecimal() and 0 < len(joint) < 9):
-        raise InputError(f"{text!r} names no joint", expected="ID@JOINT, such as coulomb_friction@2")
+        raise InputError(f"{text!r} has no valid joint", expected="ID@JOINT, for instance coulomb_friction@2")
     return id, int(joint) if at else None
 
 
-def _tell(made: Blind, folder: Path, files: list[str], named: list[str], *, as_json: bool) -> None:
-    """What was written, without the answer."""
+def _tell(blind: Blind, folder: Path, files: list[str], named: list[str], *, as_json: bool) -> None:
+    """Print what was written, without the answer."""
     if as_json:
         echo_json(
             {
-                "robot": made.given.name,
+                "robot": blind.given.name,
                 "folder": str(folder),
                 "files": files,
-                "hidden": len(made.effects),
-                "noise": made.noise.tolist(),
+                "hidden": len(blind.effects),
+                "noise": blind.noise.tolist(),
             }
         )
     else:
         at = printable(folder)
-        count = len(made.effects)
+        count = len(blind.effects)
         what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
-        click.echo(f"{made.given.name}: {what} hidden in {at}: {', '.join(files)}")
+        click.echo(f"{blind.given.name}: {what} hidden in {at}: {', '.join(files)}")
         click.echo(
             f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv --out {at}/found"
         )
         click.echo(f"robodyn hide --score {at} {at}/found/diagnosis.json")
-    if named and made.ratio < 1:
-        talk(f"robodyn: note: what is hidden shows {made.ratio:.2g} times the noise: nobody can find that")
+    if named and blind.ratio < 1:
+        talk(f"robodyn: note: the hidden effects are {blind.ratio:.2g} times the noise: too small to find")
 
 
 # --- the answer -------------------------------------------------------------------------------------------
@@ -232,7 +269,9 @@ def _scored(folder: Path, file: Path, *, as_json: bool) -> None:
 
     if file.is_dir() and not folder.is_dir():
         raise InputError(
-            "--score wants the folder of the test first", found=printable(folder), remedy="exchange the two"
+            "the first argument of --score is the folder of the test",
+            found=printable(folder),
+            remedy="swap the two arguments",
         )
     answer = _answer(folder / _ANSWER)
     expected = "the diagnosis.json of robodyn diagnose"
@@ -242,34 +281,36 @@ def _scored(folder: Path, file: Path, *, as_json: bool) -> None:
         raise InputError(
             "this is not JSON", where=Place(label(file)), found=str(error), expected=expected
         ) from None
-    found = score(answer, diagnosis, label(file))
-    if not found.same:
-        talk("robodyn: warning: the diagnosis is of other logs than this test's")
+    result = score(answer, diagnosis, label(file))
+    if not result.same:
+        talk("robodyn: warning: the diagnosis was made from other logs than those of this test")
     if as_json:
-        echo_json(found.to_dict())
+        echo_json(result.to_dict())
     else:
-        for line in _lines(found, folder):
+        for line in _lines(result, folder):
             click.echo(line)
-    if found.result in ("wrong", "missed"):
+    if result.result in ("wrong", "missed"):
         raise click.exceptions.Exit(1)
 
 
-def _lines(found: Score, folder: Path) -> list[str]:
+def _lines(score: Score, folder: Path) -> list[str]:
     lines = []
-    for claim in found.claims:
+    for claim in score.claims:
         lines.append(f"{claim.name}: {claim.status}")
         for name, true in (claim.truth or {}).items():
-            said = claim.parameters.get(name) or {}
-            if isinstance(said.get("value"), (int, float)) and isinstance(true, (int, float)):
-                band = f" +- {said['stderr']:.2g}" if said["stderr"] is not None else ""
-                lines.append(f"  {name}: {said['value']:.4g}{band} {said['unit']}, in truth {true:.4g}")
-    if found.missed:
+            estimate = claim.parameters.get(name) or {}
+            if isinstance(estimate.get("value"), (int, float)) and isinstance(true, (int, float)):
+                band = f" +- {estimate['stderr']:.2g}" if estimate["stderr"] is not None else ""
+                lines.append(
+                    f"  {name}: {estimate['value']:.4g}{band} {estimate['unit']}, true value {true:.4g}"
+                )
+    if score.missed:
         lines.append(
-            f"{found.missed} of {found.hidden} hidden missed "
-            f"(robodyn hide --open {printable(folder / _ANSWER)} tells which)"
+            f"{score.missed} of {score.hidden} hidden missed "
+            f"(robodyn hide --open {printable(folder / _ANSWER)} shows them)"
         )
-    if found.closed is not None and found.hidden:
-        lines.append(f"{found.closed:.0%} of the gap on the validation log is closed")
+    if score.closed is not None and score.hidden:
+        lines.append(f"{score.closed:.0%} of the gap on the validation log is closed")
     empty = "right: nothing was hidden, and nothing is claimed"
-    lines.append(empty if not found.hidden and found.result == "right" else f"in all: {found.result}")
+    lines.append(empty if not score.hidden and score.result == "right" else f"overall: {score.result}")
     return lines

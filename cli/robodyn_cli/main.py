@@ -1,8 +1,9 @@
-"""The command ``robodyn``: finds the command's module, and turns errors into one line and an exit code.
+"""The command ``robodyn``: dispatches to the command's module, and turns errors into one line and an exit
+code.
 
-A command's module is imported when the command runs, and not before: ``robodyn gen`` must not pay for what
-``robodyn verify`` needs. Hence the table :data:`COMMANDS`, whose short helps are all that ``robodyn --help``
-reads, and hence nothing but click and light modules is imported here.
+A command's module is imported only when the command runs, so that ``robodyn gen`` does not import what
+``robodyn verify`` needs. The table :data:`COMMANDS` has the short helps for ``robodyn --help``. Only click
+and light modules are imported here.
 """
 
 from __future__ import annotations
@@ -21,35 +22,35 @@ from robodyn.process import quiet, received
 from robodyn_cli.common import drop, talk
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
-    "gen": ("robodyn_cli.gen", "Write the C and Fortran of a robot's dynamics, and print the counts."),
-    "flops": ("robodyn_cli.flops", "Count multiplications and additions, and hold them to a budget."),
-    "tables": ("robodyn_cli.tables", "Set the thesis's tables beside what robodyn recomputes."),
+    "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
+    "flops": ("robodyn_cli.flops", "Count multiplications and additions, and check them against a budget."),
+    "tables": ("robodyn_cli.tables", "Compare the thesis's tables with recomputed figures."),
     "schedule": (
         "robodyn_cli.schedule",
-        "Cut the dynamics into tasks and schedule them on processors.",
+        "Split the dynamics into tasks and schedule them on processors.",
     ),
-    "plan": ("robodyn_cli.plan", "Say which formulation, which schedule and which target meet a deadline."),
+    "plan": ("robodyn_cli.plan", "Find a formulation, schedule and target that meet a deadline."),
     "bench": (
         "robodyn_cli.bench",
-        "Time a kernel here: alone, beside its peers, packed, and on threads, with what waiting costs.",
+        "Time a kernel on this machine: serial, packed, on threads, and compared with installed peers.",
     ),
     "simulate": (
         "robodyn_cli.simulate",
-        "Move a robot with all its effects through time, and write the log.",
+        "Simulate a robot with all its effects, and write the log.",
     ),
     "diagnose": (
         "robodyn_cli.diagnose",
-        "Find what a model lacks to explain logs, name it, add it, and prove that the gap shrank.",
+        "Find the effects that a model is missing, add them, and validate the amended model.",
     ),
-    "hide": ("robodyn_cli.hide", "Hide effects in simulated logs, and seal the answer: a blind test."),
-    "excite": ("robodyn_cli.excite", "Design a motion inside the limits that tells effects apart."),
-    "verify": ("robodyn_cli.verify", "Set the compiled kernels against independent references."),
+    "hide": ("robodyn_cli.hide", "Make a blind test: hide effects in simulated logs and seal the answer."),
+    "excite": ("robodyn_cli.excite", "Design a motion within the limits that distinguishes effects."),
+    "verify": ("robodyn_cli.verify", "Compare the compiled kernels with independent references."),
     "prove": (
         "robodyn_cli.prove",
-        "Prove a kernel: rounding errors, no run-time errors, stack, MISRA C:2012.",
+        "Prove properties of a kernel: rounding, run-time errors, stack, MISRA C:2012.",
     ),
-    "case-study": ("robodyn_cli.case_study", "Run the thesis's case study of friction (chapter 3) anew."),
-    "effects": ("robodyn_cli.effects", "List the effects that a robot may have, or tell all of one."),
+    "case-study": ("robodyn_cli.case_study", "Repeat the thesis's case study of friction (chapter 3)."),
+    "effects": ("robodyn_cli.effects", "List the effects of the catalogue, or describe one of them."),
     "robots": ("robodyn_cli.robots", "List the bundled robots."),
     "schema": ("robodyn_cli.schema", "Print the JSON Schema of the robot description."),
     "new": ("robodyn_cli.new", "Write a commented starter file to fill in."),
@@ -63,7 +64,7 @@ PIPE_CLOSED: Final = 141  # 128 + SIGPIPE
 
 
 class LazyGroup(click.Group):
-    """A group that imports a command when it is asked for, and lists them without importing any."""
+    """A group that imports a command only when it runs, and lists the commands without importing them."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(COMMANDS)
@@ -82,7 +83,7 @@ class LazyGroup(click.Group):
             import difflib
 
             close = difflib.get_close_matches(args[0], COMMANDS, n=1)
-            hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(COMMANDS)}."
+            hint = f"did you mean {close[0]!r}?" if close else f"the commands are {', '.join(COMMANDS)}."
             ctx.fail(f"No such command {args[0]!r}; {hint}")
         return super().resolve_command(ctx, args)
 
@@ -93,15 +94,15 @@ class LazyGroup(click.Group):
 
 def _print_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
-        from importlib.metadata import version
+        import robodyn
 
-        click.echo(f"robodyn {version('robodyn')}")
+        click.echo(f"robodyn {robodyn.__version__}")
         ctx.exit()
 
 
 EPILOG: Final = """\
 Exit codes: 0 done; 1 a check failed or was not met; 2 bad input; 3 a tool is missing (a compiler ...);
-4 diagnose says unexplained. Data goes to stdout, talk to stderr.
+4 diagnose reports unexplained. Results go to stdout, messages to stderr.
 """
 
 
@@ -115,10 +116,10 @@ Exit codes: 0 done; 1 a check failed or was not met; 2 bad input; 3 a tool is mi
     help="Show the version and exit.",
 )
 def cli() -> None:
-    """From a robot's description to small, counted, verified C and Fortran for its dynamics.
+    """Generate small, counted and verified C and Fortran for the dynamics of a robot.
 
-    Begin with "robodyn gen puma560 --compile". ROBOT is the path of a YAML file, or the name of a bundled
-    robot ("robodyn robots" lists them). "robodyn COMMAND --help" tells more about each command.
+    Start with "robodyn gen puma560 --compile". ROBOT is the path of a YAML file or the name of a bundled
+    robot ("robodyn robots" lists them). "robodyn COMMAND --help" describes each command.
     """
 
 
@@ -129,18 +130,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _begin(arguments: list[str]) -> None:
     _open_what_is_closed()
-    if "_ROBODYN_COMPLETE" in os.environ:  # a shell asks what could follow on its command line
+    if "_ROBODYN_COMPLETE" in os.environ:  # a shell asks for completions
         from click.shell_completion import shell_complete
 
-        how = os.environ["_ROBODYN_COMPLETE"]
-        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", "_ROBODYN_COMPLETE", how))
+        instruction = os.environ["_ROBODYN_COMPLETE"]
+        raise click.exceptions.Exit(shell_complete(cli, {}, "robodyn", "_ROBODYN_COMPLETE", instruction))
     _run(arguments)
 
 
 def _open_what_is_closed() -> None:
-    """Let a stdout or stderr that was closed before the start (``>&-``) lead nowhere.
+    """Open ``os.devnull`` for a stdout or stderr that was closed before the start (``>&-``).
 
-    Else it is None, and the first file that is opened gets its descriptor.
+    Otherwise it is None, and the first file that is opened gets its descriptor.
     """
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
@@ -151,7 +152,7 @@ def _run(arguments: list[str]) -> None:
     try:
         with cli.make_context("robodyn", arguments) as ctx:
             cli.invoke(ctx)
-    finally:  # now, so that a closed pipe or a full disk is met here and not while the interpreter shuts down
+    finally:  # flush now, so that a closed pipe or a full disk is handled here and not at interpreter exit
         sys.stdout.flush()
 
 
@@ -167,14 +168,14 @@ def guard(run: Callable[[], None]) -> int:
 
 
 def _failed(error: BaseException) -> int:
-    """The exit code of what `error` ends; its message on stderr."""
+    """Print the message of `error` on stderr; return its exit code."""
     if isinstance(error, click.exceptions.Exit):
         return error.exit_code
     if isinstance(error, (KeyboardInterrupt, click.Abort)):
         code, word = received()
         _complain(word)
         return code
-    if isinstance(error, BrokenPipeError):  # the reader, `head` perhaps, has had enough
+    if isinstance(error, BrokenPipeError):  # the reader, for instance `head`, closed the pipe
         drop(sys.stdout)
         return PIPE_CLOSED
     if not isinstance(error, Exception):
@@ -189,28 +190,28 @@ def _failed(error: BaseException) -> int:
         import traceback
 
         talk("".join(traceback.format_exception(error)).rstrip("\n"))
-    if (limit := _few_files()) is not None:  # and whatever came of it, be it that a module is not found
+    if (limit := _few_files()) is not None:  # whatever its symptom, even a module that is not found
         drop(sys.stdout)
         _complain(
-            f"error: too few files may be open at a time: {error}; found {limit}; ulimit -n 256 allows more"
+            f"error: the limit of open files is too low: {error}; found {limit}; raise it with ulimit -n 256"
         )
         return IO_ERROR
     if isinstance(error, (OSError, MemoryError)):  # a full disk and its like
         drop(sys.stdout)
-        _complain(f"error: the system refused: {str(error) or 'out of memory'}")
+        _complain(f"error: the operating system refused: {str(error) or 'out of memory'}")
         return IO_ERROR
     if isinstance(error, ImportError) and not (error.name or "").startswith("robodyn"):
-        _complain(f"error: a library cannot be loaded: {error}; install robodyn again, or that library")
+        _complain(f"error: a library cannot be loaded: {error}; reinstall robodyn or that library")
         return ToolError.exit_code
     _complain(
         f"internal error: {type(error).__name__}: {error}; this is a bug in robodyn: please report "
-        "it with the command, the robot file and what the command prints with ROBODYN_DEBUG=1 set"
+        "it with the command, the robot file and the output of the command with ROBODYN_DEBUG=1"
     )
     return INTERNAL_ERROR
 
 
 def _few_files() -> int | None:
-    """The limit of open files, if it leaves next to none to be opened."""
+    """The limit of open files, if it is nearly reached; else None."""
     opened: list[int] = []
     try:
         while len(opened) < 16:
@@ -219,8 +220,8 @@ def _few_files() -> int | None:
         if error.errno not in (errno.EMFILE, errno.ENFILE):
             return None
     finally:
-        for number in opened:
-            os.close(number)
+        for descriptor in opened:
+            os.close(descriptor)
     if len(opened) == 16:
         return None
     try:
@@ -231,7 +232,7 @@ def _few_files() -> int | None:
 
 
 def _complain_of_usage(error: click.ClickException) -> None:
-    """Say what click found wrong, and where help is; ``robodyn`` alone gets the help itself."""
+    """Print click's message and where to find help; ``robodyn`` alone prints the help."""
     context = error.ctx if isinstance(error, click.UsageError) else None
     if isinstance(error, getattr(click.exceptions, "NoArgsIsHelpError", ())):  # click 8.1 has none
         talk(error.format_message())
@@ -241,6 +242,6 @@ def _complain_of_usage(error: click.ClickException) -> None:
 
 
 def _complain(text: str) -> None:
-    """Say `text` on stderr as one line, control characters escaped."""
+    """Print `text` on stderr as one line, control characters escaped."""
     line = " ".join(f"robodyn: {text}".split())
     talk("".join(c if c.isprintable() else ascii(c)[1:-1] for c in line))

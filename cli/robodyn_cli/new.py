@@ -1,4 +1,4 @@
-"""``robodyn new``: a commented starter file."""
+"""``robodyn new``: write a commented starter file."""
 
 from __future__ import annotations
 
@@ -14,16 +14,21 @@ from robodyn_cli.common import echo_json, json_option, output_folder, printable,
 @click.command()
 @click.argument("name", default="my_robot")
 @click.option(
-    "--joints", type=click.IntRange(min=1), default=6, show_default=True, metavar="N", help="How many joints."
+    "--joints",
+    type=click.IntRange(min=1),
+    default=6,
+    show_default=True,
+    metavar="N",
+    help="Number of joints.",
 )
-@click.option("-o", "--output", metavar="FILE", help="Where to write it, - for stdout.  [default: NAME.yaml]")
-@click.option("--force", is_flag=True, help="Write over a file that is there already.")
+@click.option("-o", "--output", metavar="FILE", help="Output file, - for stdout.  [default: NAME.yaml]")
+@click.option("--force", is_flag=True, help="Overwrite an existing file.")
 @json_option
 def command(name: str, joints: int, output: str | None, force: bool, as_json: bool) -> None:
     """Write a commented starter file to fill in.
 
-    NAME is the robot's name [default: my_robot], a C identifier: it will begin the name of every function
-    that is written for the robot.
+    NAME is the robot's name [default: my_robot], a C identifier: the prefix of every function generated for
+    the robot.
     """
     import robodyn.robot
 
@@ -35,13 +40,13 @@ def command(name: str, joints: int, output: str | None, force: bool, as_json: bo
             click.echo(text, nl=False)
         return
     path = Path(f"{name}.yaml") if output is None else output_folder(output)
-    if os.path.lexists(path) and not force:  # a link that leads nowhere is something, too
+    if os.path.lexists(path) and not force:  # also a broken link
         raise InputError(
-            f"{printable(path)} is there already",
-            remedy="choose another place with -o, or write over it with --force",
+            f"{printable(path)} already exists",
+            remedy="choose another path with -o, or overwrite it with --force",
         )
     write_files(path.parent, {path.name: text})
     if as_json:
         echo_json({"name": name, "joints": joints, "path": str(path)})
-    said = printable(path)
-    talk(f"{said} is written: fill it in, then: robodyn gen {said}")
+    label = printable(path)
+    talk(f"wrote {label}: fill it in, then run: robodyn gen {label}")

@@ -1,4 +1,4 @@
-"""Options that ``gen``, ``flops`` and ``verify`` share: which model, how optimised."""
+"""Options shared by ``gen``, ``flops`` and ``verify``: the model and its optimisation."""
 
 from __future__ import annotations
 
@@ -10,13 +10,15 @@ import click
 from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
     from robodyn.robot import Robot
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 def model_options(command: Command) -> Command:
-    """Add the options that choose the model and how it is optimised."""
+    """Add the options that select the model and its optimisation."""
     for option in reversed(
         (
             click.option(
@@ -24,32 +26,32 @@ def model_options(command: Command) -> Command:
                 metavar="F",
                 default="modified_newton_euler",
                 show_default=True,
-                help="modified_newton_euler (lambda matrix), newton_euler, newton_euler_base, orin, "
-                "balafoutis, kane, lagrange_3x3, lagrange_4x4 or lagrange.",
+                help="Formulation: modified_newton_euler (lambda matrix), newton_euler, newton_euler_base, "
+                "orin, balafoutis, kane, lagrange_3x3, lagrange_4x4 or lagrange.",
             ),
             click.option(
                 "--optimize",
                 metavar="LEVEL",
                 default="record",
                 show_default=True,
-                help="none (the recursion as the book has it), fast, record (the best known for exactly "
-                "these parameters, else fast), search (ways of writing the recursion) or full (any algebra "
-                "besides).",
+                help="Optimisation: none (textbook recursion), fast, record (the best known program for "
+                "exactly these parameters, else fast), search (formulation variants) or full (also algebraic "
+                "identities).",
             ),
-            click.option("--no-regroup", is_flag=True, help="Leave out base-parameter regrouping."),
+            click.option("--no-regroup", is_flag=True, help="Do not regroup to base parameters."),
             click.option(
                 "--engine",
                 metavar="NAME",
                 default="graph",
                 show_default=True,
-                help="graph, or sympy: the same model through sympy, as a cross-check.",
+                help="Engine: graph, or sympy as a cross-check.",
             ),
             click.option(
                 "--fold-rotor",
                 is_flag=True,
                 help="Fold rotor inertias into Izz of the links, as the thesis does.",
             ),
-            click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers."),
+            click.option("--strict", is_flag=True, help="Refuse physically implausible values."),
         )
     ):
         command = option(command)
@@ -57,12 +59,10 @@ def model_options(command: Command) -> Command:
 
 
 def search_options(command: Command) -> Command:
-    """Add the options of a search: budget, seed, objective, and whether to keep what it finds."""
+    """Add the options of a search: time budget, seed, objective, and whether to save the result."""
     for option in reversed(
         (
-            click.option(
-                "--budget-seconds", metavar="S", type=float, help="How long search and full may take."
-            ),
+            click.option("--budget-seconds", metavar="S", type=float, help="Time limit of search and full."),
             click.option(
                 "--seed", metavar="N", default=0, show_default=True, help="Seed of search and full."
             ),
@@ -74,12 +74,10 @@ def search_options(command: Command) -> Command:
                 cls=TargetOption,
                 lists={"all": "all_targets"},
                 prefix="weighted:",
-                help="What record, search and full make small: total, mul, fma (fused multiply-adds), depth "
-                "(the longest chain), sincos, or weighted:TARGET ({all}).",
+                help="Objective of record, search and full: total, mul, fma (fused multiply-adds), depth "
+                "(longest chain), sincos, or weighted:TARGET ({all}).",
             ),
-            click.option(
-                "--keep", is_flag=True, help="Write what was found into the folder records beside ROBOT."
-            ),
+            click.option("--keep", is_flag=True, help="Save the result in the folder records beside ROBOT."),
         )
     ):
         command = option(command)
@@ -87,31 +85,83 @@ def search_options(command: Command) -> Command:
 
 
 def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
-    """The robot that the options name; doubts about its numbers go to stderr."""
+    """The robot that the options name; warnings about implausible values go to stderr."""
     from robodyn_cli.common import load_robot
 
-    found = load_robot(robot, strict=strict)
+    described = load_robot(robot, strict=strict)
     if fold_rotor:
         from robodyn.robot import fold_rotor as fold
 
-        _refuse_drives(found)
-        found = fold(found)
-    return found
+        _refuse_drives(described)
+        described = fold(described)
+    return described
 
 
 def _refuse_drives(robot: Robot) -> None:
-    """Rotors behind gears and springs cannot be folded into links."""
+    """Refuse rotors behind gears and springs, which cannot be folded into links."""
     if robot.effects:
         from robodyn.drives.drive import has_drive_effects
         from robodyn.errors import InputError
 
         if has_drive_effects(robot):
             raise InputError(
-                f"{robot.name} has effects between links and motors, and --fold-rotor knows of none",
-                remedy="leave out --fold-rotor, or the effects",
+                f"{robot.name} has effects between links and motors, which --fold-rotor does not support",
+                remedy="remove --fold-rotor or the effects",
             )
 
 
 def listed(text: str) -> tuple[str, ...]:
     """``a,b`` as ``("a", "b")``."""
     return tuple(part.strip() for part in text.split(",") if part.strip())
+
+
+class _Functions(click.Option):
+    """An option whose help and completions list the functions; they are looked up when that is asked for."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from robodyn.dynamics.functions import FUNCTIONS
+
+        name, text = super().get_help_record(ctx) or ("", "")
+        listed = "; ".join(
+            f"{function.name} ({function.purpose}{'' if function.by_default else '; on request'})"
+            for function in FUNCTIONS.values()
+        )
+        return name, f"{text}  There are {listed}."
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        from click.shell_completion import CompletionItem
+
+        from robodyn.dynamics.functions import FUNCTIONS
+
+        before, comma, begun = incomplete.rpartition(",")
+        return [
+            CompletionItem(before + comma + function.name, help=function.purpose)
+            for function in FUNCTIONS.values()
+            if function.name.startswith(begun)
+        ]
+
+
+def functions_option(default: str | None = None) -> Callable[[Command], Command]:
+    """Add ``--functions``, passed to the command as ``functions: str | None``; without ``default`` those that
+    are written by default."""
+    without = "" if default else "  [default: all but those on request]"
+    return click.option(
+        "--functions",
+        metavar="A,B",
+        default=default,
+        show_default=default is not None,
+        cls=_Functions,
+        help=f"Functions, separated by commas.{without}",
+    )
+
+
+def function_option(text: str) -> Callable[[Command], Command]:
+    """Add ``--function``, passed to the command as ``function: str``; ``text`` is the help."""
+    return click.option(
+        "--function",
+        metavar="F",
+        default="inverse_dynamics",
+        show_default=True,
+        cls=_Functions,
+        help=text,
+    )

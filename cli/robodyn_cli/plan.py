@@ -1,4 +1,4 @@
-"""``robodyn plan``: which formulation, schedule and target meet a deadline."""
+"""``robodyn plan``: find a formulation, schedule and target that meet a deadline."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
+from robodyn_cli.options import function_option
 from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
@@ -16,9 +17,9 @@ if TYPE_CHECKING:
 @click.command()
 @robot_argument
 @click.option(
-    "-p", "--processors", metavar="N", type=int, default=1, show_default=True, help="Cores at most."
+    "-p", "--processors", metavar="N", type=int, default=1, show_default=True, help="Maximum number of cores."
 )
-@click.option("--deadline", metavar="T", required=True, help="Time for a call: 100us, 0.5ms, 800ns.")
+@click.option("--deadline", metavar="T", required=True, help="Maximum time of a call: 100us, 0.5ms, 800ns.")
 @click.option(
     "--target",
     "targets",
@@ -26,14 +27,14 @@ if TYPE_CHECKING:
     multiple=True,
     cls=TargetOption,
     lists={"planned": "planned_targets"},
-    help="A target, again for several: {planned}, here (measured), or "
+    help="Target; repeat for several: {planned}, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
 @click.option(
     "--scalar", type=click.Choice(["float", "double"]), help="Of the kernels.  [default: the target's own]"
 )
-@click.option("--function", metavar="F", default="inverse_dynamics", show_default=True)
-@click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers.")
+@function_option("Function to plan.")
+@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
     robot: str,
@@ -45,11 +46,11 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Say which formulation, which schedule and which target meet a deadline.
+    """Find a formulation, schedule and target that meet a deadline.
 
-    Formulations are cut into tasks of several sizes and scheduled on 1 to N cores of every target, at its
-    cost of passing a value. Of those that meet the deadline the one with the fewest cores is taken. Exits
-    1 where nothing does. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
+    The formulations are split into tasks of several sizes and scheduled on 1 to N cores of every target, with
+    its communication cost. The plan with the fewest cores that meets the deadline is chosen. Exits with 1 if
+    there is none. With --json: {"robot", "deadline_ns", "chosen", "plans"}.
     """
     from robodyn.bench.plan import (
         chosen,
@@ -60,11 +61,13 @@ def command(
         plans,
         spelled,
     )
+    from robodyn.dynamics.functions import function_named
     from robodyn.errors import CheckError
     from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
+    function_named(function)
     asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
     described = load_robot(robot, strict=strict)
     with line() as shown:
@@ -73,22 +76,22 @@ def command(
             shown.tell(f"robodyn: {text}")
 
         wanted = [target or here(described, tell) for target in asked] or list(planned_targets())
-        found = plans(described, processors, wanted, function=function, scalar=scalar, tell=tell)
-    best = chosen(found, limit)
+        candidates = plans(described, processors, wanted, function=function, scalar=scalar, tell=tell)
+    best = chosen(candidates, limit)
     if as_json:
         echo_json(
             {
                 "robot": described.name,
                 "deadline_ns": limit,
                 "chosen": None if best is None else best.to_dict(limit),
-                "plans": [plan.to_dict(limit) for plan in found],
+                "plans": [plan.to_dict(limit) for plan in candidates],
             }
         )
     else:
-        click.echo(plan_text(described, found, wanted, limit), nl=False)
+        click.echo(plan_text(described, candidates, wanted, limit), nl=False)
     if best is None:
         raise CheckError(
             f"nothing meets {spelled(limit)}",
-            found=f"{spelled(found[0].time_ns)} at best",
-            remedy="allow more cores with -p, another target, or more time",
+            found=f"{spelled(candidates[0].time_ns)} at best",
+            remedy="allow more cores with -p, or choose another target or a longer deadline",
         )

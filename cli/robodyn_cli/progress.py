@@ -1,4 +1,4 @@
-"""How far a long command is: one line on a terminal, written over; nothing in a pipe."""
+"""Progress of a long command: one updated line on a terminal, nothing in a pipe."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import click
 
 
 class Line:
-    """A line on stderr that is written over, a few times a second at most."""
+    """A line on stderr that is updated at most a few times a second."""
 
     def __init__(self) -> None:
         self.shown = sys.stderr.isatty()
@@ -20,7 +20,7 @@ class Line:
         self._width = 0
 
     def tell(self, text: str) -> None:
-        """Show ``text`` in place of what the line said before."""
+        """Replace the text of the line by ``text``."""
         now = time.monotonic()
         if not self.shown or now - self._last < 0.2:
             return
@@ -29,7 +29,7 @@ class Line:
         self._width = len(text)
 
     def clear(self) -> None:
-        """Leave the line empty."""
+        """Clear the line."""
         if self._width:
             self._echo("\r" + " " * self._width + "\r")
             self._width = 0
@@ -37,13 +37,13 @@ class Line:
     def _echo(self, text: str) -> None:
         try:
             click.echo(text, nl=False, err=True)
-        except OSError:  # the terminal is gone, and nobody watches: that is no error
+        except OSError:  # the terminal is gone: not an error
             self.shown = False
 
 
 @contextmanager
 def line() -> Iterator[Line]:
-    """A line that is gone when the work is done or has failed."""
+    """A line that is cleared when the work is done or has failed."""
     shown = Line()
     try:
         yield shown

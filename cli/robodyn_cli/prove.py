@@ -1,4 +1,4 @@
-"""``robodyn prove``: proofs of a kernel, to be filed."""
+"""``robodyn prove``: prove properties of a kernel."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument, write_files
-from robodyn_cli.options import listed, load, model_options
+from robodyn_cli.options import functions_option, listed, load, model_options
 
 if TYPE_CHECKING:
     from robodyn.certify import Proof
@@ -18,28 +18,30 @@ if TYPE_CHECKING:
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", metavar="DIR", help="Where the proof goes.  [default: proof/NAME]")
+@click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: proof/NAME]")
 @click.option(
     "--ranges",
     metavar="R",
-    help="qd=3,qdd=10,q2=-pi/2:pi/2, or a YAML file with such keys.  [default: the joints' limits]",
+    help="Ranges as qd=3,qdd=10,q2=-pi/2:pi/2, or a YAML file with such keys.  [default: the joint limits]",
 )
-@click.option("--scalar", default="float", show_default=True, help="float or double.")
+@click.option("--scalar", default="float", show_default=True, help="Scalar type: float or double.")
 @click.option("--trig", default="builtin", show_default=True, help="Sine and cosine: builtin, libm or given.")
-@click.option("--functions", default="inverse_dynamics", show_default=True, help="Functions, with commas.")
-@click.option("--only", metavar="A,B", help="Some of gappa, eva, stack, misra.  [default: all]")
+@functions_option("inverse_dynamics")
+@click.option("--only", metavar="A,B", help="Proofs to run: gappa, eva, stack, misra.  [default: all]")
 @click.option(
     "--seconds",
     type=click.FloatRange(min=1),
     default=300.0,
     show_default=True,
-    help="How long Gappa may take for a torque.",
+    help="Time limit of Gappa for each torque.",
 )
-@click.option("--workers", type=click.IntRange(min=1), help="Torques at a time.  [default: one a core]")
+@click.option(
+    "--workers", type=click.IntRange(min=1), help="Torques proved in parallel.  [default: one per core]"
+)
 @click.option(
     "--tolerance",
     metavar="T",
-    help="Fail if a bound is above this share of the joint's largest torque: 0.01% or 1e-4.",
+    help="Fail if a bound exceeds this share of the joint's largest torque: 0.01% or 1e-4.",
 )
 @model_options
 @json_option
@@ -62,12 +64,12 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Prove a kernel: rounding errors, no run-time errors, stack, MISRA C:2012.
+    """Prove properties of a kernel: rounding, run-time errors, stack, MISRA C:2012.
 
-    DIR gets the kernel as "gen --misra" writes it, the scripts, what the tools said, PROOF.md and
-    proof.json. Gappa bounds the rounding error of every torque within the ranges; Frama-C Eva shows that no
-    input whatsoever leads to undefined behaviour; gcc tells the stack, cppcheck the deviations from MISRA.
-    Exits 1 if a proof failed, 3 if a tool is missing.
+    DIR gets the kernel as written by "gen --misra", the scripts, the output of the tools, PROOF.md and
+    proof.json. Gappa bounds the rounding error of every torque within the ranges. Frama-C Eva shows that no
+    input leads to undefined behaviour. gcc reports the stack, cppcheck the deviations from MISRA. Exits with
+    1 if a proof fails, 3 if a tool is missing.
     """
     from robodyn.certify import PROOFS, Asked, prove
     from robodyn.errors import CheckError, ToolError
@@ -98,12 +100,12 @@ def command(
     if proof.failed:
         raise CheckError(f"{described.name}: not proven: {', '.join(proof.failed)}")
     if proof.missing:
-        told = "; ".join(f"{name} {remedy}" for name, remedy in proof.missing.items())
-        raise ToolError(f"{described.name}: not run for want of tools", found=told)
+        remedies = "; ".join(f"{name} {remedy}" for name, remedy in proof.missing.items())
+        raise ToolError(f"{described.name}: proofs not run because tools are missing", found=remedies)
 
 
 def _ranged(described: Robot, ranges: str | None, *, needed: bool) -> Robot:
-    """The robot with the ranges as its limits; where none are needed, its own will do."""
+    """The robot with the ranges as its limits; unchanged if no ranges are given or needed."""
     from robodyn.certify import with_ranges
     from robodyn.files import read_bytes
     from robodyn.robot.document import FILE_SIZE
@@ -131,7 +133,7 @@ def _share(text: str | None) -> Fraction | None:
         share = Fraction(0)
     if not 0 < share < 1:
         raise InputError(
-            "a tolerance that is no share", found=repr(text), expected="more than 0 and less than 100%"
+            "the tolerance is not a share", found=repr(text), expected="more than 0 and less than 100%"
         )
     return share
 

@@ -1,4 +1,4 @@
-"""``--prune`` for the commands that take it: the option, progress on a terminal, and what came of it."""
+"""The option ``--prune``: parsing, progress on a terminal, and results."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ def prune_option(command: Command) -> Command:
     return click.option(
         "--prune",
         metavar="TOL",
-        help="Leave out terms that cannot matter within the joints' limits: 1% or 0.01 of each joint's peak "
-        "torque may be wrong. Inverse dynamics, bias and gravity only.",
+        help="Drop terms that cannot matter within the joint limits; the error of each torque stays below "
+        "TOL (1% or 0.01) of the joint's peak torque. Inverse dynamics, bias and gravity only.",
     )(command)
 
 
 def tolerance(prune: str | None) -> Fraction | None:
-    """What ``--prune`` asks for."""
+    """The tolerance of ``--prune``."""
     if prune is None:
         return None
     from robodyn.optimize.prune import parse_tolerance
@@ -36,7 +36,7 @@ def tolerance(prune: str | None) -> Fraction | None:
 
 @contextmanager
 def told() -> Iterator[Callable[[str], None]]:
-    """What hears how far the pruning is: a line on a terminal, nothing in a pipe."""
+    """Progress of the pruning: a line on a terminal, nothing in a pipe."""
     from robodyn_cli.progress import line
 
     with line() as shown:
@@ -49,7 +49,7 @@ def with_pruning(record: dict[str, Any], pruning: Pruning | None) -> dict[str, A
 
 
 def pruning_lines(prunings: Mapping[Any, Pruning]) -> list[str]:
-    """What is told of the errors, for people."""
+    """Lines about the pruning errors, for people."""
     if not prunings:
         return []
     from robodyn.optimize.prune import notes_of

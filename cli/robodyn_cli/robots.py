@@ -1,4 +1,4 @@
-"""``robodyn robots``: the bundled robots."""
+"""``robodyn robots``: list the bundled robots."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.option("--names", is_flag=True, help="Print nothing but the names, one a line.")
+@click.option("--names", is_flag=True, help="Print the names only, one per line.")
 @json_option
 def command(names: bool, as_json: bool) -> None:
     """List the bundled robots.
 
-    Each with its joints from base to tip, R for a revolute and P for a prismatic one. With --json a list of
-    objects {"name", "joints", "title"}, or of names with --names.
+    Each line shows the joints from base to tip, R for revolute and P for prismatic. --json prints a list of
+    objects {"name", "joints", "title"}; with --names, a list of names.
     """
     import robodyn.robot
 
-    found = robodyn.robot.bundled_names()
+    bundled = robodyn.robot.bundled_names()
     if names:
         if as_json:
-            echo_json(list(found))
+            echo_json(list(bundled))
         else:
-            for name in found:
+            for name in bundled:
                 click.echo(name)
         return
-    robots = [robodyn.robot.load(name, warn=lambda _: None) for name in found]  # doubts belong to `gen`
+    robots = [robodyn.robot.load(name, warn=lambda _: None) for name in bundled]  # gen prints the warnings
     rows = [(robot.name, _letters(robot), robot.title) for robot in robots]
     if as_json:
         echo_json([dict(zip(("name", "joints", "title"), row, strict=True)) for row in rows])

@@ -1,4 +1,4 @@
-"""``robodyn schedule``: tasks, machines, schedules, bounds; pictures; parallel C."""
+"""``robodyn schedule``: schedule the dynamics on several processors; write pictures and parallel C."""
 
 from __future__ import annotations
 
@@ -24,20 +24,19 @@ if TYPE_CHECKING:
 @schedule_options
 @model_options
 @json_option
-def command(robot: str | None, as_json: bool, **given: Any) -> None:
-    """Cut the dynamics into tasks and schedule them on processors.
+def command(robot: str | None, as_json: bool, **options: Any) -> None:
+    """Split the dynamics into tasks and schedule them on processors.
 
-    Without --cut the tasks are those of the thesis, three operations each, of ROBOT or of any revolute arm of
-    --links N. With --cut K they are the operations of a kernel of ROBOT, at most K in a task. Every schedule
-    is judged by a validator of its own. -p 2..13 sweeps over processors. --emit DIR writes parallel C (tasks
-    of
-    --cut 3 unless told otherwise) with the serial kernel that has the same bits. --thesis TABLE sets a
-    printed schedule (4.3, 4.7, C.1 to C.15, or all) or Table 4.8 beside ours, with every violation.
+    Without --cut the tasks are those of the thesis, three operations each, for ROBOT or for any revolute arm
+    of --links N. With --cut K they are the operations of a kernel of ROBOT, at most K per task. A separate
+    validator checks every schedule. -p 2..13 sweeps over the number of processors. --emit DIR writes parallel
+    C (tasks of --cut 3 by default) and the serial kernel, which gives the same bits. --thesis TABLE compares
+    a printed schedule (4.3, 4.7, C.1 to C.15, or all) or Table 4.8 with ours and lists every violation.
 
     With --json: {"robot", "method", "processors", "tasks", "levels", "critical_path", "lower_bound",
     "optimal", "speedup", "efficiency", "slots", "thesis", ...}, a list of them for a sweep.
     """
-    asked = Asked.of(robot, given)
+    asked = Asked.of(robot, options)
     if asked.thesis is not None:
         _thesis(asked.thesis, as_json)
     elif asked.forms:
@@ -50,11 +49,11 @@ def _thesis(table: str, as_json: bool) -> None:
     from robodyn.thesis.tables import make, to_text
     from robodyn.thesis.tables.schedules import one_table
 
-    found = make("schedules") if table == "all" else one_table(table)
+    tables = make("schedules") if table == "all" else one_table(table)
     if as_json:
-        echo_json(found.to_dict())
+        echo_json(tables.to_dict())
     else:
-        click.echo(to_text(found), nl=False)
+        click.echo(to_text(tables), nl=False)
 
 
 def _forms(asked: Asked, as_json: bool) -> None:
@@ -62,17 +61,19 @@ def _forms(asked: Asked, as_json: bool) -> None:
     from robodyn_cli.progress import line
 
     with line() as shown:
-        found = compared(asked.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
+        comparison = compared(asked.links or 16, lambda text: shown.tell(f"robodyn: {text}"))
     if as_json:
-        echo_json(found)
+        echo_json(comparison)
     else:
-        click.echo(forms_text(found), nl=False)
+        click.echo(forms_text(comparison), nl=False)
 
 
 def _schedule(asked: Asked, as_json: bool) -> None:
     from robodyn.report.gantt import gantt_svg, layers_svg, sweep_svg
     from robodyn.report.schedules import processors_of, sweep_text, to_dict, to_text
     from robodyn.schedule import Machine, solve
+    from robodyn.schedule.methods import SEARCHES
+    from robodyn.schedule.tree import MOST_NODES
     from robodyn_cli.progress import line
 
     described, source, signature = _source(asked)
@@ -86,37 +87,46 @@ def _schedule(asked: Asked, as_json: bool) -> None:
 
     def solved(method: Any) -> list[Solved]:
         return [
-            solve(source.graph, machine, method, seconds=asked.seconds, seed=asked.seed)
+            solve(
+                source.graph,
+                machine,
+                method,
+                seconds=asked.seconds,
+                seed=asked.seed,
+                nodes=asked.nodes or MOST_NODES,
+            )
             for machine in machines
         ]
 
     with line() as shown:
-        if asked.method in ("optimal", "branch-and-bound"):
+        if asked.method in SEARCHES:
             shown.tell(f"robodyn: {source.name}: searching, {asked.seconds:g} s at most")
-        found = solved(asked.method)
+        solutions = solved(asked.method)
     pictures: dict[Path, str] = {}
-    if picture is not None and len(found) == 1:
-        pictures[picture] = gantt_svg(source, found[0])
+    if picture is not None and len(solutions) == 1:
+        pictures[picture] = gantt_svg(source, solutions[0])
     elif picture is not None:
         other = "thesis" if asked.method != "thesis" else "critical-path"
-        pictures[picture] = sweep_svg(source, found, solved(other))
+        pictures[picture] = sweep_svg(source, solutions, solved(other))
     if layers is not None:
         pictures[layers] = layers_svg(source)
-    folder, files = _emitted(asked, described, source, signature, found[0])
+    folder, files = _emitted(asked, described, source, signature, solutions[0])
     for file, text in pictures.items():
         write_files(file.parent, {file.name: text})
     written = (*pictures, *write_files(folder, files))
     if as_json:
-        records = [to_dict(source, one) for one in found]
+        records = [to_dict(source, one) for one in solutions]
         echo_json(records[0] if len(records) == 1 else records)
     else:
-        click.echo(to_text(source, found[0]) if len(found) == 1 else sweep_text(source, found), nl=False)
+        click.echo(
+            to_text(source, solutions[0]) if len(solutions) == 1 else sweep_text(source, solutions), nl=False
+        )
     for path in written:
         talk(f"robodyn: wrote {printable(path)}")
 
 
 def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
-    """What is scheduled, and of a kernel the robot and its interface."""
+    """The task graph to schedule; for a kernel also the robot and the signature."""
     from robodyn.report.schedules import cut_source, links_source, robot_source
     from robodyn.schedule.cutting import cut, parse_costs
 
@@ -128,8 +138,8 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
 
         k = asked.operations or 1
         costs = None if asked.cost is None else parse_costs(asked.cost)
-        made = cut(general_program(asked.form, asked.links), k, costs)
-        return None, cut_source(f"{asked.links} links, {asked.form}", made, k), None
+        tasks = cut(general_program(asked.form, asked.links), k, costs)
+        return None, cut_source(f"{asked.links} links, {asked.form}", tasks, k), None
     assert asked.robot is not None
     described = load(asked.robot, strict=asked.strict, fold_rotor=asked.fold_rotor)
     if asked.operations is None and asked.emit is None:
@@ -139,8 +149,8 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
         from robodyn.report.schedules import Source
         from robodyn.schedule.task_program import task_program
 
-        made = task_program(described)
-        source = Source(described.name, "tasks of Table 4.1 that this arm needs", made.graph, cut=made)
+        tasks = task_program(described)
+        source = Source(described.name, "tasks of Table 4.1 that this arm needs", tasks.graph, cut=tasks)
         return described, source, signature(described, "inverse_dynamics")
     from robodyn.kernels.generate import Options, generate
 
@@ -148,8 +158,8 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
     options = Search(None, asked.seed, "total", False).applied(described, options, (asked.function,))
     ((interface, program),) = generate(described, options).unit.functions
     costs = None if asked.cost is None else parse_costs(asked.cost)
-    made = cut(program, asked.operations, costs)
-    return described, cut_source(described.name, made, asked.operations), interface
+    tasks = cut(program, asked.operations, costs)
+    return described, cut_source(described.name, tasks, asked.operations), interface
 
 
 def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
@@ -157,7 +167,7 @@ def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
     from robodyn_cli.progress import line
 
     with line() as shown:
-        found = fewest_for_critical_path(
+        fewest = fewest_for_critical_path(
             source.graph, seconds=asked.seconds, tell=lambda text: shown.tell(f"robodyn: {text}")
         )
     if as_json:
@@ -165,23 +175,23 @@ def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
             {
                 "robot": source.name,
                 "tasks": len(source.graph),
-                "critical_path": found.span,
-                "processors": found.found,
-                "at_least": found.at_least,
-                "proven": found.proven,
-                "slots": [list(row) for row in found.timetable.slots],
+                "critical_path": fewest.span,
+                "processors": fewest.found,
+                "at_least": fewest.at_least,
+                "proven": fewest.proven,
+                "slots": [list(row) for row in fewest.timetable.slots],
             }
         )
         return
-    least = "fewer" if found.proven else f"fewer than {found.at_least}"
-    click.echo(f"{source.name}: {len(source.graph)} {source.tasks}, critical path {found.span}")
-    click.echo(f"{found.found} processors do it in {found.span} levels; {least} cannot, by proof")
+    least = "fewer" if fewest.proven else f"fewer than {fewest.at_least}"
+    click.echo(f"{source.name}: {len(source.graph)} {source.tasks}, critical path {fewest.span}")
+    click.echo(f"{fewest.found} processors reach it in {fewest.span} levels; {least} are proven not to")
 
 
 def _emitted(
     asked: Asked, described: Robot | None, source: Source, signature: Signature | None, solved: Solved
 ) -> tuple[Path, dict[str, str]]:
-    """Where C is to be written, and which; none if none is asked for."""
+    """The folder and the files of the parallel C; no files without ``--emit``."""
     if asked.emit is None:
         return Path(), {}
     from robodyn.emit.schedule_files import schedule_files

@@ -1,15 +1,20 @@
-"""The options of ``robodyn schedule``, and which of them go together."""
+"""The options of ``robodyn schedule``, and checks of their combinations."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 import click
 
+from robodyn_cli.options import function_option
+
 Command = TypeVar("Command", bound=Callable[..., Any])
+
+#: ``robodyn.schedule.METHODS``, which tests hold equal to this: importing it would slow down ``--help``.
+METHODS: Final = ("thesis", "critical-path", "dhlf", "df-ihs", "a-star", "branch-and-bound", "optimal")
 
 
 def schedule_options(command: Command) -> Command:
@@ -17,33 +22,42 @@ def schedule_options(command: Command) -> Command:
     for option in reversed(
         (
             click.option(
-                "-p", "--processors", metavar="N", default=None, help="Processors: 4, 2,4,8 or 2..13."
+                "-p",
+                "--processors",
+                metavar="N",
+                default=None,
+                help="Number of processors: 4, 2,4,8 or 2..13.",
             ),
-            click.option("--links", metavar="N", type=int, help="Any revolute arm of N joints, no ROBOT."),
+            click.option(
+                "--links",
+                metavar="N",
+                type=int,
+                help="Schedule any revolute arm of N joints (without ROBOT).",
+            ),
             click.option(
                 "--method",
-                metavar="M",
+                type=click.Choice(METHODS),
                 default="critical-path",
                 show_default=True,
-                help="thesis (section 4.3.3), critical-path, dhlf, branch-and-bound (one processor a joint) "
-                "or optimal (OR-Tools; proof or bound).",
+                help="Method: list heuristics (thesis: section 4.3.3; critical-path; dhlf), searches (df-ihs,"
+                " a-star, branch-and-bound: one processor per joint) or optimal (OR-Tools; proof or bound).",
             ),
-            click.option("--as-printed", is_flag=True, help="The task set that the thesis printed."),
+            click.option("--as-printed", is_flag=True, help="Use the task set printed in the thesis."),
             click.option(
                 "--cut",
                 metavar="K",
-                help="Tasks of at most K operations of a kernel; thesis: the thesis's tasks.",
+                help="Split a kernel into tasks of at most K operations; thesis: the thesis's tasks.",
             ),
-            click.option(
-                "--function", metavar="F", default="inverse_dynamics", show_default=True, help="With --cut K."
-            ),
+            function_option("Function to split (with --cut K)."),
             click.option(
                 "--form",
                 metavar="F",
-                help="With --links: newton-euler, modified-newton-euler, lee-chang or lathrop, cut.",
+                help="Recursion (with --links): newton-euler, modified-newton-euler, lee-chang or lathrop.",
             ),
             click.option(
-                "--forms", is_flag=True, help="Compare linear and logarithmic forms, up to --links."
+                "--forms",
+                is_flag=True,
+                help="Compare linear and logarithmic forms for up to --links N joints.",
             ),
             click.option("--cost", metavar="OP=N,...", help="Costs of operations: mul=1,add=1,div=14."),
             click.option(
@@ -51,25 +65,40 @@ def schedule_options(command: Command) -> Command:
                 metavar="T",
                 type=int,
                 default=0,
-                help="Time to pass a value, or to meet between levels.",
+                help="Time to pass a value, or to synchronise between levels.",
             ),
-            click.option("--no-levels", is_flag=True, help="Tasks begin as soon as they can."),
+            click.option(
+                "--no-levels", is_flag=True, help="Start tasks as soon as their inputs are available."
+            ),
             click.option(
                 "--seconds",
                 metavar="S",
                 type=float,
-                help="How long a search may take. [default: 60, branch-and-bound 10]",
+                help="Time limit of a search. [default: 60, branch-and-bound 10]",
+            ),
+            click.option(
+                "--nodes",
+                metavar="N",
+                type=click.IntRange(min=1),
+                help="Limit of nodes that df-ihs and a-star visit. [default: 200000]",
             ),
             click.option("--seed", metavar="N", type=int, default=0, help="Seed of the optimiser."),
             click.option(
-                "--fewest", is_flag=True, help="The fewest processors that reach the critical path."
+                "--fewest", is_flag=True, help="Find the fewest processors that reach the critical path."
             ),
-            click.option("--thesis", metavar="TABLE", help="A printed schedule judged: 4.3, C.1, 4.8, all."),
-            click.option("--picture", metavar="FILE.svg", help="Gantt chart; a sweep: Figures 4.11-4.13."),
-            click.option("--layers", metavar="FILE.svg", help="The layered graph."),
-            click.option("--emit", metavar="DIR", help="Write parallel C into DIR."),
-            click.option("--sync", metavar="HOW", help="In that C: barrier or counters."),
-            click.option("--packed", metavar="LANES", type=int, help="The packed form too: 2, 4, 8 lanes."),
+            click.option("--thesis", metavar="TABLE", help="Check a printed schedule: 4.3, C.1, 4.8, all."),
+            click.option(
+                "--picture", metavar="FILE.svg", help="Write the Gantt chart; for a sweep, Figures 4.11-4.13."
+            ),
+            click.option("--layers", metavar="FILE.svg", help="Write the layered graph."),
+            click.option("--emit", metavar="DIR", help="Write parallel C to DIR."),
+            click.option("--sync", metavar="HOW", help="Synchronisation (with --emit): barrier or counters."),
+            click.option(
+                "--packed",
+                metavar="LANES",
+                type=int,
+                help="Also write the packed form (with --emit): 2, 4 or 8 lanes.",
+            ),
         )
     ):
         command = option(command)
@@ -78,7 +107,7 @@ def schedule_options(command: Command) -> Command:
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What the command line asks for; see the options."""
+    """The parsed options of ``robodyn schedule``."""
 
     robot: str | None
     processors: str
@@ -93,6 +122,7 @@ class Asked:
     communication: int
     no_levels: bool
     seconds: float
+    nodes: int | None
     seed: int
     fewest: bool
     thesis: str | None
@@ -109,40 +139,40 @@ class Asked:
     strict: bool
 
     @staticmethod
-    def of(robot: str | None, given: dict[str, Any]) -> Asked:
-        """The options as they were given.
+    def of(robot: str | None, options: dict[str, Any]) -> Asked:
+        """The options from the command line.
 
         Raises
         ------
-        InputError: options that do not go together, or say nothing to schedule.
+        InputError: options that cannot be combined, or nothing to schedule.
         """
         from robodyn.errors import InputError
 
-        cut = given.pop("cut")
+        cut = options.pop("cut")
         operations = None if cut in (None, "thesis") else _operations(cut)
-        if cut is None and (given["emit"] is not None or _kernel(given)):
-            operations = 3  # a kernel is asked for
-        processors = given.pop("processors")
-        if given["seconds"] is None:
-            given["seconds"] = 10.0 if given["method"] == "branch-and-bound" else 60.0
-        asked = Asked(robot, processors=processors or "1", operations=operations, **given)
+        if cut is None and (options["emit"] is not None or _kernel(options)):
+            operations = 3  # for a kernel
+        processors = options.pop("processors")
+        if options["seconds"] is None:
+            options["seconds"] = 10.0 if options["method"] == "branch-and-bound" else 60.0
+        asked = Asked(robot, processors=processors or "1", operations=operations, **options)
         asked = _with_form(asked)
         if asked.thesis is not None or asked.forms:
             if robot is not None:
                 raise InputError(
-                    f"{'--forms' if asked.forms else '--thesis'} is of no robot",
+                    f"{'--forms' if asked.forms else '--thesis'} takes no robot",
                     found=robot,
-                    remedy="leave it out",
+                    remedy="remove it",
                 )
             return asked
         if (robot is None) == (asked.links is None):
             raise InputError(
-                "what to schedule is not clear",
+                "nothing unique to schedule",
                 found="neither ROBOT nor --links" if robot is None else "both ROBOT and --links",
                 expected="one of ROBOT and --links N",
             )
         if processors is None and not asked.fewest:
-            raise InputError("a schedule needs processors", remedy="add -p 4, -p 2..13, or --fewest")
+            raise InputError("the number of processors is missing", remedy="add -p 4, -p 2..13, or --fewest")
         asked._fitting()
         return asked
 
@@ -150,37 +180,43 @@ class Asked:
         from robodyn.errors import InputError
 
         if self.links is not None and self.emit is not None:
-            raise InputError("any arm of so many links has no numbers to emit", remedy="name a ROBOT")
+            raise InputError(
+                "a general arm (--links) has no parameters to emit", remedy="use a ROBOT instead"
+            )
         if self.links is not None and self.operations is not None and self.form is None:
             raise InputError(
-                "any arm of so many links has no kernel to cut", remedy="add --form, or name a ROBOT"
+                "a general arm (--links) has no kernel to split", remedy="add --form, or use a ROBOT instead"
             )
         if self.form is not None and self.links is None:
-            raise InputError("--form goes with --links")
+            raise InputError("--form requires --links")
         if self.as_printed and self.operations is not None:
             raise InputError(
-                "--as-printed is of the thesis's tasks, not of a kernel's", remedy="leave out --cut"
+                "--as-printed applies to the thesis's tasks, not to a kernel", remedy="remove --cut"
             )
         if self.cost is not None and self.operations is None and self.links is None:
-            raise InputError("--cost is of operations", remedy="add --cut 1, or another number of them")
+            raise InputError("--cost requires tasks of operations", remedy="add --cut 1, or another number")
         if self.sync not in (None, "barrier", "counters"):
             raise InputError(
-                f"unknown way to wait {self.sync!r}", expected="--sync barrier or --sync counters"
+                f"unknown synchronisation {self.sync!r}", expected="--sync barrier or --sync counters"
             )
         for option, name in ((self.sync, "--sync"), (self.packed, "--packed")):
             if option is not None and self.emit is None:
-                raise InputError(f"{name} goes with --emit")
+                raise InputError(f"{name} requires --emit")
         if not 0 < self.seconds < 1e7:
             raise InputError(
-                "a search takes time", found=f"--seconds {self.seconds:g}", expected="more than 0"
+                "the time limit of the search is out of range",
+                found=f"--seconds {self.seconds:g}",
+                expected="more than 0",
             )
 
     def check(self, machines: int) -> None:
-        """:class:`InputError` where one schedule is wanted and there are several."""
+        """Raise :class:`InputError` if there are several schedules and only one can be emitted."""
         from robodyn.errors import InputError
 
         if self.emit is not None and machines > 1:
-            raise InputError("one schedule is emitted", found=f"{machines} machines", expected="-p N")
+            raise InputError(
+                "only one schedule can be emitted", found=f"{machines} machines", expected="-p N"
+            )
 
     def model(self) -> dict[str, Any]:
         """The options of the kernel."""
@@ -208,11 +244,11 @@ def _with_form(asked: Asked) -> Asked:
     return replace(asked, form=name)
 
 
-def _kernel(given: dict[str, Any]) -> bool:
-    """Whether an option speaks of a kernel."""
+def _kernel(options: dict[str, Any]) -> bool:
+    """Whether an option selects a kernel."""
     usual = {"formulation": "modified_newton_euler", "optimize": "record", "engine": "graph"}
-    changed = any(given[name] != value for name, value in usual.items())
-    return changed or given["no_regroup"] or given["function"] != "inverse_dynamics"
+    changed = any(options[name] != value for name, value in usual.items())
+    return changed or options["no_regroup"] or options["function"] != "inverse_dynamics"
 
 
 def _operations(text: str) -> int:
@@ -226,7 +262,7 @@ def _operations(text: str) -> int:
 
 
 def picture_file(text: str | None) -> Path | None:
-    """Where a picture goes.
+    """The path of a picture.
 
     Raises
     ------
@@ -237,5 +273,5 @@ def picture_file(text: str | None) -> Path | None:
     if text is None:
         return None
     if not text.endswith(".svg") or text == ".svg":
-        raise InputError("the picture is an SVG", found=repr(text), expected="a name that ends in .svg")
+        raise InputError("pictures are written as SVG", found=repr(text), expected="a name that ends in .svg")
     return Path(text)

@@ -1,4 +1,4 @@
-"""``robodyn schema``: the JSON Schema of the robot description."""
+"""``robodyn schema``: print the JSON Schema of the robot description."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from robodyn_cli.common import echo_json, json_option
 def command(as_json: bool) -> None:
     """Print the JSON Schema of the robot description.
 
-    Give it to an editor, which then completes keys and marks mistakes while you write the YAML. It is JSON
-    with and without --json.
+    An editor can use it to complete keys and mark mistakes in the YAML file. The output is JSON with and
+    without --json.
     """
     import robodyn.robot
 

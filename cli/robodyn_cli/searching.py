@@ -1,4 +1,4 @@
-"""``--optimize search`` and ``full`` for the commands that take them."""
+"""Run the search of ``--optimize search`` and ``full``."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ if TYPE_CHECKING:
     from robodyn.robot import Robot
     from robodyn.search.improve import Told
 
-#: Which share of the time goes to the inverse dynamics where other functions are searched for as well.
+#: Share of the time for the inverse dynamics if other functions are searched for as well.
 _FIRST = 0.8
 
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """What the options say of a search: see :func:`robodyn_cli.options.model_options`."""
+    """The options of a search: see :func:`robodyn_cli.options.search_options`."""
 
     budget_seconds: float | None
     seed: int
@@ -25,11 +25,11 @@ class Search:
     keep: bool
 
     def applied(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:
-        """``options`` with what a search for ``functions`` finds, if they ask for one.
+        """``options`` with the records that a search for ``functions`` finds, if they request one.
 
         Raises
         ------
-        InputError: an option does not fit the others.
+        InputError: options that cannot be combined.
         """
         from robodyn.errors import InputError
 
@@ -40,20 +40,20 @@ class Search:
             objective = parse_objective(objective).key
         options = replace(options, objective=objective)
         if options.optimize not in ("search", "full"):
-            for given, name in ((self.budget_seconds, "--budget-seconds"), (self.keep or None, "--keep")):
-                if given is not None:
+            for value, name in ((self.budget_seconds, "--budget-seconds"), (self.keep or None, "--keep")):
+                if value is not None:
                     raise InputError(
-                        f"{name} goes with a search",
+                        f"{name} requires a search",
                         found=f"--optimize {options.optimize}",
                         expected="--optimize search or full",
                     )
             return options
         if not options.takes_records:
             raise InputError(
-                "there is a search for modified_newton_euler on the graph, regrouped, and for nothing else",
+                "a search supports only modified_newton_euler with regrouping and the graph engine",
                 found=f"--formulation {options.formulation} --engine {options.engine}"
                 + ("" if options.regroup else " --no-regroup"),
-                remedy="leave these options out, or take --optimize fast",
+                remedy="remove these options, or use --optimize fast",
             )
         return self._searched(robot, options, functions)
 
@@ -96,15 +96,14 @@ class Search:
                     talk(f"robodyn: wrote {printable(from_here(write_record(record, folder)))}")
                 except OSError as error:
                     raise cannot_write(
-                        f"into {printable(from_here(folder))}", error, "leave out --keep, or make room there"
+                        f"to {printable(from_here(folder))}", error, "remove --keep, or free some space there"
                     ) from error
         return replace(options, records=tuple(records))
 
 
 def _searchable(functions: Sequence[str], level: str) -> list[str]:
-    """The functions to search for, not those that are put together from others. The other torques come with
-    the inverse dynamics where that is asked for, and ways of writing are known of the inverse dynamics alone.
-    """
+    """The functions to search for, without those composed of others. The other torques follow from the
+    inverse dynamics if it is among them, and formulation variants exist for the inverse dynamics only."""
     from robodyn.dynamics.functions import function_named, recursion
 
     wanted = [f for f in functions if not function_named(f).parts]

@@ -1,4 +1,4 @@
-"""``robodyn simulate``: a robot with all its effects, moved through time."""
+"""``robodyn simulate``: simulate a robot with all its effects."""
 
 from __future__ import annotations
 
@@ -32,32 +32,37 @@ if TYPE_CHECKING:
 
 _LOGS: Final = (".csv", ".parquet", ".pq")
 _PICTURES: Final = (".svg", ".png")
-#: Largest logs: samples times joints.
+#: Maximum size of a log: samples times joints.
 _LARGEST: Final = 50_000_000
-#: From so many seconds on a run is shown on a terminal.
+#: Runs longer than this [s] show their progress on a terminal.
 _LONG: Final = 1.0
-#: The share by which energies may be off without a word.
+#: Relative energy error up to which there is no warning.
 _BALANCED: Final = 1e-3
 
 
 @click.command()
 @robot_argument
-@click.option("-o", "--output", metavar="LOG", help="A .csv, a .parquet, or - (CSV).  [default: NAME.csv]")
+@click.option(
+    "-o",
+    "--output",
+    metavar="LOG",
+    help="Output log: .csv, .parquet, or - (CSV on stdout).  [default: NAME.csv]",
+)
 @simulation_options
-@click.option("--picture", metavar="FILE", help="Positions, velocities and torques as an .svg or .png.")
-@click.option("--strict", is_flag=True, help="Refuse physically doubtful numbers.")
+@click.option("--picture", metavar="FILE", help="Plot positions, velocities and torques to .svg or .png.")
+@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
-    robot: str, output: str | None, picture: str | None, strict: bool, as_json: bool, **given: Any
+    robot: str, output: str | None, picture: str | None, strict: bool, as_json: bool, **options: Any
 ) -> None:
-    """Move a robot with all its effects through time, and write the log.
+    """Simulate a robot with all its effects, and write the log.
 
-    One of --torque, --trajectory, --to, --line and --excite drives it; without any of them the motors do
-    nothing. The log has the columns t, q1.., qd1.., qdd1.., tau1.. in SI units as the robot's sensors show
-    them, and beside it LOG.json says where it comes from. Printed are the energy balance and, joint by
-    joint, what the motion was. The same command gives the same bytes.
+    Give one of --torque, --trajectory, --to, --line and --excite; without them the motor torques are zero.
+    The log has the columns t, q1.., qd1.., qdd1.., tau1.. in SI units, as measured by the robot's sensors.
+    LOG.json beside it documents the origin of the log. The command prints the energy balance and a summary of
+    the motion for each joint. The same command gives the same bytes.
     """
-    asked = Asked(**given)
+    asked = Asked(**options)
     asked.check()
     described = load_robot(robot, strict=strict)
     target = _target(described, output)
@@ -65,7 +70,7 @@ def command(
     if target is None and as_json:
         from robodyn.errors import InputError
 
-        raise InputError("--json and -o - both print on stdout", remedy="leave one of them out")
+        raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
     _spare_inputs([target, drawn], [robot, asked.torque, asked.trajectory, asked.model])
     n, name = described.n, described.name
     exactly("--from", asked.start, n, name)
@@ -84,13 +89,13 @@ def command(
 
         files[str(drawn)] = motion_picture(described, log, drawn.suffix[1:].lower(), what.reference)
     write_files(Path(), files)
-    found = _summary(run, log, asked, what, list(files))
+    summary = _summary(run, log, asked, what, list(files))
     if target is None:
         click.echo(log.csv(), nl=False)
     if as_json:
-        echo_json(found)
+        echo_json(summary)
     else:
-        for line in to_text(found):
+        for line in to_text(summary):
             click.echo(line, err=target is None)
     for text in doubts(run, _BALANCED, what.reference):
         talk(f"robodyn: warning: {text}")
@@ -100,7 +105,7 @@ def command(
 
 
 def _target(robot: Robot, output: str | None) -> Path | None:
-    """Where the log goes; None: to stdout."""
+    """The path of the log; None for stdout."""
     from robodyn.errors import InputError
 
     if output == "-":
@@ -108,9 +113,9 @@ def _target(robot: Robot, output: str | None) -> Path | None:
     path = Path(f"{robot.name}.csv") if output is None else output_folder(output)
     if path.suffix.lower() not in _LOGS:
         raise InputError(
-            "the log has no name by which its kind is known",
+            "the name of the log has no known extension",
             found=printable(path),
-            expected=f"an ending {', '.join(_LOGS)}, or -",
+            expected=f"one of {', '.join(_LOGS)}, or -",
         )
     return path
 
@@ -121,13 +126,13 @@ def _picture_file(text: str) -> Path:
     path = Path(text)
     if path.suffix.lower() not in _PICTURES:
         raise InputError(
-            "the picture is an SVG or a PNG", found=repr(text), expected="an ending .svg or .png"
+            "pictures are written as SVG or PNG", found=repr(text), expected="the extension .svg or .png"
         )
     return path
 
 
 def _spare_inputs(outputs: list[Path | None], inputs: list[str | None]) -> None:
-    """Refuse to write over what is read."""
+    """Refuse to overwrite an input."""
     from robodyn.errors import InputError
 
     for output in outputs:
@@ -136,8 +141,8 @@ def _spare_inputs(outputs: list[Path | None], inputs: list[str | None]) -> None:
                 continue
             if output.samefile(source):
                 raise InputError(
-                    f"{printable(output)} would be written over, and it is read",
-                    remedy="another name with -o",
+                    f"{printable(output)} is an input and would be overwritten",
+                    remedy="choose another name with -o",
                 )
 
 
@@ -152,13 +157,13 @@ def _sensors(robot: Robot, asked: Asked) -> Sensors:
         linear = [i for i, link in enumerate(robot.links) if link.joint.kind == "prismatic"]
         bits = spread("--encoder-bits", asked.encoder_bits, n, name)
         resolution = tuple(
-            0.0 if i in linear else resolution_of(whole(number)) for i, number in enumerate(bits)
+            0.0 if i in linear else resolution_of(whole(width)) for i, width in enumerate(bits)
         )
         if linear:
             talk(
-                "robodyn: note: --encoder-bits leaves prismatic joints "
-                f"({', '.join(str(i + 1) for i in linear)}) exact; "
-                "--position-resolution takes a step for each joint"
+                "robodyn: note: --encoder-bits does not apply to prismatic joints "
+                f"({', '.join(str(i + 1) for i in linear)}), which are exact; "
+                "--position-resolution sets the step of each joint"
             )
     return Sensors(
         position_resolution=resolution,
@@ -188,8 +193,8 @@ def _run(robot: Robot, asked: Asked, values: Mapping[str, float]) -> tuple[Simul
         if count * robot.n > _LARGEST:
             raise InputError(
                 f"{words} of {count:.3g} {unit} is too long",
-                expected=f"at most {_LARGEST // robot.n} of {robot.n} joints",
-                remedy="a shorter --duration, a lower --rate or a longer --step",
+                expected=f"at most {_LARGEST // robot.n} for {robot.n} joints",
+                remedy="use a shorter --duration, a lower --rate or a longer --step",
             )
     if samples < 1 - 1e-9:
         raise InputError(
@@ -223,7 +228,7 @@ def _run(robot: Robot, asked: Asked, values: Mapping[str, float]) -> tuple[Simul
 
 
 def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: str) -> Log:
-    """What the sensors show, with all that is to be said of where it comes from."""
+    """The log of the sensors, with its provenance."""
     from dataclasses import replace
 
     from robodyn.robot import bundled_text

@@ -1,4 +1,4 @@
-"""Options of ``simulate``: what drives the robot, how it is solved, what its sensors are."""
+"""Options of ``simulate``: input, solver and sensors."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ RATES = ("true", "difference", "filtered", "none")
 
 
 class Numbers(_Type):
-    """Numbers with commas between them, each as a robot file may have it (``pi/2``); positive ones, or such
-    that are not negative, if ``sign`` says so."""
+    """Numbers separated by commas, written as in a robot file (``pi/2``). ``sign`` restricts them:
+    ``positive``, or ``size`` (not negative)."""
 
     name = "numbers"
 
@@ -38,25 +38,25 @@ class Numbers(_Type):
             return value
         parts = [value] if self.single else value.split(",")
         try:
-            found = tuple(float(number(part)) for part in parts)
+            values = tuple(float(number(part)) for part in parts)
         except InputError as error:
             self.fail(str(error), param, ctx)
-        for x in found:
+        for x in values:
             if (self.sign == "positive" and not x > 0) or (self.sign == "size" and x < 0):
                 expected = "more than 0" if self.sign == "positive" else "0 or more"
                 self.fail(f"{x:g} is not {expected}", param, ctx)
-        return found[0] if self.single else found
+        return values[0] if self.single else values
 
 
 class Line(_Type):
-    """``x,y,z:x,y,z``, a line from a point to a point; or its end alone."""
+    """``x,y,z:x,y,z``, a line between two points; or its end only."""
 
     name = "line"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         points = [Numbers().convert(part, param, ctx) for part in value.split(":")]
         if not 1 <= len(points) <= 2 or any(len(point) != 3 for point in points):
-            self.fail(f"{value!r} is not x,y,z:x,y,z, or x,y,z alone, in m", param, ctx)
+            self.fail(f"{value!r} is neither x,y,z:x,y,z nor x,y,z (m)", param, ctx)
         return tuple(points)
 
 
@@ -78,7 +78,7 @@ SEVERAL, POSITIVES, SIZES = Numbers(), Numbers("positive"), Numbers("size")
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What the options say; None where nothing is said and the default depends on other options."""
+    """The parsed options; None where the default depends on other options."""
 
     torque: str | None
     linear: bool
@@ -117,33 +117,33 @@ class Asked:
 
     @property
     def drive(self) -> str | None:
-        """Which of :data:`DRIVES` is asked for, the last of them; None: the motors do nothing."""
-        given = self._given(DRIVES)
-        return given[-1] if given else None
+        """The last of :data:`DRIVES` on the command line; None if the motor torques are zero."""
+        drives = self._given(DRIVES)
+        return drives[-1] if drives else None
 
     @property
     def fixed_step(self) -> float:
-        """The step [s] of rk4 (by default a sample, at most 1 ms), or the longest one of adaptive (ten
-        samples, at most 10 ms: while everything is stuck nothing else keeps it short)."""
+        """The step [s] of rk4 (default: one sample, at most 1 ms), or the maximum step of adaptive (ten
+        samples, at most 10 ms; nothing else limits it while all joints stick)."""
         if self.step is not None:
             return self.step
         return min(1 / self.rate, 1e-3) * (1 if self.solver == "rk4" else 10)
 
     def check(self) -> None:
-        """Refuse options that do not go together.
+        """Refuse options that cannot be combined.
 
         Raises
         ------
-        InputError: with the two that do not.
+        InputError: names the two options.
         """
         from robodyn.errors import InputError
 
         drives = self._given(DRIVES)
         if len(drives) > 1:
             raise InputError(
-                "only one thing can drive the robot",
+                "only one input can drive the robot",
                 found=" and ".join(_spelled(name) for name in drives),
-                remedy="leave all but one of them out",
+                remedy="keep one of them",
             )
         follows = self.drive not in (None, "torque")
         for names, fits, partner in (
@@ -163,17 +163,19 @@ class Asked:
             for name in self._given(names):
                 if not fits:
                     raise InputError(
-                        f"{_spelled(name)} goes with {partner}", remedy="leave one of the two out"
+                        f"{_spelled(name)} requires {partner}", remedy=f"remove {_spelled(name)}"
                     )
         if "filtered" in (self.velocity, self.acceleration) and self.cutoff is None:
-            raise InputError("the low-pass has no cutoff", remedy="give --cutoff HZ")
+            raise InputError("the low-pass filter has no cutoff frequency", remedy="add --cutoff HZ")
         if self.encoder_bits is not None and self.position_resolution is not None:
-            raise InputError("--encoder-bits and --position-resolution say the same", remedy="leave one out")
+            raise InputError(
+                "--encoder-bits and --position-resolution set the same quantity", remedy="remove one of them"
+            )
         if self.duration is not None and self.duration * self.rate < 1 - 1e-9:
             raise InputError(
-                "the log would have one sample",
+                "the log would have only one sample",
                 found=f"{self.duration:g} s at {self.rate:g} Hz",
-                remedy="a longer --duration, or a higher --rate",
+                remedy="use a longer --duration or a higher --rate",
             )
 
     def _given(self, names: tuple[str, ...]) -> list[str]:
@@ -185,61 +187,86 @@ def _spelled(name: str) -> str:
 
 
 def simulation_options(command: Command) -> Command:
-    """Add the options of which :class:`Asked` is made."""
+    """Add the options that :class:`Asked` holds."""
     option = click.option
     every = (
-        option("--torque", metavar="FILE.csv", help="Torques t,tau1..taun, held between the rows."),
-        option("--linear", is_flag=True, help="With --torque: straight lines between the rows."),
-        option("--trajectory", metavar="FILE.csv", help="A motion to follow: t,q1..qn (qd, qdd if known)."),
-        option("--to", type=SEVERAL, metavar="Q", help="Go to Q (rad or m, with commas) and stop there."),
-        option("--line", type=Line(), metavar="A:B", help="Lead a point from x,y,z to x,y,z (m), straight."),
-        option("--excite", is_flag=True, help="A periodic motion of all joints, inside their limits."),
+        option("--torque", metavar="FILE.csv", help="Apply torques t,tau1..taun, held between rows."),
+        option("--linear", is_flag=True, help="Interpolate between rows (with --torque)."),
+        option("--trajectory", metavar="FILE.csv", help="Follow a motion: t,q1..qn (qd, qdd if known)."),
+        option("--to", type=SEVERAL, metavar="Q", help="Move to Q (rad or m, separated by commas)."),
+        option("--line", type=Line(), metavar="A:B",
+               help="Move a point from x,y,z to x,y,z (m) on a straight line."),
+        option("--excite", is_flag=True, help="Follow a periodic motion of all joints within their limits."),
         option(
             "--profile",
             type=click.Choice(["quintic", "trapezoid"]),
-            help="Speed of --to and --line.  [default: quintic]",
+            help="Velocity profile (with --to, --line).  [default: quintic]",
         ),
-        option("--point", type=SEVERAL, metavar="X,Y,Z", help="The point of --line in its link's frame (m)."),
-        option("--link", type=click.IntRange(1), metavar="N", help="Its link.  [default: 6, or the last]"),
-        option("--harmonics", type=click.IntRange(2, 1000), metavar="K", help="Of --excite.  [default: 5]"),
-        option("--base-frequency", type=POSITIVE, metavar="HZ", help="Of --excite.  [default: 1/duration]"),
-        option("--controller", type=click.Choice(CONTROLLERS), help="What follows.  [default: pd]"),
-        option("--kp", type=SIZES, metavar="K", help="Its gain on position, one or one a joint."),
-        option("--kd", type=SIZES, metavar="K", help="Its gain on velocity.  [default: from the inertia]"),
-        option("--model", metavar="ROBOT", help="What it takes the robot for.  [default: what it is]"),
-        option("--control-rate", type=POSITIVE, metavar="HZ", help="How often it acts.  [default: 1000]"),
-        option("--from", "start", type=SEVERAL, metavar="Q", help="Start here.  [default: as the motion]"),
-        option("--speed", type=SEVERAL, metavar="QD", help="Start at these speeds (rad/s or m/s)."),
-        option("--duration", type=POSITIVE, metavar="S", help="[default: the file's; --to, --line: 2; 10]"),
-        option("--rate", type=POSITIVE, metavar="HZ", default=1000.0, help="Of the log.  [default: 1000]"),
+        option("--point", type=SEVERAL, metavar="X,Y,Z",
+               help="Point that follows --line, in its link's frame (m)."),
+        option("--link", type=click.IntRange(1), metavar="N",
+               help="Link of --point.  [default: 6, or the last]"),
+        option("--harmonics", type=click.IntRange(2, 1000), metavar="K",
+               help="Number of harmonics (with --excite).  [default: 5]"),
+        option("--base-frequency", type=POSITIVE, metavar="HZ",
+               help="Base frequency (with --excite).  [default: 1/duration]"),
+        option("--controller", type=click.Choice(CONTROLLERS),
+               help="Controller that follows the motion.  [default: pd]"),
+        option("--kp", type=SIZES, metavar="K",
+               help="Position gain, one value or one per joint.  [default: from the inertia]"),
+        option("--kd", type=SIZES, metavar="K",
+               help="Velocity gain, one value or one per joint.  [default: from the inertia]"),
+        option("--model", metavar="ROBOT", help="Model used by the controller.  [default: the robot itself]"),
+        option("--control-rate", type=POSITIVE, metavar="HZ",
+               help="Sample rate of the controller.  [default: 1000]"),
+        option("--from", "start", type=SEVERAL, metavar="Q",
+               help="Initial position.  [default: start of the motion]"),
+        option("--speed", type=SEVERAL, metavar="QD", help="Initial velocity (rad/s or m/s)."),
+        option("--duration", type=POSITIVE, metavar="S",
+               help="Duration.  [default: that of the file; --to, --line: 2; else 10]"),
+        option("--rate", type=POSITIVE, metavar="HZ", default=1000.0,
+               help="Sample rate of the log.  [default: 1000]"),
         option(
             "--solver",
             type=click.Choice(["adaptive", "rk4"]),
             default="adaptive",
             show_default=True,
-            help="Steps as long as the tolerances allow, or all alike.",
+            help="Solver with adaptive or fixed steps.",
         ),
-        option("--step", type=POSITIVE, metavar="S", help="Of rk4 (1e-3); adaptive: longest (1e-2)."),
+        option("--step", type=POSITIVE, metavar="S",
+               help="Step of rk4, or maximum step of adaptive.  [default: 1e-3, 1e-2]"),
         option("--rtol", type=POSITIVE, metavar="X", help="Relative tolerance.  [default: 1e-8]"),
         option("--atol", type=POSITIVE, metavar="X", help="Absolute tolerance.  [default: 1e-10]"),
-        option("--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Of the robot."),
-        option("--encoder-bits", type=POSITIVES, metavar="BITS", help="A turn, of the revolute joints."),
-        option("--position-resolution", type=SIZES, metavar="X", help="Step of the encoders (rad or m)."),
-        option("--position-noise", type=SIZES, metavar="X", default=(0.0,), help="Standard deviation."),
+        option("--param", type=Parameter(), multiple=True, metavar="NAME=VALUE",
+               help="Set a run-time parameter."),
+        option("--encoder-bits", type=POSITIVES, metavar="BITS",
+               help="Encoder bits per turn (revolute joints)."),
+        option("--position-resolution", type=SIZES, metavar="X", help="Encoder step (rad or m)."),
+        option("--position-noise", type=SIZES, metavar="X", default=(0.0,),
+               help="Standard deviation of the position noise (rad or m)."),
         option(
-            "--velocity", type=click.Choice(RATES), default="true", show_default=True, help="In the log."
+            "--velocity", type=click.Choice(RATES), default="true", show_default=True,
+            help="Velocity in the log."
         ),
-        option("--acceleration", type=click.Choice(RATES), default="true", show_default=True, help="In it."),
-        option("--cutoff", type=POSITIVE, metavar="HZ", help="Of the low-pass that makes filtered rates."),
-        option("--torque-noise", type=SIZES, metavar="X", default=(0.0,), help="Deviation (N m or N)."),
-        option("--torque-resolution", type=SIZES, metavar="X", default=(0.0,), help="Step (N m or N)."),
+        option(
+            "--acceleration", type=click.Choice(RATES), default="true", show_default=True,
+            help="Acceleration in the log."
+        ),
+        option("--cutoff", type=POSITIVE, metavar="HZ",
+               help="Cutoff frequency of the low-pass filter for filtered."),
+        option(
+            "--torque-noise", type=SIZES, metavar="X", default=(0.0,),
+            help="Standard deviation of the torque noise (N m or N)."
+        ),
+        option("--torque-resolution", type=SIZES, metavar="X", default=(0.0,),
+               help="Torque step (N m or N)."),
         option(
             "--seed",
             type=click.IntRange(0),
             metavar="N",
             default=0,
             show_default=True,
-            help="Of --excite and the noise.",
+            help="Seed of --excite and of the noise.",
         ),
     )  # fmt: skip
     for each in reversed(every):
@@ -248,7 +275,7 @@ def simulation_options(command: Command) -> Command:
 
 
 def spread(name: str, values: tuple[float, ...], n: int, robot: str) -> tuple[float, ...]:
-    """``values`` of an option as one a joint [n]; a single one is for all.
+    """``values`` of an option, one per joint [n]; a single value applies to all.
 
     Raises
     ------
@@ -266,30 +293,32 @@ def spread(name: str, values: tuple[float, ...], n: int, robot: str) -> tuple[fl
 
 
 def exactly(name: str, values: tuple[float, ...] | None, n: int, robot: str) -> tuple[float, ...] | None:
-    """``values`` of an option that must be [n], or None.
+    """``values`` of an option that must have shape [n], or None.
 
     Raises
     ------
-    InputError: they are not.
+    InputError: another shape.
     """
     from robodyn.errors import InputError
 
     if values is not None and len(values) != n:
         raise InputError(
-            f"{name} does not fit {robot}", found=f"{len(values)} numbers", expected=f"{n}, with commas"
+            f"{name} does not fit {robot}",
+            found=f"{len(values)} numbers",
+            expected=f"{n}, separated by commas",
         )
     return values
 
 
 def whole(bits: float) -> int:
-    """``bits`` as a whole number.
+    """``bits`` as an integer.
 
     Raises
     ------
-    InputError: it is not.
+    InputError: it is not an integer.
     """
     from robodyn.errors import InputError
 
     if not (math.isfinite(bits) and bits == int(bits)):
-        raise InputError("bits of an encoder come whole", found=f"{bits:g}", expected="such as 17")
+        raise InputError("encoder bits must be an integer", found=f"{bits:g}", expected="for instance 17")
     return int(bits)

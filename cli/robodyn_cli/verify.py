@@ -1,4 +1,4 @@
-"""``robodyn verify``: is the compiled kernel right?"""
+"""``robodyn verify``: compare the compiled kernels with independent references."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
-from robodyn_cli.options import load, model_options
+from robodyn_cli.languages import compiled_language_option
+from robodyn_cli.options import functions_option, listed, load, model_options
 
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Generated
@@ -17,12 +18,13 @@ if TYPE_CHECKING:
 @click.command()
 @robot_argument
 @click.option(
-    "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Sample size."
+    "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Number of states."
 )
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the sample.")
-@click.option("--scalar", default="double", show_default=True, help="double or float.")
+@click.option("--scalar", default="double", show_default=True, help="Scalar type: double or float.")
 @click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm or builtin.")
-@click.option("--lang", default="c", show_default=True, help="c or fortran.")
+@compiled_language_option
+@functions_option()
 @model_options
 @json_option
 def command(
@@ -32,6 +34,7 @@ def command(
     scalar: str,
     trig: str,
     lang: str,
+    functions: str | None,
     formulation: str,
     optimize: str,
     no_regroup: bool,
@@ -40,23 +43,24 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Set the compiled kernels against independent references.
+    """Compare the compiled kernels with independent references.
 
-    The programs are compared with plain Newton-Euler on exact fractions, where they must be equal; the
-    compiled kernels with plain Newton-Euler in double, with exact torques, and, up to three joints, with
-    the Lagrangian. Shows the worst error, relative to the largest torque, and the state that made it.
-    Exits 1 if one is above 1e-10 (float: 1e-5).
+    The programs must equal plain Newton-Euler on exact fractions. The compiled kernels are compared with
+    plain Newton-Euler in double, with exact torques and, up to three joints, with the Lagrangian. Prints the
+    largest error relative to the largest torque, and the state where it occurs. Exits with 1 if an error
+    exceeds 1e-10 (float: 1e-5).
     """
+    from robodyn.emit.languages import compiled_language
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import Options, generate
     from robodyn.kernels.kernel import load as load_kernel
     from robodyn.verify import verify
 
-    if lang not in ("c", "fortran"):
-        raise InputError(f"unknown language {lang!r}", expected="c or fortran")
+    lang = compiled_language(lang)[0].name
     if trig == "given":
-        raise InputError("a kernel that is given sines has no angles to verify", expected="libm or builtin")
+        raise InputError("a kernel with --trig given has no angles to verify", expected="libm or builtin")
     options = Options(
+        functions=None if functions is None else listed(functions),
         trig=trig,  # type: ignore[arg-type]
         formulation=formulation,
         optimize=optimize,  # type: ignore[arg-type]  # checked by Options
@@ -65,9 +69,9 @@ def command(
         engine=engine,  # type: ignore[arg-type]
     )
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    made = generate(described, options)
-    kernel = load_kernel(made.signatures, made.files((lang,)), language=lang)  # type: ignore[arg-type]
-    exact = _exactly(made)
+    generated = generate(described, options)
+    kernel = load_kernel(generated.signatures, generated.files((lang,)), language=lang)
+    exact = _exactly(generated)
     with _Bar() as step:
         report = verify(described, kernel, states=states, seed=seed, progress=step)
     passed = report.passed and all(exact.values())
@@ -77,25 +81,25 @@ def command(
         click.echo(report.to_text())
         if report.worst is not None:
             state = "; ".join(f"{name} = {list(x)}" for name, x in report.worst.to_dict()["inputs"].items())
-            click.echo(f"the worst error is at {state}")
+            click.echo(f"the largest error occurs at {state}")
         for function, equal in exact.items():
             click.echo(
                 f"{function}: {'equal to' if equal else 'NOT EQUAL to'} plain Newton-Euler on fractions"
             )
     if not passed:
-        raise CheckError(f"{described.name}: the kernel is not what the references say")
+        raise CheckError(f"{described.name}: the kernel does not agree with the references")
 
 
-def _exactly(made: Generated) -> dict[str, bool]:
+def _exactly(generated: Generated) -> dict[str, bool]:
     from robodyn.dynamics.equality import equals_recursion
 
-    robot = made.unit.robot
+    robot = generated.unit.robot
     smooth = robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links)
     if smooth or not all(entry.definition.traits.body for entry in robot.effects):
-        return {}  # tanh, roots and their like have no exact values
+        return {}  # tanh and roots have no exact values
     return {
         interface.function: equals_recursion(robot, interface.function, program)
-        for interface, program in made.unit.functions
+        for interface, program in generated.unit.functions
     }
 
 

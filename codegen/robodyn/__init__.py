@@ -70,4 +70,8 @@ def __getattr__(name: str) -> Any:
         value = getattr(importlib.import_module(_HOMES[name]), name)
         globals()[name] = value  # not asked for again; and a module of the same name must not win
         return value
+    if name == "__version__":
+        from robodyn.version import VERSION
+
+        return VERSION
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -2,10 +2,18 @@
  * panda: Franka Emika Panda, hand locked
  * Numbers: URDF of example-robot-data (franka_description, Apache-2.0), turned into modified DH;
  *   fingers locked at the neutral pose
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: 4ff65a695f92e93333f180c48f97cb00 (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute, 7
- *   revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0     a 0       d 0.333  theta q + -pi
+ *   2  revolute  alpha pi/2  a 0       d 0      theta q + -pi
+ *   3  revolute  alpha pi/2  a 0       d 0.316  theta q
+ *   4  revolute  alpha pi/2  a 0.0825  d 0      theta q + -pi
+ *   5  revolute  alpha pi/2  a 0.0825  d 0.384  theta q + -pi
+ *   6  revolute  alpha pi/2  a 0       d 0      theta q
+ *   7  revolute  alpha pi/2  a 0.088   d 0      theta q
  * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

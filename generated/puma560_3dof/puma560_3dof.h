@@ -1,9 +1,14 @@
 /*
  * puma560_3dof: PUMA 560, first three joints
  * Numbers: the 1990 thesis, Tables 2.1, 2.5, 2.6; first three links
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: a3748b578bcf07f13e7166c4520ffff7 (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0      a 0       d 0        theta q
+ *   2  revolute  alpha -pi/2  a 0       d 0.2435   theta q
+ *   3  revolute  alpha 0      a 0.4318  d -0.0934  theta q
  * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]
@@ -11,6 +16,9 @@
  *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
  *   tau  joint torques [N m, prismatic N]
  *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Torques are the motors', reflected to the joints; what lies between is in them.
+ * Effects in this model:
+ *   rotor inertia: joint 1 1.14 kg m^2, joint 2 4.71 kg m^2, joint 3 0.83 kg m^2
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
@@ -36,7 +44,8 @@ extern "C" {
 
 typedef double puma560_3dof_real;
 
-/* torques that give the accelerations qdd */
+/* torques that give the accelerations qdd
+ * with rotor inertia */
 void puma560_3dof_inverse_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],
@@ -55,7 +64,8 @@ void puma560_3dof_bias(
 /* mass matrix, rotor inertias on its diagonal */
 void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[9]);
 
-/* accelerations that the torques tau give */
+/* accelerations that the torques tau give
+ * with rotor inertia */
 void puma560_3dof_forward_dynamics(
     const puma560_3dof_real q[3],
     const puma560_3dof_real qd[3],

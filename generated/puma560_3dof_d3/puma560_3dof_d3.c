@@ -1,9 +1,14 @@
 /*
  * puma560_3dof_d3: PUMA 560, first three joints, the set of the thesis's listing D.3.3
  * Numbers: the 1990 thesis, program D.2, first three links (listing D.3.3)
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: 71d3f4095a700e86936e2038b13dbc17 (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0      a 0       d 0        theta q
+ *   2  revolute  alpha -pi/2  a 0       d 0.2435   theta q
+ *   3  revolute  alpha 0      a 0.4318  d -0.0934  theta q
  * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

@@ -1,9 +1,17 @@
 /*
  * puma560_d2: PUMA 560, the set of the thesis's program D.2
  * Numbers: the 1990 thesis, program D.2 (reduce_puma6), with z4 = -0.019 as listing D.3.4 uses it
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: b8f01132844a21fecaa07c198852efc3 (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0      a 0        d 0        theta q
+ *   2  revolute  alpha -pi/2  a 0        d 0.2435   theta q
+ *   3  revolute  alpha 0      a 0.4318   d -0.0934  theta q
+ *   4  revolute  alpha pi/2   a -0.0203  d 0.4331   theta q
+ *   5  revolute  alpha -pi/2  a 0        d 0        theta q
+ *   6  revolute  alpha pi/2   a 0        d 0        theta q
  * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

@@ -1,9 +1,17 @@
 /*
  * puma560_rotor_in_link: PUMA 560, Tables 2.1, 2.5, 2.6, rotor folded into Izz as the thesis does
  * Numbers: Tables 2.1, 2.5, 2.6 with links 5 and 6 corrected
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: 3944b9c8df3efa29ca11b7e595201cb9 (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0      a 0        d 0        theta q
+ *   2  revolute  alpha -pi/2  a 0        d 0.2435   theta q
+ *   3  revolute  alpha 0      a 0.4318   d -0.0934  theta q
+ *   4  revolute  alpha pi/2   a -0.0203  d 0.4331   theta q
+ *   5  revolute  alpha -pi/2  a 0        d 0        theta q
+ *   6  revolute  alpha pi/2   a 0        d 0        theta q
  * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

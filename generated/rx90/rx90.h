@@ -1,9 +1,17 @@
 /*
  * rx90: Staubli RX90 geometry, random full inertias
  * Numbers: published RX90 geometry; inertial parameters drawn at random
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: 585cc70ab770fd33a78850636aafb009 (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0      a 0     d 0     theta q
+ *   2  revolute  alpha pi/2   a 0     d 0     theta q
+ *   3  revolute  alpha 0      a 0.45  d 0     theta q
+ *   4  revolute  alpha -pi/2  a 0     d 0.45  theta q
+ *   5  revolute  alpha pi/2   a 0     d 0     theta q
+ *   6  revolute  alpha -pi/2  a 0     d 0     theta q
  * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

@@ -1,8 +1,16 @@
 ! stanford: Stanford arm, six joints
 ! Numbers: the 1990 thesis, Tables 2.2 (corrected), 2.7, 2.8; Izz of link 3 assumed
-! Written by robodyn; do not edit, generate again.
+! Written by robodyn 0.1.0; do not edit, generate again.
+! Description: de26546409d6162d87592b49cbe31f58 (a hash of its numbers)
+! Options: --optimize record --scalar double --trig libm
 !
-! Joints, base to tip: 1 revolute, 2 revolute, 3 prismatic, 4 revolute, 5 revolute, 6 revolute
+! Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+!   1  revolute   alpha 0      a 0  d 0       theta q
+!   2  revolute   alpha -pi/2  a 0  d 0.1524  theta q
+!   3  prismatic  alpha pi/2   a 0  d q       theta 0
+!   4  revolute   alpha 0      a 0  d 0       theta q
+!   5  revolute   alpha -pi/2  a 0  d 0       theta q
+!   6  revolute   alpha pi/2   a 0  d 0       theta q
 ! Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
 ! Arguments, in SI units, joint 1 first:
 !   q    joint positions [rad, prismatic m]
@@ -10,6 +18,10 @@
 !   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
 !   tau  joint torques [N m, prismatic N]
 !   M    mass matrix, row by row [kg m^2, kg m, kg]
+! Torques are the motors', reflected to the joints; what lies between is in them.
+! Effects in this model:
+!   rotor inertia: joint 1 0.953 kg m^2, joint 2 2.193 kg m^2, joint 3 0.782 kg, joint 4 0.106 kg
+!     m^2, joint 5 0.097 kg m^2, joint 6 0.02 kg m^2
 ! Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
 !   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
 !   makes no difference is moved to its parent.
@@ -39,6 +51,7 @@ module stanford_dynamics
 contains
 
   ! torques that give the accelerations qdd
+  ! with rotor inertia
   ! 114 multiplications, 87 additions = 201; 6 unary minus; 6 sine/cosine
   pure subroutine stanford_inverse_dynamics(q, qd, qdd, tau) &
       bind(c, name="stanford_inverse_dynamics_f")
@@ -541,6 +554,7 @@ contains
   end subroutine
 
   ! accelerations that the torques tau give
+  ! with rotor inertia
   ! 229 multiplications, 169 additions, 6 divisions = 404; 3 unary minus; 6 sine/cosine
   pure subroutine stanford_forward_dynamics(q, qd, tau, qdd) &
       bind(c, name="stanford_forward_dynamics_f")

@@ -2,9 +2,14 @@
  * stanford_3dof: Stanford arm, first three joints
  * Numbers: the 1990 thesis, Tables 2.2 (corrected), 2.7, 2.8; first three links, Izz of link 3
  *   assumed
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: eb451b6920f3abb15f88e11742e4d38d (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 prismatic
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute   alpha 0      a 0  d 0       theta q
+ *   2  revolute   alpha -pi/2  a 0  d 0.1524  theta q
+ *   3  prismatic  alpha pi/2   a 0  d q       theta 0
  * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]
@@ -12,6 +17,9 @@
  *   qdd  joint accelerations [rad/s^2, prismatic m/s^2]
  *   tau  joint torques [N m, prismatic N]
  *   M    mass matrix, row by row [kg m^2, kg m, kg]
+ * Torques are the motors', reflected to the joints; what lies between is in them.
+ * Effects in this model:
+ *   rotor inertia: joint 1 0.953 kg m^2, joint 2 2.193 kg m^2, joint 3 0.782 kg
  * Formulation: modified Newton-Euler (lambda matrix) in modified Denavit-Hartenberg frames, on
  *   base parameters: fc and nc act at and about the frame's origin, and what of a link's mass
  *   makes no difference is moved to its parent.
@@ -22,7 +30,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 30 multiplications, 17 additions = 47; 0 unary minus; 2 sine/cosine
- *   gravity: 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine
+ *   gravity: 4 multiplications, 1 addition = 5; 0 unary minus; 2 sine/cosine
  *   bias: 21 multiplications, 9 additions = 30; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
  *   forward_dynamics: 44 multiplications, 26 additions, 3 divisions = 73; 0 unary minus; 2
@@ -37,7 +45,8 @@ extern "C" {
 
 typedef double stanford_3dof_real;
 
-/* torques that give the accelerations qdd */
+/* torques that give the accelerations qdd
+ * with rotor inertia */
 void stanford_3dof_inverse_dynamics(
     const stanford_3dof_real q[3],
     const stanford_3dof_real qd[3],
@@ -56,7 +65,8 @@ void stanford_3dof_bias(
 /* mass matrix, rotor inertias on its diagonal */
 void stanford_3dof_mass_matrix(const stanford_3dof_real q[3], stanford_3dof_real M[9]);
 
-/* accelerations that the torques tau give */
+/* accelerations that the torques tau give
+ * with rotor inertia */
 void stanford_3dof_forward_dynamics(
     const stanford_3dof_real q[3],
     const stanford_3dof_real qd[3],

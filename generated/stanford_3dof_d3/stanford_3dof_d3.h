@@ -2,9 +2,14 @@
  * stanford_3dof_d3: Stanford arm, first three joints, the set of the thesis's listing D.3.1
  * Numbers: the 1990 thesis, listing D.3.1 with Tables 2.2 (corrected), 2.7, 2.8; link 1 as in the
  *   tables
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: bcd66090e2e722726ca6b04337b104f9 (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 prismatic
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute   alpha 0      a 0  d 0       theta q
+ *   2  revolute   alpha -pi/2  a 0  d 0.1524  theta q
+ *   3  prismatic  alpha pi/2   a 0  d q       theta 0
  * Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]
@@ -22,7 +27,7 @@
  *
  * Operations (every binary * is a multiplication, every binary + or - an addition):
  *   inverse_dynamics: 30 multiplications, 16 additions = 46; 0 unary minus; 2 sine/cosine
- *   gravity: 4 multiplications, 1 additions = 5; 0 unary minus; 2 sine/cosine
+ *   gravity: 4 multiplications, 1 addition = 5; 0 unary minus; 2 sine/cosine
  *   bias: 23 multiplications, 9 additions = 32; 0 unary minus; 2 sine/cosine
  *   mass_matrix: 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine
  *   forward_dynamics: 46 multiplications, 26 additions, 3 divisions = 75; 0 unary minus; 2

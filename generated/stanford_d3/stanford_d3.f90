@@ -1,9 +1,17 @@
 ! stanford_d3: Stanford arm, the set of the thesis's listing D.3.2
 ! Numbers: the 1990 thesis, listing D.3.2 with Tables 2.2 (corrected), 2.7, 2.8; link 1 as in the
 !   tables
-! Written by robodyn; do not edit, generate again.
+! Written by robodyn 0.1.0; do not edit, generate again.
+! Description: 0e9c705765a81730942efe1f695fcd86 (a hash of its numbers)
+! Options: --optimize record --scalar double --trig libm
 !
-! Joints, base to tip: 1 revolute, 2 revolute, 3 prismatic, 4 revolute, 5 revolute, 6 revolute
+! Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+!   1  revolute   alpha 0      a 0  d 0       theta q
+!   2  revolute   alpha -pi/2  a 0  d 0.1524  theta q
+!   3  prismatic  alpha pi/2   a 0  d q       theta 0
+!   4  revolute   alpha 0      a 0  d 0       theta q
+!   5  revolute   alpha -pi/2  a 0  d 0       theta q
+!   6  revolute   alpha pi/2   a 0  d 0       theta q
 ! Gravity in the base frame: 0.0, 0.0, -9.8 m/s^2
 ! Arguments, in SI units, joint 1 first:
 !   q    joint positions [rad, prismatic m]

@@ -2,9 +2,17 @@
  * tx40: Staubli TX40 (CAD parameters; friction, rotor inertia and the wrist coupling are not in
  *   it)
  * Numbers: figaroh-plus examples/staubli_TX40, Apache-2.0
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: ca869e1c35fe24e800334b2c139779ed (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0      a 0      d 0.32   theta q
+ *   2  revolute  alpha -pi/2  a 0      d 0      theta q
+ *   3  revolute  alpha 0      a 0.225  d 0.035  theta q
+ *   4  revolute  alpha pi/2   a 0      d 0.225  theta q
+ *   5  revolute  alpha -pi/2  a 0      d 0      theta q
+ *   6  revolute  alpha pi/2   a 0      d 0      theta q + pi
  * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

@@ -2,9 +2,17 @@
  * ur10: Universal Robots UR10
  * Numbers: URDF of example-robot-data (ur_description, BSD), turned into modified DH; last link
  *   carries the fixed tool
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: 0dacbf6be1c6f14933c88bb9a0ce558d (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0     a 0       d 0.1273    theta q + -pi
+ *   2  revolute  alpha pi/2  a 0       d 0.220941  theta q + pi
+ *   3  revolute  alpha 0     a 0.612   d -0.1719   theta q
+ *   4  revolute  alpha 0     a 0.5723  d 0.1149    theta q + -pi
+ *   5  revolute  alpha pi/2  a 0       d 0.1157    theta q + -pi
+ *   6  revolute  alpha pi/2  a 0       d 0         theta q
  * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

@@ -1,9 +1,17 @@
 /*
  * ur5: Universal Robots UR5
  * Numbers: URDF of example-robot-data (ur_description, BSD), turned into modified DH
- * Written by robodyn; do not edit, generate again.
+ * Written by robodyn 0.1.0; do not edit, generate again.
+ * Description: a034a79d0d30f898e9c7fa14f11711e6 (a hash of its numbers)
+ * Options: --optimize record --scalar double --trig libm
  *
- * Joints, base to tip: 1 revolute, 2 revolute, 3 revolute, 4 revolute, 5 revolute, 6 revolute
+ * Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:
+ *   1  revolute  alpha 0     a 0        d 0.089159  theta q + -pi
+ *   2  revolute  alpha pi/2  a 0        d 0.13585   theta q + pi
+ *   3  revolute  alpha 0     a 0.425    d -0.1197   theta q
+ *   4  revolute  alpha 0     a 0.39225  d 0.093     theta q + -pi
+ *   5  revolute  alpha pi/2  a 0        d 0.09465   theta q + -pi
+ *   6  revolute  alpha pi/2  a 0        d 0         theta q
  * Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2
  * Arguments, in SI units, joint 1 first:
  *   q    joint positions [rad, prismatic m]

@@ -221,7 +221,7 @@ def test_bad_input(capsys: Capture, stand: Stand, command: str, said: str) -> No
 
 def test_an_empty_name_is_no_folder(capsys: Capture) -> None:
     assert main(["diagnose", "arm.yaml", "a.csv", "--out", ""]) == 2
-    assert "--out has an empty name" in capsys.readouterr().err
+    assert "--out is empty" in capsys.readouterr().err
 
 
 def test_a_refused_log_leaves_nothing(capsys: Capture, stand: Stand) -> None:
@@ -249,7 +249,7 @@ def test_all_or_nothing(capsys: Capture, tmp_path: Path, monkeypatch: pytest.Mon
 def test_what_is_read_is_not_written_over(capsys: Capture, stand: Stand, tmp_path: Path) -> None:
     diagnose(capsys, "arm.yaml a.csv --out out --no-kernels")
     _, err = diagnose(capsys, "out/model.yaml a.csv --out out", 2)
-    assert "would be written over" in err
+    assert "would be overwritten" in err
     assert (tmp_path / "out" / "model.yaml").read_text() == RUBBING
     diagnose(capsys, "out/model.yaml a.csv --out again --no-kernels")
     assert stand.calls[1]["text"] == RUBBING
@@ -258,6 +258,6 @@ def test_what_is_read_is_not_written_over(capsys: Capture, stand: Stand, tmp_pat
 def test_what_proves_nothing_is_said(capsys: Capture) -> None:
     (Path("c.csv")).write_bytes(Path("a.csv").read_bytes())
     _, err = diagnose(capsys, "arm.yaml a.csv --validate c.csv --out out")
-    assert "c.csv is the same as a.csv: it proves nothing" in err
+    assert "c.csv is identical to a.csv and adds no evidence" in err
     _, err = diagnose(capsys, "arm.yaml a.csv --out out --no-kernels")
-    assert "kernels is of an earlier run" in err
+    assert "kernels is from an earlier run" in err

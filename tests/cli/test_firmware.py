@@ -42,7 +42,7 @@ def test_writes_a_folder_that_is_held_against_what_would_be_written(capsys: Capt
     gen(capsys, "--firmware", "--target", "cortex-m4f", "--check")
     (folder / "stanford_3dof_startup.c").unlink()
     _, err = gen(capsys, "--firmware", "--target", "cortex-m4f", "--check", code=1)
-    assert "firmware/stanford_3dof_startup.c: not what robodyn generates" in err
+    assert "firmware/stanford_3dof_startup.c: not up to date" in err
 
 
 def test_the_readme_shows_the_title_as_it_stands(
@@ -82,11 +82,11 @@ def test_without_tools_it_says_what_was_not_measured(
         (("--firmware", "--target", "z80"), "there is no firmware for the target 'z80'"),
         (("--firmware", "--trig", "given"), "--trig asks for given"),
         (("--firmware", "--trig", "libm"), "--trig asks for libm"),
-        (("--firmware", "--compile"), "--compile does not go with --firmware"),
-        (("--firmware", "--latex"), "--latex does not go with --firmware"),
+        (("--firmware", "--compile"), "--compile cannot be combined with --firmware"),
+        (("--firmware", "--latex"), "--latex cannot be combined with --firmware"),
         (("--firmware", "--lang", "fortran"), "a firmware folder is for C"),
-        (("--firmware", "--batch"), "--batch does not go with --firmware"),
-        (("--firmware", "--contraction", "on"), "--contraction on does not go with --firmware"),
+        (("--firmware", "--batch"), "--batch cannot be combined with --firmware"),
+        (("--firmware", "--contraction", "on"), "--contraction on cannot be combined with --firmware"),
     ],
 )
 def test_what_does_not_go_together_is_refused(

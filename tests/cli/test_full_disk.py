@@ -80,7 +80,9 @@ def test_every_command_that_writes(
     assert main(command.split()) == 74
     err = capsys.readouterr().err
     said = re.escape(os.strerror(errno.ENOSPC))
-    assert re.search(rf"robodyn: error: cannot write out\S*: {said}; [^\n]*make room there\n\Z", err), err
+    assert re.search(rf"robodyn: error: cannot write out\S*: {said}; [^\n]*free some space there\n\Z", err), (
+        err
+    )
     assert list(here.iterdir()) == []
 
 

@@ -241,7 +241,7 @@ def test_check_notices_a_difference_and_writes_nothing(
     damage(out)
     before = [(p.name, p.stat().st_mtime_ns, p.is_file() and p.read_bytes()) for p in sorted(out.iterdir())]
     _, err = gen(capsys, "stanford_3dof", "-o", "out", "--check", code=1)
-    assert err.startswith("robodyn: error: out/stanford_3dof.f90: not what robodyn generates")
+    assert err.startswith("robodyn: error: out/stanford_3dof.f90: not up to date")
     assert "without --check" in err
     after = [(p.name, p.stat().st_mtime_ns, p.is_file() and p.read_bytes()) for p in sorted(out.iterdir())]
     assert after == before
@@ -272,7 +272,7 @@ def test_check_compares_what_is_asked_for(capsys: Capture) -> None:
         (["--functions", ""], "no function asked for"),
         (["--lang", "c,fortan"], "did you mean 'fortran'?"),
         (["--lang", "cpp"], "one of c, fortran"),
-        (["--lang", ""], "no language asked for"),
+        (["--lang", ""], "--lang names no language"),
         (["--scalar", "doubl"], "did you mean 'double'?"),
         (["--trig", "gven"], "did you mean 'given'?"),
         (["--formulation", "lagrange_"], "one of modified_newton_euler, newton_euler"),
@@ -455,7 +455,7 @@ def test_without_compile_no_compiler_is_looked_for(capsys: Capture, monkeypatch:
 
 def test_no_name_is_no_folder(elsewhere: Path, capsys: Capture) -> None:
     _, err = gen(capsys, "stanford_3dof", "-o", "", code=2)
-    assert "empty name" in err
+    assert "is empty" in err
     assert list(elsewhere.iterdir()) == []
 
 

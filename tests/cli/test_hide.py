@@ -70,8 +70,8 @@ def test_hide_open_and_score(capsys: Capture) -> None:
     Path("right.json").write_text(json.dumps({"verdict": "missing_effect", "findings": [finding]}))
     assert run(capsys, "hide --score d right.json")[0].splitlines() == [
         "viscous_friction at joint 1: right",
-        "  coefficient: 0.79 +- 0.004 N m s/rad, in truth 0.7854",
-        "in all: right",
+        "  coefficient: 0.79 +- 0.004 N m s/rad, true value 0.7854",
+        "overall: right",
     ]
     assert json.loads(run(capsys, "hide --score d right.json --json")[0])["result"] == "right"
     Path("wrong.json").write_text(
@@ -80,8 +80,8 @@ def test_hide_open_and_score(capsys: Capture) -> None:
     out, _ = run(capsys, "hide --score d wrong.json", 1)
     assert out.splitlines() == [
         "spring at joint 1: wrong",
-        "1 of 1 hidden missed (robodyn hide --open d/answer.sealed tells which)",
-        "in all: wrong",
+        "1 of 1 hidden missed (robodyn hide --open d/answer.sealed shows them)",
+        "overall: wrong",
     ]
     other = {"verdict": "consistent", "findings": [], "logs": [{"sha256": "0" * 64}]}
     Path("other.json").write_text(json.dumps(other))
@@ -112,23 +112,23 @@ def test_hide_warns_of_what_nobody_can_find(capsys: Capture) -> None:
     ("command", "words"),
     [
         ("hide", "no robot is named"),
-        ("hide pendulum.yaml", "no place to write to"),
-        ("hide pendulum.yaml --open d", "--open stands alone"),
-        ("hide --open d --score d e", "--open stands alone"),
-        ("hide --score d e --random 2", "--score stands alone"),
+        ("hide pendulum.yaml", "no output folder"),
+        ("hide pendulum.yaml --open d", "--open cannot be combined with other options"),
+        ("hide --open d --score d e", "--open cannot be combined with other options"),
+        ("hide --score d e --random 2", "--score cannot be combined with other options"),
         ("hide --open d", "cannot be read"),
         ("hide --open pendulum.yaml", "not a sealed answer"),
-        ("hide pendulum.yaml -o d --effect spring@x", "names no joint"),
+        ("hide pendulum.yaml -o d --effect spring@x", "has no valid joint"),
         ("hide pendulum.yaml -o d --effect sprung@1", "did you mean 'spring'"),
-        ("hide pendulum.yaml -o d --effect spring@1:stiffness", "not one more key=value"),
-        ("hide pendulum.yaml -o d --effect spring@1:stiffness=1,stiffness=2", "not one more key=value"),
+        ("hide pendulum.yaml -o d --effect spring@1:stiffness", "not a new key=value"),
+        ("hide pendulum.yaml -o d --effect spring@1:stiffness=1,stiffness=2", "not a new key=value"),
         ("hide pendulum.yaml -o d --effect spring@2", "no such joint"),
         ("hide pendulum.yaml -o d --duration 1e9", "too long or too short"),
-        ("hide pendulum.yaml -o d --encoder-bits 3.5", "bits of an encoder come whole"),
+        ("hide pendulum.yaml -o d --encoder-bits 3.5", "encoder bits must be an integer"),
         ("excite pendulum.yaml -o t.csv --tell spring@1", "one effect alone"),
         ("excite pendulum.yaml -o t.csv --tell spring,torque@1", "unknown effect"),
         ("excite pendulum.yaml -o t.csv --duration 0.01", "too few or too many"),
-        ("excite pendulum.yaml -o - --json", "both print on stdout"),
+        ("excite pendulum.yaml -o - --json", "both write to stdout"),
     ],
 )
 def test_what_is_refused(capsys: Capture, command: str, words: str) -> None:
@@ -142,7 +142,7 @@ def test_a_trajectory_is_not_written_over(capsys: Capture) -> None:
     run(capsys, "excite pendulum.yaml --tries 1 --duration 2 -o d/train.csv")
     before = Path("d/train.csv").read_bytes()
     _, err = run(capsys, "hide pendulum.yaml -o d --trajectory d/train.csv", 2)
-    assert "would be written over" in err
+    assert "would be overwritten" in err
     assert Path("d/train.csv").read_bytes() == before
     run(capsys, "hide pendulum.yaml -o e --random 0 --duration 2 --trajectory d/train.csv")
     moved, wanted = read_log("e/train.csv", 1), from_file("d/train.csv", 1)
@@ -155,7 +155,9 @@ def test_excite(capsys: Capture) -> None:
     first, second, *rest = out.splitlines()
     assert first == "t.csv: 4 s, 401 samples"
     assert second.startswith("coulomb_friction at joint 1 and viscous_friction at joint 1: ")
-    assert rest[0] == "to tell coulomb_friction: reversals, slow and fast segments, and more than one pose"
+    assert (
+        rest[0] == "to identify coulomb_friction: reversals, slow and fast segments, and more than one pose"
+    )
     motion = from_file("t.csv", 1)
     assert motion.provenance["columns"] == ["q", "qd", "qdd"]
     told = json.loads(run(capsys, f"{command} -o t2.csv --json")[0])
@@ -167,9 +169,9 @@ def test_excite(capsys: Capture) -> None:
     ]
     out, err = run(capsys, "excite pendulum.yaml --tries 1 --duration 2 -o -")
     assert out.startswith("t,q1,qd1,qdd1\n0.0,")
-    assert "independence of the whole library" in err
+    assert "independence of the catalogue" in err
 
 
 def test_excite_says_where_no_motion_helps(capsys: Capture) -> None:
     _, err = run(capsys, "excite pendulum.yaml --tell payload,inertial_error --tries 2 --duration 4 -o t.csv")
-    assert "no motion tells payload and inertial_error at joint 1 apart" in err
+    assert "no motion distinguishes payload and inertial_error at joint 1" in err

@@ -104,8 +104,8 @@ def judged(capsys: Capture, command: str) -> tuple[int, str]:
 def test_what_is_whole_is_scored(capsys: Capture) -> None:
     assert main(["hide", "--score", "d", "diagnosis.json"]) == 0
     out = capsys.readouterr().out
-    assert "stiffness: 3.4 +- 0.1 N*m/rad, in truth 3.5" in out
-    assert "in all: right" in out
+    assert "stiffness: 3.4 +- 0.1 N*m/rad, true value 3.5" in out
+    assert "overall: right" in out
     assert "90% of the gap" in out or "% of the gap on the validation log is closed" in out
 
 
@@ -251,4 +251,4 @@ def test_files_that_cannot_be_read(capsys: Capture) -> None:
             assert (code, said in err) == (2, True), err
     for folder in ("none", "loop", "pipe", "diagnosis.json"):
         assert judged(capsys, f"hide --score {folder} diagnosis.json")[0] == 2
-    assert "exchange the two" in judged(capsys, "hide --score diagnosis.json d")[1]
+    assert "swap the two arguments" in judged(capsys, "hide --score diagnosis.json d")[1]

@@ -216,8 +216,8 @@ class TestHelp:
     def test_no_command_file_is_forgotten(self) -> None:
         folder = Path(frame.__file__).parent
         shared = {
-            "__init__", "__main__", "main", "common", "counted", "driving", "entry", "firmware", "options",
-            "progress", "pruned", "schedule_options", "searching", "simulate_options",
+            "__init__", "__main__", "main", "common", "counted", "driving", "entry", "firmware", "languages",
+            "options", "progress", "pruned", "schedule_options", "searching", "simulate_options",
         }  # fmt: skip
         files = {path.stem for path in folder.glob("*.py")} - shared
         assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}
@@ -307,7 +307,7 @@ class TestNew:
         for force in ([], ["--force"]):
             assert main(["new", "arm", "-o", "", *force]) == 2
             err = capsys.readouterr().err
-            assert "empty name" in err
+            assert "is empty" in err
             assert len(err.splitlines()) == 1
         assert list(tmp_path.iterdir()) == []
 
@@ -317,7 +317,7 @@ class TestNew:
     ) -> None:
         path = tmp_path / ("x" * length)
         assert main(["new", "arm", "-o", str(path)]) == (0 if length < 256 else 2)
-        said = f"robodyn: error: cannot write {path}: File name too long; choose another place with -o"
+        said = f"robodyn: error: cannot write {path}: File name too long; choose another path with -o"
         assert capsys.readouterr().err.startswith(said) is (length > 255)
 
     def test_the_name_of_a_file_is_escaped(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -11,7 +11,8 @@ from typing import Any
 
 import pytest
 
-from robodyn.schedule import faults_of_levels, general_graph
+from robodyn.schedule import METHODS, faults_of_levels, general_graph
+from robodyn_cli import schedule_options
 from robodyn_cli.main import main
 from robodyn_testing import require_module, require_tool
 
@@ -65,6 +66,24 @@ def test_the_stanford_arm_by_rule_and_as_printed(capsys: Capture) -> None:
         assert words in text
     printed = made(capsys, "stanford", "-p", "8", "--as-printed")
     assert (printed["tasks"], printed["levels"]) == (156, 25)
+
+
+def test_the_methods_that_the_command_offers() -> None:
+    assert schedule_options.METHODS == METHODS
+
+
+@pytest.mark.parametrize("method", ["df-ihs", "a-star"])
+def test_searches_say_what_they_looked_at(method: str, capsys: Capture) -> None:
+    asked = ("stanford", "-p", "4", "--as-printed", "--method", method)
+    found = made(capsys, *asked)
+    assert (found["levels"], found["optimal"], found["ended"]) == (39, True, "proven")
+    assert f"looked at {found['nodes']} nodes; nothing shorter exists" in run(capsys, *asked)[0]
+    short = made(capsys, *asked, "--nodes", "1")
+    assert (short["levels"], short["optimal"], short["ended"]) == (40, False, "nodes")
+    text = run(capsys, *asked, "--nodes", "1")[0]
+    assert "gave up there: --nodes for more" in text
+    assert "at most 2.6 % above the optimum (none below 39)" in text
+    assert "nothing was left to search" in run(capsys, "stanford", "-p", "8", "--method", method)[0]
 
 
 def test_optimal_needs_or_tools(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -191,36 +210,36 @@ def test_the_thesis_s_own_tasks_emitted(capsys: Capture, tmp_path: Path) -> None
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ((), "what to schedule is not clear"),
+        ((), "nothing unique to schedule"),
         (("puma560", "--links", "6", "-p", "2"), "both ROBOT and --links"),
         (("puma560",), "add -p"),
         (("puma560", "-p", "0"), "processors cannot be read"),
         (("puma560", "-p", "many"), "processors cannot be read"),
         (("puma560", "-p", "9..2"), "processors cannot be read"),
         (("puma560", "-p", "5000"), "not meant"),
-        (("puma560", "-p", "4", "--method", "best"), "unknown method"),
+        (("puma560", "-p", "4", "--method", "best"), "'df-ihs', 'a-star'"),
         (("puma560", "-p", "4", "--as-printed"), "prints no tasks of puma560"),
         (("--links", "5", "-p", "4", "--as-printed"), "six links"),
         (("--links", "0", "-p", "4"), "an arm has joints"),
-        (("--links", "6", "-p", "4", "--emit", "x"), "no numbers to emit"),
+        (("--links", "6", "-p", "4", "--emit", "x"), "no parameters to emit"),
         (("--links", "6", "-p", "4", "--cut", "1"), "no kernel"),
         (("--links", "6", "-p", "4", "--form", "fast"), "unknown form"),
-        (("puma560", "-p", "4", "--form", "lathrop"), "goes with --links"),
+        (("puma560", "-p", "4", "--form", "lathrop"), "requires --links"),
         (("puma560", "-p", "4", "--cut", "x"), "--cut cannot be read"),
         (("puma560", "-p", "4", "--cut", "0"), "a task has operations"),
         (("puma560", "-p", "4", "--cost", "mul=1"), "add --cut"),
         (("puma560", "--fewest", "--cut", "1", "--cost", "mul=2"), "equal length"),
         (("puma560", "-p", "4", "--cut", "1", "--cost", "x=1"), "costs of operations"),
-        (("puma560", "-p", "4", "--sync", "barrier"), "goes with --emit"),
-        (("puma560", "-p", "2..4", "--emit", "x"), "one schedule is emitted"),
-        (("puma560", "-p", "2", "--emit", "x", "--sync", "never"), "unknown way to wait"),
+        (("puma560", "-p", "4", "--sync", "barrier"), "requires --emit"),
+        (("puma560", "-p", "2..4", "--emit", "x"), "only one schedule can be emitted"),
+        (("puma560", "-p", "2", "--emit", "x", "--sync", "never"), "unknown synchronisation"),
         (("puma560", "-p", "2", "--emit", "x", "--no-levels", "--sync", "barrier"), "nowhere to meet"),
         (("puma560", "-p", "2", "--emit", "x", "--packed", "3"), "2, 4 or 8"),
-        (("puma560", "-p", "2", "--emit", ""), "empty name"),
-        (("puma560", "-p", "2", "--picture", "x.png"), "is an SVG"),
+        (("puma560", "-p", "2", "--emit", ""), "is empty"),
+        (("puma560", "-p", "2", "--picture", "x.png"), "are written as SVG"),
         (("puma560", "-p", "2", "--communication", "-1"), "before it is sent"),
-        (("puma560", "-p", "2", "--seconds", "nan"), "takes time"),
-        (("puma560", "--thesis", "C.1"), "of no robot"),
+        (("puma560", "-p", "2", "--seconds", "nan"), "the time limit of the search"),
+        (("puma560", "--thesis", "C.1"), "takes no robot"),
         (("--thesis", "C.99"), "no printed schedule"),
         (("--forms", "--links", "1"), "forms need joints"),
         (("nobody", "-p", "2"), "neither a file nor a bundled robot"),

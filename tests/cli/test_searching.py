@@ -206,7 +206,7 @@ def test_keep_where_it_cannot(here: Path, capsys: Capture) -> None:
     (here / FOLDER).write_text("in the way")
     more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]
     _, err = run(capsys, "gen", "elbow.yaml", "-o", "out", *more, code=2)
-    assert "cannot write into records" in err
+    assert "cannot write to records" in err
     assert files(here) == {"elbow.yaml", FOLDER}
 
 
@@ -217,7 +217,7 @@ def test_keep_on_a_full_disk(here: Path, capsys: Capture, monkeypatch: pytest.Mo
     monkeypatch.setattr("robodyn.search.improve.write_record", full)
     more = ["--optimize", "search", "--budget-seconds", "0.1", "--keep"]
     _, err = run(capsys, "gen", "elbow.yaml", "-o", "out", *more, code=74)
-    assert "cannot write into records: No space left on device; leave out --keep" in err
+    assert "cannot write to records: No space left on device; remove --keep" in err
     assert files(here) == {"elbow.yaml"}
 
 
@@ -241,13 +241,13 @@ SEARCH = ["--optimize", "search", "--budget-seconds", "60"]
 @pytest.mark.parametrize(
     ("arguments", "hint"),
     [
-        (["--budget-seconds", "3"], "--budget-seconds goes with a search"),
-        (["--keep"], "--keep goes with a search"),
-        (["--optimize", "fast", "--keep"], "--keep goes with a search"),
-        (["--optimize", "none", "--budget-seconds", "3"], "--budget-seconds goes with a search"),
-        ([*SEARCH, "--no-regroup"], "regrouped"),
+        (["--budget-seconds", "3"], "--budget-seconds requires a search"),
+        (["--keep"], "--keep requires a search"),
+        (["--optimize", "fast", "--keep"], "--keep requires a search"),
+        (["--optimize", "none", "--budget-seconds", "3"], "--budget-seconds requires a search"),
+        ([*SEARCH, "--no-regroup"], "with regrouping"),
         ([*SEARCH, "--formulation", "newton_euler"], "modified_newton_euler"),
-        ([*SEARCH, "--engine", "sympy"], "on the graph"),
+        ([*SEARCH, "--engine", "sympy"], "the graph engine"),
         (["--optimize", "search", "--budget-seconds", "0"], "budget in seconds"),
         (["--optimize", "full", "--budget-seconds", "-1"], "budget in seconds"),
         (["--optimize", "full", "--budget-seconds", "nan"], "budget in seconds"),
@@ -287,7 +287,7 @@ def test_what_does_not_go_together(
     ("arguments", "hint"),
     [
         (["--lang", "c,pascal"], "unknown language 'pascal'"),
-        (["-o", ""], "empty name"),
+        (["-o", ""], "is empty"),
         (["--functions", "torque"], "unknown function 'torque'"),
         (["--check", "--keep"], "--check writes nothing"),
     ],

@@ -117,7 +117,7 @@ def test_rows_of_torques_are_held_or_joined(capsys: Capture) -> None:
     held = read_log("slide.csv")
     np.testing.assert_allclose(held.q[-1, 0], np.sum(speed[:-1] * 0.1 + 3 * t[:-1] * 0.1**2 / 2), atol=1e-12)
     _, err = simulate(capsys, "slide.yaml --torque ramp.csv --linear --param m=2 --duration 2 --rate 10")
-    assert "the torques end at 1 s; their last row stays" in err
+    assert "the torques end at 1 s; the last row is held" in err
     assert read_log("slide.csv").q[-1, 0] == pytest.approx(0.5 + 1.5 + 3 / 2)
 
 
@@ -222,7 +222,7 @@ def test_excitation_stays_inside_the_limits(capsys: Capture) -> None:
     simulate(capsys, "slide.yaml --excite --duration 4 --param m=2 --seed 4 --harmonics 3 -o other.csv")
     assert abs(read_log("other.csv").q[0, 0] - log.q[0, 0]) > 1e-3
     _, err = simulate(capsys, "pendulum.yaml --excite --duration 1 --base-frequency 2")
-    assert "pendulum lacks limits of joint 1; taken: -3.14 to 3.14 rad, 2 rad/s, 10 rad/s^2" in err
+    assert "pendulum has no limits for joint 1; assumed: -3.14 to 3.14 rad, 2 rad/s, 10 rad/s^2" in err
 
 
 def test_a_motion_from_a_file_beyond_its_limits_is_told(capsys: Capture) -> None:
@@ -324,7 +324,7 @@ def test_an_encoder_has_steps(capsys: Capture) -> None:
     assert log.qd is not None
     np.testing.assert_allclose(log.qd[1:], np.diff(log.q, axis=0) / 1e-3, atol=1e-9)
     _, err = simulate(capsys, "slide.yaml --speed 1 --duration 0.1 --encoder-bits 10 --param m=2")
-    assert "--encoder-bits leaves prismatic joints (1) exact" in err
+    assert "--encoder-bits does not apply to prismatic joints (1)" in err
 
 
 @pytest.mark.parametrize("kind", ["svg", "png"])
@@ -383,20 +383,23 @@ MOTION = "--to 0.1 --param m=2"
             "slide.yaml --to 1",
             "found no m; expected a number for each of m; on the command line --param",
         ),
-        ("slide.yaml --param m=2 --param k=1", "found k; expected m; leave it out"),
+        ("slide.yaml --param m=2 --param k=1", "found k; expected m; remove it"),
         ("slide.yaml --param m=2 --param m=1", "found --param m=... twice"),
         ("slide.yaml --param m", "'m' is not NAME=VALUE"),
         ("slide.yaml --param m=two", "'--param': "),
-        (f"slide.yaml {MOTION} --excite", "only one thing can drive the robot; found --to and --excite"),
-        ("slide.yaml --kp 3 --param m=2", "--kp goes with a motion to follow"),
-        (f"slide.yaml {MOTION} --controller feedforward --kp 3", "--kp goes with --controller pd"),
-        (f"slide.yaml {MOTION} --linear", "--linear goes with --torque"),
-        (f"slide.yaml {MOTION} --harmonics 3", "--harmonics goes with --excite"),
-        (f"slide.yaml {MOTION} --point 1,2,3", "--point goes with --line"),
-        ("slide.yaml --profile quintic --param m=2", "--profile goes with --to or --line"),
-        (f"slide.yaml {MOTION} --solver rk4 --rtol 1e-3", "--rtol goes with --solver adaptive"),
-        (f"slide.yaml {MOTION} --cutoff 3", "--cutoff goes with --velocity filtered"),
-        (f"slide.yaml {MOTION} --velocity filtered", "the low-pass has no cutoff; give --cutoff HZ"),
+        (f"slide.yaml {MOTION} --excite", "only one input can drive the robot; found --to and --excite"),
+        ("slide.yaml --kp 3 --param m=2", "--kp requires a motion to follow"),
+        (f"slide.yaml {MOTION} --controller feedforward --kp 3", "--kp requires --controller pd"),
+        (f"slide.yaml {MOTION} --linear", "--linear requires --torque"),
+        (f"slide.yaml {MOTION} --harmonics 3", "--harmonics requires --excite"),
+        (f"slide.yaml {MOTION} --point 1,2,3", "--point requires --line"),
+        ("slide.yaml --profile quintic --param m=2", "--profile requires --to or --line"),
+        (f"slide.yaml {MOTION} --solver rk4 --rtol 1e-3", "--rtol requires --solver adaptive"),
+        (f"slide.yaml {MOTION} --cutoff 3", "--cutoff requires --velocity filtered"),
+        (
+            f"slide.yaml {MOTION} --velocity filtered",
+            "the low-pass filter has no cutoff frequency; add --cutoff HZ",
+        ),
         (f"slide.yaml {MOTION} --velocity filtered --cutoff 1e6", "cutoff"),
         (f"slide.yaml {MOTION} --velocity best", "'--velocity'"),
         (f"slide.yaml {MOTION} --controller pid", "'--controller'"),
@@ -407,12 +410,12 @@ MOTION = "--to 0.1 --param m=2"
         (f"slide.yaml {MOTION} --kp -1", "-1 is not 0 or more"),
         (f"slide.yaml {MOTION} --position-noise 1,2", "--position-noise does not fit slide"),
         (f"slide.yaml {MOTION} --torque-noise nan", "not a finite number"),
-        (f"slide.yaml {MOTION} --encoder-bits 3 --position-resolution 1", "say the same"),
-        ("pendulum.yaml --encoder-bits 0.5", "bits of an encoder come whole"),
+        (f"slide.yaml {MOTION} --encoder-bits 3 --position-resolution 1", "set the same quantity"),
+        ("pendulum.yaml --encoder-bits 0.5", "encoder bits must be an integer"),
         ("pendulum.yaml --encoder-bits 99", "an encoder has no so many bits"),
         (f"slide.yaml {MOTION} --duration 0", "0 is not more than 0"),
         (f"slide.yaml {MOTION} --duration inf", "'--duration'"),
-        (f"slide.yaml {MOTION} --duration 1e-4", "the log would have one sample"),
+        (f"slide.yaml {MOTION} --duration 1e-4", "the log would have only one sample"),
         (f"slide.yaml {MOTION} --duration 1e6 --rate 1e6 --control-rate 1", "a log of 1e+12 samples"),
         (f"slide.yaml {MOTION} --duration 1e9", "a trajectory of too many samples"),
         (
@@ -431,11 +434,11 @@ MOTION = "--to 0.1 --param m=2"
         ),
         (f"slide.yaml {MOTION} --model nobody", "nobody: there is neither"),
         (f"slide.yaml {MOTION} --seed -1", "'--seed'"),
-        (f"slide.yaml {MOTION} -o log.txt", "found log.txt; expected an ending .csv"),
+        (f"slide.yaml {MOTION} -o log.txt", "found log.txt; expected one of .csv"),
         (f"slide.yaml {MOTION} -o slide.yaml/a.csv", "cannot write slide.yaml/a.csv"),
-        (f"slide.yaml {MOTION} -o - --json", "--json and -o - both print"),
-        (f"slide.yaml {MOTION} --picture p.pdf", "the picture is an SVG or a PNG"),
-        ("puma560 --line 1,2", "'1,2' is not x,y,z:x,y,z"),
+        (f"slide.yaml {MOTION} -o - --json", "--json and -o - both write"),
+        (f"slide.yaml {MOTION} --picture p.pdf", "pictures are written as SVG or PNG"),
+        ("puma560 --line 1,2", "'1,2' is neither x,y,z:x,y,z"),
         ("puma560_3dof --line 1,2,3:9,9,9 --point 0,-0.43,0", "reach"),
         ("puma560_3dof --line 1,2,3 --link 4", "has no such link; found link 4"),
         ("slide.yaml --torque none.csv --param m=2", "none.csv: the file cannot be read"),
@@ -464,7 +467,7 @@ def test_refused(command: str, text: str, capsys: Capture) -> None:
         ("t,tau1\n0,1\n1,inf\n", "f.csv:3: tau1 is not a finite number"),
         ("t,tau1\n0,1\n1,1\n2,1\n4,1\n5,1\n", "the times are not even"),
         ("t,tau1\n1,1\n0,1\n", "rising times"),
-        ("t,tau1\n0,1\n", "one row of torques does not say for how long; give --duration"),
+        ("t,tau1\n0,1\n", "one row of torques has no duration; add --duration"),
         ("t,tau1\n\xff", "f.csv:2:1: the file is not UTF-8 text"),
     ],
 )
@@ -483,7 +486,7 @@ def test_one_row_of_torques_is_for_all_time(capsys: Capture) -> None:
 def test_inputs_are_not_written_over(capsys: Capture) -> None:
     Path("slide.csv").write_text("t,tau1\n0,4\n1,4\n")
     _, err = simulate(capsys, "slide.yaml --torque ./slide.csv --param m=2", code=2)
-    assert "slide.csv would be written over, and it is read; another name with -o" in err
+    assert "slide.csv is an input and would be overwritten; choose another name with -o" in err
     assert Path("slide.csv").read_text() == "t,tau1\n0,4\n1,4\n"
 
 

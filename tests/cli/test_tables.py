@@ -65,10 +65,10 @@ def test_the_picture(tmp_path: Path, capsys: Capture, monkeypatch: pytest.Monkey
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("4.4", "--picture", "x.svg"), "no picture of this table"),
-        (("2.9", "--picture", "x.png"), "is an SVG"),
-        (("2.9", "--picture", ""), "is an SVG"),
-        (("9", "--picture", "x.svg"), "no picture of this table"),
+        (("4.4", "--picture", "x.svg"), "this table has no picture"),
+        (("2.9", "--picture", "x.png"), "are written as SVG"),
+        (("2.9", "--picture", ""), "are written as SVG"),
+        (("9", "--picture", "x.svg"), "this table has no picture"),
     ],
 )
 def test_pictures_that_are_refused(

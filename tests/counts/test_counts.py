@@ -30,7 +30,7 @@ def test_the_worked_line() -> None:
     )
     assert found == Count(mul=2, add=1)
     assert found.total == 3
-    assert str(found) == "2 multiplications, 1 additions = 3"
+    assert str(found) == "2 multiplications, 1 addition = 3"
 
 
 def test_every_operation_has_its_kind() -> None:
@@ -51,7 +51,7 @@ def test_doubling_and_squaring_are_multiplications() -> None:
 
 def test_in_words_and_as_a_dictionary() -> None:
     found = Count(mul=5, add=4, div=2, sqrt=1, neg=3, sincos=6, other=7)
-    assert str(found) == "5 multiplications, 4 additions, 2 divisions, 1 square roots = 12"
+    assert str(found) == "5 multiplications, 4 additions, 2 divisions, 1 square root = 12"
     assert found.to_dict() == {
         "mul": 5, "add": 4, "div": 2, "sqrt": 1, "neg": 3, "sincos": 6, "other": 7, "total": 12,
     }  # fmt: skip

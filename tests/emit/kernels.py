@@ -123,8 +123,8 @@ def made(name: str, trig: str = "libm") -> Generated:
 def in_single(generated: Generated) -> Generated:
     """The same programs for float."""
     functions = tuple((dataclasses.replace(s, scalar="float"), p) for s, p in generated.unit.functions)
-    unit = dataclasses.replace(generated.unit, functions=functions)
     options = dataclasses.replace(generated.options, scalar="float")
+    unit = dataclasses.replace(generated.unit, functions=functions, options=options.text)
     return dataclasses.replace(generated, unit=unit, options=options)
 
 

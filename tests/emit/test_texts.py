@@ -222,12 +222,12 @@ def test_the_head_tells_what_a_reader_needs() -> None:
         )[0]
         for needed in (
             "tool: ",
-            "1 revolute, 2 revolute, 3 prismatic",
             "Gravity in the base frame: 0.0, 0.0, -9.81 m/s^2",
             "q    joint positions [rad, prismatic m]",
             "tau  joint torques [N m, prismatic N]",
             "M    mass matrix, row by row",
-            "Run-time parameters, in tool_params: a_2, d_3, m_tool",
+            "Run-time parameters, in tool_params:",
+            "m_tool: mass of link",
             "Operations (every binary * is a multiplication",
         ):
             assert needed in " ".join(head.split()) or needed in head, (name, needed)

@@ -35,10 +35,15 @@ class Count:
         return {**asdict(self), "total": self.total}
 
     def __str__(self) -> str:
-        text = f"{self.mul} multiplications, {self.add} additions"
-        for number, name in ((self.div, "divisions"), (self.sqrt, "square roots")):
-            if number:
-                text += f", {number} {name}"
+        kinds = [
+            (self.mul, "multiplication"), (self.add, "addition"), (self.div, "division"),
+            (self.sqrt, "square root"),
+        ]  # fmt: skip
+        text = ", ".join(
+            f"{amount} {name}{'' if amount == 1 else 's'}"
+            for k, (amount, name) in enumerate(kinds)
+            if amount or k < 2
+        )
         return f"{text} = {self.total}"
 
 

@@ -160,7 +160,7 @@ CONTACT = Effect(
     source="De Luca and Mattone 2005",
     check=_window,
     traits=Traits(
-        several=True, candidates=(Shown(5),), wide=True, hidden=Hidden(_push_form), over="a short time"
+        several=True, wide=True, hidden=Hidden(_push_form), over="a short time"
     ),
 )  # fmt: skip
 

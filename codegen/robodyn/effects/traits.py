@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 #: Parameters as a diagnosis states them.
 Estimates = dict[str, float | str]
 #: Of coefficients [c] and of the values of what is not linear: the catalogue's parameters.
-Read = Callable[[Sequence[float], Mapping[str, float]], Estimates]
+Read = Callable[[Any, Mapping[str, float]], Estimates]
 
 
 # --- in a description -------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@ from typing import Any
 from robodyn.counts.count import Count
 from robodyn.dynamics.functions import function_named
 from robodyn.emit.body import arrays_read, body_lines, reads_parameters
+from robodyn.emit.head import contained
 from robodyn.emit.language import FunctionText, Language
 from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import Body
@@ -20,7 +21,7 @@ def function_text(
 ) -> dict[str, Any]:
     """``body`` as ``language``'s templates place it."""
     syntax = language.syntax(signature, unit)
-    lines = body_lines(body, syntax, builtin=unit.builtin, lanes=unit.lanes, soon=unit.soon)
+    lines = body_lines(body, syntax, builtin=unit.builtin, lanes=unit.lanes, early_writes=unit.soon)
     read = arrays_read(body)
     unused = [array for array, _ in signature.inputs if array not in read]
     if signature.parameters and not reads_parameters(body):
@@ -31,7 +32,18 @@ def function_text(
     return {
         "symbol": signature.symbol,
         "purpose": function_named(signature.function).purpose,
+        "contains": textwrap.wrap(_contains(signature, unit), WIDTH, break_on_hyphens=False),
         "counted": textwrap.wrap(counted_text(counted), WIDTH, break_on_hyphens=False),
         "unused": unused,
         **language.function(FunctionText(signature, unit, lines, tuple(unused), rereads)),
     }
+
+
+def _contains(signature: Signature, unit: Unit) -> str:
+    """What of the drives is in a function's torques; empty if nothing is."""
+    function = function_named(signature.function)
+    taken = {array.name for array in function.inputs}
+    drives: tuple[str, ...] = ()
+    if "qd" in taken:
+        drives = contained(unit.robot, accelerated="qdd" in taken or function.solves)
+    return f"with {', '.join(drives)}" if drives else ""

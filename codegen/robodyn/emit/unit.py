@@ -18,7 +18,8 @@ class Unit:
     are lines for the head of the file; ``misra``: C with products within sums in parentheses.
     ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
     written as soon as they are there. ``contraction``, on or off, stands in a pragma; ``advice`` is for the
-    head too, with flags of compilers.
+    head too, with flags of compilers; ``options`` are those it was written with, as on the
+    command line.
     """
 
     robot: Robot
@@ -31,6 +32,7 @@ class Unit:
     soon: bool = False
     contraction: str | None = None
     advice: tuple[str, ...] = ()
+    options: str = ""
 
 
 #: What is libm's, whoever makes the sines.
@@ -47,8 +49,8 @@ def has_sines(unit: Unit) -> bool:
     return unit.builtin and any(count(program).sincos for _, program in unit.functions)
 
 
-def counted_text(found: Count) -> str:
-    parts = [str(found), f"{found.neg} unary minus", f"{found.sincos} sine/cosine"]
-    if found.other:
-        parts.append(f"{found.other} other calls")
+def counted_text(count: Count) -> str:
+    parts = [str(count), f"{count.neg} unary minus", f"{count.sincos} sine/cosine"]
+    if count.other:
+        parts.append(f"{count.other} other calls")
     return "; ".join(parts)

@@ -30,6 +30,10 @@ ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
 CHOSEN = ("scalar", "trig", "order", "contraction", "objective")
 
 
+#: Options that the head of a file names where they are not as usual.
+_SHOWN = ("functions", "formulation", "engine", "order", "objective", "target", "contraction", "prune")
+
+
 @dataclass(frozen=True, slots=True)
 class Options:
     """What to generate and how; the defaults are those of ``robodyn gen``.
@@ -112,6 +116,29 @@ class Options:
         return ()
 
     @property
+    def text(self) -> str:
+        """These options as the command line has them: precision, sines and level always, the rest where it
+        is not as usual. Records and their folders are not named: the head says which program was taken."""
+        usual = Options()
+        words = [f"--optimize {self.optimize}", f"--scalar {self.scalar}", f"--trig {self.trig}"]
+        for name in (
+            "functions",
+            "formulation",
+            "engine",
+            "order",
+            "objective",
+            "target",
+            "contraction",
+            "prune",
+        ):
+            value = getattr(self, name)
+            if value != getattr(usual, name):
+                text = f"{float(value)!r}" if isinstance(value, Fraction) else value
+                words.append(f"--{name} {','.join(value) if isinstance(value, tuple) else text}")
+        words += ["--no-regroup"] * (not self.regroup) + ["--misra"] * self.misra
+        return " ".join(words)
+
+    @property
     def by_registers(self) -> bool:
         """Whether operations come in the order for registers: unless libm takes most of the time anyway."""
         return self.order == "registers" or (self.order == "auto" and self.trig != "libm")
@@ -138,13 +165,13 @@ def _check_functions(functions: tuple[str, ...]) -> None:
         raise InputError("a function is asked for twice", found=", ".join(functions))
 
 
-def _one_of(what: str, found: str, allowed: Sequence[str]) -> None:
-    if found not in allowed:
+def _one_of(what: str, value: str, allowed: Sequence[str]) -> None:
+    if value not in allowed:
         import difflib
 
-        close = difflib.get_close_matches(found, allowed, n=1)
+        close = difflib.get_close_matches(value, allowed, n=1)
         raise InputError(
-            f"unknown {what} {found!r}",
+            f"unknown {what} {value!r}",
             expected=f"one of {', '.join(allowed)}",
             remedy=f"did you mean {close[0]!r}?" if close else None,
         )

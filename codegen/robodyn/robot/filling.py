@@ -75,7 +75,7 @@ def _values(robot: Robot, parameters: Mapping[str, Number]) -> dict[str, Fractio
             f"{robot.name} has no such run-time parameter",
             found=", ".join(unknown),
             expected=", ".join(robot.parameters) or "none: it has no run-time parameters",
-            remedy="leave it out",
+            remedy="remove it",
         )
     complaint = without_values(robot, parameters)
     if complaint is not None:

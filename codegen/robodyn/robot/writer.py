@@ -34,9 +34,9 @@ def to_yaml(robot: Robot) -> str:
     if robot.torque_side != "motor":
         lines.append(f"torque_side: {robot.torque_side}")
     if robot.rest_velocity is not None:
-        lines.append(f"friction_at_rest: {{smooth: {{velocity: {_number(robot.rest_velocity)}}}}}")
+        lines.append(f"friction_at_rest: {{smooth: {{velocity: {number_text(robot.rest_velocity)}}}}}")
     elif robot.dead_band is not None:
-        lines.append(f"friction_at_rest: {{dead_band: {{velocity: {_number(robot.dead_band)}}}}}")
+        lines.append(f"friction_at_rest: {{dead_band: {{velocity: {number_text(robot.dead_band)}}}}}")
     lines += _effect_lines(robot.effects_at(None), "")
     return "\n".join(lines) + "\n"
 
@@ -47,19 +47,19 @@ def _link_lines(link: Link, i: int) -> list[str]:
     lines += [
         f"joint: {joint.kind}",
         f"alpha: {_angle(joint.alpha)}",
-        f"a: {_number(joint.a)}",
-        f"d: {_number(joint.d)}",
+        f"a: {number_text(joint.a)}",
+        f"d: {number_text(joint.d)}",
         f"theta: {_angle(joint.theta)}",
-        f"mass: {_number(link.mass)}",
+        f"mass: {number_text(link.mass)}",
         f"com: {_list(link.com)}",
         f"inertia: {_group({axes: getattr(inertia, axes) for axes in AXES})}",
     ]
     if joint.motor_inertia != ZERO:
-        lines.append(f"motor_inertia: {_number(joint.motor_inertia)}")
+        lines.append(f"motor_inertia: {number_text(joint.motor_inertia)}")
     if joint.limits != Limits():
         lines.append(f"limits: {_limits(joint.limits)}")
     if link.confidence != Fraction(1, 10):
-        lines.append(f"confidence: {_number(link.confidence)}")
+        lines.append(f"confidence: {number_text(link.confidence)}")
     if (joint.viscous, joint.coulomb) != (ZERO, ZERO):
         lines.append(f"friction: {_friction(joint)}")
     return [("  - " if k == 0 else "    ") + line for k, line in enumerate(lines)]
@@ -68,27 +68,30 @@ def _link_lines(link: Link, i: int) -> list[str]:
 def _effect_lines(entries: tuple[EffectEntry, ...], indent: str) -> list[str]:
     if not entries:
         return []
+    return [f"{indent}effects:", *(f"{indent}  - {entry_text(entry)}" for entry in entries)]
+
+
+def entry_text(entry: EffectEntry) -> str:
+    """An entry as one line of YAML, without what is at its default."""
     from robodyn.effects.catalogue import CATALOGUE  # not at the top: a rigid arm does without
     from robodyn.robot.effects import default_of
 
-    lines = [f"{indent}effects:"]
-    for entry in entries:
-        known = {parameter.name: parameter for parameter in CATALOGUE[entry.effect].parameters}
-        stated = [(name, value) for name, value in entry.settings if value != default_of(known[name])]
-        parts = [f"effect: {entry.effect}"]
-        parts += [f"{name}: {_setting(value, plain=known[name].kind != 'text')}" for name, value in stated]
-        lines.append(f"{indent}  - {{{', '.join(parts)}}}")
-    return lines
+    known = {parameter.name: parameter for parameter in CATALOGUE[entry.effect].parameters}
+    stated = [(name, value) for name, value in entry.settings if value != default_of(known[name])]
+    parts = [f"effect: {entry.effect}"]
+    parts += [f"{name}: {setting_text(value, plain=known[name].kind != 'text')}" for name, value in stated]
+    return "{" + ", ".join(parts) + "}"
 
 
-def _setting(value: Setting, *, plain: bool) -> str:
+def setting_text(value: Setting, *, plain: bool) -> str:
+    """A parameter of an effect as YAML; ``plain``: a word of it needs no quotes."""
     if isinstance(value, (Fraction, Affine)):
-        return _number(value)
+        return number_text(value)
     if isinstance(value, Inertia):
         entries = {axes: getattr(value, axes) for axes in AXES}
         return _group({axes: entry for axes, entry in entries.items() if entry != ZERO})
     if isinstance(value, tuple):
-        parts = [_list(part) if isinstance(part, tuple) else _number(part) for part in value]
+        parts = [_list(part) if isinstance(part, tuple) else number_text(part) for part in value]
         return f"[{', '.join(parts)}]"
     return str(value) if plain or isinstance(value, int) else _quoted(value)
 
@@ -98,7 +101,7 @@ def _limits(limits: Limits) -> str:
     for name in ("velocity", "acceleration", "torque"):
         value = getattr(limits, name)
         if value is not None:
-            parts.append(f"{name}: {_number(value)}")
+            parts.append(f"{name}: {number_text(value)}")
     return "{" + ", ".join(parts) + "}"
 
 
@@ -108,11 +111,11 @@ def _friction(joint: Joint) -> str:
 
 
 def _group(values: dict[str, Value]) -> str:
-    return "{" + ", ".join(f"{name}: {_number(value)}" for name, value in values.items()) + "}"
+    return "{" + ", ".join(f"{name}: {number_text(value)}" for name, value in values.items()) + "}"
 
 
 def _list(values: tuple[Value, ...]) -> str:
-    return "[" + ", ".join(_number(value) for value in values) + "]"
+    return "[" + ", ".join(number_text(value) for value in values) + "]"
 
 
 def _quoted(text: str) -> str:
@@ -126,7 +129,8 @@ def _escaped(character: str) -> str:
     return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 
-def _number(value: Value) -> str:
+def number_text(value: Value) -> str:
+    """A number as YAML: exact where that takes at most 200 characters, else the nearest double."""
     text = _affine(value) if isinstance(value, Affine) else _rational(value)
     if len(text) <= numbers.LENGTH:
         return text

@@ -5,12 +5,16 @@ Every timetable is judged by :mod:`robodyn.schedule.validate` before it is hande
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Literal, get_args
 
 from robodyn.errors import InputError
+from robodyn.schedule.a_star import a_star
 from robodyn.schedule.bounds import lower_bound
 from robodyn.schedule.branch_and_bound import one_processor_a_joint
+from robodyn.schedule.df_ihs import df_ihs
 from robodyn.schedule.graph import TaskGraph
 from robodyn.schedule.heuristics import (
     critical_path_order,
@@ -20,19 +24,26 @@ from robodyn.schedule.heuristics import (
     thesis_order,
 )
 from robodyn.schedule.machine import Machine, Timetable, in_levels
-from robodyn.schedule.optimum import optimum
+from robodyn.schedule.optimum import optimum, placed
+from robodyn.schedule.tree import MOST_NODES, Limits, Searched, Tree
 from robodyn.schedule.validate import faults_of_times
 
-Method = Literal["thesis", "critical-path", "dhlf", "branch-and-bound", "optimal"]
+Method = Literal["thesis", "critical-path", "dhlf", "df-ihs", "a-star", "branch-and-bound", "optimal"]
 METHODS: Final[tuple[Method, ...]] = get_args(Method)
 
 TITLES: Final[dict[Method, str]] = {
     "thesis": "list heuristic of the thesis, section 4.3.3: layer, link, task",
     "critical-path": "critical path, most immediate successors first (Kasahara and Narita 1985)",
     "dhlf": "dynamic highest level first (Chen, Lee and Hou 1988)",
+    "df-ihs": "depth first with implicit heuristic search (Kasahara and Narita 1985)",
+    "a-star": "A*, the best promise first (Chen, Lee and Hou 1988)",
     "branch-and-bound": "one processor a joint, branch and bound (Luh and Lin 1982)",
     "optimal": "optimum by constraint programming",
 }
+
+#: Methods that search, and stop after some time.
+SEARCHES: Final[tuple[Method, ...]] = ("df-ihs", "a-star", "branch-and-bound", "optimal")
+_TREE_SEARCHES: Final[dict[Method, Callable[..., Searched]]] = {"df-ihs": df_ihs, "a-star": a_star}
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +52,7 @@ class Solved:
 
     ``lower_bound``: what no schedule of this machine can beat, in the timetable's units, by proof.
     ``optimal``: whether this one meets it. ``own_bound``: what the method itself cannot beat, where it
-    restricts the machine (one processor a joint).
+    restricts the machine (one processor a joint). ``search``: of DF/IHS and A*, what was looked at.
     """
 
     graph: TaskGraph
@@ -49,6 +60,7 @@ class Solved:
     timetable: Timetable
     lower_bound: int
     own_bound: int | None = None
+    search: Searched | None = None
 
     @property
     def optimal(self) -> bool:
@@ -78,8 +90,10 @@ def solve(
     *,
     seconds: float = 60.0,
     seed: int = 0,
+    nodes: int = MOST_NODES,
 ) -> Solved:
-    """A schedule of ``graph`` on ``machine`` by ``method``; a search stops after ``seconds``.
+    """A schedule of ``graph`` on ``machine`` by ``method``; a search stops after ``seconds``, DF/IHS and A*
+    after so many ``nodes`` too.
 
     Raises
     ------
@@ -89,28 +103,62 @@ def solve(
     if method not in METHODS:
         raise InputError(f"unknown method {method!r}", expected=f"one of {', '.join(METHODS)}")
     bound, own = _bound(graph, machine), None
+    search: Searched | None = None
     if method == "optimal":
         result = optimum(graph, machine, seconds=seconds, seed=seed)
-        made = result.timetable
+        timetable = result.timetable
         bound = max(bound, _with_meetings(result.lower_bound, machine))
+    elif method in _TREE_SEARCHES:
+        timetable, search = _searched(graph, machine, method, seconds, nodes)
+        bound = max(bound, _with_meetings(search.lower_bound, machine))
     elif method == "branch-and-bound":
-        made, own = _a_joint(graph, machine, seconds)
+        timetable, own = _a_joint(graph, machine, seconds)
     elif not machine.synchronised:
         order = thesis_order(graph) if method == "thesis" else critical_path_order(graph)
-        made = list_times(graph, machine, order, levels_count=method == "dhlf")
+        timetable = list_times(graph, machine, order, levels_count=method == "dhlf")
     elif method == "dhlf":
-        made = in_levels(graph, machine, dynamic_schedule(graph, machine.processors))
+        timetable = in_levels(graph, machine, dynamic_schedule(graph, machine.processors))
     else:
         order = thesis_order(graph) if method == "thesis" else critical_path_order(graph)
-        made = in_levels(graph, machine, list_schedule(graph, machine.processors, order))
-    check(graph, made)
-    return Solved(graph, method, made, bound, own)
+        timetable = in_levels(graph, machine, list_schedule(graph, machine.processors, order))
+    check(graph, timetable)
+    return Solved(graph, method, timetable, bound, own, search)
+
+
+def _searched(
+    graph: TaskGraph, machine: Machine, method: Method, seconds: float, nodes: int
+) -> tuple[Timetable, Searched]:
+    if machine.synchronised and not graph.uniform:
+        raise InputError(
+            f"{method} in levels is for tasks of equal length", remedy="add --no-levels, or leave out --cost"
+        )
+    if machine.communication and not machine.synchronised:
+        raise InputError(
+            f"{method} knows no time to pass a value",
+            found=f"{machine.communication}",
+            remedy="leave out --communication or --no-levels, or take another method",
+        )
+    order = critical_path_order(graph)
+    p = machine.processors
+    free = Machine(p, synchronised=machine.synchronised)
+    if machine.synchronised:
+        lists = [in_levels(graph, free, list_schedule(graph, p, order))]
+        if method == "a-star":
+            lists.append(in_levels(graph, free, dynamic_schedule(graph, p)))
+    else:
+        dynamic = (False, True) if method == "a-star" else (False,)
+        lists = [list_times(graph, free, order, levels_count=one) for one in dynamic]
+    first = min(lists, key=lambda plan: plan.span)
+    known = {one.task: one.start for one in first.placements}
+    limits = Limits(nodes, time.monotonic() + seconds)
+    solution = _TREE_SEARCHES[method](Tree(graph, p), known, first.span, limits)
+    return placed(graph, machine, dict(solution.starts), None), solution
 
 
 def check(graph: TaskGraph, timetable: Timetable) -> None:
     """:class:`AssertionError` where ``timetable`` may not be carried out: a scheduler is at fault."""
     machine = timetable.machine
-    found = faults_of_times(
+    faults = faults_of_times(
         graph.after,
         graph.lengths,
         machine.processors,
@@ -118,8 +166,8 @@ def check(graph: TaskGraph, timetable: Timetable) -> None:
         timetable.placements,
         levels=timetable.slots if machine.synchronised else None,
     )
-    if found:
-        raise AssertionError("; ".join(map(str, found[:5])))
+    if faults:
+        raise AssertionError("; ".join(map(str, faults[:5])))
 
 
 def _with_meetings(levels: int, machine: Machine) -> int:
@@ -148,6 +196,6 @@ def _a_joint(graph: TaskGraph, machine: Machine, seconds: float) -> tuple[Timeta
             found=f"{machine.processors} processors, {joints} links with tasks",
             remedy=f"ask for -p {joints}",
         )
-    found = one_processor_a_joint(graph, seconds=seconds)
-    made = in_levels(graph, machine, found.schedule)
-    return made, _with_meetings(found.lower_bound, machine)
+    solution = one_processor_a_joint(graph, seconds=seconds)
+    timetable = in_levels(graph, machine, solution.schedule)
+    return timetable, _with_meetings(solution.lower_bound, machine)

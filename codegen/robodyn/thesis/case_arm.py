@@ -14,6 +14,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Final, Literal
 
+from robodyn.effects.bearings import LOAD, TRANSMISSION
+from robodyn.effects.rigid import PAYLOAD
 from robodyn.errors import InputError
 from robodyn.robot import load
 from robodyn.robot.model import EffectEntry, Robot
@@ -79,7 +81,7 @@ def bearings(span: Fraction) -> tuple[EffectEntry, ...]:
     """Journal bearings of Table 3.4, ``span`` [m] apart, by Eq 3.3 with its sign corrected."""
     return tuple(
         EffectEntry(
-            "load_dependent_friction",
+            LOAD.id,
             joint,
             (
                 ("bearing", "journal"),
@@ -97,7 +99,7 @@ def transmissions() -> tuple[EffectEntry, ...]:
     """Transmissions of Table 3.4 with :func:`efficiency_curve`, a monotone cubic through its knots."""
     return tuple(
         EffectEntry(
-            "transmission_loss",
+            TRANSMISSION.id,
             joint,
             (
                 ("breakaway", drive.breakaway),
@@ -134,7 +136,7 @@ def robots(payload: float, span: float) -> Robots:
     carried: tuple[EffectEntry, ...] = ()
     if payload:
         com = (Fraction(0), -FOREARM, Fraction(0))
-        carried = (EffectEntry("payload", None, (("mass", Fraction(str(payload))), ("com", com))),)
+        carried = (EffectEntry(PAYLOAD.id, None, (("mass", Fraction(str(payload))), ("com", com))),)
     journals, gears = bearings(Fraction(str(span))), transmissions()
     both = tuple(entry for pair in zip(journals, gears, strict=True) for entry in pair)
     return Robots(

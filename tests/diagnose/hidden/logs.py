@@ -105,7 +105,7 @@ def hidden_log(
     be poor on purpose. Without ``validation`` the second log is the first.
     """
     known = rubbing(bare(arm)) if friction else bare(arm)
-    true = folded(replace(known, effects=tuple(effects)))
+    true = _true(known, effects)
     given = perturbed(known, inertia_error, seed) if inertia_error else known
     every = max(1, round(1 / (rate * step)))
     train, scale = _measured(
@@ -126,6 +126,13 @@ def hidden_log(
         for which, log in enumerate((train, second))
     ]
     return Hidden(given, logs[0], logs[1], Truth(true, tuple(effects), noise, gap, gap / noise, train))
+
+
+def _true(known: Robot, effects: Sequence[EffectEntry]) -> Robot:
+    """``known`` with the ``effects``; those of no catalogue stay entries."""
+    robot = folded(replace(known, effects=tuple(e for e in effects if e.effect in CATALOGUE)))
+    outside = tuple(e for e in effects if e.effect not in CATALOGUE)
+    return replace(robot, effects=(*robot.effects, *outside))
 
 
 def _law(robot: Robot, seed: int, duration: float, motion: Motion) -> Law:

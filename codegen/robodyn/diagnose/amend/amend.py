@@ -11,9 +11,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from robodyn.diagnose.amend.amending import Work
-from robodyn.diagnose.amend.model_patch import written
-from robodyn.diagnose.amend.yaml_patch import Place
 from robodyn.robot.model import Robot
+from robodyn.robot.rewriting import Place, rewritten
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +82,7 @@ def amended_text(
         note = (notes or {}).get(i, "")
         lines = (*note.splitlines(), *(f"{amendment.effect}: {remark}" for remark in done.remarks[i]))
         comments.append((done.places[i], lines))
-    return written(text, robot, done.robot, done.origins, comments)
+    return rewritten(text, robot, done.robot, done.origins, comments)
 
 
 def difference(old: str, new: str, name: str = "model.yaml") -> str:

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from robodyn.effects.traits import Combination
 from robodyn.robot import numbers
-from robodyn.robot.model import Inertia, Vector
+from robodyn.robot.model import AXES, Inertia, Vector
 from robodyn.robot.values import Value
 
 Settings = Mapping[str, Any]
 
 #: Digits of an amendment, and of what is worked out from it.
 DIGITS, WORKED_OUT = 6, 9
-AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 def significant(x: float, digits: int = DIGITS) -> Fraction:
@@ -96,7 +96,7 @@ def springs(old: Settings, new: Settings, remarks: list[str]) -> dict[str, Any]:
     return {**merged, "rest": numbers.rounded((k1 * r1 + k2 * r2) / (k1 + k2))}
 
 
-def ripple(old: Settings, new: Settings) -> dict[str, Any] | None:
+def waves(old: Settings, new: Settings, remarks: list[str]) -> dict[str, Any] | None:
     """The sum of two waves of one length; None where they are of two, or a name stands in the way."""
     if old["cycles_per_rev"] != new["cycles_per_rev"]:
         return None
@@ -111,7 +111,7 @@ def ripple(old: Settings, new: Settings) -> dict[str, Any] | None:
     return {**old, "amplitude": size, "phase": phase}
 
 
-def bearing(old: Settings, new: Settings) -> dict[str, Any] | None:
+def bearings(old: Settings, new: Settings, remarks: list[str]) -> dict[str, Any] | None:
     """The sum of the friction in two bearings of one kind and size; None where they are not."""
     if _kind(old) != _kind(new) or any(old.get(x) != new.get(x) for x in ("span", "variant")):
         return None
@@ -126,6 +126,14 @@ def bearing(old: Settings, new: Settings) -> dict[str, Any] | None:
         return None
     name = "mu_r" if "mu_r" in added else "mu"
     return {**old, name: total(old[name], added[name])}
+
+
+#: Two entries of one effect as one, by what they are; ``remarks`` say where the sum is not exact.
+COMBINED: Mapping[Combination, Callable[[Settings, Settings, list[str]], dict[str, Any] | None]] = {
+    "springs": springs,
+    "waves": waves,
+    "bearings": bearings,
+}
 
 
 def _kind(settings: Settings) -> str:

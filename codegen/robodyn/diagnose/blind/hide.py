@@ -21,6 +21,7 @@ from robodyn.diagnose.blind.seal import seal
 from robodyn.diagnose.blind.true_arm import Arm, lacking, measured, rms
 from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import effect
+from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
 from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot
@@ -39,8 +40,6 @@ _BASE, _HARMONICS, _SHARE = 0.1, 5, 0.9
 _NEAR, _TRIALS, _DRAWS = 0.05, 5, 20
 #: What is wanted of a drawn effect at least, as a share of the wanted size.
 _ENOUGH = 0.7
-#: Effects whose gap must be tried out: steady formulas do not tell it.
-_TRIED = frozenset({"joint_elasticity", "backlash", "external_contact", "torque_saturation"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,8 +149,8 @@ def hide(
     for k, (motion, which) in enumerate(((first, exact), (second, None))):
         clean = which or arm.log(motion, how.rate)
         shown = measure(clean, sensors, true.effects, seed=_stream(how.seed, 7, k))
-        told = _provenance(robot, text, how, motion, sensors)
-        logs.append(replace(shown, provenance=told))
+        provenance = _provenance(robot, text, how, motion, sensors)
+        logs.append(replace(shown, provenance=provenance))
     gap = rms(lacking(robot, measured(exact, true)))
     return Blind(robot, text or to_yaml(robot), true, effects, logs[0], logs[1], bench.noise, gap, how)
 
@@ -177,16 +176,16 @@ class _Bench:
         """The effects with all their parameters."""
         rng = np.random.default_rng(_stream(self.how.seed, 3))
         named = tuple(self._placed(one, rng) for one in wanted)
-        found = [self._sized(one, rng)[0] for one in named]
+        amendments = [self._sized(one, rng)[0] for one in named]
         missing = random
         for _ in range(_DRAWS):
-            for one in draw(self.usual, missing, rng, found):
-                made, ratio = self._sized(one, rng)
+            for one in draw(self.usual, missing, rng, amendments):
+                sized, ratio = self._sized(one, rng)
                 if ratio > _ENOUGH * self.how.ratio:
-                    found.append(made)
+                    amendments.append(sized)
                     missing -= 1
             if not missing:
-                return tuple(found)
+                return tuple(amendments)
         raise InputError(
             f"no effect shows {self.how.ratio:g} times the noise of {self.robot.name} on this motion",
             remedy="a lower --ratio, less --noise, or a livelier trajectory",
@@ -219,10 +218,10 @@ class _Bench:
         tried: list[tuple[float, float]] = []
         for _ in range(_TRIALS):
             x = min(max(x, drawn.least), drawn.most)
-            made = replace(one, parameters=settings(drawn.build(x), one.parameters))
-            ratio = self._shows(made)
+            amendment = replace(one, parameters=settings(drawn.build(x), one.parameters))
+            ratio = self._shows(amendment)
             if best is None or abs(np.log(ratio / self.how.ratio)) < abs(np.log(best[1] / self.how.ratio)):
-                best = made, ratio
+                best = amendment, ratio
             tried.append((x, ratio))
             power = 1.0
             if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
@@ -238,7 +237,7 @@ class _Bench:
     def _shows(self, one: Amendment) -> float:
         """The gap that an effect makes, in noise floors, where it shows best."""
         true = amended(self.robot, [one])
-        if one.effect in _TRIED:
+        if _is_tried(effect(one.effect)):
             exact = Arm(self.robot, true, self.motion, self.cache).log(self.motion, 500.0)
             gap = lacking(self.robot, measured(exact, true))
         else:
@@ -248,6 +247,13 @@ class _Bench:
 
 
 # --- how the logs come about ------------------------------------------------------------------------------
+
+
+def _is_tried(known: Effect) -> bool:
+    """Whether the gap of an effect must be tried out: steady formulas do not tell it."""
+    channel = known.traits.channel
+    limits = channel is not None and channel.acts == "limit"
+    return limits or known.coupler is not None or known.place == "outside"
 
 
 def _sensors(robot: Robot, how: Setup, noise: Floats) -> Sensors:
@@ -265,26 +271,26 @@ def _sensors(robot: Robot, how: Setup, noise: Floats) -> Sensors:
 
 
 def _motions(robot: Robot, how: Setup, own: Sequence[Trajectory]) -> tuple[Trajectory, Trajectory]:
-    found = list(own[:2])
-    if any(motion.n != robot.n for motion in found):
+    motions = list(own[:2])
+    if any(motion.n != robot.n for motion in motions):
         raise InputError(f"the trajectory does not fit {robot.name}", expected=f"{robot.n} joints")
     limited, _ = with_limits(robot)
     periods = max(1, round(_BASE * how.duration))
-    while len(found) < 2:
-        seed = _stream(how.seed, 1, len(found))
-        found.append(
+    while len(motions) < 2:
+        seed = _stream(how.seed, 1, len(motions))
+        motions.append(
             fourier(limited, periods / how.duration, _HARMONICS, seed, periods=periods, share=_SHARE)
         )
-    return found[0], found[1]
+    return motions[0], motions[1]
 
 
 def _provenance(
     robot: Robot, text: str | None, how: Setup, motion: Trajectory, sensors: Sensors
 ) -> dict[str, Any]:
     """Where a log comes from, as far as that does not give the answer away: seeds would."""
-    told = {key: value for key, value in motion.describe().items() if key != "seed"}
+    motion_data = {key: value for key, value in motion.describe().items() if key != "seed"}
     options = {
-        "drive": {"kind": "follow", "trajectory": told, "controller": "pd", "model": robot.name},
+        "drive": {"kind": "follow", "trajectory": motion_data, "controller": "pd", "model": robot.name},
         "duration": motion.duration,
         "rate": how.rate,
         "noise": how.noise,

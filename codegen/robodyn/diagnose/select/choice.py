@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.gate.content import ONE_WAY
 from robodyn.diagnose.select.fit import BLOCKS, Fit, Problem, fitted, less
-from robodyn.diagnose.select.library import Candidate, Context, again
+from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.predict import delays
 from robodyn.effects.catalogue import CATALOGUE
 
@@ -32,28 +32,14 @@ _ROUGH = 3.0
 _ROUGHLY = 1.3
 #: By what power of the number of its numbers a candidate must then explain more.
 _MANY = 0.25
-#: Rounds of refining what is not linear, and the factor below which it is fine enough.
-_ROUNDS, _FINE = 12, 1.03
-_SPREADS = {"torque_ripple": (1.002, 1.0001)}
+#: Rounds of refining what is not linear.
+_ROUNDS = 12
 #: What swings: so many of the best of a grid are refined, if they gain this share of the most, by steps in so
 #: many directions, at first as long as this (of logarithms), never farther than by this factor.
-_SWINGING, _STARTS, _SOME = ("joint_elasticity", "backlash"), 2, 0.1
-_DIRECTIONS, _REACH, _FARTHEST = 16, {"gap": 0.1, "stiffness": 0.3, "damping": 0.5}, 8.0
+_STARTS, _SOME = 2, 0.1
+_DIRECTIONS, _FARTHEST = 16, 8.0
 #: What is the same in a joint that moves in one direction only.
-_LEVELS = ["coulomb_friction", "torque_bias"]
-#: What a late torque channel does not delay.
-_UNDELAYED = frozenset({"time_delay", "torque_bias", "torque_gain", "torque_saturation"})
-
-
-#: What has what as a special case: a tie with it says nothing.
-_CONTAINS = {
-    "asymmetric_friction": ("coulomb_friction",),
-    "stribeck_friction": ("coulomb_friction",),
-    "power_law_friction": ("coulomb_friction", "viscous_friction"),
-    "transmission_loss": ("coulomb_friction",),
-    "spring": ("torque_bias",),
-    "motor_coupling": ("rotor_inertia", "viscous_friction", "coulomb_friction"),
-}
+_LEVELS = [id for id, known in CATALOGUE.items() if known.traits.one_way == "level"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,12 +83,17 @@ def prepared(context: Context, candidate: Candidate) -> Floats:
     signals = context.slow if candidate.coarse else context.signals
     columns = candidate.columns
     late = delays(context.model.robot)[list(candidate.rows)]
-    if late.any() and candidate.effect not in _UNDELAYED:
+    if late.any() and not _of_torque_channel(candidate):
         columns = columns.copy()
         for k, delay in enumerate(late):
             for i in range(columns.shape[2]):
                 columns[:, k, i] = np.interp(signals.t - delay, signals.t, columns[:, k, i])
     return signals.thinned(signals.filtered(columns))
+
+
+def _of_torque_channel(candidate: Candidate) -> bool:
+    channel = candidate.definition.traits.channel
+    return channel is not None and channel.is_torque
 
 
 def best_of(
@@ -115,12 +106,14 @@ def best_of(
     def passes(one: Trial) -> bool:
         c = one.candidate
         wanted = enough(now, numbers_of(one))
-        if c.effect in _SWINGING:  # smoother than the motor, a link takes noise of the encoders away
+        if (
+            c.definition.coupler is not None
+        ):  # smoother than the motor, a link takes noise of the encoders away
             wanted += now.independent / 2 * float(np.sum((now.shaken / now.sigma) ** 2))
         better = int(np.sum(one.per_part > 0))
         steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
         steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
-        if rough and CATALOGUE[c.effect].kind != "sensor":  # parts differ by what is not in the library
+        if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
             steady = steady or (one.t >= _ROUGHLY and one.gain > 2 * wanted)
         if c.local:
             steady = one.t >= 1 and one.gain > 3 * wanted
@@ -134,7 +127,7 @@ def best_of(
     good = [
         one
         for one in good
-        if one.candidate.effect != "asymmetric_friction" or not one_way[one.candidate.rows[0]]
+        if not one.candidate.definition.traits.both_ways or not one_way[one.candidate.rows[0]]
     ]
     if not good:
         return None
@@ -186,23 +179,22 @@ def nearest(
 ) -> list[Trial]:
     """The trials, best first, and for what swings the best of its grid refined: a swing a little off is in
     step for a while and then worse than none."""
-    found, count = list(tried), dict[tuple[str, int | None], int]()
+    kept, count = list(tried), dict[tuple[str, int | None], int]()
     least_gain = max(_SOME * max((one.gain for one in tried), default=0.0), enough(now, 3))
     for one in tried:
         key = (one.candidate.effect, one.candidate.joint)
-        if one.candidate.effect not in _SWINGING or not one.candidate.given or one.gain < least_gain:
+        if not one.candidate.reach or one.gain < least_gain:
             continue
         count[key] = count.get(key, 0) + 1
         if count[key] <= _STARTS and sum(count.values()) <= 2 * _STARTS:
-            found.append(_refined(now, current, one, least, contexts))
-    return sorted(found, key=lambda one: -one.gain)
+            kept.append(_refined(now, current, one, least, contexts))
+    return sorted(kept, key=lambda one: -one.gain)
 
 
 def _contains(wide: Candidate, narrow: Candidate) -> bool:
     if wide.joint != narrow.joint:
         return False
-    beside = wide.effect == "viscous_friction" and len(wide.signs) > 1 and narrow.effect == "coulomb_friction"
-    return beside or narrow.effect in _CONTAINS.get(wide.effect, ())
+    return narrow.effect in (*wide.beside, *wide.definition.traits.contains)
 
 
 def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
@@ -226,24 +218,26 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
     random directions, for it has many optima."""
 
     def at(values: dict[str, float]) -> Trial:
-        made = [again(c, one.candidate, values) for c in contexts]
-        columns = [prepared(c, each) for c, each in zip(contexts, made, strict=True)]
-        return trial(now, current, made[0], np.concatenate(columns), least)
+        again = one.candidate.again
+        assert again is not None
+        candidates = [again(c, values) for c in contexts]
+        columns = [prepared(c, each) for c, each in zip(contexts, candidates, strict=True)]
+        return trial(now, current, candidates[0], np.concatenate(columns), least)
 
-    if one.candidate.effect in _SWINGING:
+    if one.candidate.reach:
         return _wandered(one, at)
-    spread, fine = _SPREADS.get(one.candidate.effect, (1.5, _FINE))
+    spread, fine = one.candidate.spread
     for _ in range(_ROUNDS):
         better = one
-        given = dict(one.candidate.given)
-        for name, value in given.items():
+        start = dict(one.candidate.given)
+        for name, value in start.items():
             for factor in (1 / spread, spread):
                 other = value * factor
                 if name == "efficiency":
                     other = 1 - (1 - value) * factor
                     if not 0.05 < other < 0.995:
                         continue
-                once = at({**given, name: other})
+                once = at({**start, name: other})
                 if once.gain > better.gain:
                     better = once
         if better is one:
@@ -257,13 +251,13 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
 def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
     """The best of steps in random directions, shorter and shorter."""
     rng, start = np.random.default_rng(0), one.candidate.given
-    size = np.array([_REACH[name] for name in one.candidate.given])
+    size = np.array([one.candidate.reach[name] for name in start])
     for _ in range(_ROUNDS):
-        given = one.candidate.given
+        settings = one.candidate.given
         steps = np.exp(size * rng.standard_normal((_DIRECTIONS, len(size))))
         tried = []
         for row in steps:
-            values = {name: given[name] * float(f) for name, f in zip(given, row, strict=True)}
+            values = {name: settings[name] * float(f) for name, f in zip(settings, row, strict=True)}
             if all(1 / _FARTHEST < x / start[name] < _FARTHEST for name, x in values.items()):
                 tried.append(at(values))
         if not tried:

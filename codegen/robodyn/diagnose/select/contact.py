@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.dynamics.kinematics import frames, jacobian
+from robodyn.effects.rigid import CONTACT
 
 Floats = NDArray[np.float64]
 
@@ -66,9 +67,7 @@ def contact_in(c: Context, start: Problem) -> Contact | None:
             forces = {f"force_{axis}": float(f) for axis, f in zip("xyz", v, strict=True)}
             return {**edges, **forces}
 
-        candidate = Candidate(
-            "external_contact", None, tuple(range(c.n)), full, (0, 0, 0), read, 5, coarse=True
-        )
+        candidate = Candidate(CONTACT.id, None, tuple(range(c.n)), full, (0, 0, 0), read, 5, coarse=True)
         masked = columns * mask[:, None, None]
         error: Floats = np.sqrt(np.diag(spread)).astype(np.float64)
         best = Contact(mask, candidate, masked, x.astype(np.float64), error, explained)

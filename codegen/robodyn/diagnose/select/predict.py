@@ -12,10 +12,11 @@ from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.signals import Signals, knee, smoothed_motion
 from robodyn.diagnose.select.twist import behind_motors
+from robodyn.effects.traits import Acts
 from robodyn.kernels.kernel import Kernel
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
-from robodyn.simulate.sensors import measured_torque
+from robodyn.simulate.sensors import acting_on, measured_torque
 
 Floats = NDArray[np.float64]
 
@@ -45,21 +46,22 @@ def agreement(robot: Robot, gate: Gate) -> float | None:
 
 def offsets(robot: Robot) -> Floats:
     """Encoder offsets [n] of the model: measured less true."""
-    return _sums(robot, "encoder_offset", "offset")
+    return _sums(robot, "position")
 
 
 def delays(robot: Robot) -> Floats:
     """How late [n] the model knows the torque channels to be [s]."""
-    return _sums(robot, "time_delay", "delay")
+    return _sums(robot, "delay")
 
 
-def _sums(robot: Robot, effect: str, name: str) -> Floats:
-    """By joint [n], the sum of a parameter; an entry of the whole robot is one of every joint."""
-    found = np.zeros(robot.n)
-    for entry in robot.effects:
-        if entry.effect == effect:
-            found[slice(None) if entry.joint is None else entry.joint - 1] += entry.number(name)
-    return found
+def _sums(robot: Robot, acts: Acts) -> Floats:
+    """By joint [n], the sum of what so acts on a channel; an entry of the whole robot is one of every
+    joint."""
+    sums = np.zeros(robot.n)
+    for entry, channel in acting_on(robot.effects, acts):
+        joints = slice(None) if entry.joint is None else entry.joint - 1
+        sums[joints] += entry.number(channel.parameter)
+    return sums
 
 
 def model_torque(
@@ -69,8 +71,8 @@ def model_torque(
     showed, ``tau`` [K, n], tells of joints with springs how they were twisted at first."""
     model = Model(robot)
     if model.couplers:  # a kernel can only look back
-        found = behind_motors(model, q - offsets(robot), qd, qdd, float(t[1] - t[0]), tau)
-        return measured_torque(found.total, t, robot.effects)
+        torque = behind_motors(model, q - offsets(robot), qd, qdd, float(t[1] - t[0]), tau)
+        return measured_torque(torque.total, t, robot.effects)
     kernel = kernel_of(robot)
     more: dict[str, Any] = {}
     if kernel.signatures["inverse_dynamics"].states:
@@ -81,12 +83,12 @@ def model_torque(
 
 def given_torque(tau: Floats, robot: Robot) -> Floats:
     """Of commands [K, n], what the drives of ``robot`` gave: no more than their limits."""
-    found = np.array(tau)
-    for entry in robot.effects:
-        if entry.effect == "torque_saturation" and entry.joint and entry.text("clips") == "drive":
-            limit = entry.number("limit")
-            found[:, entry.joint - 1] = np.clip(found[:, entry.joint - 1], -limit, limit)
-    return found
+    torque = np.array(tau)
+    for entry, channel in acting_on(robot.effects, "limit"):
+        if entry.joint and entry.text(channel.who) == "drive":
+            limit = entry.number(channel.parameter)
+            torque[:, entry.joint - 1] = np.clip(torque[:, entry.joint - 1], -limit, limit)
+    return torque
 
 
 def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
@@ -100,10 +102,10 @@ def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats
 
 def predicted(robot: Robot, gate: Gate) -> Floats:
     """The torques [K, n] that ``robot`` predicts along a log."""
-    found = np.zeros_like(gate.log.tau)
+    torque = np.zeros_like(gate.log.tau)
     for part in gate.segments:
-        found[part] = model_torque(robot, *smooth_motion(gate.log, part), gate.log.tau[part])
-    return found
+        torque[part] = model_torque(robot, *smooth_motion(gate.log, part), gate.log.tau[part])
+    return torque
 
 
 def lacking(robot: Robot, gate: Gate) -> Floats:

@@ -14,19 +14,19 @@ from numpy.typing import NDArray
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
-from robodyn.diagnose.select.library.friction import bent
+from robodyn.diagnose.select.library.laws import bent
 from robodyn.diagnose.select.predict import given_torque, offsets
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.twist import behind_motors
+from robodyn.effects.catalogue import effect
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Bristles
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_torque
 
 Floats = NDArray[np.float64]
 
-#: Names of numbers that are no size but a choice, and effects of which the numbers are not changed here.
-_CHOSEN = frozenset({"with", "ratio", "transition", "cycles_per_rev"})
-_LEFT = frozenset({"external_contact", "inertial_error", "payload"})
 _ROUNDS, _STEP = 4, 1e-3
 #: What a round must gain to be followed by another, as a share of the sum of squares.
 _WORTH = 1e-3
@@ -37,26 +37,25 @@ _USUAL, _REWEIGHTED = 2.0, 3
 
 
 def refined(
-    robot: Robot, found: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+    robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
 ) -> list[Amendment]:
-    """``found`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
+    """``amendments`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
     ``robot`` as it was given. By Gauss and Newton, differences taken one by one."""
     places = [
         (k, name)
-        for k, one in enumerate(found)
-        if one.effect not in _LEFT
+        for k, one in enumerate(amendments)
         for name, value in one.parameters.items()
-        if isinstance(value, float) and value and name not in _CHOSEN
+        if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
     ]
     if not places:
-        return list(found)
+        return list(amendments)
     nuisance, prior = _own(start)
 
     def changed(x: Floats) -> list[Amendment]:
-        values = [dict(one.parameters) for one in found]
+        values = [dict(one.parameters) for one in amendments]
         for (k, name), each in zip(places, x, strict=True):
             values[k][name] = float(each)
-        return [Amendment(one.effect, one.joint, v) for one, v in zip(found, values, strict=True)]
+        return [Amendment(one.effect, one.joint, v) for one, v in zip(amendments, values, strict=True)]
 
     def missed(x: Floats) -> Floats | None:
         try:
@@ -67,10 +66,10 @@ def refined(
         left = np.concatenate(rows) / start.sigma
         return left.reshape(-1) * np.repeat(start.rest.any(axis=1), start.n)
 
-    x = np.array([float(found[k].parameters[name]) for k, name in places])
+    x = np.array([float(amendments[k].parameters[name]) for k, name in places])
     begun, now = x, missed(x)
     if now is None:
-        return list(found)
+        return list(amendments)
     for _ in range(_ROUNDS):
         rows = now.reshape(-1, start.n)
         weight, _ = _weights(rows, nuisance, prior)
@@ -111,13 +110,21 @@ def costs(
     nuisance, prior = _own(start)
     kept = np.any(start.rest != 0, axis=1)[:, None]
     usual: Floats | None = None
-    found = []
+    residuals = []
     for model in models:
         left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
         weight, usual = _weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
-        found.append(least / 2 / start.thin)
-    return found
+        residuals.append(least / 2 / start.thin)
+    return residuals
+
+
+def _is_refined(known: Effect, name: str) -> bool:
+    """Whether the number is a size and not a choice, of an effect that is no window in time and whose numbers
+    the arm's own do not make up for."""
+    fold = known.traits.fold
+    is_body = known.traits.body or (fold is not None and fold.into == "link")
+    return known.place != "outside" and not is_body and name not in known.traits.chosen
 
 
 def _own(start: Problem) -> tuple[Floats, Floats]:
@@ -160,13 +167,14 @@ def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, F
 def _rest(robot: Robot, c: Context) -> Floats:
     """What ``robot`` leaves of a log, filtered and thinned."""
     s, model = c.signals, Model(robot)
-    found = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
-    total = found.total
+    torque = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
+    total = torque.total
     for entry in robot.effects:
-        if entry.effect == "presliding_hysteresis" and entry.joint:  # the model has them sliding
-            j, level = entry.joint - 1, entry.number("level")
-            if level > 0:
-                bristles = bent(s.q[:, j], level / entry.number("stiffness"))
-                total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
+        for law in entry.definition.traits.candidates:
+            if isinstance(law, Bristles) and entry.joint:  # the model has them sliding
+                j, level = entry.joint - 1, entry.number(law.level)
+                if level > 0:
+                    bristles = bent(s.q[:, j], level / entry.number(law.stiffness))
+                    total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
     tau = measured_torque(total, s.t, robot.effects)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

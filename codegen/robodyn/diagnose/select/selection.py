@@ -31,11 +31,6 @@ Floats = NDArray[np.float64]
 
 #: Most effects in one look.
 _MOST = 6
-#: What changes the columns of all others: the model is to be evaluated anew before more is looked for.
-_BENDS = frozenset({
-    "time_delay", "torque_gain", "encoder_offset", "joint_elasticity", "backlash", "torque_saturation",
-    "base_tilt",
-})  # fmt: skip
 #: What an effect must explain at some joint: shares of the raw noise, of the torque (RMS), and of what the
 #: encoders' noise makes of it.
 _OF_NOISE, _OF_TORQUE, _OF_SHAKEN = 0.3, 0.004, 2.0
@@ -111,8 +106,8 @@ def start_of(contexts: Sequence[Context]) -> Problem:
 def raw_noise(s: Signals) -> Floats:
     """Standard deviations [n] of the torque channel's noise, from second differences."""
     second = np.diff(s.tau, 2, axis=0)
-    found: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
-    return found
+    deviation: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
+    return deviation
 
 
 def passed_noise(s: Signals) -> Floats:
@@ -167,10 +162,10 @@ def select(
             contexts.append(context_of(context.model, more, context.hints))
     start = start_of(contexts)
     least = what_matters(context) / start.sigma
-    made = zip(*(candidates(each) for each in contexts), strict=True)
+    columns = zip(*(candidates(each) for each in contexts), strict=True)
     library = [
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
-        for each in made
+        for each in columns
     ]
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
@@ -188,13 +183,13 @@ def select(
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, _TIGHT)
         # Not their errors, which are within what is said of them.
-        others = [pair for pair in library if pair[0].effect != "inertial_error"]
+        others = [pair for pair in library if not _is_of_link(pair[0])]
         other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
         if other.found and _evidence(tight, other) > _evidence(start, chosen) + _SURELY:
             start, chosen = tight, other
-    now, current, found = chosen.now, chosen.current, chosen.found
+    now, current, findings = chosen.now, chosen.current, chosen.found
     first = fitted(start)
-    estimated = _estimated(now, current, found)
+    estimated = _estimated(now, current, findings)
     if touched is not None:
         estimated = (*estimated, _named_contact(touched, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
@@ -224,10 +219,10 @@ def _chosen(
 ) -> _Chosen:
     """One effect after another until none passes, or the columns of all others change."""
     now, current = start, fitted(start)
-    found: list[Named] = []
+    findings: list[Named] = []
     trials: list[Trial] = []
-    while len(found) < _MOST:
-        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in found}
+    while len(findings) < _MOST:
+        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
         tried = [
             trial(now, current, c, columns, least)
             for c, columns in library
@@ -239,7 +234,7 @@ def _chosen(
         if best is None:
             break
         one, rivals, confidence = best
-        found.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
+        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
         if one.candidate.fixed:
             now = less(now, one.candidate.rows, one.columns[:, :, 0])
         else:
@@ -247,9 +242,15 @@ def _chosen(
         current = fitted(now)
         if progress is not None:
             progress(one.candidate.name)
-        if one.candidate.effect in _BENDS:
-            break
-    return _Chosen(found, now, current, trials)
+        if one.candidate.definition.traits.reevaluate:
+            break  # the model is to be evaluated anew before more is looked for
+    return _Chosen(findings, now, current, trials)
+
+
+def _is_of_link(candidate: Candidate) -> bool:
+    """Whether it is an error of the arm's own numbers."""
+    fold = candidate.definition.traits.fold
+    return fold is not None and fold.into == "link"
 
 
 def _evidence(start: Problem, chosen: _Chosen) -> float:
@@ -302,7 +303,8 @@ def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Can
     """Whether a torque that is cut off explains the burst as well as a force does."""
     b = start.rest[touched.mask]
     for candidate, columns in library:
-        if candidate.effect == "torque_saturation":
+        channel = candidate.definition.traits.channel
+        if channel is not None and channel.acts == "limit":
             left = b.copy()
             rows = list(candidate.rows)
             left[:, rows] -= columns[touched.mask][:, :, 0] / start.sigma[rows]
@@ -319,13 +321,13 @@ def _named_contact(touched: Contact, first: Fit) -> Named:
     return Named(one, (), 0.9, touched.x, touched.stderr)
 
 
-def _estimated(now: Problem, last: Fit, found: Sequence[Named]) -> tuple[Named, ...]:
+def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
     """The effects with their coefficients in the fit of all together."""
     done = []
     at = now.nuisance
     spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
     spread = spread * max(float(last.held.mean()), 1e-300)
-    for one in found:
+    for one in findings:
         if one.trial.candidate.fixed:
             done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
             continue

@@ -6,8 +6,8 @@ Nothing else knows a function by name. To add one is to add a file (CONTRIBUTING
 from __future__ import annotations
 
 import importlib
-import pkgutil
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
 from robodyn.dynamics.functions.record import INPUTS, SC, Array, Dynamics, Function, Pair
@@ -58,9 +58,10 @@ def registered(functions: Iterable[Function]) -> dict[str, Function]:
 
 
 def _files() -> Iterable[Function]:
-    for module in sorted(found.name for found in pkgutil.iter_modules(__path__)):
-        if module != "record":
-            yield from importlib.import_module(f"{__name__}.{module}").FUNCTIONS
+    folder = Path(__file__).parent
+    for file in sorted(folder.glob("*.py")):
+        if file.stem not in ("__init__", "record"):
+            yield from importlib.import_module(f"{__name__}.{file.stem}").FUNCTIONS
 
 
 #: Every function by its name, those that are written by default first.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, NamedTuple, Protocol
 
 from robodyn.dynamics.vectors import Mark
 
@@ -15,8 +15,7 @@ Length = int | Literal["n"]
 Vector = Sequence[Any]
 
 
-@dataclass(frozen=True, slots=True)
-class Array:
+class Array(NamedTuple):
     """An argument of a kernel: what it holds, its unit (and that at prismatic joints, where it is another),
     and the shape of one state's, ``()`` for a single number. C and Fortran have it as one row of numbers,
     matrices row by row."""
@@ -103,7 +102,7 @@ class Dynamics(Protocol):
 Pair = tuple[Sequence[Any], Sequence[Any]]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)  # one object each; every command imports this
 class Function:
     """A function that kernels may have.
 

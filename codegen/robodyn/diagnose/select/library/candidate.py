@@ -12,14 +12,11 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.rigid import Evaluated, Model
 from robodyn.diagnose.select.signals import Signals
 from robodyn.effects.catalogue import CATALOGUE
-from robodyn.effects.effect import Site
+from robodyn.effects.effect import Effect, Site
+from robodyn.effects.traits import anything
+from robodyn.robot.model import EffectEntry
 
 Floats = NDArray[np.float64]
-
-
-def anything(x: Floats) -> bool:
-    """No bounds."""
-    return True
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,7 +27,7 @@ class Candidate:
     [c]: +1 for what must not be negative, 0 for what may be anything; ``read`` makes the catalogue's
     parameters of the coefficients, ``feasible`` whether physics allows them. ``coarse``: the columns are of
     coarse signals. ``order`` says which of two that explain alike is the simpler. ``given``: the values of
-    what is not linear, by name (:func:`again` makes the same with others)."""
+    what is not linear, by name."""
 
     effect: str
     joint: int | None
@@ -48,13 +45,25 @@ class Candidate:
     fixed: bool = False
     #: It shows in few parts of a log only.
     local: bool = False
+    #: Effects whose columns stand beside its own.
+    beside: tuple[str, ...] = ()
+    #: Factors between which what is not linear is refined, or how far steps in random directions go.
+    spread: tuple[float, float] = (1.5, 1.03)
+    reach: Mapping[str, float] = field(default_factory=dict)
     feasible: Callable[[Floats], bool] = anything
     given: Mapping[str, float] = field(default_factory=dict)
+    #: Makes the same in a context, with other values of what is not linear.
+    again: Callable[[Context, Mapping[str, float]], Candidate] | None = None
 
     @property
     def name(self) -> str:
         """For people."""
         return f"{self.effect} at joint {self.joint}" if self.joint else self.effect
+
+    @property
+    def definition(self) -> Effect:
+        """The effect itself."""
+        return CATALOGUE[self.effect]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -87,6 +96,20 @@ class Context:
         return self.signals.n
 
 
+def rubs(c: Context, j: int) -> bool:
+    """Whether the model has friction at joint ``j`` (from 0), of those kinds that take each other's place."""
+    joint = c.model.robot.links[j].joint
+    revolute = joint.kind == "revolute"
+    entries = c.model.robot.effects_at(j + 1)
+    return bool(joint.viscous or joint.coulomb) or any(_holds(entry, revolute) for entry in entries)
+
+
+def _holds(entry: EffectEntry, revolute: bool) -> bool:
+    known = entry.definition
+    is_dry = known.traits.steady is not None or known.is_dry(dict(entry.settings), revolute)
+    return known.level == "joint" and known.dissipative and is_dry
+
+
 def site(c: Context, j: int) -> Site:
     """Joint ``j`` (from 0) along the log, as equations see it."""
     s = c.signals
@@ -98,11 +121,11 @@ def site(c: Context, j: int) -> Site:
     )  # fmt: skip
 
 
-def column(effect: str, values: Mapping[str, Any], at: Site) -> Floats:
-    """The torque [K] of an effect's own equation."""
-    equation = CATALOGUE[effect].equation
-    assert equation is not None
-    return np.asarray(equation(values, at) + np.zeros_like(at.qd))
+def unit_column(effect: Effect, at: Site) -> Floats:
+    """The torque [K] of an effect of one parameter, where that is 1."""
+    assert effect.equation is not None
+    (name,) = effect.linear
+    return np.asarray(effect.equation({name: 1.0}, at) + np.zeros_like(at.qd))
 
 
 def single(

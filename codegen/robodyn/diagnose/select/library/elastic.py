@@ -10,33 +10,29 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.library.candidate import Candidate, Context
 from robodyn.diagnose.select.signals import low_pass
 from robodyn.diagnose.select.twist import lag_of, slopes_of
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Twist
 
 Floats = NDArray[np.float64]
 
-#: Where a joint may swing on its spring [Hz], and how much it is damped as a share of what would stop it.
-_SWINGS, _DAMPED = tuple(4.0 * 1.25**k for k in range(12)), 0.05
-#: Widths of play [rad or m], teeth by the swing of the joint on them [Hz], and the torque of its rounding.
-_GAPS, _TEETH = tuple(1e-3 * 1.25**k for k in range(17)), (8.0, 12.0, 18.0, 30.0)
-_ROUNDED = 0.05
-_TRANSITIONS = (0.05, 0.5)
+#: How much a swing is damped, as a share of what would stop it.
+_DAMPED = 0.05
 #: Cutoff [Hz] of what is differentiated twice; fewest steps a second of a swing.
 _TWIST, _STEPS = 6.0, 300.0
 
 
-def elastic(c: Context, j: int) -> Iterator[Candidate]:
+def twists(c: Context, effect: Effect, twist: Twist, j: int) -> Iterator[Candidate]:
     """A twist by the torque that is passed on. Measured at the motor, the link swings behind it; measured at
     the link, the motor's inertia is ahead of it."""
-    if any(e.effect in ("joint_elasticity", "backlash") for e in c.model.robot.effects_at(j + 1)):
+    if any(entry.definition.coupler is not None for entry in c.model.robot.effects_at(j + 1)):
         return
-    yield from _ahead(c, j)
+    yield from _ahead(c, effect, twist, j)
     swing = _swing(c, j)
     if swing.inertia <= 0:
         return
-    for hertz in _SWINGS:
-        yield behind(c, j, swing.springs(hertz))
-    for hertz in _TEETH:
-        for gap in _GAPS:
-            yield behind(c, j, {"gap": gap, **swing.springs(hertz)})
+    for hertz in twist.hertz:
+        for more in twist.more:
+            yield _behind(c, effect, twist, j, {**more, **swing.springs(hertz)})
 
 
 class Swing:
@@ -80,47 +76,30 @@ def _swing(c: Context, j: int) -> Swing:
     return swing
 
 
-def behind(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+def _behind(c: Context, effect: Effect, twist: Twist, j: int, given: Mapping[str, float]) -> Candidate:
     """A link behind its motor, with all of the spring or the play as it is ``given``."""
-    effect = "backlash" if "gap" in given else "joint_elasticity"
-    values = dict(given) if effect == "joint_elasticity" else {**given, "transition": _ROUNDED}
-    column = _swing(c, j).column(effect, values)
-
-    def read(x: Floats) -> dict[str, float | str]:
-        return {**values, "encoder": "motor"}
-
+    values = {**given, **twist.fixed}
+    column = _swing(c, j).column(effect.id, values)
     return Candidate(
-        effect,
-        j + 1,
-        tuple(range(c.n)),
-        column[:, :, None],
-        (1,),
-        read,
-        5,
-        coarse=True,
-        fixed=True,
-        given=given,
-    )
+        effect.id, j + 1, tuple(range(c.n)), column[:, :, None], (1,),
+        lambda x: {**values, "encoder": "motor"}, twist.order, coarse=True, fixed=True, reach=twist.reach,
+        given=given, again=lambda c, values: _behind(c, effect, twist, j, values),
+    )  # fmt: skip
 
 
-def _ahead(c: Context, j: int) -> Iterator[Candidate]:
+def _ahead(c: Context, effect: Effect, twist: Twist, j: int) -> Iterator[Candidate]:
     """A motor ahead of its link, where the encoder is."""
-    s = c.slow
+    s, coupler = c.slow, effect.coupler
     rotor = float(c.model.robot.links[j].joint.motor_inertia)  # type: ignore[arg-type]  # constants
-    if not rotor:
+    if not rotor or coupler is None:
         return
-    passed = c.at_slow.passed[:, j]
-    twists = [("joint_elasticity", 0.0, passed)]
-    twists += [("backlash", w, 0.5 * passed / (np.abs(passed) + w)) for w in _TRANSITIONS]
-    for effect, w, twist in twists:
-        slow = low_pass(twist, 1 / s.period, min(_TWIST, s.cutoff))
+    for values in twist.ahead:
+        lead = np.asarray(coupler.twist(values, c.at_slow.passed[:, j]))
+        slow = low_pass(lead, 1 / s.period, min(_TWIST, s.cutoff))
         acceleration = np.gradient(np.gradient(slow, s.period), s.period)
 
-        def read(x: Floats, effect: str = effect, w: float = w) -> dict[str, float | str]:
-            if effect == "backlash":
-                return {"gap": float(x[0]), "encoder": "link", "transition": w}
-            stiffness = float(1 / x[0]) if x[0] > 0 else 1e12
-            return {"stiffness": stiffness, "damping": 0.0, "encoder": "link"}
+        def read(x: Floats, values: Mapping[str, float] = values) -> dict[str, float | str]:
+            return twist.read_ahead(x, values)
 
         column = (rotor * acceleration)[:, None, None]
-        yield Candidate(effect, j + 1, (j,), column, (1,), read, 5, coarse=True)
+        yield Candidate(effect.id, j + 1, (j,), column, (1,), read, twist.order, coarse=True)

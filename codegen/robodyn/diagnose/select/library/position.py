@@ -1,4 +1,4 @@
-"""What depends on position or acceleration alone: rotors, springs, ripple."""
+"""What depends on the position alone: lines and waves over it."""
 
 from __future__ import annotations
 
@@ -7,41 +7,32 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.library.candidate import Candidate, Context, single, site
+from robodyn.diagnose.select.library.candidate import Candidate, Context, single
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Line, Wave
 
 Floats = NDArray[np.float64]
 
 
-def conservative(c: Context, j: int) -> Iterator[Candidate]:
-    """What a joint stores and gives back, or what repeats with its position."""
-    at = site(c, j)
-    one = np.ones_like(at.q)
-    yield single("rotor_inertia", j, [at.qdd], (1,), lambda x: {"inertia": float(x[0])}, 1)
-    middle = float(np.mean(at.q))
+def lines(c: Context, effect: Effect, line: Line, j: int) -> Iterator[Candidate]:
+    """A straight line over the position."""
+    q = c.signals.q[:, j]
+    middle = float(np.mean(q))
+    columns = [q - middle, np.ones_like(q)]
+    yield single(effect.id, j, columns, (0, 0), lambda x: line.read(x, {"middle": middle}), line.order)
 
-    def read(x: Floats) -> dict[str, float | str]:
-        rest = middle - float(x[1] / x[0]) if x[0] else 0.0
-        return {"stiffness": float(x[0]), "rest": rest, "cubic": 0.0}
 
-    yield single("spring", j, [at.q - middle, one], (0, 0), read, 3)
+def waves(c: Context, effect: Effect, wave: Wave, j: int) -> Iterator[Candidate]:
+    """Waves over the position, of the lengths that stand out."""
     for cycles in c.hints.cycles[j]:
-        yield ripple(c, j, {"cycles": cycles})
+        yield _wave(c, effect, wave, j, {"cycles": cycles})
 
 
-def ripple(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
-    """A wave over the position, of the ``cycles`` a radian given."""
-    cycles, q = given["cycles"], c.signals.q[:, j]
-
-    def read(x: Floats) -> dict[str, float | str]:
-        return {
-            "amplitude": float(np.hypot(x[0], x[1])),
-            "cycles_per_rev": cycles,
-            "phase": float(np.arctan2(x[1], x[0])),
-        }
-
+def _wave(c: Context, effect: Effect, wave: Wave, j: int, given: Mapping[str, float]) -> Candidate:
+    angle = given["cycles"] * c.signals.q[:, j]
     return single(
-        "torque_ripple", j, [np.sin(cycles * q), np.cos(cycles * q)], (0, 0), read, 4,
-        given=given,
+        effect.id, j, [np.sin(angle), np.cos(angle)], (0, 0), lambda x: wave.read(x, given), wave.order,
+        given=given, spread=wave.spread, again=lambda c, values: _wave(c, effect, wave, j, values),
     )  # fmt: skip
 
 
@@ -67,10 +58,10 @@ def cycles_in(c: Context, j: int, count: int = 4) -> list[float]:
     power = np.abs(np.fft.rfft(sums, size)) ** 2
     tried = 2 * np.pi * np.arange(len(power)) / (size * step)
     power[(tried < lowest) | (tried > highest)] = 0.0
-    found: list[float] = []
+    cycles: list[float] = []
     for k in np.argsort(power)[::-1]:
-        if all(abs(tried[k] - other) > 4 / span for other in found):
-            found.append(float(tried[k]))
-        if len(found) == count:
+        if all(abs(tried[k] - other) > 4 / span for other in cycles):
+            cycles.append(float(tried[k]))
+        if len(cycles) == count:
             break
-    return found
+    return cycles

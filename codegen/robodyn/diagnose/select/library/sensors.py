@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context, single
 from robodyn.diagnose.select.twist import slopes_of
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Channel, Shown
 
 Floats = NDArray[np.float64]
 
@@ -19,39 +21,65 @@ _PILED = 0.003
 _CLIPPED = 0.3
 #: What a limit must explain of the squares where it clips.
 _RIGHT = 0.4
+#: An encoder is off by less [rad or m].
+_OFF = 0.25
 
 
-def sensor(c: Context, j: int) -> Iterator[Candidate]:
+def channels(c: Context, effect: Effect, shown: Shown, j: int) -> Iterator[Candidate]:
     """What the torque channel and the encoder of a joint may show wrong."""
-    one = np.ones_like(c.signals.t)
+    channel = effect.traits.channel
+    assert channel is not None
     total = c.at.total[:, j]
-    yield single("torque_bias", j, [one], (0,), lambda x: {"bias": float(x[0])}, 1)
-    yield single("torque_gain", j, [total], (0,), lambda x: {"gain": float(x[0])}, 2)
-    late = -np.gradient(c.signals.filtered(total), c.signals.period)
-    yield single("time_delay", j, [late], (1,), lambda x: {"delay": float(x[0])}, 3)
-    column = -slopes_of(c.model, c.slow.q, c.slow.qd, c.slow.qdd, c.plain, j).place
+
+    def read(x: Floats) -> dict[str, float | str]:
+        return {channel.parameter: float(x[0])}
+
+    if channel.acts == "limit":
+        yield from _saturation(c, effect, channel, shown, j)
+    elif channel.acts == "position":
+        column = -slopes_of(c.model, c.slow.q, c.slow.qd, c.slow.qdd, c.plain, j).place
+        yield Candidate(
+            effect.id, j + 1, tuple(range(c.n)), column[:, :, None], (0,), read, shown.order, coarse=True,
+            feasible=lambda x: bool(abs(x[0]) < _OFF),
+        )  # fmt: skip
+    elif channel.acts == "delay":
+        late = -np.gradient(c.signals.filtered(total), c.signals.period)
+        yield single(effect.id, j, [late], (1,), read, shown.order)
+    else:
+        column = total if channel.acts == "gain" else np.ones_like(c.signals.t)
+        yield single(effect.id, j, [column], (0,), read, shown.order)
+
+
+def late_channels(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
+    """All torque channels late by the same."""
+    channel, s = effect.traits.channel, c.slow
+    assert channel is not None
+    assert shown.of_all is not None
+    late = -np.gradient(s.filtered(c.at_slow.total), s.period, axis=0)
     yield Candidate(
-        "encoder_offset", j + 1, tuple(range(c.n)), column[:, :, None], (0,),
-        lambda x: {"offset": float(x[0])}, 3, coarse=True, feasible=lambda x: bool(abs(x[0]) < 0.25),
+        effect.id, None, tuple(range(c.n)), late[:, :, None], (1,),
+        lambda x: {channel.parameter: float(x[0])}, shown.of_all, coarse=True,
     )  # fmt: skip
 
 
-def saturation(c: Context, j: int) -> Iterator[Candidate]:
+def _saturation(c: Context, effect: Effect, channel: Channel, shown: Shown, j: int) -> Iterator[Candidate]:
     """Beyond a limit the drive gives no more than that, and the log has the command; or the log stops
     there."""
     tau = c.signals.tau[:, j]
     for share in _LIMITS:
-        yield clipped(c, j, {"limit": share * float(np.abs(tau).max())})
+        yield _clipped(c, effect, channel, shown, j, {"limit": share * float(np.abs(tau).max())})
     top, total = float(np.abs(tau).max()), c.at.total[:, j]
     if np.mean(np.abs(tau) > (1 - 1e-9) * top) > _PILED:
         beyond = -np.sign(total) * np.maximum(np.abs(total) - top, 0.0)
         yield single(
-            "torque_saturation", j, [beyond], (1,), lambda x: {"limit": top, "clips": "sensor"}, 2,
-            fixed=True, local=True, feasible=_about_one,
+            effect.id, j, [beyond], (1,), lambda x: {channel.parameter: top, channel.who: "sensor"},
+            shown.order, fixed=True, local=True, feasible=_about_one,
         )  # fmt: skip
 
 
-def clipped(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
+def _clipped(
+    c: Context, effect: Effect, channel: Channel, shown: Shown, j: int, given: Mapping[str, float]
+) -> Candidate:
     """A drive's limit: what the commands have beyond it."""
     tau, limit = c.signals.tau[:, j], given["limit"]
     beyond = np.sign(tau) * np.maximum(np.abs(tau) - limit, 0.0)
@@ -62,8 +90,9 @@ def clipped(c: Context, j: int, given: Mapping[str, float]) -> Candidate:
     if np.mean(at) > _CLIPPED or not right:
         beyond = np.zeros_like(tau)
     return single(
-        "torque_saturation", j, [beyond], (1,), lambda x: {"limit": limit, "clips": "drive"}, 2,
+        effect.id, j, [beyond], (1,), lambda x: {channel.parameter: limit, channel.who: "drive"}, shown.order,
         fixed=True, local=True, given=given, feasible=_about_one,
+        again=lambda c, values: _clipped(c, effect, channel, shown, j, values),
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""What shows at several joints: coupled motors, loads, the base, delays, wrong numbers of the arm."""
+"""What shows at several joints: coupled motors, loads, the base, wrong numbers of the arm."""
 
 from __future__ import annotations
 
@@ -11,53 +11,84 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
 from robodyn.diagnose.select.rigid import PARAMETERS, Model, physical
+from robodyn.effects.effect import Effect, Site
+from robodyn.effects.traits import Shown
 from robodyn.robot.model import AXES
 
 Floats = NDArray[np.float64]
 
 
-def coupling(c: Context, j: int, k: int) -> Iterator[Candidate]:
+#: What the motor of a pair turns by a turn of its other joint.
+_RATIOS = (1.0, -1.0)
+#: The centre of a load is not farther from the last link's frame than this [m], a base not more tilted [rad].
+_REACH, _TILTED = 0.7, 0.3
+
+
+def pairs(c: Context, effect: Effect, shown: Shown, j: int, k: int) -> Iterator[Candidate]:
     """A motor of joint ``j`` that turns with ``k``, further in: on both joints."""
-    s = c.signals
-    for ratio in (1.0, -1.0):
+    s, equation = c.signals, effect.equation
+    assert equation is not None
+    for ratio in _RATIOS:
         u, rate = s.qd[:, j] + ratio * s.qd[:, k], s.qdd[:, j] + ratio * s.qdd[:, k]
-        parts = [rate, u, np.sign(u)]
+        site = Site(True, qd=u, qdd=rate, direction=np.sign(u))
+        parts = [
+            np.asarray(equation({name: float(name == one) for name in effect.linear}, site))
+            for one in effect.linear
+        ]
         columns = np.stack([np.stack([x, ratio * x], axis=1) for x in parts], axis=2)
 
-        def read(x: Floats, k: int = k, ratio: float = ratio) -> dict[str, float | str]:
-            names = dict(zip(("inertia", "viscous", "coulomb"), (float(v) for v in x), strict=True))
+        def read(x: Floats, ratio: float = ratio) -> dict[str, float | str]:
+            names = dict(zip(effect.linear, (float(v) for v in x), strict=True))
             return {"with": float(k + 1), "ratio": ratio, **names}
 
-        yield Candidate("motor_coupling", j + 1, (j, k), columns, (1, 1, 1), read, 5)
+        yield Candidate(effect.id, j + 1, (j, k), columns, tuple(1 for _ in parts), read, shown.order)
 
 
-def whole(c: Context) -> Iterator[Candidate]:
-    """Of the whole robot, and wrong numbers of its links, from the tip: there they are fewest."""
-    s, rows = c.slow, tuple(range(c.n))
-    Y = c.model.regressor(s.q, s.qd, s.qdd)
+def numbers(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
+    """What the rigid arm's own numbers would change: a body at the tip, a turned base, a link that is not as
+    described."""
+    fold = effect.traits.fold
+    if effect.traits.body:
+        yield _body(c, effect, shown)
+    elif fold is not None and fold.into == "gravity":
+        yield _tilt(c, effect, shown)
+    elif fold is not None and fold.into == "link":  # from the tip: there they are fewest
+        rows, Y = tuple(range(c.n)), _regressor(c)
+        for k in range(c.n - 1, -1, -1):
+            yield Candidate(
+                effect.id, k + 1, rows, Y[:, :, k], (0,) * 10, _standard, shown.order, coarse=True
+            )
 
-    def body(x: Floats) -> dict[str, float | str]:
+
+def _regressor(c: Context) -> Floats:
+    """Torques [K, n, n, 10] by the numbers of each link; of coarse signals."""
+    key = ("regressor", 0)
+    if key not in c.kept:
+        c.kept[key] = c.model.regressor(c.slow.q, c.slow.qd, c.slow.qdd)
+    Y: Floats = c.kept[key]
+    return Y
+
+
+def _body(c: Context, effect: Effect, shown: Shown) -> Candidate:
+    def read(x: Floats) -> dict[str, float | str]:
         names = ("mass", "com_x", "com_y", "com_z", *(f"inertia_{axes}" for axes in AXES))
         return dict(zip(names, (float(v) for v in physical(x)), strict=True))
 
-    yield Candidate(
-        "payload", None, rows, Y[:, :, -1], (1, *(0,) * 9), body, 6, coarse=True,
-        feasible=lambda x: bool(x[0] > 0 and np.linalg.norm(x[1:4]) < 0.7 * x[0]),
+    return Candidate(
+        effect.id, None, tuple(range(c.n)), _regressor(c)[:, :, -1], (1, *(0,) * 9), read, shown.order,
+        coarse=True, feasible=lambda x: bool(x[0] > 0 and np.linalg.norm(x[1:4]) < _REACH * x[0]),
     )  # fmt: skip
+
+
+def _tilt(c: Context, effect: Effect, shown: Shown) -> Candidate:
     gx, gy, gz = (float(g) for g in c.model.robot.gravity)
     # d g / d tilt_x and d g / d tilt_y
     tilts = [_gravity_by(c, turned) for turned in ((0.0, -gz, gy), (gz, 0.0, -gx))]
-    yield Candidate(
-        "base_tilt", None, rows, np.stack(tilts, axis=2), (0, 0),
-        lambda x: {"tilt_x": float(x[0]), "tilt_y": float(x[1])}, 3, coarse=True,
-        feasible=lambda x: bool(np.abs(x).max() < 0.3),
+    return Candidate(
+        effect.id, None, tuple(range(c.n)), np.stack(tilts, axis=2), (0, 0),
+        lambda x: {"tilt_x": float(x[0]), "tilt_y": float(x[1])}, shown.order, coarse=True,
+        feasible=lambda x: bool(np.abs(x).max() < _TILTED),
     )  # fmt: skip
-    late = -np.gradient(s.filtered(c.at_slow.total), s.period, axis=0)
-    yield Candidate(
-        "time_delay", None, rows, late[:, :, None], (1,), lambda x: {"delay": float(x[0])}, 2, coarse=True
-    )
-    for k in range(c.n - 1, -1, -1):
-        yield Candidate("inertial_error", k + 1, rows, Y[:, :, k], (0,) * 10, _standard, 8, coarse=True)
 
 
 def _standard(x: Floats) -> dict[str, float | str]:

@@ -1,41 +1,44 @@
-"""From one model to another in the text that describes the first: each number that differs, each effect."""
+"""From one model to another in the text that describes the first: each number that differs, each effect.
+
+What is written is read again, and is the other model or is not written.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
-from robodyn.diagnose.amend.amending import LEVELS
-from robodyn.diagnose.amend.combined import AXES
-from robodyn.diagnose.amend.values import (
-    changed_text,
-    entry_text,
-    number_text,
-    setting_text,
-    value_of,
-)
-from robodyn.diagnose.amend.yaml_patch import Document, NotInPlaceError, Place
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
+from robodyn.effects.traits import Fold
 from robodyn.errors import InputError
-from robodyn.robot.keys import LINK, ROBOT
-from robodyn.robot.model import EffectEntry, Link, Robot
+from robodyn.robot import numbers
+from robodyn.robot.editing import Comments, Editor, NotInPlaceError
+from robodyn.robot.keys import FRICTION, LINK, ROBOT
+from robodyn.robot.model import AXES, EffectEntry, Link, Robot
 from robodyn.robot.reader import read_text
-from robodyn.robot.values import ZERO, Value
-from robodyn.robot.writer import to_yaml
+from robodyn.robot.values import Value
+from robodyn.robot.writer import entry_text, number_text, setting_text, to_yaml
 
-_FOLDED = frozenset({"viscous_friction", "coulomb_friction", "rotor_inertia", "inertial_error", "base_tilt"})
-_ORDER = {
+#: What of a robot differs: the joint or link (from 1; None: the whole robot), and a key or an effect's id.
+Place = tuple[int | None, str]
+_ORDER: Mapping[str, Sequence[str]] = {
     "link": [key.name for key in LINK],
     "robot": [key.name for key in ROBOT],
     "inertia": list(AXES),
-    "friction": ["viscous", "coulomb"],
+    "friction": [key.name for key in FRICTION],
 }
-Comments = Sequence[tuple[frozenset[Place], Sequence[str]]]
 
 
-def written(text: str, robot: Robot, target: Robot, origins: Sequence[int | None], comments: Comments) -> str:
-    """``text``, which describes ``robot``, such that it describes ``target``; ``origins``: of each effect of
-    ``target`` its number in ``robot``. Written anew where it cannot be changed in place.
+def rewritten(
+    text: str, robot: Robot, target: Robot, origins: Sequence[int | None], comments: Comments = ()
+) -> str:
+    """``text``, which describes ``robot``, such that it describes ``target``, an arm with as many joints.
+
+    ``origins``: of each effect of ``target`` its index in ``robot``, None where it is new; ``comments`` are
+    put above the first line that changes one of their places. Other bytes of the text stay. Where it cannot
+    be changed in place (standard DH and new inertials, aliases), it is written anew, and says so.
 
     Raises
     ------
@@ -69,57 +72,43 @@ class _Patch:
     """The edits from ``robot`` to ``target``, base to tip."""
 
     def __init__(self, text: str, robot: Robot, target: Robot, origins: Sequence[int | None]) -> None:
-        self.document = Document(text)
+        self.editor = Editor(text)
         self.robot, self.target = robot, target
         self.origins = origins
-        self.root = self.document.root
-        convention = self.document.child(self.root, "convention")
+        self.root = self.editor.root
+        convention = self.editor.child(self.root, "convention")
         self.standard = convention is not None and convention.value == "sdh"
 
     def text(self, comments: Comments) -> str:
         """The text with all changes and ``comments``."""
         self._gravity()
-        nodes = self.document.child(self.root, "links").value
+        nodes = self.editor.child(self.root, "links").value
         for i, node in enumerate(nodes, 1):
             self._link(i, node)
         self._effects(None, self.root)
-        return self.document.render(comments)
+        return self.editor.render(comments)
 
     # --- numbers ------------------------------------------------------------------------------------------
 
-    def _put(self, parent: Any, level: str, key: str, text: str, place: Place) -> None:
-        """A key that is not there, behind those that come before it."""
-        order = _ORDER.get(level, [])
-        after = -1
-        if key in order:
-            before = order[: order.index(key)]
-            known = [k for k, (name, _) in enumerate(parent.value) if name.value in before]
-            after = known[-1] if known else (0 if parent.value else -1)
-        self.document.change(parent, [place], add=[f"{key}: {text}"], after=after)
-
-    def _number(
-        self, parent: Any, level: str, key: str, old: Value, new: Value, place: Place, absent: Value = ZERO
-    ) -> None:
+    def _number(self, parent: Any, level: str, key: str, old: Value, new: Value, place: Place) -> None:
         """The number at ``key`` such that ``old`` becomes ``new``; what else adds to it stays."""
         if old == new:
             return
-        node = self.document.child(parent, key)
-        if node is None:
-            self._put(parent, level, key, number_text(absent + (new - old)), place)
-        else:
-            self.document.replace(node, changed_text(node.value, new - old), [place])
+        node = self.editor.child(parent, key)
+        text = number_text(new - old) if node is None else _changed(node.value, new - old)
+        self.editor.set_key(parent, key, text, [place], _ORDER.get(level, ()))
 
     def _vector(self, parent: Any, level: str, key: str, old: Any, new: Any, place: Place) -> None:
         if old == new:
             return
-        node = self.document.child(parent, key)
+        node = self.editor.child(parent, key)
         if node is None:
             listed = ", ".join(number_text(value) for value in new)
-            self._put(parent, level, key, f"[{listed}]", place)
+            self.editor.set_key(parent, key, f"[{listed}]", [place], _ORDER.get(level, ()))
             return
         for item, a, b in zip(node.value, old, new, strict=True):
             if a != b:
-                self.document.replace(item, changed_text(item.value, b - a), [place])
+                self.editor.replace(item, _changed(item.value, b - a), [place])
 
     def _group(
         self,
@@ -132,14 +121,14 @@ class _Patch:
     ) -> None:
         if old == new:
             return
-        node = self.document.child(parent, key)
+        node = self.editor.child(parent, key)
         if node is None:
             stated = ", ".join(
                 f"{name}: {number_text(value - old[name])}"
                 for name, value in new.items()
                 if value != old[name]
             )
-            self._put(parent, level, key, "{" + stated + "}", place)
+            self.editor.set_key(parent, key, "{" + stated + "}", [place], _ORDER.get(level, ()))
             return
         for name in new:
             self._number(node, key, name, old[name], new[name], place)
@@ -149,15 +138,15 @@ class _Patch:
         if old == new:
             return
         place = (None, "gravity")
-        node = self.document.child(self.root, "gravity")
+        node = self.editor.child(self.root, "gravity")
         if node is None:
             listed = ", ".join(number_text(value) for value in new)
-            self._put(self.root, "robot", "gravity", f"[{listed}]", place)
+            self.editor.set_key(self.root, "gravity", f"[{listed}]", [place], _ORDER["robot"])
             return
         # Whatever turned it in the text is in the new numbers, and goes.
         for item, value in zip(node.value, new, strict=True):
-            if value_of(item.value) != value:
-                self.document.replace(item, number_text(value), [place])
+            if _value(item.value) != value:
+                self.editor.replace(item, number_text(value), [place])
 
     def _link(self, i: int, node: Any) -> None:
         old, new = self.robot.links[i - 1], self.target.links[i - 1]
@@ -166,62 +155,59 @@ class _Patch:
         self._number(node, "link", "mass", old.mass, new.mass, (i, "mass"))
         self._vector(node, "link", "com", old.com, new.com, (i, "com"))
         self._group(node, "link", "inertia", _entries(old.inertia), _entries(new.inertia), (i, "inertia"))
-        rotor = self._item(node, "rotor_inertia")
-        where, level, key = (node, "link", "motor_inertia")
-        if rotor is not None and self.document.child(node, key) is None:
-            where, level, key = (rotor, "rotor_inertia", "inertia")
-        self._number(
-            where, level, key, old.joint.motor_inertia, new.joint.motor_inertia, (i, "motor_inertia")
-        )
+        for effect in _folded(""):
+            self._beside(i, node, effect, old, new)
         moved = self._friction(i, node, old, new)
         self._effects(i, node, moved)
 
+    def _beside(self, i: int, node: Any, effect: Effect, old: Link, new: Link) -> None:
+        """A number of the joint that is a key of the link, or an effect of its own."""
+        fold = _fold(effect.id)
+        where, level, key = node, "link", fold.key
+        item = self._item(node, effect.id)
+        if item is not None and self.editor.child(node, key) is None:
+            where, level, key = item, effect.id, fold.parameter
+        before, after = getattr(old.joint, fold.key), getattr(new.joint, fold.key)
+        self._number(where, level, key, before, after, (i, fold.key))
+
     def _friction(self, i: int, node: Any, old: Link, new: Link) -> list[Any]:
-        """The two shorthands; entries that go since a law of friction has taken their level."""
+        """The shorthand ``friction``; entries that go since a law of friction has taken their level."""
         gone: list[Any] = []
         delete: list[int] = []
         add: list[str] = []
-        group = self.document.child(node, "friction")
-        laws = any(entry.effect in LEVELS for entry in self.target.effects_at(i))
-        for name, id, parameter in (
-            ("viscous", "viscous_friction", "coefficient"),
-            ("coulomb", "coulomb_friction", "level"),
-        ):
+        group = self.editor.child(node, "friction")
+        laws = any(entry.definition.traits.levels for entry in self.target.effects_at(i))
+        for effect in _folded("friction"):
+            name = _fold(effect.id).key
             before, after = getattr(old.joint, name), getattr(new.joint, name)
-            item = self._item(node, id)
+            item = self._item(node, effect.id)
             if before == after:
                 continue
-            moved = name == "coulomb" and laws and after == 0
+            moved = effect.traits.one_way == "level" and laws and after == 0
             if item is not None:
                 if moved:
                     gone.append(item)
                 else:
-                    self._number(item, id, parameter, before, after, (i, name))
-            elif group is None or self.document.child(group, name) is None:
+                    self._number(item, effect.id, _fold(effect.id).parameter, before, after, (i, name))
+            elif group is None or self.editor.child(group, name) is None:
                 add.append(f"{name}: {number_text(after - before)}")
             elif moved:
-                delete.append(_index(group, name))
+                delete.append(self.editor.index(group, name))
             else:
                 self._number(group, "friction", name, before, after, (i, name))
-        places: list[Place] = [(i, "viscous"), (i, "coulomb")]
+        places: list[Place] = [(i, _fold(effect.id).key) for effect in _folded("friction")]
         if group is None and add:
-            self.document.change(
-                node, places, add=[f"friction: {{{', '.join(add)}}}"], after=self._before(node, "friction")
-            )
+            self.editor.set_key(node, "friction", f"{{{', '.join(add)}}}", places, _ORDER["link"])
         elif group is not None and len(delete) == len(group.value) and delete and not add:
-            self.document.change(node, places, delete=[_index(node, "friction")])
+            self.editor.remove_key(node, "friction", places)
         elif group is not None:
-            self.document.change(group, places, delete=delete, add=add)
+            self.editor.change(group, places, delete=delete, add=add)
         return gone
-
-    def _before(self, parent: Any, key: str) -> int:
-        before = _ORDER["link"][: _ORDER["link"].index(key)]
-        return max((k for k, (name, _) in enumerate(parent.value) if name.value in before), default=0)
 
     # --- effects ------------------------------------------------------------------------------------------
 
     def _items(self, node: Any) -> list[Any]:
-        listed = self.document.child(node, "effects")
+        listed = self.editor.child(node, "effects")
         return [] if listed is None else listed.value
 
     def _item(self, node: Any, id: str) -> Any:
@@ -229,7 +215,7 @@ class _Patch:
 
     def _effects(self, joint: int | None, node: Any, gone: Iterable[Any] = ()) -> None:
         items = self._items(node)
-        kept = [item for item in items if _id(item) not in _FOLDED]
+        kept = [item for item in items if CATALOGUE[_id(item)].traits.fold is None]
         numbers_ = [k for k, entry in enumerate(self.robot.effects) if entry.joint == joint]
         nodes = dict(zip(numbers_, kept, strict=True))
         stays = set()
@@ -239,7 +225,7 @@ class _Patch:
             if entry.joint != joint:
                 continue
             if origin is None:
-                self._refuse_payload(entry)
+                self._refuse_body(entry)
                 add.append(entry_text(entry))
                 places.add((joint, entry.effect))
             else:
@@ -247,40 +233,26 @@ class _Patch:
                 self._entry(nodes[origin], self.robot.effects[origin], entry)
         leaving = [id(item) for k, item in nodes.items() if k not in stays] + [id(item) for item in gone]
         if joint is None and self.robot.gravity != self.target.gravity:
-            leaving += [id(item) for item in items if _id(item) == "base_tilt"]
+            leaving += [id(item) for item in items if _turns_gravity(item)]
         delete = [k for k, item in enumerate(items) if id(item) in leaving]
-        listed = self.document.child(node, "effects")
-        if listed is not None:
-            if delete and len(delete) == len(items) and not add:
-                self.document.change(node, places, delete=[_index(node, "effects")])
-            else:
-                self.document.change(listed, places, delete=delete, add=add)
-        elif add and node.flow_style:
-            self.document.change(node, places, add=[f"effects: [{', '.join(add)}]"])
-        elif add:
-            lines = "\n".join(["effects:", *(f"  - {line}" for line in add)])
-            after = -1 if joint is None else self._before(node, "effects")
-            self.document.change(node, places, add=[lines], after=after)
+        order = _ORDER["robot" if joint is None else "link"]
+        self.editor.change_list(node, "effects", places, delete=delete, add=add, order=order)
 
     def _entry(self, node: Any, old: EffectEntry, new: EffectEntry) -> None:
         before, after = dict(old.settings), dict(new.settings)
         if before == after:
             return
-        self._refuse_payload(new)
+        self._refuse_body(new)
         place = (new.joint, new.effect)
         for p in CATALOGUE[new.effect].parameters:
             a, b = before.get(p.name), after.get(p.name)
-            at = self.document.child(node, p.name)
+            at = self.editor.child(node, p.name)
             if a == b:
                 continue
             if b is None:
-                self.document.change(node, [place], delete=[_index(node, p.name)])
+                self.editor.remove_key(node, p.name, [place])
             elif a is None or at is None or p.kind not in ("number", "vector", "inertia"):
-                text = setting_text(b, plain=p.kind != "text")
-                if at is None:
-                    self.document.change(node, [place], add=[f"{p.name}: {text}"])
-                else:
-                    self.document.replace(at, text, [place])
+                self.editor.set_key(node, p.name, setting_text(b, plain=p.kind != "text"), [place])
             elif p.kind == "vector":
                 self._vector(node, new.effect, p.name, a, b, place)
             elif p.kind == "inertia":
@@ -288,18 +260,49 @@ class _Patch:
             else:
                 self._number(node, new.effect, p.name, a, b, place)  # type: ignore[arg-type]
 
-    def _refuse_payload(self, entry: EffectEntry) -> None:
-        if self.standard and entry.effect == "payload":
+    def _refuse_body(self, entry: EffectEntry) -> None:
+        if self.standard and entry.definition.traits.body:
             raise NotInPlaceError("in standard DH a payload stands in another frame")
+
+
+def _folded(group: str) -> Iterator[Effect]:
+    """The effects that are numbers of a joint, whose keys stand in that group of a link ("": in itself)."""
+    for effect in CATALOGUE.values():
+        fold = effect.traits.fold
+        if fold is not None and fold.into == "joint" and fold.group == group:
+            yield effect
+
+
+def _fold(id: str) -> Fold:
+    fold = CATALOGUE[id].traits.fold
+    assert fold is not None
+    return fold
+
+
+def _turns_gravity(item: Any) -> bool:
+    fold = CATALOGUE[_id(item)].traits.fold
+    return fold is not None and fold.into == "gravity"
 
 
 def _entries(inertia: Any) -> dict[str, Value]:
     return {axes: getattr(inertia, axes) for axes in AXES}
 
 
-def _index(mapping: Any, key: str) -> int:
-    return next(k for k, (name, _) in enumerate(mapping.value) if name.value == key)
-
-
 def _id(item: Any) -> str:
-    return str(Document.child(item, "effect").value)
+    return str(Editor.child(item, "effect").value)
+
+
+def _value(text: str) -> Value:
+    """A number of the description, as the reader takes it."""
+    read = numbers.parse(text, names=True)
+    return numbers.rounded(read.value) if read.has_pi else read.value
+
+
+def _changed(text: str, added: Value) -> str:
+    """The number ``text`` with ``added``: a new one, or behind a run-time name the sum."""
+    old = _value(text)
+    new = old + added
+    if isinstance(old, Fraction) or not isinstance(added, Fraction):
+        return number_text(new)
+    longer = f"{text} {'-' if added < 0 else '+'} {number_text(abs(added))}"
+    return longer if len(longer) <= numbers.LENGTH and _value(longer) == new else number_text(new)

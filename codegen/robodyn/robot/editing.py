@@ -1,4 +1,7 @@
-"""YAML text changed at places, all else left as it stands: values, entries, comments above them.
+"""A description's text edited in place: every byte that no edit touches stays, comments and spaces too.
+
+PyYAML says where each value begins and ends; edits replace those characters. ``ruamel.yaml``, which writes a
+whole text anew from what it has read, was weighed against this in ``docs/decisions/0019``.
 
 The text has been read as a description before: it is small and not nested deep.
 """
@@ -6,12 +9,14 @@ The text has been read as a description before: it is small and not nested deep.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-#: What is changed: the joint or link (None: the robot), and a key or the id of an effect.
-Place = tuple[int | None, str]
+#: What an edit is about, so that a comment can be put above the first edit that is about the same.
+Subject = Hashable
+#: Comments, each by lines, with the subjects of the edits above which it belongs.
+Comments = Sequence[tuple[frozenset[Subject], Sequence[str]]]
 
 
 class NotInPlaceError(Exception):
@@ -21,20 +26,20 @@ class NotInPlaceError(Exception):
 @dataclass(frozen=True, slots=True)
 class Edit:
     """``text`` in place of the characters ``start`` to ``end``; with an ``indent`` it is lines of their own
-    after those. ``places``: what of the model it changes."""
+    after those. ``subjects``: what it is about."""
 
     start: int
     end: int
     text: str
-    places: frozenset[Place]
+    subjects: frozenset[Subject]
     indent: int | None = None
 
 
-class Document:
+class Editor:
     """A YAML text, its tree of PyYAML nodes, and the edits so far."""
 
     def __init__(self, text: str) -> None:
-        import yaml  # not at the top: whoever only reads a diagnosis does not pay for it
+        import yaml  # not at the top: who only reads a diagnosis does not need it
 
         self.text = text
         self.root: Any = yaml.compose(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
@@ -60,6 +65,33 @@ class Document:
     def child(mapping: Any, key: str) -> Any:
         """The node of ``key``, or None."""
         return next((value for name, value in mapping.value if name.value == key), None)
+
+    def node(self, *path: str | int) -> Any:
+        """The node at ``path``, keys and indices from the root; None where it ends before."""
+        node = self.root
+        for step in path:
+            if node is None or not isinstance(node.value, list):
+                return None
+            if isinstance(step, str):
+                node = self.child(node, step) if node.id == "mapping" else None
+            else:
+                node = node.value[step] if node.id == "sequence" and step < len(node.value) else None
+        return node
+
+    @staticmethod
+    def index(mapping: Any, key: str) -> int:
+        """Which child of ``mapping`` has the key."""
+        return next(k for k, (name, _) in enumerate(mapping.value) if name.value == key)
+
+    @staticmethod
+    def behind(mapping: Any, key: str, order: Sequence[str]) -> int:
+        """Behind which child of ``mapping`` a new ``key`` belongs: the last one that comes before it in
+        ``order``; else behind the first; a key that is not in ``order`` behind all (-1)."""
+        if key not in order:
+            return -1
+        before = order[: order.index(key)]
+        known = [k for k, (name, _) in enumerate(mapping.value) if name.value in before]
+        return known[-1] if known else (0 if mapping.value else -1)
 
     def end(self, node: Any) -> int:
         """Where the characters of ``node`` end, comments and blank lines after it left out."""
@@ -87,12 +119,12 @@ class Document:
 
     def _comments(self, start: int, end: int, indent: int) -> str:
         """The comments between, each behind a line break; what looks like one within quotes does no harm."""
-        found = re.findall(r"(?<!\S)#[^\r\n]*", self.text[start:end])
-        return "".join(f"{self._line_end}{' ' * indent}{comment}" for comment in found)
+        comments = re.findall(r"(?<!\S)#[^\r\n]*", self.text[start:end])
+        return "".join(f"{self._line_end}{' ' * indent}{comment}" for comment in comments)
 
     # --- edits --------------------------------------------------------------------------------------------
 
-    def replace(self, node: Any, text: str, places: Iterable[Place]) -> None:
+    def replace(self, node: Any, text: str, subjects: Iterable[Subject]) -> None:
         """``text`` in place of the scalar or list ``node``."""
         self._own(node)
         start, end = node.start_mark.index, self.end(node)
@@ -106,12 +138,50 @@ class Document:
             if self.text[start - 1] != ":":
                 raise NotInPlaceError(f"line {node.start_mark.line + 1} begins below a comment")
         if self.text[start:end] != text:
-            self.edits.append(Edit(start, end, text, frozenset(places)))
+            self.edits.append(Edit(start, end, text, frozenset(subjects)))
+
+    def set_key(
+        self, mapping: Any, key: str, text: str, subjects: Iterable[Subject], order: Sequence[str] = ()
+    ) -> None:
+        """``key: text`` in ``mapping``: in place of the value that is there, else as a new key, behind those
+        that come before it in ``order``."""
+        node = self.child(mapping, key)
+        if node is None:
+            self.change(mapping, subjects, add=[f"{key}: {text}"], after=self.behind(mapping, key, order))
+        else:
+            self.replace(node, text, subjects)
+
+    def remove_key(self, mapping: Any, key: str, subjects: Iterable[Subject] = ()) -> None:
+        """``mapping`` without ``key``; comments within its value stay."""
+        self.change(mapping, subjects, delete=[self.index(mapping, key)])
+
+    def change_list(
+        self,
+        mapping: Any,
+        key: str,
+        subjects: Iterable[Subject],
+        *,
+        delete: Sequence[int] = (),
+        add: Sequence[str] = (),
+        order: Sequence[str] = (),
+    ) -> None:
+        """The list at ``key`` of ``mapping`` without the items ``delete`` and with those of ``add`` at its
+        end. A list that is not there begins with them, one that would be empty goes."""
+        node = self.child(mapping, key)
+        if node is not None and delete and len(delete) == len(node.value) and not add:
+            self.remove_key(mapping, key, subjects)
+        elif node is not None:
+            self.change(node, subjects, delete=delete, add=add)
+        elif add:
+            flow = f"{key}: [{', '.join(add)}]"
+            block = "\n".join([f"{key}:", *(f"  - {text}" for text in add)])
+            at = self.behind(mapping, key, order)
+            self.change(mapping, subjects, add=[flow if mapping.flow_style else block], after=at)
 
     def change(
         self,
         parent: Any,
-        places: Iterable[Place],
+        subjects: Iterable[Subject],
         *,
         delete: Sequence[int] = (),
         add: Sequence[str] = (),
@@ -122,9 +192,9 @@ class Document:
         if not delete and not add:
             return
         self._own(parent)
-        places = frozenset(places)
+        subjects = frozenset(subjects)
         if parent.flow_style:
-            self._change_flow(parent, places, delete, add)
+            self._change_flow(parent, subjects, delete, add)
             return
         for k in delete:
             self._delete_block(parent, k)
@@ -136,13 +206,13 @@ class Document:
             at = self._end_of_line(self._span(child)[1])
             for text in add:
                 line = text if is_mapping else f"- {text}"
-                self.edits.append(Edit(at, at, line, places, column))
+                self.edits.append(Edit(at, at, line, subjects, column))
 
     def _column(self, position: int) -> int:
         return position - self._start_of_line(position)
 
     def _change_flow(
-        self, parent: Any, places: frozenset[Place], delete: Sequence[int], add: Sequence[str]
+        self, parent: Any, subjects: frozenset[Subject], delete: Sequence[int], add: Sequence[str]
     ) -> None:
         spans = [self._span(child) for child in parent.value]
         kept = [k for k in range(len(spans)) if k not in delete]
@@ -161,7 +231,7 @@ class Document:
             bracket = "{" if parent.id == "mapping" else "["
             at = spans[-1][1] if spans else self.text.index(bracket, parent.start_mark.index) + 1
             joined = ", ".join(add)
-            self.edits.append(Edit(at, at, f", {joined}" if kept else joined, places))
+            self.edits.append(Edit(at, at, f", {joined}" if kept else joined, subjects))
 
     def _cut(self, start: int, end: int) -> None:
         """Within brackets: all gone but comments, whose lines must end."""
@@ -188,12 +258,13 @@ class Document:
 
     # --- the text -----------------------------------------------------------------------------------------
 
-    def render(self, comments: Iterable[tuple[frozenset[Place], Sequence[str]]]) -> str:
-        """The text with all edits; each of the ``comments`` above the first line that changes its places."""
+    def render(self, comments: Comments) -> str:
+        """The text with all edits, and each of the ``comments`` above the first line whose edit is about one
+        of its subjects."""
         edits = sorted(self.edits, key=lambda edit: (edit.start, edit.end))
         above: dict[int, list[str]] = {}
-        for places, lines in comments:
-            first = next((k for k, edit in enumerate(edits) if edit.places & places), None)
+        for subjects, lines in comments:
+            first = next((k for k, edit in enumerate(edits) if edit.subjects & subjects), None)
             if first is not None:
                 above.setdefault(first, []).extend(lines)
         notes: list[Edit] = []
