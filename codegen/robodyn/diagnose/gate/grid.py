@@ -8,41 +8,37 @@ from dataclasses import dataclass
 import numpy as np
 
 from robodyn.diagnose.gate.flag import Flag, Floats, Rows, Span, span, spans_of
+from robodyn.diagnose.gate.limits import FAST_RATE, MOVING_SHARE, WINDOWS
 from robodyn.diagnose.gate.rows import Usable
 from robodyn.simulate.log import Log
-
-#: Windows that a long log is cut down to, and what share of the largest motion a window must show.
-WINDOWS, MOVING = 20, 0.1
-#: A log of more rows than are used, sampled faster than this [Hz], is averaged down to half of it at least.
-FAST = 2000.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Grid:
     """``log`` on an even grid, where ``segments`` are unbroken; ``parts`` are the rows (from 0) of the
-    ``given`` log that each of them comes of. One sample is ``stride`` rows there."""
+    ``raw`` log that each of them comes of. One sample is ``stride`` rows there."""
 
     log: Log
-    given: Log
+    raw: Log
     segments: tuple[slice, ...]
     parts: tuple[Rows, ...]
     period: float
     stride: int
 
     def rows(self) -> Rows:
-        """About which row (from 0) of the given log each sample is [K]."""
+        """About which row (from 0) of the raw log each sample is [K]."""
         rows = []
         for segment, part in zip(self.segments, self.parts, strict=True):
             if self.stride > 1:
                 rows.append(part[:: self.stride][: segment.stop - segment.start])
                 continue
-            near = np.searchsorted(self.given.t[part], self.log.t[segment] - 0.5 * self.period)
+            near = np.searchsorted(self.raw.t[part], self.log.t[segment] - 0.5 * self.period)
             rows.append(part[np.minimum(near, len(part) - 1)])
         return np.concatenate(rows)
 
     def spans(self, samples: Rows) -> tuple[Span, ...]:
-        """Where the ``samples`` (rising) are in the given log, runs of them as one span."""
-        return spans_of(self.rows()[samples], self.given.t)
+        """Where the ``samples`` (rising) are in the raw log, runs of them as one span."""
+        return spans_of(self.rows()[samples], self.raw.t)
 
 
 def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
@@ -51,8 +47,8 @@ def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
     parts = rows.parts
     total = sum(b - a for a, b in parts)
     if total > most:
-        if rows.even and 1 / period > FAST:
-            stride = min(int(2 / (FAST * period)), total // most)
+        if rows.even and 1 / period > FAST_RATE:
+            stride = min(int(2 / (FAST_RATE * period)), total // most)
         parts = _windows(log, rows, most * stride)
         kept = sum(b - a for a, b in parts)
         spans = tuple(span(int(index[a]), int(index[b - 1]), log.t) for a, b in parts)
@@ -107,7 +103,7 @@ def _windows(log: Log, rows: Usable, most: int) -> tuple[tuple[int, int], ...]:
         reach.append(some.max(axis=0) - some.min(axis=0))
     largest = np.max(reach, axis=0)
     share = (np.array(reach) / np.where(largest > 0, largest, 1)).max(axis=1)
-    moving = [w for w, s in zip(windows, share.tolist(), strict=True) if s >= MOVING * share.max()]
+    moving = [w for w, s in zip(windows, share.tolist(), strict=True) if s >= MOVING_SHARE * share.max()]
     lengths = [b - a for a, b in moving]
     if sum(lengths) <= most:
         return tuple(moving)

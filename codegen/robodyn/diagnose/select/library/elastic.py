@@ -8,17 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
+from robodyn.diagnose.select.limits import DAMPED, SWING_RATE, TWIST_CUTOFF
 from robodyn.diagnose.select.signals import low_pass
 from robodyn.diagnose.select.twist import lag_of, slopes_of
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Twist
 
 Floats = NDArray[np.float64]
-
-#: How much a swing is damped, as a share of what would stop it.
-_DAMPED = 0.05
-#: Cutoff [Hz] of what is differentiated twice; fewest steps a second of a swing.
-_TWIST, _STEPS = 6.0, 300.0
 
 
 def twists(c: Context, effect: Effect, twist: Twist, j: int) -> Iterator[Candidate]:
@@ -43,7 +39,7 @@ class Swing:
         self.slow = slopes_of(c.model, c.slow.q, c.slow.qd, c.slow.qdd, c.plain, j)
         coarse = max(1, c.signals.every // 2)
         fine = [d for d in range(1, coarse + 1) if coarse % d == 0]
-        step = max((d for d in fine if 1 / (c.signals.period * d) >= _STEPS), default=1)
+        step = max((d for d in fine if 1 / (c.signals.period * d) >= SWING_RATE), default=1)
         self.every, self.period = coarse // step, c.signals.period * step
         self.torque = c.at.passed[::step, j]
         self.passed = (c.signals.tau - c.at.total + c.at.passed)[::step, j]
@@ -60,7 +56,7 @@ class Swing:
     def springs(self, hertz: float) -> dict[str, float]:
         """A spring on which the link swings so often a second, lightly damped."""
         rate = 2 * np.pi * hertz
-        return {"stiffness": self.inertia * rate**2, "damping": 2 * _DAMPED * self.inertia * rate}
+        return {"stiffness": self.inertia * rate**2, "damping": 2 * DAMPED * self.inertia * rate}
 
     def column(self, effect: str, values: Mapping[str, float]) -> Floats:
         """What the torques [K, n] of coarse signals change by."""
@@ -76,14 +72,14 @@ def _swing(c: Context, j: int) -> Swing:
     return swing
 
 
-def _behind(c: Context, effect: Effect, twist: Twist, j: int, given: Mapping[str, float]) -> Candidate:
-    """A link behind its motor, with all of the spring or the play as it is ``given``."""
-    values = {**given, **twist.fixed}
+def _behind(c: Context, effect: Effect, twist: Twist, j: int, settings: Mapping[str, float]) -> Candidate:
+    """A link behind its motor, with all of the spring or the play as it is ``settings``."""
+    values = {**settings, **twist.fixed}
     column = _swing(c, j).column(effect.id, values)
     return Candidate(
         effect.id, j + 1, tuple(range(c.n)), column[:, :, None], (1,),
         lambda x: {**values, "encoder": "motor"}, twist.order, coarse=True, fixed=True, reach=twist.reach,
-        given=given, again=lambda c, values: _behind(c, effect, twist, j, values),
+        values=settings, again=lambda c, values: _behind(c, effect, twist, j, values),
     )  # fmt: skip
 
 
@@ -95,7 +91,7 @@ def _ahead(c: Context, effect: Effect, twist: Twist, j: int) -> Iterator[Candida
         return
     for values in twist.ahead:
         lead = np.asarray(coupler.twist(values, c.at_slow.passed[:, j]))
-        slow = low_pass(lead, 1 / s.period, min(_TWIST, s.cutoff))
+        slow = low_pass(lead, 1 / s.period, min(TWIST_CUTOFF, s.cutoff))
         acceleration = np.gradient(np.gradient(slow, s.period), s.period)
 
         def read(x: Floats, values: Mapping[str, float] = values) -> dict[str, float | str]:
