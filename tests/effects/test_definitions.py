@@ -18,7 +18,7 @@ from robodyn.effects.efficiency import efficiency_at
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Input
 from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.verify.effects import added_torque, efficiency
 
 IDS = """
@@ -137,7 +137,7 @@ def test_equations_over_programs_expressions_and_rationals(name: str) -> None:
             found = evaluate(
                 program,
                 {Input("x", i): v for i, v in enumerate(numbers)},
-                number=lambda x: x,
+                constant=lambda x: x,
                 functions={"abs": abs, "sign": REAL_FUNCTIONS["sign"]},
             )
             assert found["t"][0] == over

@@ -8,21 +8,21 @@ from dataclasses import asdict
 
 from robodyn.counts.count import Count, count
 from robodyn.diagnose.gate.gate import Gate
+from robodyn.diagnose.limits import MOST_TRIED
 from robodyn.diagnose.result import Finding, Tried, Window
-from robodyn.diagnose.select.choice import LOSS, Trial
+from robodyn.diagnose.select.choice import Trial
+from robodyn.diagnose.select.limits import TIE_LOSS
 from robodyn.diagnose.select.selection import Selection
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 
 #: Flags of motions that show little.
 _POOR = frozenset({"motionless", "one_way", "narrow", "few_reversals"})
-#: The best so many of what was not named.
-_TRIED = 8
 
 
 def why_not(other: Trial, named: Trial) -> str:
     """Why ``other`` is not the name that ``named`` is."""
-    if other.gain < (1 - LOSS) * named.gain:
+    if other.gain < (1 - TIE_LOSS) * named.gain:
         return "explains less on parts of the log that were not fitted"
     if other.candidate.order > named.candidate.order:
         return "explains no more, with more numbers"
@@ -32,7 +32,7 @@ def why_not(other: Trial, named: Trial) -> str:
 def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
     """The best candidates of the last look that were not named, each effect and joint once."""
     known = {(f.effect, f.joint) for f in findings}
-    found: list[Tried] = []
+    candidates: list[Tried] = []
     for one in last.trials:
         key = (one.candidate.effect, one.candidate.joint)
         if key in known or one.gain <= 0:
@@ -43,24 +43,24 @@ def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
             if one.matters < 1
             else "not there in enough parts of the log"
         )
-        found.append(Tried(*key, one.gain, float(one.t), reason))
-        if len(found) == _TRIED:
+        candidates.append(Tried(*key, one.gain, float(one.t), reason))
+        if len(candidates) == MOST_TRIED:
             break
-    return tuple(found)
+    return tuple(candidates)
 
 
 def windows(gates: Sequence[Gate], findings: Sequence[Finding]) -> tuple[Window, ...]:
     """Contacts, and gaps in the first log."""
-    found = []
+    contacts = []
     for finding in findings:
         if CATALOGUE[finding.effect].place == "outside":
             start, end = (float(finding.parameters[name].value) for name in ("start", "end"))
-            found.append(Window("train", start, end, "contact"))
+            contacts.append(Window("train", start, end, "contact"))
     gate = gates[0]
     for before, after in zip(gate.segments, gate.segments[1:], strict=False):
         times = float(gate.log.t[before.stop - 1]), float(gate.log.t[after.start])
-        found.append(Window("train", *times, "gap"))
-    return tuple(found)
+        contacts.append(Window("train", *times, "gap"))
+    return tuple(contacts)
 
 
 def operations(robot: Robot) -> Count:
@@ -72,7 +72,7 @@ def operations(robot: Robot) -> Count:
 
 def by_kind(counted: Count) -> Mapping[str, int]:
     """Of which kinds there are how many."""
-    return {name: number for name, number in asdict(counted).items() if number}
+    return {name: amount for name, amount in asdict(counted).items() if amount}
 
 
 def log_facts(gate: Gate) -> dict[str, str]:

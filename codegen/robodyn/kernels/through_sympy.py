@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 from robodyn.dynamics.arm import JointAngle, build_arm
 from robodyn.dynamics.functions import function_named
 from robodyn.ir import Graph, Label, Program
-from robodyn.ir.graph import Scalar, lower
+from robodyn.ir.graph import Scalar
+from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import Choice, outputs_of, signature
 from robodyn.robot.model import Robot
 
@@ -154,8 +155,8 @@ def build_through_sympy(robot: Robot, function: str, choice: Choice) -> Program:
     replacements, reduced = sympy.cse(expressions, symbols=symbols, optimizations=None, order="none")
     graph = Graph(fold=False)
     values: dict[sympy.Symbol, Scalar] = {}
-    for name, given in model.inputs.items():
-        values.update((symbol, graph.input(name, i)) for i, symbol in enumerate(given))
+    for name, bound in model.inputs.items():
+        values.update((symbol, graph.input(name, i)) for i, symbol in enumerate(bound))
     values.update((symbol, graph.input(name)) for name, symbol in model.parameters.items())
     # cse puts its symbols first although they may use the model's own: take each when it is reached.
     waiting: dict[sympy.Symbol, sympy.Expr] = dict(replacements)

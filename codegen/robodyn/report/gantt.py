@@ -95,22 +95,22 @@ def layers_svg(source: Source) -> str:
     )
 
 
-def sweep_svg(source: Source, found: Sequence[Solved], others: Sequence[Solved] = ()) -> str:
+def sweep_svg(source: Source, solutions: Sequence[Solved], others: Sequence[Solved] = ()) -> str:
     """Figures 4.11 to 4.13 redrawn: time, speed-up and efficiency by processors, ours beside the printed.
 
     ``others``: the same machines by another method. The thesis's own drawings are not at hand; this is what
     its tables support. Of a source with friction, ``others`` are the same machines without it.
     """
-    p = [one.timetable.machine.processors for one in found]
+    p = [one.timetable.machine.processors for one in solutions]
     if len(p) == 1:
-        p, found, others = p * 2, [*found] * 2, [*others] * 2
+        p, solutions, others = p * 2, [*solutions] * 2, [*others] * 2
     # The printed levels are those of the printed tasks.
     work = source.graph.work if source.figures is None else source.figures["tasks"]
     rubbing = source.plain is not None
-    own = "with friction" if rubbing else f"{found[0].method}"
-    times: list[Curve] = [Curve(own, p, [one.timetable.span for one in found])]
-    speed = [Curve(own, p, [one.speedup for one in found])]
-    share = [Curve(own, p, [100 * one.efficiency for one in found])]
+    own = "with friction" if rubbing else f"{solutions[0].method}"
+    times: list[Curve] = [Curve(own, p, [one.timetable.span for one in solutions])]
+    speed = [Curve(own, p, [one.speedup for one in solutions])]
+    share = [Curve(own, p, [100 * one.efficiency for one in solutions])]
     if others:
         name = "without friction" if rubbing else f"{others[0].method}"
         times.append(Curve(name, p, [one.timetable.span for one in others]))

@@ -9,11 +9,11 @@ from typing import Any, Final
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.schedule import TaskGraph, general_graph, robot_graph
-from robodyn.schedule.arithmetic import operations_of_tasks
 from robodyn.schedule.cutting import Cut
 from robodyn.schedule.elimination import StepThree
 from robodyn.schedule.friction_tasks import Friction, friction_of, is_friction
 from robodyn.schedule.graph import link_and_number, task_id
+from robodyn.schedule.task_counts import operations_of_tasks
 from robodyn.thesis.judge import graph_of, printed_schedule, rule_graph
 from robodyn.thesis.printed_tasks import LEVELS_SIX_LINK, LEVELS_STANFORD, TABLE_4_4
 
@@ -92,7 +92,7 @@ def _long(graph: TaskGraph, n: int, costs: Mapping[str, int] | None) -> TaskGrap
         return graph
     amid = operations_of_tasks(4)
     lengths = {
-        task: sum(costs[kind] * number for kind, number in amid[task_id(3, link_and_number(task)[1])].items())
+        task: sum(costs[kind] * amount for kind, amount in amid[task_id(3, link_and_number(task)[1])].items())
         for task in graph.tasks
     }
     return replace(graph, lengths=lengths)
@@ -172,23 +172,27 @@ def _printed(levels: Mapping[int, int], tables: Mapping[int, str]) -> dict[int, 
 
 def _more(graph: TaskGraph, than: TaskGraph) -> str:
     """The tasks of one graph that another has not, spelled."""
-    found = sorted(set(graph.tasks) - set(than.tasks))
-    return ", ".join(map(str, found[:-1])) + f" and {found[-1]}" if len(found) > 1 else str(found[0])
+    differing = sorted(set(graph.tasks) - set(than.tasks))
+    return (
+        ", ".join(map(str, differing[:-1])) + f" and {differing[-1]}"
+        if len(differing) > 1
+        else str(differing[0])
+    )
 
 
 def _doubts(robot: Robot) -> tuple[str, ...]:
     """What of the robot the tasks of Table 4.1 are not cut for."""
-    found = []
+    lines = []
     if any(link.joint.alpha.quarter is None for link in robot.links):
-        found.append("angles alpha that are no multiples of 90 degrees")
+        lines.append("angles alpha that are no multiples of 90 degrees")
     if any(value != 0 for link in robot.links for value in _products(link.inertia)):
-        found.append("products of inertia")
+        lines.append("products of inertia")
     if any(not (entry.definition.traits.body or is_friction(entry)) for entry in robot.effects):
-        found.append("effects in its joints that have no tasks")
-    if not found:
+        lines.append("effects in its joints that have no tasks")
+    if not lines:
         return ()
     return (
-        f"{robot.name} has {' and '.join(found)}, which the tasks of Table 4.1 are not cut for: --cut 3 "
+        f"{robot.name} has {' and '.join(lines)}, which the tasks of Table 4.1 are not cut for: --cut 3 "
         f"takes the "
         "operations of its kernel",
     )
@@ -198,7 +202,7 @@ def _products(inertia: Any) -> tuple[Any, ...]:
     return inertia.xy, inertia.xz, inertia.yz
 
 
-def cut_source(name: str, made: Cut, k: int) -> Source:
+def cut_source(name: str, cut: Cut, k: int) -> Source:
     """The tasks of a kernel's program."""
     operations = "single operations" if k == 1 else f"tasks of at most {k} operations"
-    return Source(name, f"{operations} of the kernel", made.graph, cut=made)
+    return Source(name, f"{operations} of the kernel", cut.graph, cut=cut)

@@ -54,7 +54,7 @@ def _faults(solved: Solved) -> list[str]:
     """The validator's word on the schedule once more, for the reader."""
     table, graph = solved.timetable, solved.graph
     machine = table.machine
-    found = faults_of_times(
+    faults = faults_of_times(
         graph.after,
         graph.lengths,
         machine.processors,
@@ -62,7 +62,7 @@ def _faults(solved: Solved) -> list[str]:
         table.placements,
         levels=table.slots if machine.synchronised else None,
     )
-    return [str(fault) for fault in found]
+    return [str(fault) for fault in faults]
 
 
 def to_text(source: Source, solved: Solved) -> str:
@@ -122,9 +122,9 @@ def _grid(solved: Solved) -> list[str]:
     head = "  ".join(f"P{k}".rjust(width) for k in range(1, table.machine.processors + 1))
     rows = [f"{' ' * first}  {head}"]
     numbers = range(1, len(table.slots) + 1) if table.machine.synchronised else table.times
-    for number, row in zip(numbers, table.slots, strict=True):
+    for level, row in zip(numbers, table.slots, strict=True):
         cells = "  ".join(("-" if task is None else str(task)).rjust(width) for task in row)
-        rows.append(f"{str(number).rjust(first)}  {cells}")
+        rows.append(f"{str(level).rjust(first)}  {cells}")
     return rows
 
 
@@ -135,11 +135,11 @@ def _told(notes: Sequence[str]) -> list[str]:
     return ["", *lines] if lines else []
 
 
-def sweep_text(source: Source, found: Sequence[Solved]) -> str:
+def sweep_text(source: Source, solutions: Sequence[Solved]) -> str:
     """Schedules on several machines, one a row."""
     heads = ("p", "levels", "time", "speed-up", "efficiency", "none below", "above optimum", "thesis")
     rows: list[tuple[str, ...]] = [heads]
-    for solved in found:
+    for solved in solutions:
         table = solved.timetable
         beside = source.printed.get(table.machine.processors)
         rows.append(
@@ -158,7 +158,7 @@ def sweep_text(source: Source, found: Sequence[Solved]) -> str:
     graph = source.graph
     lines = [
         f"{source.name}: {len(graph)} {source.tasks}, critical path {graph.critical_path}",
-        TITLES[found[0].method] if found else "",
+        TITLES[solutions[0].method] if solutions else "",
         "",
         *("  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows),
         *_told(source.notes),
@@ -173,7 +173,7 @@ def processors_of(text: str, parse: Callable[[str], int] = int) -> tuple[int, ..
     ------
     InputError: not of that form, or so many that no sweep is meant.
     """
-    found: list[int] = []
+    counts: list[int] = []
     for part in text.split(","):
         first, dots, last = part.strip().partition("..")
         try:
@@ -186,5 +186,5 @@ def processors_of(text: str, parse: Callable[[str], int] = int) -> tuple[int, ..
             raise InputError(
                 "processors cannot be read", found=repr(text), expected="4, 2,4,8 or 2..13, from 1"
             )
-        found += range(begin, end + 1)
-    return tuple(dict.fromkeys(found))
+        counts += range(begin, end + 1)
+    return tuple(dict.fromkeys(counts))

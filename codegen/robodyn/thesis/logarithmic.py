@@ -18,7 +18,8 @@ from robodyn.dynamics.arm import Arm
 from robodyn.dynamics.logarithmic import logarithmic
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.ir.graph import Graph, Node, lower
+from robodyn.ir.graph import Graph, Node
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Program
 from robodyn.schedule.cutting import cut
 from robodyn.schedule.graph import TaskGraph
@@ -120,9 +121,9 @@ def thesis_chain(n: int) -> int:
 def first_shorter(form: str, than: Callable[[int], int], most: int = 64) -> int | None:
     """The number of joints from which on (up to ``most``) the chain of ``form`` is shorter than ``than``;
     None if it is not at ``most``."""
-    found = None
+    shorter = None
     for n in range(most, 1, -1):
         if form_graph(form, n).critical_path >= than(n):
             break
-        found = n
-    return found
+        shorter = n
+    return shorter

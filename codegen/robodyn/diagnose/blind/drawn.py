@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment
+from robodyn.diagnose.blind.limits import DRAWN_SAMPLES, LOADED_SHARE
 from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
@@ -25,10 +26,6 @@ from robodyn.simulate.trajectories.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 Parameters = dict[str, float | str]
-
-#: What carries something has this share of the largest RMS torque.
-_LOADED = 0.2
-_SAMPLES = 1000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,7 +59,7 @@ class Usual:
 
 def usual(robot: Robot, motion: Trajectory) -> Usual:
     """What is usual of ``robot`` on ``motion``."""
-    step = max(1, len(motion) // _SAMPLES)
+    step = max(1, len(motion) // DRAWN_SAMPLES)
     q, qd, qdd = (x[::step] for x in (motion.q, motion.qd, motion.qdd))
     model = Model(robot)
     tau = model.torque(q, qd, qdd)
@@ -90,11 +87,11 @@ def places(id: str, u: Usual) -> list[int | None]:
         return []
     if belongs(known, of_robot=True) and not hidden.at_joint:
         return [None]
-    found: list[int | None] = []
+    joints: list[int | None] = []
     for j, link in enumerate(u.robot.links):
-        if hidden.needs and u.tau[j] < _LOADED * u.tau.max():
+        if hidden.needs and u.tau[j] < LOADED_SHARE * u.tau.max():
             continue
-        if hidden.needs == "gravity" and u.held[j] <= _LOADED * u.held.max():
+        if hidden.needs == "gravity" and u.held[j] <= LOADED_SHARE * u.held.max():
             continue
         if known.coupler is not None and link.joint.motor_inertia == 0:
             continue
@@ -102,8 +99,8 @@ def places(id: str, u: Usual) -> list[int | None]:
             continue
         if known.traits.levels and _rubs(u.robot, j + 1):
             continue
-        found.append(j + 1)
-    return found
+        joints.append(j + 1)
+    return joints
 
 
 def _rubs(robot: Robot, joint: int) -> bool:
@@ -122,21 +119,23 @@ def draw(
     ------
     InputError: the robot has no room for so many.
     """
-    found = list(taken)
+    amendments = list(taken)
     free = {id: places(id, u) for id in CATALOGUE}
-    while len(found) < len(taken) + count:
+    while len(amendments) < len(taken) + count:
         left = {
-            id: [joint for joint in joints if all(_apart(id, joint, one) for one in found)]
+            id: [joint for joint in joints if all(_apart(id, joint, one) for one in amendments)]
             for id, joints in free.items()
         }
         ids = [id for id, joints in left.items() if joints]
         if not ids:
             raise InputError(
-                f"{u.robot.name} has no room for so many effects", found=f"{count}", expected=f"{len(found)}"
+                f"{u.robot.name} has no room for so many effects",
+                found=f"{count}",
+                expected=f"{len(amendments)}",
             )
         id = ids[int(rng.integers(len(ids)))]
-        found.append(Amendment(id, left[id][int(rng.integers(len(left[id])))], {}))
-    return tuple(found[len(taken) :])
+        amendments.append(Amendment(id, left[id][int(rng.integers(len(left[id])))], {}))
+    return tuple(amendments[len(taken) :])
 
 
 def _apart(id: str, joint: int | None, other: Amendment) -> bool:
@@ -168,7 +167,7 @@ def form(id: str, joint: int | None, u: Usual, rng: np.random.Generator) -> Form
     return hidden.form(u.at(joint), way, rng)
 
 
-def settings(build: Parameters, given: Mapping[str, float | str]) -> Parameters:
-    """Parameters with what is ``given`` in their place, six digits each, as a model is amended by them."""
-    both: Parameters = {**build, **given}
+def settings(build: Parameters, fixed: Mapping[str, float | str]) -> Parameters:
+    """Parameters with what is ``fixed`` in their place, six digits each, as a model is amended by them."""
+    both: Parameters = {**build, **fixed}
     return {name: value if isinstance(value, str) else float(f"{value:.6g}") for name, value in both.items()}

@@ -17,6 +17,16 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.blind.drawn import draw, form, places, settings, usual
+from robodyn.diagnose.blind.limits import (
+    BASE_FREQUENCY,
+    DRAWS,
+    HARMONICS,
+    LEAST_SIZE,
+    LIMITS_SHARE,
+    QUIET_SHARE,
+    SIZE_TOLERANCE,
+    SIZE_TRIALS,
+)
 from robodyn.diagnose.blind.seal import seal
 from robodyn.diagnose.blind.true_arm import Arm, lacking, measured, rms
 from robodyn.diagnose.select.rigid import Model
@@ -32,14 +42,6 @@ from robodyn.simulate.trajectories.fourier import fourier
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
-
-#: A torque channel is no quieter than that of a joint with this share of the largest RMS torque.
-_QUIET = 0.05
-_BASE, _HARMONICS, _SHARE = 0.1, 5, 0.9
-#: How near to the wanted size is near enough, in how many trials; draws until there is one that can be.
-_NEAR, _TRIALS, _DRAWS = 0.05, 5, 20
-#: What is wanted of a drawn effect at least, as a share of the wanted size.
-_ENOUGH = 0.7
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,8 +151,8 @@ def hide(
     for k, (motion, which) in enumerate(((first, exact), (second, None))):
         clean = which or arm.log(motion, how.rate)
         shown = measure(clean, sensors, true.effects, seed=_stream(how.seed, 7, k))
-        told = _provenance(robot, text, how, motion, sensors)
-        logs.append(replace(shown, provenance=told))
+        provenance = _provenance(robot, text, how, motion, sensors)
+        logs.append(replace(shown, provenance=provenance))
     gap = rms(lacking(robot, measured(exact, true)))
     return Blind(robot, text or to_yaml(robot), true, effects, logs[0], logs[1], bench.noise, gap, how)
 
@@ -169,23 +171,23 @@ class _Bench:
         self.motion = motion
         self.t, self.q, self.qd, self.qdd = (x[::step] for x in (motion.t, motion.q, motion.qd, motion.qdd))
         size = rms(Model(robot).torque(self.q, self.qd, self.qdd))
-        self.noise = how.noise * np.maximum(size, _QUIET * max(float(size.max()), 1e-6))
+        self.noise = how.noise * np.maximum(size, QUIET_SHARE * max(float(size.max()), 1e-6))
         self.usual = usual(robot, motion)
 
     def chosen(self, wanted: Sequence[Amendment], random: int) -> tuple[Amendment, ...]:
         """The effects with all their parameters."""
         rng = np.random.default_rng(_stream(self.how.seed, 3))
         named = tuple(self._placed(one, rng) for one in wanted)
-        found = [self._sized(one, rng)[0] for one in named]
+        amendments = [self._sized(one, rng)[0] for one in named]
         missing = random
-        for _ in range(_DRAWS):
-            for one in draw(self.usual, missing, rng, found):
-                made, ratio = self._sized(one, rng)
-                if ratio > _ENOUGH * self.how.ratio:
-                    found.append(made)
+        for _ in range(DRAWS):
+            for one in draw(self.usual, missing, rng, amendments):
+                sized, ratio = self._sized(one, rng)
+                if ratio > LEAST_SIZE * self.how.ratio:
+                    amendments.append(sized)
                     missing -= 1
             if not missing:
-                return tuple(found)
+                return tuple(amendments)
         raise InputError(
             f"no effect shows {self.how.ratio:g} times the noise of {self.robot.name} on this motion",
             remedy="a lower --ratio, less --noise, or a livelier trajectory",
@@ -216,19 +218,19 @@ class _Bench:
         drawn = form(one.effect, one.joint, self.usual, rng)
         x, best = drawn.start, None
         tried: list[tuple[float, float]] = []
-        for _ in range(_TRIALS):
+        for _ in range(SIZE_TRIALS):
             x = min(max(x, drawn.least), drawn.most)
-            made = replace(one, parameters=settings(drawn.build(x), one.parameters))
-            ratio = self._shows(made)
+            amendment = replace(one, parameters=settings(drawn.build(x), one.parameters))
+            ratio = self._shows(amendment)
             if best is None or abs(np.log(ratio / self.how.ratio)) < abs(np.log(best[1] / self.how.ratio)):
-                best = made, ratio
+                best = amendment, ratio
             tried.append((x, ratio))
             power = 1.0
             if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
                 power = float(np.log(ratio / tried[-2][1]) / np.log(x / tried[-2][0]))
             following = x * (self.how.ratio / ratio) ** (1 / min(max(power, 0.3), 4.0))
             following = min(max(following, drawn.least), drawn.most)
-            if abs(ratio / self.how.ratio - 1) < _NEAR or following == x or abs(power) < 1e-3:
+            if abs(ratio / self.how.ratio - 1) < SIZE_TOLERANCE or following == x or abs(power) < 1e-3:
                 break
             x = following
         assert best is not None
@@ -271,26 +273,26 @@ def _sensors(robot: Robot, how: Setup, noise: Floats) -> Sensors:
 
 
 def _motions(robot: Robot, how: Setup, own: Sequence[Trajectory]) -> tuple[Trajectory, Trajectory]:
-    found = list(own[:2])
-    if any(motion.n != robot.n for motion in found):
+    motions = list(own[:2])
+    if any(motion.n != robot.n for motion in motions):
         raise InputError(f"the trajectory does not fit {robot.name}", expected=f"{robot.n} joints")
     limited, _ = with_limits(robot)
-    periods = max(1, round(_BASE * how.duration))
-    while len(found) < 2:
-        seed = _stream(how.seed, 1, len(found))
-        found.append(
-            fourier(limited, periods / how.duration, _HARMONICS, seed, periods=periods, share=_SHARE)
+    periods = max(1, round(BASE_FREQUENCY * how.duration))
+    while len(motions) < 2:
+        seed = _stream(how.seed, 1, len(motions))
+        motions.append(
+            fourier(limited, periods / how.duration, HARMONICS, seed, periods=periods, share=LIMITS_SHARE)
         )
-    return found[0], found[1]
+    return motions[0], motions[1]
 
 
 def _provenance(
     robot: Robot, text: str | None, how: Setup, motion: Trajectory, sensors: Sensors
 ) -> dict[str, Any]:
     """Where a log comes from, as far as that does not give the answer away: seeds would."""
-    told = {key: value for key, value in motion.describe().items() if key != "seed"}
+    motion_data = {key: value for key, value in motion.describe().items() if key != "seed"}
     options = {
-        "drive": {"kind": "follow", "trajectory": told, "controller": "pd", "model": robot.name},
+        "drive": {"kind": "follow", "trajectory": motion_data, "controller": "pd", "model": robot.name},
         "duration": motion.duration,
         "rate": how.rate,
         "noise": how.noise,

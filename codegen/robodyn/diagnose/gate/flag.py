@@ -9,14 +9,11 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.gate.limits import CHUNK, MOST_SPANS
 from robodyn.errors import InputError, Place
 
 Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]
-
-#: More spans than these are counted and not listed.
-MOST_SPANS = 100
-_CHUNK = 1 << 18
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,12 +84,12 @@ def named(group: str, joints: Sequence[int]) -> str:
     return ", ".join(f"{group}{j}" for j in joints)
 
 
-def count(number: int, thing: str = "row") -> str:
+def count(amount: int, thing: str = "row") -> str:
     """So many of a ``thing``: ``1 row``, ``2 rows``."""
-    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
+    return f"{amount} {thing}" if amount == 1 else f"{amount} {thing}s"
 
 
 def chunks(samples: int) -> Iterator[slice]:
     """``samples`` rows in pieces, so that what is made of one is small beside a log."""
-    for start in range(0, samples, _CHUNK):
-        yield slice(start, min(start + _CHUNK, samples))
+    for start in range(0, samples, CHUNK):
+        yield slice(start, min(start + CHUNK, samples))

@@ -15,35 +15,33 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.gate.flag import Flag, Floats, named, refuse
 from robodyn.diagnose.gate.likeness import Likeness, Trial, gain_of, likeness
+from robodyn.diagnose.gate.limits import (
+    ALIKE_GAIN,
+    COMPARED_STATES,
+    DRIVING_SHARE,
+    FLAGGED_GAIN,
+    KNOWN_UNIT,
+    LEAST_SCALE,
+    LIKE,
+    MOST_SCALE,
+    NEARER,
+    NEARER_EXACT,
+    REFUSED_GAIN,
+    SLIGHT,
+    SLIGHT_EXACT,
+    SPRUNG_FACTOR,
+    SURE_GAIN,
+    UNLIKE,
+    WORSE,
+    WORSE_EXACT,
+    WORSE_FACTOR,
+)
 from robodyn.diagnose.gate.readings import Change, signs_and_order, units
 from robodyn.diagnose.gate.smooth import Smooth
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.sensors import measured_position
 from robodyn.verify.reference import Reference
-
-#: States that are compared.
-STATES = 600
-#: A joint is unlike the model from this unexplained share of its torque on, and like it below this one.
-UNLIKE, LIKE = 0.7, 0.3
-#: What a change must gain to refuse the log, and to be told: factors of what is left unexplained.
-REFUSED, TOLD = 8.0, 3.0
-#: Gaining so much, two joints are in each other's place even if an effect hides one of them.
-SURELY = 100.0
-#: Torques are of another unit beyond these multiples of the model's; a known one within this share of it.
-LEAST_SCALE, MOST_SCALE, KNOWN = 0.2, 5.0, 0.2
-#: The share of a torque's variance that friction which drives must make up to show a flipped sign.
-DRIVING = 0.05
-#: Changes that gain this share of the best one's factor are told with it.
-ALIKE = 0.5
-#: From this unexplained share on, another reading that leaves so many times less at a joint is nearer to it;
-#: it is not if it leaves more than this share, and so many times more, at another joint.
-SLIGHT, NEARER = 0.05, 8.0
-#: The same where the model's torque is taken as it is: columns of joints that are much alike.
-SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT = 0.002, 6.0, 0.001
-WORSE, TIMES = 0.01, 3.0
-#: So many times less is left beside a spring, where a flipped sign is none.
-SPRUNG = 4.0
 
 
 def check_model(
@@ -63,26 +61,26 @@ def check_model(
     rows = np.flatnonzero(smooth.inside)
     if len(rows) < 50:
         return None
-    rows = rows[np.linspace(0, len(rows) - 1, min(STATES, len(rows))).astype(int)]
+    rows = rows[np.linspace(0, len(rows) - 1, min(COMPARED_STATES, len(rows))).astype(int)]
     offset = measured_position(np.zeros((1, robot.n)), robot.effects, parameters)
     trial = Trial(smooth.q[rows] - offset, smooth.qd[rows], smooth.qdd[rows], smooth.tau[rows])
     model = Reference(_frictionless(robot), parameters).inverse_dynamics
     torque = model(trial.q, trial.qd, trial.qdd)
     _constant(smooth.tau[smooth.inside], torque, source)
-    found = likeness(trial, torque)
+    fit = likeness(trial, torque)
 
     def changed(changes: Iterator[Change]) -> list[tuple[float, Change, Likeness]]:
         read = ((change, likeness(*change.of(trial, model, torque))) for change in changes)
-        return sorted(((gain_of(found, other), change, other) for change, other in read), key=lambda x: -x[0])
+        return sorted(((gain_of(fit, other), change, other) for change, other in read), key=lambda x: -x[0])
 
-    if not (found.apart > SLIGHT_EXACT).any():
-        return found.unexplained
-    if (found.unexplained > UNLIKE).any():
-        _tell(changed(units(robot, smooth)), found, source, flags)
-    _scales(found, source)
-    _tell(changed(signs_and_order(robot, found)), found, source, flags)
-    _unlike(found, torque, trial, source, flags)
-    return found.unexplained
+    if not (fit.apart > SLIGHT_EXACT).any():
+        return fit.unexplained
+    if (fit.unexplained > UNLIKE).any():
+        _tell(changed(units(robot, smooth)), fit, source, flags)
+    _scales(fit, source)
+    _tell(changed(signs_and_order(robot, fit)), fit, source, flags)
+    _unlike(fit, torque, trial, source, flags)
+    return fit.unexplained
 
 
 def _rubs(entry: EffectEntry) -> bool:
@@ -102,7 +100,7 @@ def _tell(
     first."""
     likely, sure = [], []
     for gain, change, after in read:
-        if gain < TOLD or gain < ALIKE * read[0][0]:
+        if gain < FLAGGED_GAIN or gain < ALIKE_GAIN * read[0][0]:
             break
         # The joints that the change makes like the model, among those that tell anything.
         became = _nearer(before, after, change)
@@ -115,15 +113,15 @@ def _tell(
         if change.kind == "sign" and became.sum() == 1:
             clear = bool(
                 (before.twisted[became] < -0.5)
-                | (before.driving[became] > DRIVING)
-                | (before.sprung[became] > SPRUNG * after.sprung[became])
+                | (before.driving[became] > DRIVING_SHARE)
+                | (before.sprung[became] > SPRUNG_FACTOR * after.sprung[became])
                 | _elsewhere(before, after, change)
             )
         elif change.kind == "order":
-            clear = gain > SURELY or all(after.unexplained[j - 1] < 0.5 for j in change.joints)
+            clear = gain > SURE_GAIN or all(after.unexplained[j - 1] < 0.5 for j in change.joints)
         else:
             clear = True
-        if gain > REFUSED and clear:
+        if gain > REFUSED_GAIN and clear:
             sure.append(change)
     if not likely:
         return
@@ -163,7 +161,7 @@ def _nearer(before: Likeness, after: Likeness, change: Change) -> NDArray[np.boo
         (before.apart, after.apart, SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT),
     ):
         near = (was > slight) & (was > times * now)
-        if near.any() and near[own].all() and not (now > np.maximum(TIMES * was, worse)).any():
+        if near.any() and near[own].all() and not (now > np.maximum(WORSE_FACTOR * was, worse)).any():
             return near
     return None
 
@@ -190,16 +188,16 @@ def _elsewhere(before: Likeness, after: Likeness, change: Change) -> bool:
     return any(near[j] for j in range(len(near)) if j + 1 not in change.joints)
 
 
-def _scales(found: Likeness, source: str | None) -> None:
+def _scales(fit: Likeness, source: str | None) -> None:
     """Refuse torques of the model's shape and of another size: a fit would name gains, errors of inertia."""
-    like = [j for j in range(len(found.factor)) if found.correlation[j] > 0.9]
-    off = [j for j in like if not LEAST_SCALE < found.factor[j] < MOST_SCALE]
+    like = [j for j in range(len(fit.factor)) if fit.correlation[j] > 0.9]
+    off = [j for j in like if not LEAST_SCALE < fit.factor[j] < MOST_SCALE]
     if len(off) <= max(1, len(like) / 2):
         return
-    low, high = (float(f(found.factor[off])) for f in (np.min, np.max))
+    low, high = (float(f(fit.factor[off])) for f in (np.min, np.max))
     remedy = "write N m (N) at the joint: a motor's current times its torque constant and the gear ratio"
     for factor, what in ((1e3, "divide by 1000: N mm or mN m for N m"), (1e-3, "multiply by 1000: kN m")):
-        if abs(low / factor - 1) < KNOWN and abs(high / factor - 1) < KNOWN:
+        if abs(low / factor - 1) < KNOWN_UNIT and abs(high / factor - 1) < KNOWN_UNIT:
             remedy = what
     refuse(
         source,
@@ -210,20 +208,20 @@ def _scales(found: Likeness, source: str | None) -> None:
     )
 
 
-def _unlike(found: Likeness, torque: Floats, trial: Trial, source: str | None, flags: list[Flag]) -> None:
+def _unlike(fit: Likeness, torque: Floats, trial: Trial, source: str | None, flags: list[Flag]) -> None:
     """Refuse torques of which nothing is of the model's shape; only a flag where one joint alone tells."""
-    joints = range(len(found.factor))
+    joints = range(len(fit.factor))
     size = np.sqrt((torque * torque).mean(axis=0)), np.sqrt((trial.tau * trial.tau).mean(axis=0))
-    telling = [j for j in joints if np.isfinite(found.unexplained[j]) and size[0][j] > 0.2 * size[1][j]]
-    if any(abs(found.correlation[j]) >= 0.3 or found.unexplained[j] <= UNLIKE for j in telling):
+    telling = [j for j in joints if np.isfinite(fit.unexplained[j]) and size[0][j] > 0.2 * size[1][j]]
+    if any(abs(fit.correlation[j]) >= 0.3 or fit.unexplained[j] <= UNLIKE for j in telling):
         return
     where = named("tau", [j + 1 for j in telling])
     if len(telling) > 1:
         refuse(
             source,
             f"{where}: nothing of the torque is like the model's",
-            found=f"correlations of {min(found.correlation[telling]):.2f} to "
-            f"{max(found.correlation[telling]):.2f}, beside friction and a bias",
+            found=f"correlations of {min(fit.correlation[telling]):.2f} to "
+            f"{max(fit.correlation[telling]):.2f}, beside friction and a bias",
             expected="torques of this robot in this motion",
             remedy="see whether the log is of another robot or run, and in SI units",
         )

@@ -10,11 +10,9 @@ import numpy as np
 
 from robodyn.diagnose.gate.flag import Floats, named
 from robodyn.diagnose.gate.likeness import Likeness, Trial
+from robodyn.diagnose.gate.limits import BEYOND_LIMITS, FAR, TURNS
 from robodyn.diagnose.gate.smooth import Smooth
 from robodyn.robot.model import Robot
-
-#: Positions are too large beyond this multiple of the limits; of these [rad], [m] where there are none.
-BEYOND, TURNS, FAR = 1.3, 9.0, 5.0
 
 Model = Callable[[Floats, Floats, Floats], Floats]
 
@@ -46,10 +44,10 @@ class Change:
             states = [x[:, list(self.order)] for x in states]
         if self.scale is not None:
             states = [x * np.array(self.scale) for x in states]
-        found = Trial(states[0], states[1], states[2], tau)
+        changed = Trial(states[0], states[1], states[2], tau)
         if self.order is None and self.scale is None:
-            return found, torque
-        return found, model(found.q, found.qd, found.qdd)
+            return changed, torque
+        return changed, model(changed.q, changed.qd, changed.qdd)
 
 
 def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
@@ -72,7 +70,7 @@ def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
         for j in joints:
             limits = robot.links[j].joint.limits.position
             end = max(abs(float(x)) for x in limits) if limits else usual
-            if largest[j] > BEYOND * end:
+            if largest[j] > BEYOND_LIMITS * end:
                 beyond.append(j)
         # All that are of the kind, or one that is beyond alone.
         for some in {tuple(joints), *((j,) for j in beyond)} if beyond else ():
@@ -82,10 +80,10 @@ def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
             yield Change(kind, numbers, where, text, remedy.format(where), scale=scale)
 
 
-def signs_and_order(robot: Robot, found: Likeness) -> Iterator[Change]:
+def signs_and_order(robot: Robot, fit: Likeness) -> Iterator[Change]:
     """Readings with other signs and in another order."""
     n = robot.n
-    unlike = [j for j in range(n) if not found.unexplained[j] < 0.5]
+    unlike = [j for j in range(n) if not fit.unexplained[j] < 0.5]
     everyone = tuple(range(1, n + 1))
     minus = tuple(-1.0 for _ in everyone)
     for where, groups, text, scale, sign in (

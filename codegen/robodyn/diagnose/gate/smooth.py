@@ -9,10 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.gate.flag import Floats
+from robodyn.diagnose.gate.limits import SMOOTHING_LEAST, SMOOTHING_REACH
 from robodyn.simulate.log import Log
-
-#: How long the smoothing reaches [s], and the fewest samples it takes.
-REACH, LEAST = 0.08, 7
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,8 +28,8 @@ class Smooth:
 
 
 def smoothed(log: Log, segments: Sequence[slice], period: float) -> Smooth:
-    """The signals of ``log``, through the same local parabola over :data:`REACH`."""
-    window = max(LEAST, 2 * round(REACH / (2 * period)) + 1)
+    """The signals of ``log``, through the same local parabola over :data:`SMOOTHING_REACH`."""
+    window = max(SMOOTHING_LEAST, 2 * round(SMOOTHING_REACH / (2 * period)) + 1)
     q, qd, qdd, tau = (np.zeros_like(log.q) for _ in range(4))
     rate = None if log.qd is None else np.zeros_like(log.q)
     second = None if log.qdd is None else np.zeros_like(log.q)
@@ -55,8 +53,8 @@ def _parabola(x: Floats, window: int, period: float, derivative: int) -> Floats:
     """Savitzky-Golay smoothing of second order, or a derivative of it."""
     from scipy.signal import savgol_filter
 
-    found: Floats = savgol_filter(x, window, 2, deriv=derivative, delta=period, axis=0, mode="nearest")
-    return found
+    smooth: Floats = savgol_filter(x, window, 2, deriv=derivative, delta=period, axis=0, mode="nearest")
+    return smooth
 
 
 def noise_of(x: Floats, segments: Sequence[slice]) -> Floats:
@@ -67,7 +65,7 @@ def noise_of(x: Floats, segments: Sequence[slice]) -> Floats:
     for order in range(2, 6):
         # The squares of binomial coefficients add up to the middle one of twice the order.
         gain = float(np.sqrt(np.prod([(order + k) / k for k in range(1, order + 1)])))
-        found = [np.diff(piece, order, axis=0) for piece in pieces]
-        if found:
-            best = np.minimum(best, 1.4826 * np.median(np.abs(np.concatenate(found)), axis=0) / gain)
+        differences = [np.diff(piece, order, axis=0) for piece in pieces]
+        if differences:
+            best = np.minimum(best, 1.4826 * np.median(np.abs(np.concatenate(differences)), axis=0) / gain)
     return np.where(np.isfinite(best), best, 0.0)

@@ -13,17 +13,15 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.limits import CEILING_RIDGE, STANDS_OUT
 
 Floats = NDArray[np.float64]
-
-#: Ridge of columns of size 1, as a share of the number of samples; what stands out of the noise.
-_RIDGE, STANDS_OUT = 1e-3, 2.0
 
 
 def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floats:
     """What the library leaves in parts of the log that it was not fitted to, [n], by its middle (joints that
     stick at reversals make bursts) and in units of the noise; 1 where that is about the noise."""
-    found = np.ones(p.n)
+    ratio = np.ones(p.n)
     for j in range(p.n):
         columns = [p.A[:, j]]
         seen: dict[tuple[str, int | None], int] = {}
@@ -39,11 +37,11 @@ def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floa
         grams = np.stack([X[part].T @ X[part] for part in p.parts])
         rights = np.stack([X[part].T @ b[part] for part in p.parts])
         G, g = grams.sum(axis=0), rights.sum(axis=0)
-        ridge = _RIDGE * len(b) * np.eye(len(G))
+        ridge = CEILING_RIDGE * len(b) * np.eye(len(G))
         left = np.empty(len(b))
         for k, part in enumerate(p.parts):
             x = np.linalg.solve(G - grams[k] + ridge, g - rights[k])
             left[part] = b[part] - X[part] @ x
         size = 1.4826 * float(np.median(np.abs(left)))
-        found[j] = size if size > STANDS_OUT else 1.0
-    return found
+        ratio[j] = size if size > STANDS_OUT else 1.0
+    return ratio

@@ -15,6 +15,14 @@ from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
 from robodyn.diagnose.select.library.laws import bent
+from robodyn.diagnose.select.limits import (
+    HUBER,
+    HUBER_ROUNDS,
+    REFINE_FARTHEST,
+    REFINE_ROUNDS,
+    REFINE_STEP,
+    REFINE_WORTH,
+)
 from robodyn.diagnose.select.predict import given_torque, offsets
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.twist import behind_motors
@@ -27,35 +35,27 @@ from robodyn.simulate.sensors import measured_torque
 
 Floats = NDArray[np.float64]
 
-_ROUNDS, _STEP = 4, 1e-3
-#: What a round must gain to be followed by another, as a share of the sum of squares.
-_WORTH = 1e-3
-#: So many times larger than it began, a number is lost.
-_FARTHEST = 5.0
-#: From here on, in middle residuals, an error counts by its size and no more by its square.
-_USUAL, _REWEIGHTED = 2.0, 3
-
 
 def refined(
-    robot: Robot, found: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+    robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
 ) -> list[Amendment]:
-    """``found`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
+    """``amendments`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
     ``robot`` as it was given. By Gauss and Newton, differences taken one by one."""
     places = [
         (k, name)
-        for k, one in enumerate(found)
+        for k, one in enumerate(amendments)
         for name, value in one.parameters.items()
         if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
     ]
     if not places:
-        return list(found)
+        return list(amendments)
     nuisance, prior = _own(start)
 
     def changed(x: Floats) -> list[Amendment]:
-        values = [dict(one.parameters) for one in found]
+        values = [dict(one.parameters) for one in amendments]
         for (k, name), each in zip(places, x, strict=True):
             values[k][name] = float(each)
-        return [Amendment(one.effect, one.joint, v) for one, v in zip(found, values, strict=True)]
+        return [Amendment(one.effect, one.joint, v) for one, v in zip(amendments, values, strict=True)]
 
     def missed(x: Floats) -> Floats | None:
         try:
@@ -66,26 +66,26 @@ def refined(
         left = np.concatenate(rows) / start.sigma
         return left.reshape(-1) * np.repeat(start.rest.any(axis=1), start.n)
 
-    x = np.array([float(found[k].parameters[name]) for k, name in places])
+    x = np.array([float(amendments[k].parameters[name]) for k, name in places])
     begun, now = x, missed(x)
     if now is None:
-        return list(found)
-    for _ in range(_ROUNDS):
+        return list(amendments)
+    for _ in range(REFINE_ROUNDS):
         rows = now.reshape(-1, start.n)
         weight, _ = _weights(rows, nuisance, prior)
         best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
         columns = []
         for i in range(len(x)):
             moved = x.copy()
-            moved[i] *= 1 + _STEP
+            moved[i] *= 1 + REFINE_STEP
             other = missed(moved)
-            columns.append(np.zeros_like(now) if other is None else (other - now) / (_STEP * x[i]))
+            columns.append(np.zeros_like(now) if other is None else (other - now) / (REFINE_STEP * x[i]))
         J = np.stack(columns, axis=1)
         all_of_it = weight[:, None] * np.concatenate([J, nuisance], axis=1)
         _, step = _least(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
             tried = x - share * step[: len(x)]
-            within = np.all(tried * x > 0) and np.all(np.abs(tried) < _FARTHEST * np.abs(begun))
+            within = np.all(tried * x > 0) and np.all(np.abs(tried) < REFINE_FARTHEST * np.abs(begun))
             other = missed(tried) if within else None
             if other is None:
                 continue
@@ -95,7 +95,7 @@ def refined(
         else:
             break
         assert other is not None
-        worth = best - sum_of_squares > _WORTH * best
+        worth = best - sum_of_squares > REFINE_WORTH * best
         x, now = tried, other
         if not worth:
             break
@@ -110,13 +110,13 @@ def costs(
     nuisance, prior = _own(start)
     kept = np.any(start.rest != 0, axis=1)[:, None]
     usual: Floats | None = None
-    found = []
+    residuals = []
     for model in models:
         left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
         weight, usual = _weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
-        found.append(least / 2 / start.thin)
-    return found
+        residuals.append(least / 2 / start.thin)
+    return residuals
 
 
 def _is_refined(known: Effect, name: str) -> bool:
@@ -145,11 +145,11 @@ def _weights(
     1964), as factors of rows, and the middle sizes [n]; by what the nuisance too leaves of ``left``
     [N, n]."""
     weight, size = np.ones(left.size), np.ones(left.shape[1])
-    for _ in range(_REWEIGHTED):
+    for _ in range(HUBER_ROUNDS):
         x = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[1]
         rest = left - (nuisance @ x).reshape(left.shape)
         size = _usual(rest) if usual is None else usual
-        weight = np.sqrt(np.minimum(1.0, _USUAL * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
+        weight = np.sqrt(np.minimum(1.0, HUBER * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
     return weight, size
 
 
@@ -167,8 +167,8 @@ def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, F
 def _rest(robot: Robot, c: Context) -> Floats:
     """What ``robot`` leaves of a log, filtered and thinned."""
     s, model = c.signals, Model(robot)
-    found = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
-    total = found.total
+    torque = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
+    total = torque.total
     for entry in robot.effects:
         for law in entry.definition.traits.candidates:
             if isinstance(law, Bristles) and entry.joint:  # the model has them sliding

@@ -17,34 +17,31 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.ceiling import STANDS_OUT, unexplained
+from robodyn.diagnose.select.ceiling import unexplained
 from robodyn.diagnose.select.choice import Trial, best_of, enough, nearest, numbers_of, prepared, trial
 from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import BLOCKS, Fit, Problem, coarser, fitted, less, problem, tighter, without
+from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, less, problem, tighter, without
 from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
+from robodyn.diagnose.select.limits import (
+    BLOCKS,
+    CLIPPED_MARGIN,
+    DIVERGED,
+    MOST_EFFECTS,
+    OF_ENCODER_NOISE,
+    OF_NOISE,
+    OF_TORQUE,
+    POSES,
+    SHORTEST_PIECE,
+    STANDS_OUT,
+    TIGHT,
+    TIGHT_EVIDENCE,
+)
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.signals import Signals, signals_of
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
-
-#: Most effects in one look.
-_MOST = 6
-#: What an effect must explain at some joint: shares of the raw noise, of the torque (RMS), and of what the
-#: encoders' noise makes of it.
-_OF_NOISE, _OF_TORQUE, _OF_SHAKEN = 0.3, 0.004, 2.0
-#: A limit has one number and a force three: so much less it may explain.
-_CLIPPED = 0.15
-#: How much better the arm's numbers may be than they are said to be, and how much better the evidence for
-#: it must be.
-_TIGHT, _SURELY = 0.1, 5.0
-#: Poses at which inertias are looked at.
-_POSES = 50
-#: The shortest part of a log that is used, in periods of the filter's cutoff.
-_SHORTEST = 6.0
-#: So many times larger in the fit of all than when it was found, a coefficient means nothing.
-_FLOWN = 30.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,8 +103,8 @@ def start_of(contexts: Sequence[Context]) -> Problem:
 def raw_noise(s: Signals) -> Floats:
     """Standard deviations [n] of the torque channel's noise, from second differences."""
     second = np.diff(s.tau, 2, axis=0)
-    found: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
-    return found
+    deviation: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
+    return deviation
 
 
 def passed_noise(s: Signals) -> Floats:
@@ -123,7 +120,7 @@ def shaken(c: Context) -> Floats:
     s = c.signals
     if s.shaken is None:
         return np.zeros(c.n)
-    q = s.q[:: max(1, len(s.q) // _POSES)]
+    q = s.q[:: max(1, len(s.q) // POSES)]
     zeros = np.zeros_like(q)
     still = c.model.torque(q, zeros, zeros)
     squares = np.zeros(c.n)
@@ -137,9 +134,9 @@ def shaken(c: Context) -> Floats:
 def what_matters(c: Context) -> Floats:
     """RMS [n] that an effect must explain at a joint to be worth a name."""
     s = c.signals
-    large = np.maximum(_OF_NOISE * raw_noise(s), _OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
+    large = np.maximum(OF_NOISE * raw_noise(s), OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
     # What swings behind its motor looks like a smoother motion, and so takes noise of the encoders away.
-    return np.asarray(np.maximum(large, _OF_SHAKEN * shaken(c)))
+    return np.asarray(np.maximum(large, OF_ENCODER_NOISE * shaken(c)))
 
 
 def select(
@@ -157,15 +154,15 @@ def select(
     context = context_of(Model(robot), seen)
     contexts = [context]
     for log in pieces[1:]:
-        if log.samples * seen.period > _SHORTEST / seen.cutoff:
+        if log.samples * seen.period > SHORTEST_PIECE / seen.cutoff:
             more = signals_of(log, cutoff=seen.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
     start = start_of(contexts)
     least = what_matters(context) / start.sigma
-    made = zip(*(candidates(each) for each in contexts), strict=True)
+    columns = zip(*(candidates(each) for each in contexts), strict=True)
     library = [
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
-        for each in made
+        for each in columns
     ]
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
@@ -181,15 +178,15 @@ def select(
     chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
     if not chosen.found:
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
-        tight = tighter(start, _TIGHT)
+        tight = tighter(start, TIGHT)
         # Not their errors, which are within what is said of them.
         others = [pair for pair in library if not _is_of_link(pair[0])]
         other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
-        if other.found and _evidence(tight, other) > _evidence(start, chosen) + _SURELY:
+        if other.found and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = tight, other
-    now, current, found = chosen.now, chosen.current, chosen.found
+    now, current, findings = chosen.now, chosen.current, chosen.found
     first = fitted(start)
-    estimated = _estimated(now, current, found)
+    estimated = _estimated(now, current, findings)
     if touched is not None:
         estimated = (*estimated, _named_contact(touched, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
@@ -219,10 +216,10 @@ def _chosen(
 ) -> _Chosen:
     """One effect after another until none passes, or the columns of all others change."""
     now, current = start, fitted(start)
-    found: list[Named] = []
+    findings: list[Named] = []
     trials: list[Trial] = []
-    while len(found) < _MOST:
-        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in found}
+    while len(findings) < MOST_EFFECTS:
+        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
         tried = [
             trial(now, current, c, columns, least)
             for c, columns in library
@@ -234,7 +231,7 @@ def _chosen(
         if best is None:
             break
         one, rivals, confidence = best
-        found.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
+        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
         if one.candidate.fixed:
             now = less(now, one.candidate.rows, one.columns[:, :, 0])
         else:
@@ -244,7 +241,7 @@ def _chosen(
             progress(one.candidate.name)
         if one.candidate.definition.traits.reevaluate:
             break  # the model is to be evaluated anew before more is looked for
-    return _Chosen(found, now, current, trials)
+    return _Chosen(findings, now, current, trials)
 
 
 def _is_of_link(candidate: Candidate) -> bool:
@@ -308,7 +305,7 @@ def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Can
             left = b.copy()
             rows = list(candidate.rows)
             left[:, rows] -= columns[touched.mask][:, :, 0] / start.sigma[rows]
-            if 1 - float(np.sum(left**2) / np.sum(b**2)) > touched.explained - _CLIPPED:
+            if 1 - float(np.sum(left**2) / np.sum(b**2)) > touched.explained - CLIPPED_MARGIN:
                 return True
     return False
 
@@ -321,20 +318,20 @@ def _named_contact(touched: Contact, first: Fit) -> Named:
     return Named(one, (), 0.9, touched.x, touched.stderr)
 
 
-def _estimated(now: Problem, last: Fit, found: Sequence[Named]) -> tuple[Named, ...]:
+def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
     """The effects with their coefficients in the fit of all together."""
     done = []
     at = now.nuisance
     spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
     spread = spread * max(float(last.held.mean()), 1e-300)
-    for one in found:
+    for one in findings:
         if one.trial.candidate.fixed:
             done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
             continue
         wide = one.trial.columns.shape[2]
         x = last.known[at : at + wide]
         signs = np.array(one.trial.candidate.signs)
-        if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > _FLOWN * np.abs(one.trial.fit.x).max():
+        if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # all together they cannot be told apart
         error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
         done.append(Named(one.trial, one.rivals, one.confidence, x, error, one.beside))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from robodyn.schedule.arithmetic import flops_of_tasks
 from robodyn.schedule.graph import link_and_number
+from robodyn.schedule.task_counts import flops_of_tasks
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.thesis.printed_tasks import TABLE_4_2
 from robodyn.thesis.tables.table import Column, Row, Table, judged
@@ -35,9 +35,9 @@ def idle_tasks() -> dict[str, frozenset[int]]:
 
     def idle(flops: dict[int, int], link: int) -> frozenset[int]:
         return frozenset(
-            number
-            for at, number in map(link_and_number, flops)
-            if at == link and not flops[100 * at + number]
+            task_number
+            for at, task_number in map(link_and_number, flops)
+            if at == link and not flops[100 * at + task_number]
         )
 
     return {
@@ -49,10 +49,10 @@ def idle_tasks() -> dict[str, frozenset[int]]:
 
 def table() -> Table:
     """Printed lists beside the tasks that turn out to do nothing."""
-    found = idle_tasks()
+    idle = idle_tasks()
     rows = []
     for name, (printed, total) in TABLE_4_2.items():
-        ours = found[name]
+        ours = idle[name]
         rows.append(
             Row(
                 name,
