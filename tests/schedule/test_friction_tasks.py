@@ -92,10 +92,9 @@ def test_the_tasks_compute_the_thesiss_equations(friction: Friction) -> None:
 @pytest.mark.parametrize("friction", KINDS, ids=name)
 def test_every_order_that_the_graph_allows_will_do(friction: Friction) -> None:
     """A task that read what it does not wait for would fail, or give something else."""
-    numbers = {task.number for task in friction_tasks(friction)}
+    numbers = {task.row for task in friction_tasks(friction)}
     needs = {
-        task.number: [other for _, other in task.after if other in numbers]
-        for task in friction_tasks(friction)
+        task.row: [other for _, other in task.after if other in numbers] for task in friction_tasks(friction)
     }
     for seed in range(20):
         rng, sorter = random.Random(seed), TopologicalSorter(needs)
@@ -134,9 +133,9 @@ def test_no_task_takes_more_than_three_operations(friction: Friction, drives: bo
     for task in friction_tasks(friction):
         ledger.clear()
         try:
-            run_friction(friction, at, (task.number,))
+            run_friction(friction, at, (task.row,))
         except KeyError:
-            assert task.number != friction_tasks(friction)[-1].number  # only "out" is not there yet
+            assert task.row != friction_tasks(friction)[-1].number  # only "out" is not there yet
         done = sum(count for kind, count in ledger.items() if kind != "sqrt")
         assert 1 <= done <= FLOPS_PER_TASK, task
 
@@ -144,8 +143,8 @@ def test_no_task_takes_more_than_three_operations(friction: Friction, drives: bo
 def test_a_joint_with_both_has_eight_tasks_as_24_operations_fill() -> None:
     both = asked_friction("both")
     assert both is not None
-    assert [task.number for task in friction_tasks(both)] == [44, 45, 46, 47, 48, 49, 50, 53]
-    assert len({task.number for task in TASKS} & {task.number for task in friction_tasks(both)}) == 0
+    assert [task.row for task in friction_tasks(both)] == [44, 45, 46, 47, 48, 49, 50, 53]
+    assert len({task.row for task in TASKS} & {task.row for task in friction_tasks(both)}) == 0
     found = make("friction")
     assert [found.row(f"tasks a joint, {kind}").verdict for kind in ("both", "transmission")] == [
         "reproduced", "reproduced",
