@@ -64,7 +64,7 @@ def swapped(log: Log, i: int, j: int, *groups: str) -> Log:
 
 
 def flag_of(gate: Gate, kind: str) -> Flag:
-    (flag,) = gate.told(kind)
+    (flag,) = gate.flags_of(kind)
     return flag
 
 

@@ -64,9 +64,9 @@ def test_what_there_is_of_each_joint(log: Log) -> None:
 )
 def test_a_broken_row_is_left_out_and_filled_in(log: Log, kind: str, spoil: Callable[[Log], Log]) -> None:
     gate = inspect(spoil(log), GIVEN)
-    for flag in gate.told(kind):
+    for flag in gate.flags_of(kind):
         assert [(span.first, span.last) for span in flag.spans] == [(501, 501)]
-    assert gate.told(kind)
+    assert gate.flags_of(kind)
     assert flag_of(gate, "missing").spans[0].first == 500
     assert gate.log.samples == log.samples
     np.testing.assert_allclose(gate.log.q[500], log.q[500], atol=2e-4)
@@ -105,7 +105,7 @@ def test_uneven_times_are_resampled(log: Log) -> None:
     t = log.t + rng.uniform(-2e-4, 2e-4, log.samples)
     course = np.stack([np.interp(t, log.t, log.q[:, j]) for j in range(3)], axis=1)
     gate = inspect(replace(log, t=t, q=course), GIVEN)
-    assert gate.told("jitter")
+    assert gate.flags_of("jitter")
     np.testing.assert_allclose(np.diff(gate.log.t), gate.period, rtol=1e-6)
     within = np.stack([np.interp(gate.log.t, log.t, log.q[:, j]) for j in range(3)], axis=1)
     np.testing.assert_allclose(gate.log.q[2:-2], within[2:-2], atol=1e-4)
@@ -114,14 +114,14 @@ def test_uneven_times_are_resampled(log: Log) -> None:
 def test_times_with_few_digits_are_even(log: Log) -> None:
     thin = at(log, np.arange(0, log.samples, 4))
     gate = inspect(replace(thin, t=np.round(thin.t, 3)), GIVEN)
-    assert not gate.told("jitter")
+    assert not gate.flags_of("jitter")
     assert gate.log.q is thin.q
 
 
 def test_a_slower_source_is_seen(log: Log) -> None:
     held = np.arange(log.samples) // 8 * 8
     gate = inspect(replace(log, q=log.q[held], qd=None, tau=log.tau[held]), GIVEN)
-    assert gate.told("held")
+    assert gate.flags_of("held")
     assert gate.period == pytest.approx(8e-3)
     np.testing.assert_array_equal(gate.log.q, log.q[::8])
 

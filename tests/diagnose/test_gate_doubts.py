@@ -25,13 +25,13 @@ def test_velocities_that_are_late(log: Log) -> None:
     late = np.roll(log.qd, 12, axis=0)  # type: ignore[arg-type]
     gate = inspect(replace(log, qd=late), GIVEN)
     np.testing.assert_allclose([one.lag for one in gate.joints], 12.5e-3, atol=0.5e-3)
-    assert gate.told("velocity_lag")
+    assert gate.flags_of("velocity_lag")
 
 
 @pytest.mark.parametrize("value", [0.0, np.nan])
 def test_velocities_that_are_none(log: Log, value: float) -> None:
     gate = inspect(put(log, "qd", np.s_[:], value), GIVEN)
-    assert gate.told("rates_unusable")
+    assert gate.flags_of("rates_unusable")
     assert gate.log.qd is None
     assert gate.log.samples == log.samples
 
@@ -107,7 +107,7 @@ def test_a_long_log_is_cut_down_to_windows_of_its_motion(log: Log) -> None:
     long = replace(long, t=1e-3 * np.arange(long.samples))
     gate = inspect(long, GIVEN, most=5000)
     assert gate.log.samples <= 5000
-    assert gate.told("cut_down")
+    assert gate.flags_of("cut_down")
     assert len(gate.segments) > 5
     np.testing.assert_array_equal(gate.log.tau, long.tau[gate.rows])
     assert np.ptp(gate.log.q, axis=0) == pytest.approx(np.ptp(log.q, axis=0), rel=0.1)

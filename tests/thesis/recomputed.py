@@ -1,4 +1,4 @@
-"""What test_tables and test_tables_of_friction_and_tasks share."""
+"""Tables that are recomputed, and arms to recompute them for."""
 
 from __future__ import annotations
 
