@@ -7,7 +7,7 @@ import click
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.options import function_option, load, model_options, search_options
-from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
+from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
 from robodyn_cli.searching import Search
 
 
@@ -67,7 +67,7 @@ def command(
     counts: list[tuple[str, str, Count]] = []
     prunings: dict[tuple[str, str], Pruning] = {}
     rigid: dict[tuple[str, str], Count | None] = {}
-    with told() as tell:
+    with pruning_progress() as tell:
         for f, form, one in choices:
             programs = maker(described, one, tell)
             try:

@@ -15,6 +15,7 @@ from typing import Any, Final
 from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
+from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Options, program
 from robodyn.robot.model import Robot
 from robodyn.schedule import Machine, solve
@@ -141,10 +142,11 @@ def plans(
     targets: Sequence[Target],
     *,
     function: str = "inverse_dynamics",
+    scalar: ScalarType | None = None,
     tell: Callable[[str], None] = lambda _: None,
 ) -> list[Plan]:
     """Everything that was tried, of each target and formulation the best schedule on 1 to ``processors``
-    cores: shortest first.
+    cores: shortest first. ``scalar`` is that of the kernels; None: each target's own.
 
     Raises
     ------
@@ -163,7 +165,8 @@ def plans(
     for target in targets:
         for name, candidate in programs.items():
             tell(f"{target.name}, {name}")
-            candidates += _of_target(target, name, candidate, min(processors, _chip(target).cores))
+            cores = min(processors, _chip(target).cores)
+            candidates += _of_target(target, name, candidate, cores, scalar)
     return sorted(candidates, key=lambda plan: (plan.time_ns, plan.processors))
 
 
@@ -173,9 +176,11 @@ def _chip(target: Target) -> Chip:
     return target.chip
 
 
-def _of_target(target: Target, formulation: str, program: Program, most: int) -> list[Plan]:
+def _of_target(
+    target: Target, formulation: str, program: Program, most: int, scalar: ScalarType | None
+) -> list[Plan]:
     """The serial kernel, and for every number of cores the best cut and machine."""
-    units, costs = _units(target.costs)
+    units, costs = _units(target.costs_of(scalar or target.scalar))
     chip = _chip(target)
     unit_ns = chip.cycle_ns / units
     whole = sum(costs[operation.op] for operation in program.operations)
@@ -218,7 +223,13 @@ def chosen(candidates: Sequence[Plan], deadline_ns: float) -> Plan | None:
     return min(meeting, key=lambda plan: (plan.processors, plan.time_ns), default=None)
 
 
-def plan_text(robot: Robot, candidates: Sequence[Plan], targets: Sequence[Target], deadline_ns: float) -> str:
+def plan_text(
+    robot: Robot,
+    candidates: Sequence[Plan],
+    targets: Sequence[Target],
+    deadline_ns: float,
+    function: str = "inverse_dynamics",
+) -> str:
     """All plans for a person, those that meet the deadline marked."""
     best = chosen(candidates, deadline_ns)
     lines = [f"{robot.name}: deadline {spelled(deadline_ns)}", ""]
@@ -237,7 +248,7 @@ def plan_text(robot: Robot, candidates: Sequence[Plan], targets: Sequence[Target
     if best is None:
         lines.append(f"nothing meets it; the shortest is {spelled(candidates[0].time_ns)}")
     else:
-        lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best)}")
+        lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best, function)}")
     lines += [
         f"{target.name}: {chip.cores} cores, {chip.mhz:.4g} MHz; {chip.source}"
         for target, chip in ((target, _chip(target)) for target in targets)
@@ -248,14 +259,17 @@ def plan_text(robot: Robot, candidates: Sequence[Plan], targets: Sequence[Target
     return "\n".join(lines) + "\n"
 
 
-def _how(robot: Robot, plan: Plan) -> str:
+def _how(robot: Robot, plan: Plan, function: str) -> str:
+    known = function_named(function)
     options = FORMULATIONS[plan.formulation]
     switches = "".join(
         f" --{name} {value}" for name, value in options.items() if (name, value) != ("optimize", "record")
     )
     if plan.cut is None:
-        return f"one core: robodyn gen {robot.name}{switches}"
+        named = "" if known.by_default else f" --functions {function}"
+        return f"one core: robodyn gen {robot.name}{named}{switches}"
     waits = "" if plan.levels else " --no-levels"
+    waits += "" if known.is_recursion else f" --function {function}"
     return (
         f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
         f"{plan.cut}{waits}{switches} "
