@@ -217,7 +217,7 @@ class TestHelp:
         folder = Path(frame.__file__).parent
         shared = {
             "__init__", "__main__", "main", "common", "counted", "driving", "entry", "firmware", "languages",
-            "options", "progress", "pruned", "schedule_options", "searching", "simulate_options",
+            "options", "progress", "pruned", "schedule_options", "searching", "simulate_options", "targets",
         }  # fmt: skip
         files = {path.stem for path in folder.glob("*.py")} - shared
         assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}
