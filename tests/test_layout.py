@@ -16,6 +16,8 @@ ROOMS = """
 LATE = {"sympy", "numpy", "scipy", "matplotlib"}
 LEAN = {"ir", "robot", "dynamics", "passes", "counts", "optimize", "emit"}
 FACADE = {"__init__", "__main__"}
+#: Folders whose files are held to a length, and that length.
+TOPS, LINES = ("codegen", "cli", "benchmarks"), 350
 FILES = sorted(path.relative_to(ROOT) for path in ROOT.rglob("*.py"))
 
 
@@ -61,3 +63,18 @@ def test_imports_only_rooms_above(file: Path) -> None:
     assert "robodyn_cli" not in packages
     if room in LEAN | FACADE:
         assert not packages & LATE, "import it in the function that needs it"
+
+
+SOURCES = sorted(path.relative_to(ROOT.parent) for top in TOPS for path in (ROOT.parent / top).rglob("*.py"))
+
+
+@pytest.mark.parametrize("top", TOPS)
+def test_no_file_is_long(top: str) -> None:
+    """What does not fit on some screens is two things."""
+    long = {
+        str(file): lines
+        for file in SOURCES
+        if file.parts[0] == top
+        and (lines := len((ROOT.parent / file).read_text(encoding="utf-8").splitlines())) > LINES
+    }
+    assert not long, f"split along a seam what has more than {LINES} lines"

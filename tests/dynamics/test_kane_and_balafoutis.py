@@ -30,7 +30,7 @@ from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.vectors import Mark, plus, scaled, unmarked
 from robodyn.ir import Graph, Label, Program
 from robodyn.ir.fingerprint import fingerprint
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run
 from robodyn.robot import Inertia, Joint, Link, Robot, bundled_names

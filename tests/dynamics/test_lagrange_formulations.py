@@ -30,7 +30,7 @@ from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import unmarked
 from robodyn.ir import Graph, Program
 from robodyn.ir.fingerprint import fingerprint
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot

@@ -18,7 +18,7 @@ from robodyn.effects.efficiency import efficiency_at
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Input
 from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.verify.effects import added_torque, efficiency
 
 IDS = """

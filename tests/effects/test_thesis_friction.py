@@ -14,7 +14,7 @@ from robodyn.effects import thesis_friction as friction
 from robodyn.effects.scalars import magnitude, root
 from robodyn.ir import Graph, Input
 from robodyn.ir.evaluate import evaluate
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 
 MU, R, D = 0.1, 0.08, 0.25
 

@@ -10,7 +10,8 @@ import sympy
 
 from robodyn.ir.derivative import jacobian
 from robodyn.ir.evaluate import evaluate
-from robodyn.ir.graph import Graph, lower
+from robodyn.ir.graph import Graph
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input
 
 INPUTS = [Input("x", 0), Input("x", 1), Input("p", None)]

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from robodyn.ir import Graph, Input, Operation, Program
 from robodyn.ir.field import Field, Vanishes, is_prime
 from robodyn.ir.fingerprint import agree, digest, fingerprint, in_drawn_field
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.ir.residue import Residue
 from robodyn.robot.values import circle_point
 

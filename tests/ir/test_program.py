@@ -18,7 +18,7 @@ from robodyn.ir import Graph, Input, Label, Operand, Operation, Program, Signatu
 from robodyn.ir.evaluate import angle_form, evaluate, evaluate_exact, turn
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import fingerprint
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.robot.values import circle_point
 
 X, Y = Input("x", None), Input("y", None)

@@ -17,7 +17,7 @@ from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir import Graph, Program
 from robodyn.ir.fingerprint import fingerprint
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.optimize.closed_form import closed_forms, seeds
 from robodyn.optimize.closed_form.extraction import Extraction, Memory, System, Taste
 from robodyn.optimize.closed_form.numbers import Numbers

@@ -20,7 +20,7 @@ from robodyn.counts import count
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.ir import Graph, Input, Label, Operand, Operation, Program
 from robodyn.ir.fingerprint import agree, fingerprint
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.kernels.generate import SingularArm
 from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FAST, FRESH, SPELLING, PassError, cse, dce, factor, fold, negate, order, run

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robodyn.dynamics.functions import Function, torques_at
-from robodyn.ir.graph import Graph, lower
+from robodyn.ir.graph import Graph
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
 
 

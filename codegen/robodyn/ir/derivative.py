@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from robodyn.ir.graph import Graph, Node, Scalar, needed
+from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.lowering import needed
 from robodyn.ir.program import Input
 
 #: Added to a root in a denominator: where a sum of squares is zero, so is the derivative of its root taken.

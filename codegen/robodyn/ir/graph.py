@@ -2,7 +2,7 @@
 
 Equal nodes are one node the moment they are written, so common-subexpression elimination is not a
 search. A node is a sign and a position: ``x - y`` and ``y - x`` are one position with two signs, and
-a minus costs nothing until a program is written out (:func:`lower`).
+a minus costs nothing until a program is written out (:func:`~robodyn.ir.lowering.lower`).
 
 Constants stay plain :class:`~fractions.Fraction`; arithmetic among constants never enters the graph,
 and ``0 * x``, ``1 * x``, ``x + 0`` give what they should at once.
@@ -10,21 +10,14 @@ and ``0 * x``, ``1 * x``, ``x + 0`` give what they should at once.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Union
 
-from robodyn.errors import InputError
-from robodyn.ir.program import Input, Label, Operand, Operation, Program
+from robodyn.ir.digits import check_digits
+from robodyn.ir.program import Input, Label, Operand, Program
 
 Scalar = Union["Node", Fraction, int]
-
-#: Bits of a constant at most, some 20,000 digits: products and sums of larger ones take for ever.
-_MOST_BITS = 1 << 16
-
-
-class TooManyDigits(InputError):
-    """Constants that are exact, and so long that nobody waits for their products."""
 
 
 class Node:
@@ -252,15 +245,7 @@ class Graph:
         ``replacement`` gives values that stand in for operations (by position), ``inputs`` for inputs.
         """
         values = self.replay_all(program, replacement, inputs)
-        given = inputs or {}
-
-        def value(operand: Operand) -> Scalar:
-            if isinstance(operand, int):
-                return values[operand]
-            if isinstance(operand, Input):
-                return given[operand] if operand in given else self.input(*operand)
-            return operand
-
+        value = self._reader(values, inputs or {})
         return [value(operand) for operand in program.results()]
 
     def replay_all(
@@ -271,15 +256,7 @@ class Graph:
     ) -> list[Scalar]:
         """Build ``program`` in this graph; the values of its operations."""
         values: list[Scalar] = []
-        given = inputs or {}
-
-        def value(operand: Operand) -> Scalar:
-            if isinstance(operand, int):
-                return values[operand]
-            if isinstance(operand, Input):
-                return given[operand] if operand in given else self.input(*operand)
-            return operand
-
+        value = self._reader(values, inputs or {})
         for i, (op, args, label) in enumerate(program.operations):
             if replacement is not None and i in replacement:
                 values.append(replacement[i])
@@ -291,15 +268,22 @@ class Graph:
             values.append(made)
         return values
 
+    def _reader(self, values: list[Scalar], inputs: Mapping[Input, Scalar]) -> Callable[[Operand], Scalar]:
+        """What an operand of a program is here, where its operations are ``values``."""
+
+        def value(operand: Operand) -> Scalar:
+            if isinstance(operand, int):
+                return values[operand]
+            if isinstance(operand, Input):
+                return inputs[operand] if operand in inputs else self.input(*operand)
+            return operand
+
+        return value
+
     def _check_digits(self, value: Scalar) -> None:
         key = self.keys[value.position] if isinstance(value, Node) else ("const", value)
         if key[0] == "const" or key[0] == "scale":
-            constant = key[1]
-            if constant.denominator.bit_length() + constant.numerator.bit_length() > _MOST_BITS:
-                raise TooManyDigits(
-                    "the products of constants have more than 20,000 digits",
-                    remedy="give the numbers fewer digits, or the arm fewer joints",
-                )
+            check_digits(key[1])
 
     def copied(self, key: tuple[Any, ...], made: Mapping[int, Scalar]) -> Scalar:
         """What ``key`` of another graph is in this one, where its operands are ``made``."""
@@ -357,101 +341,3 @@ class Graph:
         if key[0] == "scale":
             return a.sign * key[1], key[2]
         return a.sign, a.position
-
-
-Outputs = Iterable[tuple[str, Sequence[Scalar]]]
-
-
-def needed(graph: Graph, outputs: Outputs) -> list[int]:
-    """Positions that ``outputs`` need, in the order of creation."""
-    wanted: set[int] = set()
-    stack = [v.position for _, values in outputs for v in values if isinstance(v, Node)]
-    while stack:
-        position = stack.pop()
-        if position not in wanted:
-            wanted.add(position)
-            stack.extend(children(graph.keys[position]))
-    return sorted(wanted)
-
-
-def lower(graph: Graph, outputs: Outputs, stored: Mapping[int, int] | None = None) -> Program:
-    """The straight-line program of what ``outputs`` need, in the order of creation.
-
-    ``stored`` gives the sign with which a position is computed where that is not +1; a ``neg`` stands
-    where signs do not fit. :mod:`robodyn.passes.negate` chooses signs so that few are left.
-    """
-    outputs = [(name, list(values)) for name, values in outputs]
-    signs = stored or {}
-    operations: list[Operation] = []
-    place: dict[int, Operand] = {}
-    negated: dict[int, Operand] = {}
-
-    def emit(op: str, *args: Operand, label: Label | None = None) -> Operand:
-        operations.append(Operation(op, args, label))
-        return len(operations) - 1
-
-    def operand(position: int, sign: int) -> Operand:
-        """``sign`` times the value at ``position``."""
-        there = place[position]
-        if sign == signs.get(position, 1):
-            return there
-        if isinstance(there, Fraction):
-            return -there
-        if position not in negated:
-            negated[position] = emit("neg", there)
-        return negated[position]
-
-    for position in needed(graph, outputs):
-        key = graph.keys[position]
-        op = key[0]
-        own = signs.get(position, 1)
-        label = graph.labels.get(position)
-        if label is not None and own < 0:
-            label = label.flipped()
-        if op in ("input", "const"):
-            place[position] = key[1]
-        elif op == "add":
-            _, i, relative, j = key
-            first, second = own * signs.get(i, 1), own * relative * signs.get(j, 1)
-            if first < 0 and second > 0:
-                (i, first), (j, second) = (j, second), (i, first)
-            left = operand(i, first * signs.get(i, 1))
-            right = place[j]
-            place[position] = emit("add" if second > 0 else "sub", left, right, label=label)
-        elif op == "scale":
-            factor = key[1] if own == signs.get(key[2], 1) else -key[1]
-            place[position] = emit("mul", factor, place[key[2]], label=label)
-        elif op in ("mul", "div"):
-            sign = own * signs.get(key[1], 1) * signs.get(key[2], 1)
-            left = operand(key[1], sign * signs.get(key[1], 1))
-            place[position] = emit(op, left, place[key[2]], label=label)
-        elif op in ("sqrt", "exp"):
-            place[position] = emit(op, operand(key[1], key[2]), label=label)
-        elif op == "pow":
-            place[position] = emit(op, operand(key[1], key[2]), operand(key[3], key[4]), label=label)
-        elif op in ("cos", "abs"):
-            place[position] = emit(op, place[key[1]], label=label)
-        else:
-            place[position] = emit(op, operand(key[1], 1), label=label)
-
-    def result(value: Scalar) -> Operand:
-        return operand(value.position, value.sign) if isinstance(value, Node) else Fraction(value)
-
-    results = tuple((name, tuple(map(result, values))) for name, values in outputs)
-    return Program(tuple(operations), results, origin=(graph, outputs))
-
-
-def children(key: tuple[Any, ...]) -> tuple[int, ...]:
-    """Positions that a key reads."""
-    op = key[0]
-    if op in ("input", "const"):
-        return ()
-    if op == "add":
-        return (key[1], key[3])
-    if op == "scale":
-        return (key[2],)
-    if op in ("sqrt", "exp"):
-        return (key[1],)
-    if op == "pow":
-        return (key[1], key[3])
-    return tuple(key[1:])

@@ -25,7 +25,8 @@ from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.effects.effect import Site
 from robodyn.effects.scalars import is_zero
 from robodyn.errors import InputError
-from robodyn.ir.graph import Graph, Scalar, lower
+from robodyn.ir.graph import Graph, Scalar
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Label, Program
 from robodyn.optimize.programs import NoForwardDynamics, turned
 from robodyn.robot.model import Robot

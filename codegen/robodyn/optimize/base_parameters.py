@@ -10,7 +10,7 @@ follows, begins to turn (``start``): these differ by the turn about z, whose cos
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,7 +20,6 @@ from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.parallel import Turns
 from robodyn.dynamics.regroup import about_axis_z
 from robodyn.dynamics.vectors import Mark, unmarked
-from robodyn.ir.program import Label
 from robodyn.optimize.gauge import Regrouped, Unsuited
 from robodyn.optimize.lazy import (
     NOTHING,
@@ -32,6 +31,7 @@ from robodyn.optimize.lazy import (
     turned_x,
     turned_z,
 )
+from robodyn.optimize.link_rates import angular_acceleration, rates_along
 from robodyn.optimize.moments import Rates, Wrench, lumped, row_times, spin, spin_about, with_point, wrist
 from robodyn.optimize.writing import LinkWriting, Writing
 
@@ -65,9 +65,6 @@ def base_newton_euler(
     of ``arm`` and ``motion`` [m] are those of the origins that ``links`` have.
     """
     return _Recursion(arm, motion, turns, links, writing, per_unit, mark).torques()
-
-
-_PRODUCTS = {0: "xx", 1: "xy", 2: "zx", 11: "yy", 12: "yz", 22: "zz"}
 
 
 class _Recursion:
@@ -125,15 +122,15 @@ class _Recursion:
 
         own_w = named(Lazy(velocity), self.mark, i + 1, "w")
         start_w = Lazy(lambda k: own_w[2] if k == 2 else w0[k])
-        own_alpha = Lazy(_acceleration(carried, own_w, rate, acceleration))
-        from_start = _acceleration(alpha0, w0, rate, acceleration)
+        own_alpha = Lazy(angular_acceleration(carried, own_w, rate, acceleration))
+        from_start = angular_acceleration(alpha0, w0, rate, acceleration)
         start_alpha = Lazy(lambda k: own_alpha[2] if k == 2 else from_start(k))
         own_a = named(self._sliding(i, turned_z(c, -s, a0), own_w), self.mark_lengths, i + 1, "a")
         start_a = self._sliding(i, a0, start_w)
         above = self._above(i, before)
         beside = turned_z(c, -s, above)
-        own = self._rates(i, how, own_w, own_alpha, own_a, w0, carried, beside, rate, self.mark)
-        start = self._rates(i, how, start_w, start_alpha, start_a, w0, alpha0, above, rate, unmarked)
+        own = rates_along(i, how, own_w, own_alpha, own_a, w0, carried, beside, rate, self.mark)
+        start = rates_along(i, how, start_w, start_alpha, start_a, w0, alpha0, above, rate, unmarked)
         return Moving(own, start, w0, alpha0, above, p)
 
     def _origin(self, i: int) -> Components:
@@ -181,65 +178,6 @@ class _Recursion:
             return Lazy(lambda k: ca * above[0] if k == 0 else above[1])
         column = Lazy(lambda j: row_times(before.own.lam, j, (0, -sa, ca)))
         return turned_x(ca, -sa, column)
-
-    def _rates(
-        self,
-        i: int,
-        how: LinkWriting,
-        w: Components,
-        turning: Components,
-        a: Components,
-        w0: Components,
-        carried: Components,
-        above: Components,
-        rate: Any,
-        mark: Mark,
-    ) -> Rates:
-        """The motion along one set of axes; ``w0`` along those in which the link begins to turn. ``turning``
-        is the angular acceleration from that of what carries the link, ``carried`` that alone."""
-        alpha: Components
-        # One product for w_y w_z and w_z w_y; the thesis's k is (yz, zx, xy).
-        products = Lazy(lambda jk: mark(w[jk // 10] * w[jk % 10], Label(i + 1, "ww", _PRODUCTS[jk])))
-
-        def product(j: int, k: int) -> Any:
-            return products[10 * min(j, k) + max(j, k)]
-
-        def third(k: int) -> Any:
-            """The third column, ``w_k w_z + (alpha x z)_k``."""
-            if how.column == "turned":
-                return above[k]
-            if how.column == "carried":  # what the link's own rate adds to both cancels
-                return w[k] * w0[2] + (carried[1] if k == 0 else -carried[0])
-            return product(k, 2) + (alpha[1] if k == 0 else -alpha[0])
-
-        def entry(index: int) -> Any:
-            if index in (11, 22):
-                other = 1 if index == 11 else 0
-                return -(product(other, other) + product(2, 2))
-            if index == 33:  # the part of w across the axis is the carrier's
-                return -(w0[0] * w0[0] + w0[1] * w0[1])
-            if index in (12, 21):
-                return product(0, 1) + (alpha[2] if index == 21 else -alpha[2])
-            if index in (13, 23):
-                return third(0 if index == 13 else 1)
-            k = 0 if index == 31 else 1
-            if how.row == "own":
-                return product(k, 2) + (-alpha[1] if k == 0 else alpha[0])
-            if how.row == "carried":
-                return w[k] * (w[2] + rate) + (-carried[1] if k == 0 else carried[0])
-            return w[k] * (2 * w[2]) - lam[13 if k == 0 else 23]
-
-        lam = Lazy(lambda index: mark(entry(index), Label(i + 1, "lam", str(index))))
-        alpha = named(turning, mark, i + 1, "alpha")
-        if how.alpha == "column" and how.column != "own":
-
-            def from_column(k: int) -> Any:
-                if k == 2:
-                    return turning[2]
-                return product(1, 2) - lam[23] if k == 0 else lam[13] - product(0, 2)
-
-            alpha = named(Lazy(from_column), mark, i + 1, "alpha")
-        return Rates(w, alpha, lam, a, product)
 
     # -- links ------------------------------------------------------------------------------------
     def _wrenches(self) -> tuple[list[Wrench | None], list[Wrench | None], dict[int, Components]]:
@@ -352,19 +290,6 @@ class _Recursion:
                 torque = n0[2] if self.arm.bodies[i].revolute else f0[2] * self.per_unit
             torques[i] = joint_torque(self.arm, i, self.motion, torque, self.mark)
         return torques
-
-
-def _acceleration(carried: Components, w: Components, rate: Any, acceleration: Any) -> Callable[[int], Any]:
-    """Angular acceleration of a link that turns about z at ``rate`` on what carries it."""
-
-    def component(k: int) -> Any:
-        if k == 2:
-            return carried[2] + acceleration
-        if not rate:
-            return carried[k]
-        return carried[0] + w[1] * rate if k == 0 else carried[1] - w[0] * rate
-
-    return component
 
 
 def _any(lump: Lump) -> bool:

@@ -21,7 +21,7 @@ from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
 from robodyn.ir import Graph, Label, Node, Program, Signature
 from robodyn.ir.fingerprint import in_drawn_field
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.ir.signature import ScalarType
 from robodyn.optimize.base_parameters import base_newton_euler
 from robodyn.optimize.costing import exact as exact

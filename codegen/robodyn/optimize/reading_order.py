@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from robodyn.ir.graph import Graph, Node, Scalar, children, needed
+from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.lowering import children, needed
 
 #: Quantities of the forward and the backward pass, in order within a link.
 FORWARD = ("w", "alpha", "ww", "lam", "a")

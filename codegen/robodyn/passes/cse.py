@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from robodyn.ir.graph import lower
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Program
 from robodyn.passes.replay import as_graph
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from robodyn.ir.graph import Graph, Node, Scalar, children, lower, needed
+from robodyn.ir.graph import Graph, Node, Scalar
+from robodyn.ir.lowering import children, lower, needed
 from robodyn.ir.program import Program
 from robodyn.passes.replay import as_graph
 

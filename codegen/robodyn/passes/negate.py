@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from robodyn.ir.graph import Graph, Node, children, lower, needed
+from robodyn.ir.graph import Graph, Node
+from robodyn.ir.lowering import children, lower, needed
 from robodyn.ir.program import Program
 from robodyn.passes.replay import as_graph
 

@@ -9,10 +9,10 @@ from typing import Any, Final
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.schedule import FLOPS_PER_TASK, Solved, TaskGraph, general_graph, robot_graph
-from robodyn.schedule.arithmetic import operations_of_tasks
 from robodyn.schedule.cutting import Cut
 from robodyn.schedule.graph import link_and_number, task_id
 from robodyn.schedule.methods import TITLES
+from robodyn.schedule.task_counts import operations_of_tasks
 from robodyn.schedule.tree import Searched
 from robodyn.schedule.validate import faults_of_times
 from robodyn.thesis.judge import graph_of, printed_schedule, rule_graph

@@ -17,7 +17,8 @@ from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.vectors import unmarked
 from robodyn.errors import InputError
 from robodyn.ir.fingerprint import agree
-from robodyn.ir.graph import Graph, lower
+from robodyn.ir.graph import Graph
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Label, Program
 from robodyn.optimize.programs import Choice, build, exact, turned
 from robodyn.robot.model import Robot

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from robodyn.ir.graph import Graph, Scalar, lower
+from robodyn.ir.graph import Graph, Scalar
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Program
 from robodyn.passes.replay import grouped
 from robodyn.search.network import ADD, BELOW, FURTHER, LEAF, OFFSET, POINTS, SCALE, Network, NoWalk, Row

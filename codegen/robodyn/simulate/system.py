@@ -28,7 +28,8 @@ from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.effects.effect import Site
 from robodyn.effects.scalars import is_zero
 from robodyn.ir.derivative import jacobian as derivatives
-from robodyn.ir.graph import Graph, Scalar, lower
+from robodyn.ir.graph import Graph, Scalar
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.drafts import Drafts
 from robodyn.kernels.options import Options

@@ -18,7 +18,8 @@ from robodyn.dynamics.arm import Arm
 from robodyn.dynamics.logarithmic import logarithmic
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.ir.graph import Graph, Node, lower
+from robodyn.ir.graph import Graph, Node
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Program
 from robodyn.schedule.cutting import cut
 from robodyn.schedule.graph import TaskGraph

@@ -10,7 +10,8 @@ from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.arm import build_arm
-from robodyn.ir.graph import Graph, Node, needed
+from robodyn.ir.graph import Graph, Node
+from robodyn.ir.lowering import needed
 from robodyn.optimize.closed_form.coordinates import Coordinates, Model, model, parallels, values
 from robodyn.optimize.closed_form.extraction import System
 from robodyn.optimize.closed_form.numbers import Numbers

@@ -7,7 +7,8 @@ from collections import Counter
 from fractions import Fraction
 from typing import Any
 
-from robodyn.ir.graph import Graph, lower
+from robodyn.ir.graph import Graph
+from robodyn.ir.lowering import lower
 from robodyn.ir.program import Program
 from robodyn.optimize.closed_form.coordinates import values
 from robodyn.optimize.closed_form.extraction import System

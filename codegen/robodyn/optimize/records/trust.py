@@ -7,10 +7,10 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from robodyn.errors import InputError, Place
+from robodyn.ir.digits import TooManyDigits
 from robodyn.ir.evaluate import is_angle
 from robodyn.ir.field import Field
 from robodyn.ir.fingerprint import agree, constants, digest, fingerprint, in_drawn_field
-from robodyn.ir.graph import TooManyDigits
 from robodyn.ir.program import Input, Program
 from robodyn.optimize.records.record import Record
 from robodyn.optimize.records.rounding import Rounding

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from robodyn.schedule.arithmetic import flops_of_tasks
 from robodyn.schedule.graph import link_and_number
+from robodyn.schedule.task_counts import flops_of_tasks
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.thesis.printed_tasks import TABLE_4_2
 from robodyn.thesis.tables.table import Column, Row, Table, judged

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from robodyn.schedule.arithmetic import flops_of_tasks
 from robodyn.schedule.elimination import left_out
 from robodyn.schedule.graph import task_id
+from robodyn.schedule.task_counts import flops_of_tasks
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.thesis.printed_tasks import TABLE_4_5
 from robodyn.thesis.tables.table import Column, Row, Table, judged
