@@ -75,7 +75,7 @@ def command(
         beside = None
         if function_named(function).is_recursion and not no_peers:
             beside = kernel_bench(described, options, cc=cc, tell=lambda text: shown.tell(f"robodyn: {text}"))
-        found = bench(
+        measured = bench(
             described,
             interface,
             tasks,
@@ -86,8 +86,8 @@ def command(
             tell=lambda text: shown.tell(f"robodyn: {text}"),
         )
     if as_json:
-        echo_json({**found.to_dict(), **({} if beside is None else beside.to_dict())})
+        echo_json({**measured.to_dict(), **({} if beside is None else beside.to_dict())})
     else:
         if beside is not None:
             click.echo(kernel_text(beside))
-        click.echo(bench_text(found), nl=False)
+        click.echo(bench_text(measured), nl=False)

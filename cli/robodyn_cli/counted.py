@@ -10,16 +10,16 @@ if TYPE_CHECKING:
     from robodyn.robot import Robot
 
 
-def record(robot: Robot, function: str, formulation: str, found: Count) -> dict[str, Any]:
+def record(robot: Robot, function: str, formulation: str, count: Count) -> dict[str, Any]:
     """A count as ``--json`` prints it."""
     from robodyn.counts import beside
 
-    printed = beside(robot, function, found, formulation)
+    printed = beside(robot, function, count, formulation)
     return {
         "robot": robot.name,
         "function": function,
         "formulation": formulation,
-        **found.to_dict(),
+        **count.to_dict(),
         "thesis": None if printed is None else printed.to_dict(),
     }
 
@@ -35,17 +35,17 @@ def with_rigid(row: dict[str, Any], rigid: Count | None) -> dict[str, Any]:
 
 def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None]) -> list[str]:
     """The operations that effects add to each function, one line per function."""
-    found = []
+    lines = []
     for function, beneath in rigid.items():
         whole = counts[function]
         if beneath is not None and (whole.total, whole.other) != (beneath.total, beneath.other):
-            found.append(
+            lines.append(
                 f"{function}: {beneath.mul}+{beneath.add} = {beneath.total} for the rigid arm; effects "
                 f"{whole.mul - beneath.mul:+}/{whole.add - beneath.add:+} mul/add, "
                 f"{whole.div - beneath.div:+} div, {whole.sqrt - beneath.sqrt:+} sqrt, "
                 f"{whole.other - beneath.other:+} other = {whole.total - beneath.total:+}"
             )
-    return found
+    return lines
 
 
 def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str]:
@@ -56,10 +56,10 @@ def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str
     heads = ("", "mul", "add", "div", "total", "minus", "sin/cos", "thesis", "verdict")
     table: list[tuple[str, ...]] = [heads]
     notes: dict[str, None] = {}
-    for heading, function, formulation, found in rows:
-        printed = beside(robot, function, found, formulation)
+    for heading, function, formulation, count in rows:
+        printed = beside(robot, function, count, formulation)
         thesis = f"{printed.mul}+{printed.add} = {printed.total}" if printed else "-"
-        numbers = (found.mul, found.add, found.div, found.total, found.neg, found.sincos)
+        numbers = (count.mul, count.add, count.div, count.total, count.neg, count.sincos)
         table.append((heading, *map(str, numbers), thesis, printed.verdict if printed else "-"))
         if printed:
             notes[_note(printed)] = None

@@ -66,18 +66,18 @@ def command(
     _spare_inputs(folder, [robot, *sources])
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
-    found = _diagnosed(described, robot, logs, validate, values)
+    diagnosis = _diagnosed(described, robot, logs, validate, values)
     validated = validate is not None
-    text = json.dumps(_finite(found.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from robodyn.report.diagnosis import page
 
     files: dict[str, str | bytes] = {
         _DATA: text,
-        _MODEL: found.model_text,
-        _REPORT: page(found, validated=validated),
+        _MODEL: diagnosis.model_text,
+        _REPORT: page(diagnosis, validated=validated),
     }
     if not no_kernels:
-        files.update(_kernels(found))
+        files.update(_kernels(diagnosis))
     elif (folder / _KERNELS).exists():
         talk(f"robodyn: note: {printable(folder / _KERNELS)} is from an earlier run")
     write_files(folder, files)
@@ -86,9 +86,9 @@ def command(
     else:
         from robodyn.report.diagnosis_text import summary
 
-        for line in summary(found, printable(folder / _REPORT), validated=validated):
+        for line in summary(diagnosis, printable(folder / _REPORT), validated=validated):
             click.echo(line)
-    if found.verdict == "unexplained":
+    if diagnosis.verdict == "unexplained":
         raise click.exceptions.Exit(UNEXPLAINED)
 
 
@@ -164,11 +164,11 @@ def _text(spec: str) -> str:
     return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
 
 
-def _kernels(found: Diagnosis) -> dict[str, str]:
+def _kernels(diagnosis: Diagnosis) -> dict[str, str]:
     """C and Fortran of the amended model, by their paths in the folder."""
     from robodyn.kernels.generate import generate
 
-    return {f"{_KERNELS}/{name}": text for name, text in generate(found.model).files().items()}
+    return {f"{_KERNELS}/{name}": text for name, text in generate(diagnosis.model).files().items()}
 
 
 def _finite(value: Any) -> Any:

@@ -62,7 +62,7 @@ def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
     law = (asked.controller or "pd").replace("-", "_")
     plant = build_plant(robot, model=model)
     follow = _controller(plant, asked, motion, law, model, values)
-    said = {
+    description = {
         "kind": "follow",
         "trajectory": motion.describe(),
         "controller": law,
@@ -70,10 +70,10 @@ def driven(robot: Robot, asked: Asked, values: Mapping[str, float]) -> Driven:
         "model": None if model is None else model.name,
     }
     if asked.trajectory is not None:
-        said["sha256"] = _hash(asked.trajectory)
+        description["sha256"] = _hash(asked.trajectory)
     if law != "feedforward":
-        said.update(kp=follow.kp, kd=follow.kd)
-    return Driven(plant, follow, duration, said)
+        description.update(kp=follow.kp, kd=follow.kd)
+    return Driven(plant, follow, duration, description)
 
 
 def _torques(robot: Robot, asked: Asked) -> Driven:
@@ -91,13 +91,13 @@ def _torques(robot: Robot, asked: Asked) -> Driven:
     if len(table) > 1 and duration > end * (1 + 1e-9):
         talk(f"robodyn: note: the torques end at {end:g} s; the last row is held")
     drive = Torques(table, period if math.isfinite(period) else duration, asked.linear)
-    said = {
+    description = {
         "kind": "torque",
         "file": Path(asked.torque).name,
         "sha256": _hash(asked.torque),
         "linear": asked.linear,
     }
-    return Driven(build_plant(robot), drive, duration, said)
+    return Driven(build_plant(robot), drive, duration, description)
 
 
 def _controller(

@@ -22,8 +22,8 @@ def command(id: str | None, markdown: bool, latex: bool, as_json: bool) -> None:
         raise InputError("more than one output format", expected="--markdown, --latex or --json")
     chosen = CATALOGUE if id is None else {id: effect(id)}
     if as_json:
-        found = [report.data(each) for each in chosen.values()]
-        echo_json(found if id is None else found[0])
+        pages = [report.data(each) for each in chosen.values()]
+        echo_json(pages if id is None else pages[0])
     elif latex:
         click.echo(report.latex(chosen), nl=False)
     elif markdown or id is not None:

@@ -65,7 +65,7 @@ _LARGEST = 5_000_000  # samples times joints
 )
 @click.option("-o", "--output", metavar="TRAJ.csv", required=True, help="Output file, - for stdout.")
 @json_option
-def command(robot: str, tell: str | None, output: str, as_json: bool, rate: float, **given: Any) -> None:
+def command(robot: str, tell: str | None, output: str, as_json: bool, rate: float, **options: Any) -> None:
     """Design a motion within the limits that distinguishes effects.
 
     The command tries several random periodic motions and writes the best one: the one on which the torques of
@@ -80,34 +80,34 @@ def command(robot: str, tell: str | None, output: str, as_json: bool, rate: floa
     described = load_robot(robot)
     if output == "-" and as_json:
         raise InputError("--json and -o - both write to stdout", remedy="remove one of them")
-    samples = given["duration"] * rate
+    samples = options["duration"] * rate
     if not 20 <= samples <= _LARGEST / described.n:
         raise InputError(
             "the motion would have too few or too many samples",
-            found=f"{given['duration']:g} s at {rate:g} Hz",
+            found=f"{options['duration']:g} s at {rate:g} Hz",
             expected=f"20 to {_LARGEST // described.n}",
         )
     with progress.line() as shown:
-        found = design(
+        best = design(
             described,
             _told(tell),
             period=1 / rate,
-            progress=lambda k: shown.tell(f"robodyn: {described.name}: {k} of {given['tries']} motions"),
-            **given,
+            progress=lambda k: shown.tell(f"robodyn: {described.name}: {k} of {options['tries']} motions"),
+            **options,
         )
-    text = _csv(found.trajectory)
+    text = _csv(best.trajectory)
     files: list[str] = []
     if output == "-":
         click.echo(text, nl=False)
     else:
         files = [str(path) for path in write_files(Path(), {str(output_folder(output)): text})]
     if as_json:
-        echo_json(_summary(found, files))
+        echo_json(_summary(best, files))
         return
-    for line in _lines(found, files):
+    for line in _lines(best, files):
         click.echo(line, err=output == "-")
-    if found.tell and found.separation < _NONE:
-        talk(f"robodyn: warning: no motion distinguishes {found.pair}; see which other data to record")
+    if best.tell and best.separation < _NONE:
+        talk(f"robodyn: warning: no motion distinguishes {best.pair}; see which other data to record")
 
 
 def _told(text: str | None) -> list[Told]:
@@ -133,28 +133,30 @@ def _csv(motion: Trajectory) -> str:
     return write_csv(["t", *names], [motion.t, *columns])
 
 
-def _summary(found: Design, files: list[str]) -> dict[str, Any]:
+def _summary(design: Design, files: list[str]) -> dict[str, Any]:
     return {
         "files": files,
-        "tell": [{"effect": id, "joint": joint} for id, joint in found.tell],
-        "separation": found.separation,
-        "typical": found.typical,
-        "worst": found.pair,
-        "tries": found.tries,
-        "experiments": found.experiments,
-        "motion": found.trajectory.describe(),
+        "tell": [{"effect": id, "joint": joint} for id, joint in design.tell],
+        "separation": design.separation,
+        "typical": design.typical,
+        "worst": design.pair,
+        "tries": design.tries,
+        "experiments": design.experiments,
+        "motion": design.trajectory.describe(),
     }
 
 
-def _lines(found: Design, files: list[str]) -> list[str]:
+def _lines(design: Design, files: list[str]) -> list[str]:
     from math import asin, degrees
 
-    motion = found.trajectory
+    motion = design.trajectory
     lines = [f"{printable(file)}: {motion.duration:g} s, {len(motion)} samples" for file in files]
-    if not found.tell:
-        lines.append(f"independence of the catalogue: {found.separation:.3g}, typically {found.typical:.3g}")
+    if not design.tell:
+        lines.append(
+            f"independence of the catalogue: {design.separation:.3g}, typically {design.typical:.3g}"
+        )
         return lines
-    best, typical = (degrees(asin(min(x, 1.0))) for x in (found.separation, found.typical))
-    lines.append(f"{found.pair}: {best:.1f} degrees apart, on a typical motion {typical:.1f}")
-    lines += [f"to identify {id}: {text}" for id, text in found.experiments.items()]
+    best, typical = (degrees(asin(min(x, 1.0))) for x in (design.separation, design.typical))
+    lines.append(f"{design.pair}: {best:.1f} degrees apart, on a typical motion {typical:.1f}")
+    lines += [f"to identify {id}: {text}" for id, text in design.experiments.items()]
     return lines

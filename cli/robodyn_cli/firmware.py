@@ -52,7 +52,7 @@ def for_firmware(options: Options, target: str | None, **others: object) -> Opti
 
 
 def write_firmware(
-    made: Generated,
+    generated: Generated,
     folder: Path,
     languages: tuple[str, ...],
     target: str | None,
@@ -71,8 +71,8 @@ def write_firmware(
     from robodyn.firmware import firmware, measure, targets_named
 
     folder = folder / FOLDER
-    name, targets = made.unit.robot.name, targets_named(listed(target or ""))
-    made_folder = firmware(made, targets, languages)
+    name, targets = generated.unit.robot.name, targets_named(listed(target or ""))
+    made_folder = firmware(generated, targets, languages)
     files = dict(made_folder.files)
     if check:
         different = compare_files(folder, files)
@@ -86,11 +86,13 @@ def write_firmware(
         else:
             click.echo(f"{name}: {len(files)} files in {printable(folder)} are up to date")
         return
-    functions = [interface.function for interface in made.signatures]
+    functions = [interface.function for interface in generated.signatures]
     figures = [measure(name, files, functions, one) for one in targets]
     files["README.md"] = made_folder.readme(figures)
     write_files(folder, files)
-    for needed in dict.fromkeys(missing for found in figures for missing in (found.missing, found.not_run)):
+    for needed in dict.fromkeys(
+        missing for measured in figures for missing in (measured.missing, measured.not_run)
+    ):
         if needed is not None:
             talk(f"robodyn: note: not everything was measured: needs {needed}")
     if as_json:
@@ -98,13 +100,13 @@ def write_firmware(
             {
                 "robot": name,
                 "files": [str(folder / file) for file in files],
-                "firmware": [found.to_dict() for found in figures],
+                "firmware": [measured.to_dict() for measured in figures],
             }
         )
         return
     click.echo(f"{name}: wrote {len(files)} files in {printable(folder)}")
-    for found in figures:
-        for line in found.lines():
+    for measured in figures:
+        for line in measured.lines():
             click.echo(line)
 
 

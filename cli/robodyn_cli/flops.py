@@ -64,39 +64,39 @@ def command(
         for form in formulations
         for f in functions
     ]
-    found: list[tuple[str, str, Count]] = []
+    counts: list[tuple[str, str, Count]] = []
     prunings: dict[tuple[str, str], Pruning] = {}
     rigid: dict[tuple[str, str], Count | None] = {}
     with told() as tell:
         for f, form, one in choices:
-            made = maker(described, one, tell)
+            programs = maker(described, one, tell)
             try:
-                found.append((f, form, count(made.program(f))))
+                counts.append((f, form, count(programs.program(f))))
             except NoForwardDynamics:
                 if function != "all":
                     raise
-            rigid[f, form] = made.rigid_count(f)
-            prunings.update({(name, form): pruning for name, pruning in made.prunings.items()})
+            rigid[f, form] = programs.rigid_count(f)
+            prunings.update({(name, form): pruning for name, pruning in programs.prunings.items()})
     if as_json:
         records = [
             with_pruning(
                 with_rigid(record(described, f, form, c), rigid.get((f, form))), prunings.get((f, form))
             )
-            for f, form, c in found
+            for f, form, c in counts
         ]
         echo_json(records if "all" in (function, formulation) else records[0])
     else:
         click.echo(f"{described.name}: {described.title}" if described.title else described.name)
         many = len(formulations) > 1
-        rows = [(f"{f}, {form}" if many else f, f, form, c) for f, form, c in found]
+        rows = [(f"{f}, {form}" if many else f, f, form, c) for f, form, c in counts]
         for line in lines(described, rows):
             click.echo(line)
-        for f, form, c in found:
+        for f, form, c in counts:
             for line in effect_lines({f: c}, {f: rigid.get((f, form))}):
                 click.echo(line)
         for line in pruning_lines(prunings):
             click.echo(line)
     if limit is not None:
-        over = [f"{described.name} {f}: {text}" for f, _, c in found for text in limit.exceeded(c)]
+        over = [f"{described.name} {f}: {text}" for f, _, c in counts for text in limit.exceeded(c)]
         if over:
             raise CheckError("; ".join(over), remedy="raise the budget or simplify the model")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import itertools
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -22,7 +23,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
-from robodyn_cli.languages import chosen_languages, language_option, trig_for
+from robodyn_cli.languages import chosen_languages, language_option, tests_of, trig_for
 from robodyn_cli.options import functions_option, listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
 from robodyn_cli.searching import Search
@@ -108,16 +109,16 @@ def command(
     check: bool,
     as_json: bool,
 ) -> None:
-    """Write the kernels of a robot in C and Fortran, and print the operation counts.
+    """Write the kernels of a robot, in C and Fortran or other languages, and print the operation counts.
 
-    DIR gets NAME.h, NAME.c and NAME.f90 with the functions of --functions. The same
-    input gives the same bytes on any machine.
+    DIR gets NAME.h, NAME.c and NAME.f90 (a crate with --lang rust) with the functions of --functions. The
+    same input gives the same bytes on any machine.
     """
     from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import generate
 
-    languages = chosen_languages(lang)
+    languages = chosen_languages(lang, compiled=compile_)
     options = _options(
         None if firmware else target,
         {
@@ -147,15 +148,15 @@ def command(
         described, options, options.functions or by_default()
     )
     with told() as tell:
-        made = generate(described, options, progress=_told(described), pruning=tell)
-    for function, reason in made.left_out.items():
+        generated = generate(described, options, progress=_told(described), pruning=tell)
+    for function, reason in generated.left_out.items():
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")
     if firmware:
-        write_firmware(made, folder, languages, target, check=check, as_json=as_json)
+        write_firmware(generated, folder, languages, target, check=check, as_json=as_json)
         return
-    files = made.files(languages, batch=batch)
+    files = {**generated.files(languages, batch=batch), **tests_of(generated, languages)}
     if batch:
-        for interface in made.signatures:
+        for interface in generated.signatures:
             if interface.states:
                 talk(f"robodyn: note: no batch of {interface.function}, which is stateful")
     if latex:
@@ -172,7 +173,7 @@ def command(
         else:
             click.echo(f"{described.name}: {len(files)} files in {printable(folder)} are up to date")
         return
-    built = _compiled(made, languages, explicit=lang is not None, batch=batch) if compile_ else None
+    built = _compiled(generated, languages, explicit=lang is not None, batch=batch) if compile_ else None
     write_files(folder, files)
     if as_json:
         echo_json(
@@ -182,21 +183,21 @@ def command(
                 "files": [str(folder / name) for name in files],
                 "functions": [
                     with_pruning(
-                        with_rigid(record(described, f, formulation, c), made.rigid_counts.get(f)),
-                        made.prunings.get(f),
+                        with_rigid(record(described, f, formulation, c), generated.rigid_counts.get(f)),
+                        generated.prunings.get(f),
                     )
-                    for f, c in made.counts.items()
+                    for f, c in generated.counts.items()
                 ],
                 "compiled": built,
             }
         )
         return
     click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
-    for line in lines(described, [(f, f, formulation, c) for f, c in made.counts.items()]):
+    for line in lines(described, [(f, f, formulation, c) for f, c in generated.counts.items()]):
         click.echo(line)
-    for line in effect_lines(made.counts, made.rigid_counts):
+    for line in effect_lines(generated.counts, generated.rigid_counts):
         click.echo(line)
-    for line in pruning_lines(made.prunings):
+    for line in pruning_lines(generated.prunings):
         click.echo(line)
     for language, text in (built or {}).items():
         click.echo(f"{language}: {text}")
@@ -211,50 +212,53 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
     if target is None:
         return Options(**chosen, **others)
     context = click.get_current_context()
-    said = {
+    explicit = {
         what: value
         for what, value in chosen.items()
         if context.get_parameter_source(what) is not ParameterSource.DEFAULT
     }
-    return Options.for_target(target, **said, **others)
+    return Options.for_target(target, **explicit, **others)
 
 
 def _profile(options: Options) -> dict[str, Any]:
     """The target and the options it sets, for JSON."""
     from robodyn.kernels.generate import CHOSEN
 
-    found: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
+    settings: dict[str, Any] = {what: getattr(options, what) for what in CHOSEN}
     target = options.profile
     flags = None if target is None else target.compiled(options.contraction or "off")
-    return {"target": options.target, **found, "flags": flags}
+    return {"target": options.target, **settings, "flags": flags}
 
 
-def _compiled(made: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool) -> dict[str, Any]:
-    """Compile and load each language; compare C and Fortran bit by bit if both are there."""
+def _compiled(
+    generated: Generated, languages: tuple[str, ...], *, explicit: bool, batch: bool
+) -> dict[str, Any]:
+    """Compile and load each language; compare their results bit by bit if there are several."""
+    from robodyn.emit.languages import LANGUAGES
     from robodyn.errors import CheckError, ToolError
     from robodyn.kernels.kernel import load as load_kernel
 
     kernels: dict[str, Any] = {}
-    said: dict[str, Any] = {}
+    results: dict[str, Any] = {}
     for language in languages:
         try:
-            files = made.files((language,), batch=batch and language == "c")
-            kernel = load_kernel(made.signatures, files, language=language)  # type: ignore[arg-type]
+            files = generated.files((language,), batch=batch and language == "c")
+            kernel = load_kernel(generated.signatures, files, language=language)
         except ToolError as error:
             if language != "c" and not explicit:
-                said[language] = f"written, not compiled: {error}"
+                results[language] = f"written, not compiled: {error}"
                 continue
             raise
         kernels[language] = kernel
-        said[language] = f"compiled with {kernel.compiler}, loaded"
-    if len(kernels) == 2:
-        if not _same_bits(made, *kernels.values()):
+        results[language] = f"compiled with {kernel.compiler}, loaded"
+    for one, other in itertools.pairwise(kernels):
+        if not _same_bits(generated, kernels[one], kernels[other]):
             raise CheckError(
-                "the compiled C and Fortran give different bits",
+                f"the compiled {LANGUAGES[one].title} and {LANGUAGES[other].title} give different bits",
                 remedy="compile both without contraction and -ffast-math (CC, FC), or one of them (--lang)",
             )
-        said["c and fortran"] = "the same bits on 100 states"
-    return said
+        results[f"{one} and {other}"] = "the same bits on 100 states"
+    return results
 
 
 #: From this number of joints on, the progress is shown.
@@ -277,17 +281,17 @@ def _typeset(robot: Robot, formulation: str) -> str:
     choice = Choice(formulation, regroup=False)
     if not has_drive_effects(robot):
         return symbolic(robot, choice=choice).latex()
-    said = "the rigid arm only; robodyn effects --latex prints the equations of effects"
-    talk(f"robodyn: note: {robot.name}.tex is {said}")
-    return f"% {said}\n{symbolic(rigid_part(robot), choice=choice).latex()}"
+    note = "the rigid arm only; robodyn effects --latex prints the equations of effects"
+    talk(f"robodyn: note: {robot.name}.tex is {note}")
+    return f"% {note}\n{symbolic(rigid_part(robot), choice=choice).latex()}"
 
 
-def _same_bits(made: Generated, one: Any, other: Any) -> bool:
+def _same_bits(generated: Generated, one: Any, other: Any) -> bool:
     import numpy as np
 
     random = np.random.default_rng(0)
-    params = dict.fromkeys(made.signatures[0].parameters, 1.0) or None
-    for interface in made.signatures:
+    params = dict.fromkeys(generated.signatures[0].parameters, 1.0) or None
+    for interface in generated.signatures:
         arrays = [random.uniform(-1, 1, (100, size)) for _, size in interface.inputs]
         dt = 1e-3 if interface.states else None
         mine, theirs = (getattr(k, interface.function)(*arrays, params=params, dt=dt) for k in (one, other))

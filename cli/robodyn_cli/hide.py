@@ -84,7 +84,7 @@ _OF_HIDING = ("effects", "random", "trajectories", "output")
 )
 @json_option
 def command(
-    robot: str | None, opened: str | None, score: tuple[str, str] | None, as_json: bool, **given: Any
+    robot: str | None, opened: str | None, score: tuple[str, str] | None, as_json: bool, **options: Any
 ) -> None:
     """Make a blind test: hide effects in simulated logs and seal the answer.
 
@@ -95,7 +95,7 @@ def command(
     """
     from robodyn.errors import InputError
 
-    _one_of(robot, opened, score, given)
+    _one_of(robot, opened, score, options)
     if opened is not None:
         click.echo(json.dumps(_answer(Path(opened)), indent=2, ensure_ascii=False))
         return
@@ -103,10 +103,10 @@ def command(
         _scored(Path(score[0]), Path(score[1]), as_json=as_json)
         return
     assert robot is not None
-    if given["output"] is None:
+    if options["output"] is None:
         raise InputError("no output folder", remedy="add -o DIR")
-    folder = output_folder(given["output"])
-    for file in given["trajectories"]:
+    folder = output_folder(options["output"])
+    for file in options["trajectories"]:
         for name in ("train.csv", "validate.csv"):
             there = (folder / name).exists() and Path(file).exists()
             if there and (folder / name).samefile(file):
@@ -114,18 +114,18 @@ def command(
                     f"{printable(folder / name)} is an input and would be overwritten",
                     remedy="choose another folder with -o",
                 )
-    made = _hidden(robot, given)
-    files = made.files()
+    blind = _hidden(robot, options)
+    files = blind.files()
     write_files(folder, files)
-    _tell(made, folder, list(files), [*given["effects"]], as_json=as_json)
+    _tell(blind, folder, list(files), [*options["effects"]], as_json=as_json)
 
 
-def _one_of(robot: str | None, opened: str | None, score: object, given: dict[str, Any]) -> None:
+def _one_of(robot: str | None, opened: str | None, score: object, options: dict[str, Any]) -> None:
     """Refuse a mixture of hiding, opening and scoring."""
     from robodyn.errors import InputError
 
     asked = [name for name, there in (("--open", opened), ("--score", score)) if there is not None]
-    hiding = [name for name in _OF_HIDING if given[name] not in (None, ())]
+    hiding = [name for name in _OF_HIDING if options[name] not in (None, ())]
     if len(asked) == 2 or (asked and (robot is not None or hiding)):
         other = asked[1] if len(asked) == 2 else "ROBOT" if robot is not None else "options of hiding"
         raise InputError(
@@ -138,14 +138,14 @@ def _one_of(robot: str | None, opened: str | None, score: object, given: dict[st
 # --- hiding -----------------------------------------------------------------------------------------------
 
 
-def _hidden(spec: str, given: dict[str, Any]) -> Blind:
+def _hidden(spec: str, options: dict[str, Any]) -> Blind:
     from robodyn.diagnose.blind.hide import hide
     from robodyn.robot import bundled_text
 
     robot = load_robot(spec)
-    wanted = [_parsed(text) for text in given["effects"]]
-    count = given["random"] if given["random"] is not None else int(not wanted)
-    motions = _motions(given["trajectories"], robot.n)
+    wanted = [_parsed(text) for text in options["effects"]]
+    count = options["random"] if options["random"] is not None else int(not wanted)
+    motions = _motions(options["trajectories"], robot.n)
     path = Path(spec)
     text = path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
     with progress.line() as shown:
@@ -153,28 +153,28 @@ def _hidden(spec: str, given: dict[str, Any]) -> Blind:
             robot,
             wanted,
             random=count,
-            setup=_setup(given, robot.n, max((motion.duration for motion in motions), default=0.0)),
+            setup=_setup(options, robot.n, max((motion.duration for motion in motions), default=0.0)),
             motions=motions,
             text=text,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
         )
 
 
-def _setup(given: dict[str, Any], n: int, longest: float) -> Setup:
+def _setup(options: dict[str, Any], n: int, longest: float) -> Setup:
     from robodyn.diagnose.blind.hide import Setup
     from robodyn.errors import InputError
     from robodyn_cli.simulate_options import whole
 
-    longest = max(longest, given["duration"])
-    if not 50 <= longest * given["rate"] * n <= _LARGEST:
+    longest = max(longest, options["duration"])
+    if not 50 <= longest * options["rate"] * n <= _LARGEST:
         raise InputError(
             "the logs would be too long or too short",
-            found=f"{longest:g} s at {given['rate']:g} Hz",
+            found=f"{longest:g} s at {options['rate']:g} Hz",
             expected=f"50 to {_LARGEST} values over all joints",
         )
-    bits = whole(given["encoder_bits"])
+    bits = whole(options["encoder_bits"])
     names = ("duration", "rate", "noise", "ratio", "seed")
-    return Setup(encoder_bits=bits or None, **{name: given[name] for name in names})
+    return Setup(encoder_bits=bits or None, **{name: options[name] for name in names})
 
 
 def _motions(files: Sequence[str], n: int) -> list[Trajectory]:
@@ -227,29 +227,29 @@ def placed(text: str) -> tuple[str, int | None]:
     return id, int(joint) if at else None
 
 
-def _tell(made: Blind, folder: Path, files: list[str], named: list[str], *, as_json: bool) -> None:
+def _tell(blind: Blind, folder: Path, files: list[str], named: list[str], *, as_json: bool) -> None:
     """Print what was written, without the answer."""
     if as_json:
         echo_json(
             {
-                "robot": made.given.name,
+                "robot": blind.given.name,
                 "folder": str(folder),
                 "files": files,
-                "hidden": len(made.effects),
-                "noise": made.noise.tolist(),
+                "hidden": len(blind.effects),
+                "noise": blind.noise.tolist(),
             }
         )
     else:
         at = printable(folder)
-        count = len(made.effects)
+        count = len(blind.effects)
         what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
-        click.echo(f"{made.given.name}: {what} hidden in {at}: {', '.join(files)}")
+        click.echo(f"{blind.given.name}: {what} hidden in {at}: {', '.join(files)}")
         click.echo(
             f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv --out {at}/found"
         )
         click.echo(f"robodyn hide --score {at} {at}/found/diagnosis.json")
-    if named and made.ratio < 1:
-        talk(f"robodyn: note: the hidden effects are {made.ratio:.2g} times the noise: too small to find")
+    if named and blind.ratio < 1:
+        talk(f"robodyn: note: the hidden effects are {blind.ratio:.2g} times the noise: too small to find")
 
 
 # --- the answer -------------------------------------------------------------------------------------------
@@ -281,34 +281,36 @@ def _scored(folder: Path, file: Path, *, as_json: bool) -> None:
         raise InputError(
             "this is not JSON", where=Place(label(file)), found=str(error), expected=expected
         ) from None
-    found = score(answer, diagnosis, label(file))
-    if not found.same:
+    result = score(answer, diagnosis, label(file))
+    if not result.same:
         talk("robodyn: warning: the diagnosis was made from other logs than those of this test")
     if as_json:
-        echo_json(found.to_dict())
+        echo_json(result.to_dict())
     else:
-        for line in _lines(found, folder):
+        for line in _lines(result, folder):
             click.echo(line)
-    if found.result in ("wrong", "missed"):
+    if result.result in ("wrong", "missed"):
         raise click.exceptions.Exit(1)
 
 
-def _lines(found: Score, folder: Path) -> list[str]:
+def _lines(score: Score, folder: Path) -> list[str]:
     lines = []
-    for claim in found.claims:
+    for claim in score.claims:
         lines.append(f"{claim.name}: {claim.status}")
         for name, true in (claim.truth or {}).items():
-            said = claim.parameters.get(name) or {}
-            if isinstance(said.get("value"), (int, float)) and isinstance(true, (int, float)):
-                band = f" +- {said['stderr']:.2g}" if said["stderr"] is not None else ""
-                lines.append(f"  {name}: {said['value']:.4g}{band} {said['unit']}, true value {true:.4g}")
-    if found.missed:
+            estimate = claim.parameters.get(name) or {}
+            if isinstance(estimate.get("value"), (int, float)) and isinstance(true, (int, float)):
+                band = f" +- {estimate['stderr']:.2g}" if estimate["stderr"] is not None else ""
+                lines.append(
+                    f"  {name}: {estimate['value']:.4g}{band} {estimate['unit']}, true value {true:.4g}"
+                )
+    if score.missed:
         lines.append(
-            f"{found.missed} of {found.hidden} hidden missed "
+            f"{score.missed} of {score.hidden} hidden missed "
             f"(robodyn hide --open {printable(folder / _ANSWER)} shows them)"
         )
-    if found.closed is not None and found.hidden:
-        lines.append(f"{found.closed:.0%} of the gap on the validation log is closed")
+    if score.closed is not None and score.hidden:
+        lines.append(f"{score.closed:.0%} of the gap on the validation log is closed")
     empty = "right: nothing was hidden, and nothing is claimed"
-    lines.append(empty if not found.hidden and found.result == "right" else f"overall: {found.result}")
+    lines.append(empty if not score.hidden and score.result == "right" else f"overall: {score.result}")
     return lines

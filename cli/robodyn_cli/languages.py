@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from robodyn_cli.options import listed
+
+if TYPE_CHECKING:
+    from robodyn.kernels.generate import Generated
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -31,14 +34,31 @@ def language_option(command: Command) -> Command:
     return click.option("--lang", "--language", "lang", metavar="A,B", cls=_Languages)(command)
 
 
-def chosen_languages(lang: str | None) -> tuple[str, ...]:
-    """The names of the languages of ``--lang``, without duplicates, aliases resolved.
+class _Compiled(click.Option):
+    """An option for one language that can be called from Python."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from robodyn.emit.languages import LANGUAGES
+
+        names = (name for name, language in LANGUAGES.items() if language.compiled)
+        self.help = f"Language: {' or '.join(names)}."
+        return super().get_help_record(ctx)
+
+
+def compiled_language_option(command: Command) -> Command:
+    """Add ``--lang`` (``--language``), passed to `command` as ``lang: str``."""
+    option = click.option("--lang", "--language", "lang", default="c", show_default=True, cls=_Compiled)
+    return option(command)
+
+
+def chosen_languages(lang: str | None, *, compiled: bool = False) -> tuple[str, ...]:
+    """The names of the languages of ``--lang``, aliases resolved; ``compiled``: to be called from Python.
 
     Raises
     ------
-    InputError: no language, a duplicate, or an unknown language.
+    InputError: no language, a duplicate, an unknown language, or one that cannot be called.
     """
-    from robodyn.emit.languages import LANGUAGES, defaults, languages_named
+    from robodyn.emit.languages import LANGUAGES, compiled_language, defaults, languages_named
     from robodyn.errors import InputError
 
     if lang is None:
@@ -46,7 +66,10 @@ def chosen_languages(lang: str | None) -> tuple[str, ...]:
     names = listed(lang)
     if not names:
         raise InputError("--lang names no language", expected=f"some of {', '.join(LANGUAGES)}")
-    return tuple(language.name for language in languages_named(names))
+    languages = languages_named(names)
+    for language in languages if compiled else ():
+        compiled_language(language.name)
+    return tuple(language.name for language in languages)
 
 
 def trig_for(languages: tuple[str, ...], trig: str) -> str:
@@ -58,3 +81,14 @@ def trig_for(languages: tuple[str, ...], trig: str) -> str:
     if click.get_current_context().get_parameter_source("trig") is not ParameterSource.DEFAULT:
         return trig
     return next((LANGUAGES[name].trig for name in languages if LANGUAGES[name].trig != trig), trig)
+
+
+def tests_of(generated: Generated, languages: tuple[str, ...]) -> dict[str, str]:
+    """The tests that go with ``languages``, where one has any: text by file name."""
+    from robodyn.emit.languages import LANGUAGES
+
+    if not any(LANGUAGES[name].tests for name in languages):
+        return {}
+    from robodyn.firmware.language_tests import language_tests
+
+    return language_tests(generated, languages)

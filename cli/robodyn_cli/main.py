@@ -22,10 +22,7 @@ from robodyn.process import quiet, received
 from robodyn_cli.common import drop, talk
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
-    "gen": (
-        "robodyn_cli.gen",
-        "Write the kernels of a robot in C and Fortran, and print the operation counts.",
-    ),
+    "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
     "flops": ("robodyn_cli.flops", "Count multiplications and additions, and check them against a budget."),
     "tables": ("robodyn_cli.tables", "Compare the thesis's tables with recomputed figures."),
     "schedule": (

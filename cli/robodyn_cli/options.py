@@ -88,13 +88,13 @@ def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
     """The robot that the options name; warnings about implausible values go to stderr."""
     from robodyn_cli.common import load_robot
 
-    found = load_robot(robot, strict=strict)
+    described = load_robot(robot, strict=strict)
     if fold_rotor:
         from robodyn.robot import fold_rotor as fold
 
-        _refuse_drives(found)
-        found = fold(found)
-    return found
+        _refuse_drives(described)
+        described = fold(described)
+    return described
 
 
 def _refuse_drives(robot: Robot) -> None:

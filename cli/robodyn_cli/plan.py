@@ -67,22 +67,22 @@ def command(
             shown.tell(f"robodyn: {text}")
 
         wanted = [target or here(described, tell) for target in asked] or list(planned_targets())
-        found = plans(described, processors, wanted, function=function, tell=tell)
-    best = chosen(found, limit)
+        candidates = plans(described, processors, wanted, function=function, tell=tell)
+    best = chosen(candidates, limit)
     if as_json:
         echo_json(
             {
                 "robot": described.name,
                 "deadline_ns": limit,
                 "chosen": None if best is None else best.to_dict(limit),
-                "plans": [plan.to_dict(limit) for plan in found],
+                "plans": [plan.to_dict(limit) for plan in candidates],
             }
         )
     else:
-        click.echo(plan_text(described, found, wanted, limit), nl=False)
+        click.echo(plan_text(described, candidates, wanted, limit), nl=False)
     if best is None:
         raise CheckError(
             f"nothing meets {spelled(limit)}",
-            found=f"{spelled(found[0].time_ns)} at best",
+            found=f"{spelled(candidates[0].time_ns)} at best",
             remedy="allow more cores with -p, or choose another target or a longer deadline",
         )

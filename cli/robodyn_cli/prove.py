@@ -100,8 +100,8 @@ def command(
     if proof.failed:
         raise CheckError(f"{described.name}: not proven: {', '.join(proof.failed)}")
     if proof.missing:
-        told = "; ".join(f"{name} {remedy}" for name, remedy in proof.missing.items())
-        raise ToolError(f"{described.name}: proofs not run because tools are missing", found=told)
+        remedies = "; ".join(f"{name} {remedy}" for name, remedy in proof.missing.items())
+        raise ToolError(f"{described.name}: proofs not run because tools are missing", found=remedies)
 
 
 def _ranged(described: Robot, ranges: str | None, *, needed: bool) -> Robot:

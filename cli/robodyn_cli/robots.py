@@ -23,15 +23,15 @@ def command(names: bool, as_json: bool) -> None:
     """
     import robodyn.robot
 
-    found = robodyn.robot.bundled_names()
+    bundled = robodyn.robot.bundled_names()
     if names:
         if as_json:
-            echo_json(list(found))
+            echo_json(list(bundled))
         else:
-            for name in found:
+            for name in bundled:
                 click.echo(name)
         return
-    robots = [robodyn.robot.load(name, warn=lambda _: None) for name in found]  # gen prints the warnings
+    robots = [robodyn.robot.load(name, warn=lambda _: None) for name in bundled]  # gen prints the warnings
     rows = [(robot.name, _letters(robot), robot.title) for robot in robots]
     if as_json:
         echo_json([dict(zip(("name", "joints", "title"), row, strict=True)) for row in rows])

@@ -139,7 +139,7 @@ class Asked:
     strict: bool
 
     @staticmethod
-    def of(robot: str | None, given: dict[str, Any]) -> Asked:
+    def of(robot: str | None, options: dict[str, Any]) -> Asked:
         """The options from the command line.
 
         Raises
@@ -148,14 +148,14 @@ class Asked:
         """
         from robodyn.errors import InputError
 
-        cut = given.pop("cut")
+        cut = options.pop("cut")
         operations = None if cut in (None, "thesis") else _operations(cut)
-        if cut is None and (given["emit"] is not None or _kernel(given)):
+        if cut is None and (options["emit"] is not None or _kernel(options)):
             operations = 3  # for a kernel
-        processors = given.pop("processors")
-        if given["seconds"] is None:
-            given["seconds"] = 10.0 if given["method"] == "branch-and-bound" else 60.0
-        asked = Asked(robot, processors=processors or "1", operations=operations, **given)
+        processors = options.pop("processors")
+        if options["seconds"] is None:
+            options["seconds"] = 10.0 if options["method"] == "branch-and-bound" else 60.0
+        asked = Asked(robot, processors=processors or "1", operations=operations, **options)
         asked = _with_form(asked)
         if asked.thesis is not None or asked.forms:
             if robot is not None:
@@ -244,11 +244,11 @@ def _with_form(asked: Asked) -> Asked:
     return replace(asked, form=name)
 
 
-def _kernel(given: dict[str, Any]) -> bool:
+def _kernel(options: dict[str, Any]) -> bool:
     """Whether an option selects a kernel."""
     usual = {"formulation": "modified_newton_euler", "optimize": "record", "engine": "graph"}
-    changed = any(given[name] != value for name, value in usual.items())
-    return changed or given["no_regroup"] or given["function"] != "inverse_dynamics"
+    changed = any(options[name] != value for name, value in usual.items())
+    return changed or options["no_regroup"] or options["function"] != "inverse_dynamics"
 
 
 def _operations(text: str) -> int:

@@ -40,8 +40,8 @@ class Search:
             objective = parse_objective(objective).key
         options = replace(options, objective=objective)
         if options.optimize not in ("search", "full"):
-            for given, name in ((self.budget_seconds, "--budget-seconds"), (self.keep or None, "--keep")):
-                if given is not None:
+            for value, name in ((self.budget_seconds, "--budget-seconds"), (self.keep or None, "--keep")):
+                if value is not None:
                     raise InputError(
                         f"{name} requires a search",
                         found=f"--optimize {options.optimize}",

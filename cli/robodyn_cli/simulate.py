@@ -53,7 +53,7 @@ _BALANCED: Final = 1e-3
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
-    robot: str, output: str | None, picture: str | None, strict: bool, as_json: bool, **given: Any
+    robot: str, output: str | None, picture: str | None, strict: bool, as_json: bool, **options: Any
 ) -> None:
     """Simulate a robot with all its effects, and write the log.
 
@@ -62,7 +62,7 @@ def command(
     LOG.json beside it documents the origin of the log. The command prints the energy balance and a summary of
     the motion for each joint. The same command gives the same bytes.
     """
-    asked = Asked(**given)
+    asked = Asked(**options)
     asked.check()
     described = load_robot(robot, strict=strict)
     target = _target(described, output)
@@ -89,13 +89,13 @@ def command(
 
         files[str(drawn)] = motion_picture(described, log, drawn.suffix[1:].lower(), what.reference)
     write_files(Path(), files)
-    found = _summary(run, log, asked, what, list(files))
+    summary = _summary(run, log, asked, what, list(files))
     if target is None:
         click.echo(log.csv(), nl=False)
     if as_json:
-        echo_json(found)
+        echo_json(summary)
     else:
-        for line in to_text(found):
+        for line in to_text(summary):
             click.echo(line, err=target is None)
     for text in doubts(run, _BALANCED, what.reference):
         talk(f"robodyn: warning: {text}")

@@ -38,14 +38,14 @@ class Numbers(_Type):
             return value
         parts = [value] if self.single else value.split(",")
         try:
-            found = tuple(float(number(part)) for part in parts)
+            values = tuple(float(number(part)) for part in parts)
         except InputError as error:
             self.fail(str(error), param, ctx)
-        for x in found:
+        for x in values:
             if (self.sign == "positive" and not x > 0) or (self.sign == "size" and x < 0):
                 expected = "more than 0" if self.sign == "positive" else "0 or more"
                 self.fail(f"{x:g} is not {expected}", param, ctx)
-        return found[0] if self.single else found
+        return values[0] if self.single else values
 
 
 class Line(_Type):
@@ -118,8 +118,8 @@ class Asked:
     @property
     def drive(self) -> str | None:
         """The last of :data:`DRIVES` on the command line; None if the motor torques are zero."""
-        given = self._given(DRIVES)
-        return given[-1] if given else None
+        drives = self._given(DRIVES)
+        return drives[-1] if drives else None
 
     @property
     def fixed_step(self) -> float:

@@ -27,17 +27,17 @@ def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
 
     ids = TABLE_IDS if table_id is None else (table_id,)
     target = None if picture is None else _picture_file(picture, ids)
-    found = []
+    tables = []
     for one in ids:
         table = make(one, _told(one))
         if as_json:
-            found.append(table.to_dict())
+            tables.append(table.to_dict())
             continue
         if one != ids[0]:
             click.echo()
         click.echo(to_text(table), nl=False)
     if as_json:
-        echo_json(found if table_id is None else found[0])
+        echo_json(tables if table_id is None else tables[0])
     if target is not None:
         from robodyn.thesis.tables.picture import operations_svg
 

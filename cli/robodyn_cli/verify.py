@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
+from robodyn_cli.languages import compiled_language_option
 from robodyn_cli.options import functions_option, listed, load, model_options
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the sample.")
 @click.option("--scalar", default="double", show_default=True, help="Scalar type: double or float.")
 @click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm or builtin.")
-@click.option("--lang", default="c", show_default=True, help="Language: c or fortran.")
+@compiled_language_option
 @functions_option()
 @model_options
 @json_option
@@ -49,13 +50,13 @@ def command(
     largest error relative to the largest torque, and the state where it occurs. Exits with 1 if an error
     exceeds 1e-10 (float: 1e-5).
     """
+    from robodyn.emit.languages import compiled_language
     from robodyn.errors import CheckError, InputError
     from robodyn.kernels.generate import Options, generate
     from robodyn.kernels.kernel import load as load_kernel
     from robodyn.verify import verify
 
-    if lang not in ("c", "fortran"):
-        raise InputError(f"unknown language {lang!r}", expected="c or fortran")
+    lang = compiled_language(lang)[0].name
     if trig == "given":
         raise InputError("a kernel with --trig given has no angles to verify", expected="libm or builtin")
     options = Options(
@@ -68,9 +69,9 @@ def command(
         engine=engine,  # type: ignore[arg-type]
     )
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    made = generate(described, options)
-    kernel = load_kernel(made.signatures, made.files((lang,)), language=lang)  # type: ignore[arg-type]
-    exact = _exactly(made)
+    generated = generate(described, options)
+    kernel = load_kernel(generated.signatures, generated.files((lang,)), language=lang)
+    exact = _exactly(generated)
     with _Bar() as step:
         report = verify(described, kernel, states=states, seed=seed, progress=step)
     passed = report.passed and all(exact.values())
@@ -89,16 +90,16 @@ def command(
         raise CheckError(f"{described.name}: the kernel does not agree with the references")
 
 
-def _exactly(made: Generated) -> dict[str, bool]:
+def _exactly(generated: Generated) -> dict[str, bool]:
     from robodyn.dynamics.equality import equals_recursion
 
-    robot = made.unit.robot
+    robot = generated.unit.robot
     smooth = robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links)
     if smooth or not all(entry.definition.traits.body for entry in robot.effects):
         return {}  # tanh and roots have no exact values
     return {
         interface.function: equals_recursion(robot, interface.function, program)
-        for interface, program in made.unit.functions
+        for interface, program in generated.unit.functions
     }
 
 

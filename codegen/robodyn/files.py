@@ -143,17 +143,17 @@ def parsed_json(text: str | bytes) -> Any:
     import json
 
     try:
-        found = json.loads(text, parse_constant=_no_number, parse_float=_float, parse_int=_int)
-        json.dumps(found, ensure_ascii=False).encode()
+        data = json.loads(text, parse_constant=_no_number, parse_float=_float, parse_int=_int)
+        json.dumps(data, ensure_ascii=False).encode()
     except RecursionError:
         raise ValueError(_DEEP) from None
     except UnicodeEncodeError:
         raise ValueError("half of a surrogate pair in a word") from None
-    level = [found]
+    level = [data]
     for _ in range(_LEVELS):
         level = [inner for each in level for inner in _inside(each)]
         if not level:
-            return found
+            return data
     raise ValueError(_DEEP)
 
 

@@ -93,9 +93,9 @@ def listen() -> None:
     import signal
 
     numbers = [getattr(signal, name) for name in _WORDS if hasattr(signal, name)]
-    for number in numbers:
-        if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
-            signal.signal(number, _handle)
+    for signum in numbers:
+        if signal.getsignal(signum) in (signal.SIG_DFL, signal.default_int_handler):
+            signal.signal(signum, _handle)
     if hasattr(signal, "SIGALRM"):
         signal.signal(signal.SIGALRM, _handle)
     sys.unraisablehook = _again
@@ -114,24 +114,24 @@ def received() -> tuple[int, str]:
     """The exit code that the signal asks for, and a word for it; as for Ctrl-C where there was none."""
     import signal
 
-    number = _State.received or signal.SIGINT
-    return 128 + number, _WORDS.get(signal.Signals(number).name, "ended")
+    signum = _State.received or signal.SIGINT
+    return 128 + signum, _WORDS.get(signal.Signals(signum).name, "ended")
 
 
-def _handle(number: int, frame: FrameType | None) -> None:
+def _handle(signum: int, frame: FrameType | None) -> None:
     import signal
     from time import monotonic
 
     alarm = getattr(signal, "SIGALRM", None)
-    if number == alarm:
-        number = _State.received
-        if not number or _State.quiet is not None:
+    if signum == alarm:
+        signum = _State.received
+        if not signum or _State.quiet is not None:
             return
     elif _State.received or _State.quiet is not None:  # one was enough, or nothing is left to end
         if _State.quiet is not None and monotonic() - _State.quiet > PATIENCE:
-            _leave(number)
+            _leave(signum)
         return
-    _State.received = number
+    _State.received = signum
     if (_State.held or _importing(frame)) and alarm is not None:
         signal.setitimer(signal.ITIMER_REAL, WAIT)
         return
@@ -191,16 +191,16 @@ def _last_resort(reader: int, begun: Callable[[], None]) -> None:
 
     begun()
     while True:
-        number = os.read(reader, 1)
-        if number and number[0] in (1, 2, 15):
+        byte = os.read(reader, 1)
+        if byte and byte[0] in (1, 2, 15):
             break
     sleep(GRACE)
-    _leave(number[0])
+    _leave(byte[0])
 
 
-def _leave(number: int) -> None:
+def _leave(signum: int) -> None:
     """End the process, and what it has started, now."""
     running = sys.modules.get("robodyn.toolchain.running")
     if running is not None:
         running.end_all()
-    os._exit(128 + number)
+    os._exit(128 + signum)

@@ -57,7 +57,7 @@ def proven(folder: Path, robot: Robot, scalar: str) -> tuple[list[Proven], Forwa
     for i, element in enumerate(scripts.body.outputs[0][1], 1):
         names.append(f"{i}.g")
         (folder / names[-1]).write_text(scripts.of(element, "a test"))
-    return prove(gappa, folder, names, seconds=200, workers=2, told=lambda _: None), bounds
+    return prove(gappa, folder, names, seconds=200, workers=2, progress=lambda _: None), bounds
 
 
 @pytest.mark.parametrize("scalar", ["float", "double"])
@@ -75,8 +75,8 @@ def test_gappa_and_we_agree_and_nothing_worse_is_found(tmp_path: Path, scalar: s
 
     functions = {"sin": np.sin, "cos": np.cos, "sign": np.sign}
     # numpy's sine of float32 is good to 1 ulp or so, its double's to less.
-    computed = evaluate(program, rounded, number=lambda v: real(float(v)), functions=functions)["tau"]
-    true = evaluate(program, wide, number=exactly, functions=functions)["tau"]
+    computed = evaluate(program, rounded, constant=lambda v: real(float(v)), functions=functions)["tau"]
+    true = evaluate(program, wide, constant=exactly, functions=functions)["tau"]
     for row, near, far, operand in zip(found, computed, true, program.outputs[0][1], strict=True):
         own = bounds.of(operand).error
         worst = float(np.abs(near - far).max())
@@ -102,7 +102,7 @@ def test_an_interrupted_proof_leaves_nothing_behind(tmp_path: Path) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        prove(str(sleeper), tmp_path, ["slow", "quick"], seconds=900, workers=2, told=interrupted)
+        prove(str(sleeper), tmp_path, ["slow", "quick"], seconds=900, workers=2, progress=interrupted)
     assert eventually(lambda: not runs(int(ids.read_text())))
 
 
@@ -121,7 +121,9 @@ def test_a_wrong_script_is_seen(tmp_path: Path, what: str) -> None:
     assert wrong != text
     for name, script in (("right.g", text), ("wrong.g", wrong)):
         (tmp_path / name).write_text(script)
-    right, other = prove(gappa, tmp_path, ["right.g", "wrong.g"], seconds=100, workers=2, told=lambda _: None)
+    right, other = prove(
+        gappa, tmp_path, ["right.g", "wrong.g"], seconds=100, workers=2, progress=lambda _: None
+    )
     assert right.error is not None
     assert other.error is None or other.error > 100 * right.error
 

@@ -54,7 +54,7 @@ def check(robot: Robot, options: Options | None = None) -> int:
 
 
 def run(program: Program, inputs: dict[Input, Any]) -> list[Any]:
-    found = evaluate(program, inputs, number=lambda x: number(x, {}), functions=FUNCTIONS)
+    found = evaluate(program, inputs, constant=lambda x: number(x, {}), functions=FUNCTIONS)
     return [x for row in found.values() for x in row]
 
 

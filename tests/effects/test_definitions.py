@@ -137,7 +137,7 @@ def test_equations_over_programs_expressions_and_rationals(name: str) -> None:
             found = evaluate(
                 program,
                 {Input("x", i): v for i, v in enumerate(numbers)},
-                number=lambda x: x,
+                constant=lambda x: x,
                 functions={"abs": abs, "sign": REAL_FUNCTIONS["sign"]},
             )
             assert found["t"][0] == over

@@ -118,7 +118,7 @@ def compare(world: WorldArm, made: Generated, at: dict[str, list[Any]]) -> None:
 
 
 def run(program: Program, inputs: dict[Input, Any]) -> list[Any]:
-    found = evaluate(program, inputs, number=lambda x: number(x, {}), functions=FUNCTIONS)
+    found = evaluate(program, inputs, constant=lambda x: number(x, {}), functions=FUNCTIONS)
     return [x for row in found.values() for x in row]
 
 

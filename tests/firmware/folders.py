@@ -9,11 +9,11 @@ from functools import cache
 from pathlib import Path
 from typing import Final
 
+from robodyn.emit.languages import compiled_language
 from robodyn.firmware import Folder, firmware, firmware_options, targets_named
 from robodyn.firmware.measure import FLAGS
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, load, read_text
-from robodyn.toolchain.compiler import FORTRAN_FLAGS
 
 STRICT: Final = (
     "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wdouble-promotion", "-Werror",
@@ -80,7 +80,15 @@ def host(gcc: str, name: str, where: Path, *flags: str) -> tuple[int, str]:
 def fortran(gfortran: str, name: str, where: Path) -> tuple[int, str]:
     """The Fortran self-test on this computer."""
     code, said = run(
-        [gfortran, *FORTRAN_FLAGS, f"{name}.f90", f"{name}_selftest.f90", "-o", "fortran"], where
+        [
+            gfortran,
+            *compiled_language("fortran")[1].flags,
+            f"{name}.f90",
+            f"{name}_selftest.f90",
+            "-o",
+            "fortran",
+        ],
+        where,
     )
     assert code == 0, said
     return run([str(where / "fortran")], where)

@@ -166,7 +166,7 @@ def in_extended_precision(program: Program, inputs: dict[Input, np.ndarray]) -> 
     def number(x: Fraction) -> np.longdouble:
         return np.longdouble(x.numerator) / np.longdouble(x.denominator)
 
-    ((_, elements),) = evaluate(program, extended, number=number, functions=functions).items()
+    ((_, elements),) = evaluate(program, extended, constant=number, functions=functions).items()
     return np.stack([np.broadcast_to(x, 1000) for x in elements], axis=1)
 
 

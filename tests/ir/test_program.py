@@ -85,7 +85,7 @@ def test_names_of_inputs_and_labels() -> None:
 
 def test_symbols_of_a_signature() -> None:
     interface = Signature("puma560", "bias", (("q", 6),), (("tau", 6),))
-    assert (interface.symbol, interface.fortran_symbol) == ("puma560_bias", "puma560_bias_f")
+    assert interface.symbol == "puma560_bias"
 
 
 # --- evaluation over any scalar ---------------------------------------------------------------------------
@@ -126,7 +126,7 @@ def test_evaluate_over_sympy_gives_expressions() -> None:
     over_sympy = evaluate(
         made,
         symbols,
-        number=lambda x: sympy.Rational(x.numerator, x.denominator),
+        constant=lambda x: sympy.Rational(x.numerator, x.denominator),
         functions={"sin": sympy.sin, "cos": sympy.cos},
     )["tau"]
     at = Point(5)

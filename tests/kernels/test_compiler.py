@@ -12,7 +12,7 @@ import pytest
 
 from robodyn.errors import ToolError
 from robodyn.kernels.kernel import load
-from robodyn.toolchain.compiler import find_c, find_fortran, first_lines, split_flags
+from robodyn.toolchain.compiler import find_c, find_compiler, first_lines, split_flags
 from robodyn_testing import require_tool
 
 
@@ -45,7 +45,7 @@ def test_no_fortran_compiler() -> None:
     with pytest.raises(
         ToolError, match=r"no Fortran compiler.*gfortran.*FC is not set.*apt install gfortran"
     ):
-        find_fortran()
+        find_compiler("fortran")
 
 
 @pytest.mark.usefixtures("nothing")
@@ -65,7 +65,7 @@ def test_cc_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_fc_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("FC", "f77-of-old")
     with pytest.raises(ToolError, match=r"no Fortran compiler 'f77-of-old' \(FC names it\)"):
-        find_fortran()
+        find_compiler("fortran")
 
 
 def test_cc_that_cannot_be_read(monkeypatch: pytest.MonkeyPatch) -> None:

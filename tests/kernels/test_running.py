@@ -9,6 +9,7 @@ import stat
 import sys
 import threading
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ import pytest
 from robodyn.errors import ToolError
 from robodyn.kernels.kernel import load
 from robodyn.toolchain import running
-from robodyn.toolchain.compiler import find_c, find_fortran
+from robodyn.toolchain.compiler import find_c, find_compiler
 from robodyn.toolchain.program import run_program
 from robodyn.toolchain.running import end_all, run
 from robodyn_testing import require_tool
@@ -148,7 +149,7 @@ def test_what_other_threads_run_can_be_ended(script: Callable[[str], str], tmp_p
 
 
 @pytest.mark.usefixtures("over")
-@pytest.mark.parametrize("find", [find_c, find_fortran])
+@pytest.mark.parametrize("find", [find_c, partial(find_compiler, "fortran")])
 def test_a_compiler_that_does_not_say_who_it_is(
     find: Callable[[str], Any], script: Callable[[str], str], tmp_path: Path
 ) -> None:

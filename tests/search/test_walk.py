@@ -222,7 +222,7 @@ def test_single_precision_is_near_the_truth(name: str) -> None:
         [x + 0 * q[:, 0] for x in evaluate(plain, state, functions=functions)["tau"]], dtype=np.float64
     )
     single = {key: np.float32(x) for key, x in state.items()}
-    found = evaluate(made, single, number=lambda x: np.float32(float(x)), functions=functions)["tau"]
+    found = evaluate(made, single, constant=lambda x: np.float32(float(x)), functions=functions)["tau"]
     off = np.abs(np.array([x + 0 * single[Input("q", 0)] for x in found], dtype=np.float64) - truth)
     assert off.max() <= 10 * TOLERANCE * np.abs(truth).max()
 

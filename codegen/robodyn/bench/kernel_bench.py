@@ -233,20 +233,20 @@ def _instructions(path: Path, keys: Sequence[str], absent: dict[str, str]) -> di
     if valgrind is None:
         absent["instructions"] = "needs valgrind (apt-get install valgrind)"
         return {}
-    found: dict[str, float] = {}
+    counts: dict[str, float] = {}
     for k, key in enumerate(keys):
         totals = []
         for passes in (1, 3):  # the difference is free of starting and ending
             command = [valgrind, "--tool=callgrind", "--callgrind-out-file=/dev/null", str(path)]
             command += ["0", str(passes), str(k)]
-            said = run(command, listen="stderr").said
-            total = re.search(r"refs:\s+([\d,]+)", said)
+            output = run(command, listen="stderr").said
+            total = re.search(r"refs:\s+([\d,]+)", output)
             if total is None:
-                absent["instructions"] = f"valgrind fails: {(said.strip().splitlines() or ['?'])[-1]}"
+                absent["instructions"] = f"valgrind fails: {(output.strip().splitlines() or ['?'])[-1]}"
                 return {}
             totals.append(int(total[1].replace(",", "")))
-        found[key] = (totals[1] - totals[0]) / (2 * _COUNT)
-    return found
+        counts[key] = (totals[1] - totals[0]) / (2 * _COUNT)
+    return counts
 
 
 # --- from Python --------------------------------------------------------------------------------------------
@@ -280,19 +280,19 @@ def _python(
     )
 
 
-def kernel_text(found: KernelBench) -> str:
+def kernel_text(kernel_bench: KernelBench) -> str:
     """The measurement for a person."""
     lines = []
-    if found.native:
-        lines += [f"one state after another in C ({found.flags})", _head("instructions")]
-    missing = "not measured" if "instructions" in found.absent else "-"
-    for row in found.native:
+    if kernel_bench.native:
+        lines += [f"one state after another in C ({kernel_bench.flags})", _head("instructions")]
+    missing = "not measured" if "instructions" in kernel_bench.absent else "-"
+    for row in kernel_bench.native:
         counted = missing if row.instructions is None else f"{row.instructions:.0f}"
         lines.append(f"{row.title:<48} {row.ns:>10.1f} {row.ratio:>8.2f} {counted:>14}")
-    if found.python:
+    if kernel_bench.python:
         lines += ["", "from Python, a state", _head("")]
-        lines += [f"{row.title:<48} {row.ns:>10.1f} {row.ratio:>8.2f}" for row in found.python]
-    lines += [f"not measured: {what}: {why}" for what, why in found.absent.items()]
+        lines += [f"{row.title:<48} {row.ns:>10.1f} {row.ratio:>8.2f}" for row in kernel_bench.python]
+    lines += [f"not measured: {what}: {why}" for what, why in kernel_bench.absent.items()]
     return "\n".join(lines) + "\n"
 
 

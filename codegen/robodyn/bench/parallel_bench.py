@@ -167,15 +167,15 @@ def bench(
             crowded = p > here
             flags = (*THREADED_FLAGS, *([f"-D{signature.robot}_spins=1u"] if crowded else []))
             asked = states or (CROWDED if crowded else STATES)
-            code, said = run_program(files, [str(asked)], cc=cc, flags=flags)
-            found = {name: float(value) for name, value in re.findall(r"(\w+) ([\d.]+)", said)}
-            if code != 0 or found.get("differing") != 0:
+            code, output = run_program(files, [str(asked)], cc=cc, flags=flags)
+            times = {name: float(value) for name, value in re.findall(r"(\w+) ([\d.]+)", output)}
+            if code != 0 or times.get("differing") != 0:
                 raise CheckError(
                     f"{p} threads do not give the serial kernel's bits",
-                    found=said.strip() or f"exit code {code}",
+                    found=output.strip() or f"exit code {code}",
                 )
-            packed.append(found["packed_ns"])
-            rows.append(_measured(cut, table, waiting, found))
+            packed.append(times["packed_ns"])
+            rows.append(_measured(cut, table, waiting, times))
     return Bench(
         robot.name,
         signature.function,
@@ -188,7 +188,7 @@ def bench(
     )
 
 
-def _measured(cut: Cut, table: Timetable, waiting: Waiting, found: dict[str, float]) -> Measured:
+def _measured(cut: Cut, table: Timetable, waiting: Waiting, times: dict[str, float]) -> Measured:
     plan = lanes(cut, table, waiting)
     price = [COSTS[operation.op] for operation in cut.program.operations]
     weight = {task: sum(price[i] for i in own) for task, own in cut.operations().items()}
@@ -199,8 +199,8 @@ def _measured(cut: Cut, table: Timetable, waiting: Waiting, found: dict[str, flo
         waiting,
         table.levels,
         meetings,
-        found["serial_ns"],
-        found["parallel_ns"],
+        times["serial_ns"],
+        times["parallel_ns"],
         sum(price),
         chain,
         len(cut.graph),
@@ -212,21 +212,21 @@ def _load() -> float | None:
     return os.getloadavg()[0] if hasattr(os, "getloadavg") else None
 
 
-def bench_text(found: Bench) -> str:
+def bench_text(bench: Bench) -> str:
     """The measurement for a person, with a plain verdict."""
-    first = found.rows[0]
-    packed = found.packed_ns / found.serial_ns
+    first = bench.rows[0]
+    packed = bench.packed_ns / bench.serial_ns
     lines = [
-        f"{found.robot} {found.function}: {first.operations} operations, {first.tasks} tasks; "
-        f"{found.cores} cores, "
-        f"{found.compiler}",
-        f"serial {found.serial_ns:.0f} ns, {found.serial_ns / first.operations:.2f} ns an operation; "
-        f"packed, {found.packed_lanes} lanes: {found.packed_ns:.0f} ns ({packed:.2f} times serial)",
+        f"{bench.robot} {bench.function}: {first.operations} operations, {first.tasks} tasks; "
+        f"{bench.cores} cores, "
+        f"{bench.compiler}",
+        f"serial {bench.serial_ns:.0f} ns, {bench.serial_ns / first.operations:.2f} ns an operation; "
+        f"packed, {bench.packed_lanes} lanes: {bench.packed_ns:.0f} ns ({packed:.2f} times serial)",
         "",
         "threads  sync      levels  meetings  parallel ns  ns a meeting  speed-up  of schedule  wins "
         "from (operations)",
     ]
-    for row in found.rows:
+    for row in bench.rows:
         even = row.to_dict()["break_even"]
         size = (
             "never"
@@ -240,10 +240,10 @@ def bench_text(found: Bench) -> str:
             f"{each:>12}  {row.serial_ns / row.parallel_ns:>8.3f}  {row.operations / row.chain:>11.2f}  "
             f"{size}"
         )
-    wins = [row for row in found.rows if row.wins]
+    wins = [row for row in bench.rows if row.wins]
     lines += ["", "speed-up to be expected were the tasks of so many operations, waiting being what it is:"]
     lines.append("threads  sync    " + "".join(f"{size:>10}" for size in SIZES))
-    for row in found.rows:
+    for row in bench.rows:
         cells = "".join(f"{row.speedup_at(size):>10.3f}" for size in SIZES)
         lines.append(f"{row.processors:>7}  {row.waiting:<8}{cells}")
     lines.append("")
@@ -257,12 +257,12 @@ def bench_text(found: Bench) -> str:
         lines.append(
             "threads lose to the serial kernel here: waiting for each other costs more than is saved"
         )
-    if found.load is not None and found.load > found.cores + 0.5:
-        lines.append(f"the machine is busy (load {found.load:.1f}): waiting takes less on an idle one")
-    crowded = [row.processors for row in found.rows if row.processors > found.cores]
+    if bench.load is not None and bench.load > bench.cores + 0.5:
+        lines.append(f"the machine is busy (load {bench.load:.1f}): waiting takes less on an idle one")
+    crowded = [row.processors for row in bench.rows if row.processors > bench.cores]
     if crowded:
         lines.append(
-            f"there are {found.cores} cores: figures of {', '.join(map(str, sorted(set(crowded))))} "
+            f"there are {bench.cores} cores: figures of {', '.join(map(str, sorted(set(crowded))))} "
             f"threads are of threads "
             "that take turns"
         )

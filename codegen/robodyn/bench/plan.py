@@ -69,8 +69,8 @@ def parse_deadline(text: str) -> float:
     ------
     InputError: not of that form, or not above 0.
     """
-    found = re.fullmatch(r"\s*(\d+(?:\.\d+)?(?:e-?\d+)?)\s*(ns|us|ms|s)\s*", text)
-    value = float(found[1]) * {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}[found[2]] if found else 0.0
+    match = re.fullmatch(r"\s*(\d+(?:\.\d+)?(?:e-?\d+)?)\s*(ns|us|ms|s)\s*", text)
+    value = float(match[1]) * {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}[match[2]] if match else 0.0
     if not 0 < value < 1e15:
         raise InputError("the deadline cannot be read", found=repr(text), expected="100us, 0.5ms or 800ns")
     return value
@@ -122,13 +122,13 @@ def here(robot: Robot, tell: Callable[[str], None] = lambda _: None) -> Target:
 
     tell("measuring this machine")
     tasks = cut(program(robot, "inverse_dynamics"), 8)
-    found = bench(robot, signature(robot, "inverse_dynamics"), tasks, (2,))
-    row = min(found.rows, key=lambda row: row.parallel_ns)
-    load = "" if found.load is None else f", load {found.load:.1f}"
+    measured = bench(robot, signature(robot, "inverse_dynamics"), tasks, (2,))
+    row = min(measured.rows, key=lambda row: row.parallel_ns)
+    load = "" if measured.load is None else f", load {measured.load:.1f}"
     chip = Chip(
         1e3 / row.operation_ns,
-        f"measured now on {robot.name} with {found.compiler}{load}; an operation a cycle",
-        found.cores,
+        f"measured now on {robot.name} with {measured.compiler}{load}; an operation a cycle",
+        measured.cores,
         row.waiting_ns / row.meetings if row.meetings else 0.0,
     )
     costs = Costs(div=1.0, sqrt=1.0, sincos=0.0)  # sines are in what an operation takes
@@ -159,12 +159,12 @@ def plans(
             continue
         tell(name)
         programs[name] = program(robot, function, Options((function,), **options))
-    found: list[Plan] = []
+    candidates: list[Plan] = []
     for target in targets:
-        for name, made in programs.items():
+        for name, candidate in programs.items():
             tell(f"{target.name}, {name}")
-            found += _of_target(target, name, made, min(processors, _chip(target).cores))
-    return sorted(found, key=lambda plan: (plan.time_ns, plan.processors))
+            candidates += _of_target(target, name, candidate, min(processors, _chip(target).cores))
+    return sorted(candidates, key=lambda plan: (plan.time_ns, plan.processors))
 
 
 def _chip(target: Target) -> Chip:
@@ -173,16 +173,18 @@ def _chip(target: Target) -> Chip:
     return target.chip
 
 
-def _of_target(target: Target, formulation: str, made: Program, most: int) -> list[Plan]:
+def _of_target(target: Target, formulation: str, program: Program, most: int) -> list[Plan]:
     """The serial kernel, and for every number of cores the best cut and machine."""
     units, costs = _units(target.costs)
     chip = _chip(target)
     unit_ns = chip.cycle_ns / units
-    whole = sum(costs[operation.op] for operation in made.operations)
-    operations = sum(COSTS[operation.op] for operation in made.operations)
-    found = [Plan(target.name, formulation, 1, None, True, 1, operations, whole * unit_ns, whole * unit_ns)]
+    whole = sum(costs[operation.op] for operation in program.operations)
+    operations = sum(COSTS[operation.op] for operation in program.operations)
+    candidates = [
+        Plan(target.name, formulation, 1, None, True, 1, operations, whole * unit_ns, whole * unit_ns)
+    ]
     passing = round(chip.passing_ns / unit_ns)
-    graphs = {k: cut(made, k, costs).graph for k in CUTS} if most > 1 else {}
+    graphs = {k: cut(program, k, costs).graph for k in CUTS} if most > 1 else {}
     for p in range(2, most + 1):
         best: Plan | None = None
         for k, graph in graphs.items():
@@ -192,9 +194,11 @@ def _of_target(target: Target, formulation: str, made: Program, most: int) -> li
                 if best is None or time < best.time_ns:
                     bound = solved.lower_bound * unit_ns
                     best = Plan(target.name, formulation, p, k, levels, len(graph), operations, time, bound)
-        if best is not None and best.time_ns < found[-1].time_ns:  # more cores that gain nothing are no plan
-            found.append(best)
-    return found
+        if (
+            best is not None and best.time_ns < candidates[-1].time_ns
+        ):  # more cores that gain nothing are no plan
+            candidates.append(best)
+    return candidates
 
 
 def _units(costs: Costs) -> tuple[int, dict[str, int]]:
@@ -208,20 +212,20 @@ def _units(costs: Costs) -> tuple[int, dict[str, int]]:
     return units, {**{op: units * value for op, value in COSTS.items()}, **scaled}
 
 
-def chosen(found: Sequence[Plan], deadline_ns: float) -> Plan | None:
+def chosen(candidates: Sequence[Plan], deadline_ns: float) -> Plan | None:
     """Of the plans that meet the deadline the one with the fewest processors, then the shortest."""
-    meeting = [plan for plan in found if plan.time_ns <= deadline_ns]
+    meeting = [plan for plan in candidates if plan.time_ns <= deadline_ns]
     return min(meeting, key=lambda plan: (plan.processors, plan.time_ns), default=None)
 
 
-def plan_text(robot: Robot, found: Sequence[Plan], targets: Sequence[Target], deadline_ns: float) -> str:
+def plan_text(robot: Robot, candidates: Sequence[Plan], targets: Sequence[Target], deadline_ns: float) -> str:
     """All plans for a person, those that meet the deadline marked."""
-    best = chosen(found, deadline_ns)
+    best = chosen(candidates, deadline_ns)
     lines = [f"{robot.name}: deadline {spelled(deadline_ns)}", ""]
     lines.append(
         "target       formulation            p  tasks of  waits     tasks  operations        time  meets"
     )
-    for plan in found:
+    for plan in candidates:
         how = "-" if plan.cut is None else ("levels" if plan.levels else "counters")
         lines.append(
             f"{plan.target:<12} {plan.formulation:<21} {plan.processors:>2}  {plan.cut or 'all':>8}  "
@@ -231,7 +235,7 @@ def plan_text(robot: Robot, found: Sequence[Plan], targets: Sequence[Target], de
         )
     lines.append("")
     if best is None:
-        lines.append(f"nothing meets it; the shortest is {spelled(found[0].time_ns)}")
+        lines.append(f"nothing meets it; the shortest is {spelled(candidates[0].time_ns)}")
     else:
         lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best)}")
     lines += [
@@ -246,15 +250,15 @@ def plan_text(robot: Robot, found: Sequence[Plan], targets: Sequence[Target], de
 
 def _how(robot: Robot, plan: Plan) -> str:
     options = FORMULATIONS[plan.formulation]
-    told = "".join(
+    switches = "".join(
         f" --{name} {value}" for name, value in options.items() if (name, value) != ("optimize", "record")
     )
     if plan.cut is None:
-        return f"one core: robodyn gen {robot.name}{told}"
+        return f"one core: robodyn gen {robot.name}{switches}"
     waits = "" if plan.levels else " --no-levels"
     return (
         f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
-        f"{plan.cut}{waits}{told} "
+        f"{plan.cut}{waits}{switches} "
         "--emit DIR"
     )
 

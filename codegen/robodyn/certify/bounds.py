@@ -42,12 +42,12 @@ def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fi
     except (InputError, CheckError) as error:
         return _failed(str(error))
     (folder / FOLDER).mkdir()
-    files = {f"{FOLDER}/{name}": text for made in scripts.values() for name, (text, _) in made.items()}
+    files = {f"{FOLDER}/{name}": text for parts in scripts.values() for name, (text, _) in parts.items()}
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     names = list(files)
     tell(f"Gappa: 0 of {len(names)} torques")
-    found = dict(
+    proven = dict(
         zip(
             names,
             rounding.prove(
@@ -56,7 +56,7 @@ def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fi
                 names,
                 seconds=asked.seconds,
                 workers=asked.workers,
-                told=lambda done: tell(f"Gappa: {done} of {len(names)} torques"),
+                progress=lambda done: tell(f"Gappa: {done} of {len(names)} torques"),
             ),
             strict=True,
         )
@@ -65,7 +65,7 @@ def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fi
     for signature, program in functions:
         own = scripts[signature.function]
         rows += _rows(
-            subject, asked, signature, program, {f"{FOLDER}/{k}": v for k, v in own.items()}, found, tell
+            subject, asked, signature, program, {f"{FOLDER}/{k}": v for k, v in own.items()}, proven, tell
         )
     return _finding(subject, rows, files)
 
@@ -81,7 +81,7 @@ def _scripts(subject: Subject, signature: Signature, program: Program) -> dict[s
     ranges = ranges_of(subject.box(signature))
     forward = Forward(program, ranges, subject.scalar, known.ulps, known.limit)
     scripts = Scripts(program, forward)
-    made = {}
+    written = {}
     for (_, elements), (_, operands) in zip(scripts.body.outputs, program.outputs, strict=True):
         for i, (element, operand) in enumerate(zip(elements, operands, strict=True), 1):
             title = (
@@ -91,8 +91,8 @@ def _scripts(subject: Subject, signature: Signature, program: Program) -> dict[s
                 f"{known.text}"
             )
             bound = forward.of(operand)
-            made[f"{signature.function}_{i}.g"] = (scripts.of(element, title), bound.error)
-    return made
+            written[f"{signature.function}_{i}.g"] = (scripts.of(element, title), bound.error)
+    return written
 
 
 def _rows(
@@ -101,7 +101,7 @@ def _rows(
     signature: Signature,
     program: Program,
     own: dict[str, tuple[str, float]],
-    found: dict[str, rounding.Proven],
+    bounds: dict[str, rounding.Proven],
     tell: Tell,
 ) -> list[dict[str, Any]]:
     tell(f"searching for the worst error of {signature.function}")
@@ -113,7 +113,7 @@ def _rows(
         worst = None
     rows = []
     for i, (name, (_, bound)) in enumerate(own.items()):
-        proven = found[name]
+        proven = bounds[name]
         seen = worst[i] if worst is not None else None
         row: dict[str, Any] = {
             "function": signature.function,

@@ -83,35 +83,35 @@ def read(done: Done, seconds: float) -> Analysis:
     """Eva's words, read with suspicion: what is not plainly a proof is none."""
     if done.code is None:
         return Analysis(None, (), (0, 0), (0, 0), done.seconds, f"not finished after {seconds:g} s")
-    said = done.said
-    summary = _ALARMS.search(said)
+    output = done.said
+    summary = _ALARMS.search(output)
     alarms = None if summary is None else (0 if summary[1] == "No" else int(summary[1]))
-    functions, reached = _pair(_FUNCTIONS, said), _pair(_STATEMENTS, said)
-    told = tuple(_alarm_lines(said))
+    functions, reached = _pair(_FUNCTIONS, output), _pair(_STATEMENTS, output)
+    reported = tuple(_alarm_lines(output))
     reason = ""
-    hole = _HOLES.search(said)
+    hole = _HOLES.search(output)
     if done.code != 0 or alarms is None:
-        reason = f"Frama-C did not come to an end: {last_lines(said)}"
-    elif alarms or told:
-        reason = f"{alarms} alarm{'s' * (alarms != 1)}: {'; '.join(told[:3])}"
-    elif any(int(count) for count in _ERRORS.findall(said)) or hole:
+        reason = f"Frama-C did not come to an end: {last_lines(output)}"
+    elif alarms or reported:
+        reason = f"{alarms} alarm{'s' * (alarms != 1)}: {'; '.join(reported[:3])}"
+    elif any(int(count) for count in _ERRORS.findall(output)) or hole:
         reason = f"Frama-C complains: {hole[0] if hole else 'errors in its summary'}"
-    elif f"{END}:" not in said:
+    elif f"{END}:" not in output:
         reason = "the end of the driver is not reached"
     elif functions[0] != functions[1] or not functions[0] or reached[0] != reached[1]:
         reason = f"only {reached[0]} of {reached[1]} statements were looked at"
-    return Analysis(alarms, told, functions, reached, done.seconds, reason)
+    return Analysis(alarms, reported, functions, reached, done.seconds, reason)
 
 
-def _pair(pattern: re.Pattern[str], said: str) -> tuple[int, int]:
-    match = pattern.search(said)
+def _pair(pattern: re.Pattern[str], output: str) -> tuple[int, int]:
+    match = pattern.search(output)
     return (int(match[1]), int(match[2])) if match else (0, 0)
 
 
-def _alarm_lines(said: str) -> list[str]:
+def _alarm_lines(output: str) -> list[str]:
     """Each alarm in a line: Frama-C goes on in lines that are indented."""
-    lines = said.splitlines()
-    found = []
+    lines = output.splitlines()
+    alarms = []
     for i, line in enumerate(lines):
         if line.startswith("[eva:alarm]"):
             rest = [line.removeprefix("[eva:alarm]")]
@@ -119,5 +119,5 @@ def _alarm_lines(said: str) -> list[str]:
                 if not more.startswith("  "):
                     break
                 rest.append(more)
-            found.append(" ".join(" ".join(rest).split()))
-    return found
+            alarms.append(" ".join(" ".join(rest).split()))
+    return alarms

@@ -64,8 +64,8 @@ class Scripts:
         lines += ["# inputs are numbers of the type", *(f"{x} = rnd({x}_);" for x in script.inputs)]
         lines += ["# what C computes", *script.computed, "# what it should be", *script.exact]
         wanted = "result in ? /\\ result - E_result in ?"
-        given = " /\\\n  ".join(script.hypotheses)
-        return "\n".join([*lines, "{ " + given + ("\n  -> " if given else "") + wanted + " }", ""])
+        hypotheses = " /\\\n  ".join(script.hypotheses)
+        return "\n".join([*lines, "{ " + hypotheses + ("\n  -> " if hypotheses else "") + wanted + " }", ""])
 
     def _state(self, script: _Script, statement: Statement) -> None:
         expression, name = statement.expression, statement.name

@@ -38,8 +38,8 @@ def worst_errors(
         return None
 
     def errors(drawn: Any) -> Any:
-        given = _arrays(drawn, box, kernel.dtype.type)
-        return np.abs(_called(kernel, signature, given, drawn.shape[1]) - _exact(program, given)).astype(
+        inputs = _arrays(drawn, box, kernel.dtype.type)
+        return np.abs(_called(kernel, signature, inputs, drawn.shape[1]) - _exact(program, inputs)).astype(
             float
         )
 
@@ -76,7 +76,7 @@ def _edge(limit: Fraction, real: Any, side: int) -> Any:
     return np.nextafter(near, real(side * np.inf)) if outside else near
 
 
-def _called(kernel: Kernel, signature: Signature, given: dict[Input, Any], count: int) -> Any:
+def _called(kernel: Kernel, signature: Signature, arguments: dict[Input, Any], count: int) -> Any:
     """The kernel's outputs ``[m, N]``."""
     import numpy as np
 
@@ -84,20 +84,20 @@ def _called(kernel: Kernel, signature: Signature, given: dict[Input, Any], count
     for name, size in signature.inputs:
         array = np.zeros((count, size), kernel.dtype)
         for i in range(size):
-            array[:, i] = given[Input(name, i)]
+            array[:, i] = arguments[Input(name, i)]
         inputs.append(array)
     return getattr(kernel, signature.function)(*inputs).astype(np.longdouble).T
 
 
-def _exact(program: Program, given: dict[Input, Any]) -> Any:
+def _exact(program: Program, inputs: dict[Input, Any]) -> Any:
     """The program's outputs ``[m, N]`` in longdouble."""
     import numpy as np
 
     functions = {"sin": np.sin, "cos": np.cos, "sign": np.sign, "abs": np.abs}
-    wide = {x: row.astype(np.longdouble) for x, row in given.items()}
+    wide = {x: row.astype(np.longdouble) for x, row in inputs.items()}
     count = len(next(iter(wide.values())))
-    found = evaluate(program, wide, number=_wide, functions=functions)
-    rows: Sequence[Any] = [row for elements in found.values() for row in elements]
+    values = evaluate(program, wide, constant=_wide, functions=functions)
+    rows: Sequence[Any] = [row for elements in values.values() for row in elements]
     return np.stack([np.broadcast_to(np.asarray(row, dtype=np.longdouble), (count,)) for row in rows])
 
 

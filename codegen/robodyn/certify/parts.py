@@ -29,20 +29,23 @@ def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Findi
     arguments = [*eva.OPTIONS, f"{name}.c", driver]
     tell("Frama-C Eva")
     done = run([frama_c, *arguments], folder, PATIENCE)
-    found = eva.read(done, PATIENCE)
+    analysis = eva.read(done, PATIENCE)
     functions = ", ".join(s.function for s in subject.made.signatures)
     return Finding(
         "eva",
-        "proved" if found.proved else "failed",
+        "proved" if analysis.proved else "failed",
         f"{functions}, sine and cosine: no undefined behaviour for any inputs, infinite ones and NaN among "
         "them, in arrays that are large enough and do not overlap.",
-        (found.reason or f"0 alarms; {found.statements[0]} of {found.statements[1]} statements reached",),
+        (
+            analysis.reason
+            or f"0 alarms; {analysis.statements[0]} of {analysis.statements[1]} statements reached",
+        ),
         {
-            "alarms": found.alarms,
-            "said": list(found.said),
-            "functions": list(found.functions),
-            "statements": list(found.statements),
-            "reason": found.reason,
+            "alarms": analysis.alarms,
+            "said": list(analysis.said),
+            "functions": list(analysis.functions),
+            "statements": list(analysis.statements),
+            "reason": analysis.reason,
         },
         (f"Frama-C {FRAMA_C.version()}",),
         (" ".join(["frama-c", *arguments]),),
@@ -72,14 +75,14 @@ def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
             rows.append({"machine": machine.name, "remedy": machine.tool.remedy})
             continue
         tell(f"stack, {machine.name}")
-        found = stack.measure(machine, source, symbols, folder)
+        usage = stack.measure(machine, source, symbols, folder)
         tools[machine.tool.version()] = None
         commands.append(" ".join(stack.command(machine, source)))
-        if isinstance(found, str):
-            lines.append(f"{machine.name}: not compiled: {found}")
-            rows.append({"machine": machine.name, "reason": found})
+        if isinstance(usage, str):
+            lines.append(f"{machine.name}: not compiled: {usage}")
+            rows.append({"machine": machine.name, "reason": usage})
             continue
-        for depth in found:
+        for depth in usage:
             known += depth.size is not None and not depth.beyond
             bad = bad or depth.size is None or not depth.only_helpers
             size = "no bound" if depth.size is None else f"{depth.size} B"
@@ -119,22 +122,22 @@ def prove_misra(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
     control.write_text(misra.CONTROL, encoding="utf-8", newline="\n")
     misra.check_control(run([cppcheck, *misra.OPTIONS, control.name], folder, PATIENCE))
     done = run([cppcheck, *misra.OPTIONS, source], folder, PATIENCE)
-    found = misra.read(done)
+    report = misra.read(done)
     explained = deviations(subject.made.options.trig)
-    open_ = sorted(set(found.rules) - set(explained))
+    open_ = sorted(set(report.rules) - set(explained))
     lines = [
         f"rule {rule}, {count} times: "
         + (f"explained in {source}: {explained[rule]}" if rule in explained else "NOT EXPLAINED")
-        for rule, count in found.rules.items()
+        for rule, count in report.rules.items()
     ]
-    lines += [f"besides: {text}" for text in found.others[:10]]
+    lines += [f"besides: {text}" for text in report.others[:10]]
     return Finding(
         "misra",
-        "failed" if open_ or found.others else "proved",
+        "failed" if open_ or report.others else "proved",
         f"MISRA C:2012, rules that cppcheck's addon checks: every finding in {source} and its header is "
         f"explained in the head of {source}.",
         tuple(lines or ["no finding"]),
-        {"rules": found.rules, "explained": explained, "unexplained": open_, "others": list(found.others)},
+        {"rules": report.rules, "explained": explained, "unexplained": open_, "others": list(report.others)},
         (CPPCHECK.version(),),
         (" ".join(["cppcheck", *(f"'{o}'" if "|" in o else o for o in misra.OPTIONS), source]),),
         {"misra.txt": done.said},

@@ -83,9 +83,9 @@ def subject(robot: Robot, ranged: Robot, options: Options) -> Subject:
     """The kernel of ``robot`` that ``options`` ask for, in C; ``ranged`` is the robot with the ranges as its
     limits."""
     options = replace(options, misra=True)
-    made = generate(robot, options)
-    plain = generate(robot, replace(options, trig="libm")) if options.trig == "given" else made
-    return Subject(ranged, made, made.files(("c",)), plain)
+    generated = generate(robot, options)
+    plain = generate(robot, replace(options, trig="libm")) if options.trig == "given" else generated
+    return Subject(ranged, generated, generated.files(("c",)), plain)
 
 
 def ranges_of(box: Box) -> Mapping[Input, Range]:

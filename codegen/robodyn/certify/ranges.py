@@ -30,13 +30,13 @@ def with_ranges(robot: Robot, text: str | None, file: bytes | None = None) -> Ro
     ------
     InputError: neither says what a range is, or a joint is left without one.
     """
-    given: list[tuple[str, int | None, Range, Place | None]] = []
+    entries: list[tuple[str, int | None, Range, Place | None]] = []
     if file is not None:
-        given = list(_of_file(file, text or "<ranges>"))
+        entries = list(_of_file(file, text or "<ranges>"))
     elif text is not None:
-        given = list(_of_text(text))
+        entries = list(_of_text(text))
     limits = [link.joint.limits for link in robot.links]
-    for array, joint, (low, high), place in given:
+    for array, joint, (low, high), place in entries:
         if joint is not None and joint > robot.n:
             raise InputError(
                 "a range for a joint that is not there",

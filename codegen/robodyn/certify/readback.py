@@ -47,25 +47,25 @@ def check_read_back(text: str, signature: Signature, program: Program) -> None:
     values = Values(signature.scalar)
     meant = [value for _, elements in _meant(program, values) for value in elements]
     try:
-        found = _Reader(text, signature, values).outputs()
+        outputs = _Reader(text, signature, values).outputs()
     except (ValueError, KeyError, AttributeError, IndexError) as error:
         raise CheckError(f"{signature.symbol} cannot be read back from its C: {error}") from None
-    if found != meant:
+    if outputs != meant:
         raise CheckError(f"{signature.symbol}: the C is not the program that the bounds are of")
 
 
 def _meant(program: Program, values: Values) -> list[tuple[str, list[int]]]:
-    made: list[int] = []
+    nodes: list[int] = []
 
     def value(operand: Operand) -> int:
         if isinstance(operand, int):
-            return made[operand]
+            return nodes[operand]
         if isinstance(operand, Input):
             return values.of("input", operand.array, operand.index)
         return values.constant(operand)
 
     for op, args, _ in program.operations:
-        made.append(values.of(op, *map(value, args)))
+        nodes.append(values.of(op, *map(value, args)))
     return [(name, [value(x) for x in elements]) for name, elements in program.outputs]
 
 
@@ -91,14 +91,14 @@ class _Reader:
         """The values of all outputs, one after another."""
         return [self.places[array, i] for array, size in self.signature.outputs for i in range(size)]
 
-    def _enter(self, symbol: str, given: list[str] | None = None) -> None:
-        """Run a function; a second one, on the arrays ``given``, calls them as the first does."""
-        found = re.findall(rf"^(?:\w+ )?(void {symbol}\(.*?^}})", self.plain, re.M | re.S)
-        if len(found) != 1:
+    def _enter(self, symbol: str, arguments: list[str] | None = None) -> None:
+        """Run a function; a second one, on the arrays ``arguments``, calls them as the first does."""
+        bodies = re.findall(rf"^(?:\w+ )?(void {symbol}\(.*?^}})", self.plain, re.M | re.S)
+        if len(bodies) != 1:
             raise ValueError(f"there is no function {symbol}, or more than one")
         real = f"typedef {self.signature.scalar} {self.signature.robot}_real;\n"
-        function = self.parse(real + found[0]).ext[-1]
-        if given is not None and given != [p.name for p in function.decl.type.args.params]:
+        function = self.parse(real + bodies[0]).ext[-1]
+        if arguments is not None and arguments != [p.name for p in function.decl.type.args.params]:
             raise ValueError(f"{symbol} calls its arrays otherwise")
         outside, self.names = self.names, {}
         for statement in function.body.block_items or []:
@@ -130,16 +130,16 @@ class _Reader:
             raise ValueError(f"a statement of kind {type(statement).__name__}")
 
     def _declare(self, statement: Any) -> None:
-        c, made = self.c, statement.init
+        c, initial = self.c, statement.init
         if isinstance(statement.type, c.PtrDecl):  # again: the angles, read a second time
             for (array, i), value in list(self.places.items()):
-                if array == made.name:
+                if array == initial.name:
                     self.places[statement.name, i] = value
-        elif isinstance(made, c.InitList):
-            for i, expression in enumerate(made.exprs):
+        elif isinstance(initial, c.InitList):
+            for i, expression in enumerate(initial.exprs):
                 self.places[statement.name, i] = self._value(expression)
-        elif made is not None:
-            self.names[statement.name] = self._value(made)
+        elif initial is not None:
+            self.names[statement.name] = self._value(initial)
 
     def _place(self, expression: Any) -> tuple[str, int]:
         index = expression.subscript

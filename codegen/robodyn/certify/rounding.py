@@ -40,24 +40,24 @@ def prove(
     *,
     seconds: float,
     workers: int,
-    told: Callable[[int], None],
+    progress: Callable[[int], None],
 ) -> list[Proven]:
     """Run Gappa on ``scripts`` (files in ``folder``), ``workers`` at a time, ``seconds`` each at most;
-    ``told`` is told how many are done."""
-    found: dict[str, Proven] = {}
+    ``progress`` is told how many are done."""
+    proven: dict[str, Proven] = {}
     with ThreadPoolExecutor(workers) as pool:
         jobs = {pool.submit(run, [gappa, name], folder, seconds): name for name in scripts}
         try:
             for job in as_completed(jobs):
-                found[jobs[job]] = read(job.result(), seconds)
-                told(len(found))
+                proven[jobs[job]] = read(job.result(), seconds)
+                progress(len(proven))
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             while not all(job.done() for job in jobs):  # one may just be starting
                 end_all()
                 time.sleep(0.02)
             raise
-    return [found[name] for name in scripts]
+    return [proven[name] for name in scripts]
 
 
 def read(done: Done, seconds: float) -> Proven:

@@ -40,12 +40,12 @@ class Proof:
 
     def to_dict(self) -> dict[str, Any]:
         """For JSON."""
-        made = self.subject.made
+        generated = self.subject.made
         return {
-            "robot": made.unit.robot.name,
+            "robot": generated.unit.robot.name,
             "scalar": self.subject.scalar,
-            "trig": made.options.trig,
-            "functions": [s.function for s in made.signatures],
+            "trig": generated.options.trig,
+            "functions": [s.function for s in generated.signatures],
             "files": {name: _hash(text) for name, text in self.subject.files.items()},
             "ranges": self._ranges(),
             "proved": not self.failed and not self.missing,
@@ -58,17 +58,17 @@ class Proof:
         files = dict(self.subject.files)
         for finding in self.findings:
             files |= finding.files
-        told = _without_times(self.to_dict())
+        data = _without_times(self.to_dict())
         files["PROOF.md"] = (
             markdown_environment()
             .get_template("prove/PROOF.md.j2")
             .render(
-                {**told, "robot": Markdown(told["robot"])},  # an identifier
+                {**data, "robot": Markdown(data["robot"])},  # an identifier
                 findings=self.findings,
                 title=self.subject.robot.title,
             )
         )
-        files["proof.json"] = json.dumps(told, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+        files["proof.json"] = json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
         return files
 
     def _ranges(self) -> list[dict[str, Any]]:
@@ -97,16 +97,16 @@ def prove(robot: Robot, ranged: Robot, options: Options, asked: Asked, tell: Tel
     InputError: an option or a number of the robot.
     ToolError: a tool does not work as it should.
     """
-    made = subject(robot, ranged, options)
+    plan = subject(robot, ranged, options)
     findings = []
     for name in PROOFS:
         if name in asked.only:
             with tempfile.TemporaryDirectory(prefix="robodyn-") as place:
                 folder = Path(place)
-                for path, text in made.files.items():
+                for path, text in plan.files.items():
                     (folder / path).write_text(text, encoding="utf-8", newline="\n")
-                findings.append(_PARTS[name](made, asked, folder, tell))
-    return Proof(made, tuple(findings))
+                findings.append(_PARTS[name](plan, asked, folder, tell))
+    return Proof(plan, tuple(findings))
 
 
 def _hash(text: str) -> str:

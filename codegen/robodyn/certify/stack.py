@@ -120,16 +120,16 @@ def deepest(graph: str, function: str) -> Depth:
         if title in above:
             raise _UnboundedError(f"{title} calls itself")
         if title not in known:
-            said = sizes.get(title)
+            size = sizes.get(title)
             if title == "__indirect_call":
                 raise _UnboundedError("a call by a pointer")
-            if said is None:
+            if size is None:
                 beyond.add(title)
                 return 0, ()
-            if said[2] == "dynamic":
+            if size[2] == "dynamic":
                 raise _UnboundedError(f"the stack of {title} depends on its arguments")
             below = max((depth(t, (*above, title)) for t in sorted(calls.get(title, ()))), default=(0, ()))
-            known[title] = int(said[1]) + below[0], (title, *below[1])
+            known[title] = int(size[1]) + below[0], (title, *below[1])
         return known[title]
 
     try:

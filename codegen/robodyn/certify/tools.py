@@ -35,15 +35,15 @@ class Tool:
         ------
         ToolError: nowhere.
         """
-        found = self.path()
-        if found is None:
+        path = self.path()
+        if path is None:
             raise ToolError(f"there is no program {self.name}", remedy=self.remedy)
-        return found
+        return path
 
     def version(self) -> str:
         """The first line that it says about itself."""
-        said = run([self.needed(), *self.version_arguments], Path.cwd(), 60).said.strip()
-        return said.splitlines()[0].strip() if said else "(says no version)"
+        output = run([self.needed(), *self.version_arguments], Path.cwd(), 60).said.strip()
+        return output.splitlines()[0].strip() if output else "(says no version)"
 
 
 GAPPA = Tool("gappa", ("--version",), "needs apt-get install gappa (or https://gappa.gitlabpages.inria.fr)")
@@ -92,18 +92,18 @@ def run(command: Sequence[str], folder: Path, seconds: float) -> Done:
     _running.add(process)
     code: int | None
     try:
-        said, _ = process.communicate(timeout=seconds)
+        output, _ = process.communicate(timeout=seconds)
         code = process.returncode
     except subprocess.TimeoutExpired:
         _end(process)
-        said, code = process.communicate()[0], None
+        output, code = process.communicate()[0], None
     except BaseException:
         _end(process)
         process.communicate()
         raise
     finally:
         _running.discard(process)
-    return Done(code, said, time.monotonic() - began)
+    return Done(code, output, time.monotonic() - began)
 
 
 #: What runs now, in whatever thread.
@@ -127,7 +127,7 @@ def _end(process: subprocess.Popen[str]) -> None:
         process.kill()
 
 
-def last_lines(said: str, count: int = 3) -> str:
+def last_lines(output: str, count: int = 3) -> str:
     """The last lines of what a program said, as one."""
-    lines = [re.sub(r"\s+", " ", line).strip() for line in said.splitlines() if line.strip()]
+    lines = [re.sub(r"\s+", " ", line).strip() for line in output.splitlines() if line.strip()]
     return " | ".join(lines[-count:])[:400] or "nothing"

@@ -16,9 +16,9 @@ class Budget:
 
     limits: tuple[tuple[str, int], ...]
 
-    def exceeded(self, found: Count) -> list[str]:
-        """What of ``found`` is over its limit, in words; empty where the budget holds."""
-        numbers = found.to_dict()
+    def exceeded(self, count: Count) -> list[str]:
+        """What of ``count`` is over its limit, in words; empty where the budget holds."""
+        numbers = count.to_dict()
         return [
             f"{kind} {numbers[kind]} is {numbers[kind] - limit} over the budget of {limit}"
             for kind, limit in self.limits
@@ -30,12 +30,12 @@ def parse_budget(text: str) -> Budget:
     """A budget from ``mul=208,add=152,total=360``; :class:`InputError` if it is not one."""
     limits: dict[str, int] = {}
     for part in text.split(","):
-        kind, separator, number = (piece.strip() for piece in part.partition("="))
+        kind, separator, digits = (piece.strip() for piece in part.partition("="))
         if (
             not separator
             or kind not in KINDS
-            or not (number.isascii() and number.isdigit())
-            or len(number) > 9
+            or not (digits.isascii() and digits.isdigit())
+            or len(digits) > 9
         ):
             raise InputError(
                 "not a budget",
@@ -45,5 +45,5 @@ def parse_budget(text: str) -> Budget:
             )
         if kind in limits:
             raise InputError(f"budget for {kind} given twice", found=repr(text), remedy="give each kind once")
-        limits[kind] = int(number)
+        limits[kind] = int(digits)
     return Budget(tuple(limits.items()))

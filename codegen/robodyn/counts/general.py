@@ -95,15 +95,15 @@ def general_count(
     return Count(**ledger)
 
 
-def general_arm(n: int, prismatic: Collection[int], number: Callable[[bool], Any]) -> tuple[Arm, Motion]:
+def general_arm(n: int, prismatic: Collection[int], constant: Callable[[bool], Any]) -> tuple[Arm, Motion]:
     """An arm of which nothing is special and its motion: ``number(True)`` makes a number of the model,
     ``number(False)`` one of the state."""
 
     def some(count: int, fixed: bool = True) -> tuple[Any, ...]:
-        return tuple(number(fixed) for _ in range(count))
+        return tuple(constant(fixed) for _ in range(count))
 
     def triple() -> tuple[Any, Any, Any]:
-        return number(True), number(True), number(True)
+        return constant(True), constant(True), constant(True)
 
     def body(revolute: bool) -> Body:
         cos_alpha, sin_alpha, a, d, mass = some(5)
@@ -114,9 +114,9 @@ def general_arm(n: int, prismatic: Collection[int], number: Callable[[bool], Any
 
     bodies = tuple(body(i + 1 not in prismatic) for i in range(n))
     motion = Motion(
-        c=tuple(number(not body.revolute) for body in bodies),
-        s=tuple(number(not body.revolute) for body in bodies),
-        d=tuple(number(body.revolute) for body in bodies),
+        c=tuple(constant(not body.revolute) for body in bodies),
+        s=tuple(constant(not body.revolute) for body in bodies),
+        d=tuple(constant(body.revolute) for body in bodies),
         qd=some(n, fixed=False),
         qdd=some(n, fixed=False),
     )

@@ -30,10 +30,10 @@ class Operations:
     @cached_property
     def counts(self) -> Mapping[str, int]:
         """How many of each kind."""
-        found: dict[str, int] = {}
+        counts: dict[str, int] = {}
         for kind in self.kinds:
-            found[kind] = found.get(kind, 0) + 1
-        return found
+            counts[kind] = counts.get(kind, 0) + 1
+        return counts
 
     @property
     def total(self) -> int:
@@ -53,14 +53,14 @@ class Operations:
                 uses[k] += 1
         for k in self.results:
             uses[k] += 1
-        found: set[int] = set()
+        fused: set[int] = set()
         for kind, read in zip(self.kinds, self.reads, strict=True):
             if kind == "add":
                 for k in read:
                     if self.kinds[k] == "mul" and uses[k] == 1:
-                        found.add(k)
+                        fused.add(k)
                         break
-        return found
+        return fused
 
     @cached_property
     def depth(self) -> int:
@@ -93,8 +93,8 @@ def operations_of(program: Program) -> Operations:
     place: list[int | None] = []
 
     def placed(operands: Sequence[Any]) -> tuple[int, ...]:
-        found = (place[x] for x in operands if isinstance(x, int))
-        return tuple(k for k in found if k is not None)
+        places = (place[x] for x in operands if isinstance(x, int))
+        return tuple(k for k in places if k is not None)
 
     for op, args, _ in program.operations:
         if op == "neg":

@@ -78,7 +78,7 @@ class Beside:
 
 
 def beside(
-    robot: Robot, function: str, found: Count, formulation: str = "modified_newton_euler"
+    robot: Robot, function: str, count: Count, formulation: str = "modified_newton_euler"
 ) -> Beside | None:
     """The thesis's figure for ``robot``'s inverse dynamics by ``formulation``, if its file names a row of
     Table 2.10 and the table has a figure of that formulation."""
@@ -89,13 +89,13 @@ def beside(
     if printed is None:
         return None
     mul, add, note = printed
-    return Beside("2.10", compare.row, mul, add, note, _verdict(found, mul, add))
+    return Beside("2.10", compare.row, mul, add, note, _verdict(count, mul, add))
 
 
-def _verdict(found: Count, mul: int, add: int) -> str:
-    difference = found.total - (mul + add)
+def _verdict(count: Count, mul: int, add: int) -> str:
+    difference = count.total - (mul + add)
     share = 100 * abs(difference) / (mul + add)
-    if (found.mul, found.add) == (mul, add):
+    if (count.mul, count.add) == (mul, add):
         return "reproduced"
     if difference == 0:
         return "differs: the same total, split otherwise"

@@ -32,7 +32,7 @@ def why_not(other: Trial, named: Trial) -> str:
 def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
     """The best candidates of the last look that were not named, each effect and joint once."""
     known = {(f.effect, f.joint) for f in findings}
-    found: list[Tried] = []
+    candidates: list[Tried] = []
     for one in last.trials:
         key = (one.candidate.effect, one.candidate.joint)
         if key in known or one.gain <= 0:
@@ -43,24 +43,24 @@ def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
             if one.matters < 1
             else "not there in enough parts of the log"
         )
-        found.append(Tried(*key, one.gain, float(one.t), reason))
-        if len(found) == _TRIED:
+        candidates.append(Tried(*key, one.gain, float(one.t), reason))
+        if len(candidates) == _TRIED:
             break
-    return tuple(found)
+    return tuple(candidates)
 
 
 def windows(gates: Sequence[Gate], findings: Sequence[Finding]) -> tuple[Window, ...]:
     """Contacts, and gaps in the first log."""
-    found = []
+    contacts = []
     for finding in findings:
         if CATALOGUE[finding.effect].place == "outside":
             start, end = (float(finding.parameters[name].value) for name in ("start", "end"))
-            found.append(Window("train", start, end, "contact"))
+            contacts.append(Window("train", start, end, "contact"))
     gate = gates[0]
     for before, after in zip(gate.segments, gate.segments[1:], strict=False):
         times = float(gate.log.t[before.stop - 1]), float(gate.log.t[after.start])
-        found.append(Window("train", *times, "gap"))
-    return tuple(found)
+        contacts.append(Window("train", *times, "gap"))
+    return tuple(contacts)
 
 
 def operations(robot: Robot) -> Count:
@@ -72,7 +72,7 @@ def operations(robot: Robot) -> Count:
 
 def by_kind(counted: Count) -> Mapping[str, int]:
     """Of which kinds there are how many."""
-    return {name: number for name, number in asdict(counted).items() if number}
+    return {name: amount for name, amount in asdict(counted).items() if amount}
 
 
 def log_facts(gate: Gate) -> dict[str, str]:

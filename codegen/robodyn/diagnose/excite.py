@@ -85,9 +85,9 @@ def design(
         )
     if tries < 1:
         raise InputError("a design needs a try", found=str(tries), expected="1 or more")
-    told = _checked(robot, tell)
+    pairs = _checked(robot, tell)
     limited, _ = with_limits(robot)
-    found: list[tuple[float, str | None, Trajectory]] = []
+    motions: list[tuple[float, str | None, Trajectory]] = []
     for k in range(tries):
         # Slow motions and quick ones, by turns.
         periods = 1 + k % max(1, min(4, round(duration / 2.5)))
@@ -95,20 +95,20 @@ def design(
         motion = fourier(
             limited, periods / duration, harmonics, one, periods=periods, share=_SHARE, period=period
         )
-        value, pair = separation(robot, motion, told) if told else (independence(robot, motion), None)
-        found.append((value, pair, motion))
+        value, pair = separation(robot, motion, pairs) if pairs else (independence(robot, motion), None)
+        motions.append((value, pair, motion))
         if progress is not None:
             progress(k + 1)
-    value, pair, motion = max(found, key=lambda each: each[0])
-    if told and pair is None:
+    value, pair, motion = max(motions, key=lambda each: each[0])
+    if pairs and pair is None:
         raise InputError(
             f"no motion of {robot.name} shows two of these effects",
-            found=", ".join(_name(*one) for one in told),
+            found=", ".join(_name(*one) for one in pairs),
             remedy="other effects, or joints at which they act",
         )
-    typical = float(np.median([each[0] for each in found]))
-    texts = {id: CATALOGUE[id].separates for id, _ in told}
-    return Design(motion, value, typical, pair, told, texts, tries)
+    typical = float(np.median([each[0] for each in motions]))
+    texts = {id: CATALOGUE[id].separates for id, _ in pairs}
+    return Design(motion, value, typical, pair, pairs, texts, tries)
 
 
 def _checked(robot: Robot, tell: Sequence[Told]) -> tuple[Told, ...]:
@@ -178,7 +178,7 @@ def separation(robot: Robot, motion: Trajectory, tell: Sequence[Told]) -> tuple[
     shows on the motion."""
     columns = _Columns(robot, motion)
     groups = [_groups(columns.every, *one) for one in tell]
-    found = []
+    angles = []
     for one, other in combinations(groups, 2):
         for j, mine in one.items():
             for k, theirs in other.items():
@@ -186,8 +186,8 @@ def separation(robot: Robot, motion: Trajectory, tell: Sequence[Told]) -> tuple[
                     continue
                 value = _apart(columns, mine, theirs)
                 if value is not None:
-                    found.append((value, f"{mine[0].name} and {theirs[0].name}"))
-    return min(found) if found else (0.0, None)
+                    angles.append((value, f"{mine[0].name} and {theirs[0].name}"))
+    return min(angles) if angles else (0.0, None)
 
 
 def _both_anywhere(one: dict[int | None, list[Candidate]], other: dict[int | None, list[Candidate]]) -> bool:
@@ -197,18 +197,18 @@ def _both_anywhere(one: dict[int | None, list[Candidate]], other: dict[int | Non
 
 def _groups(every: Sequence[Candidate], id: str, joint: int | None) -> dict[int | None, list[Candidate]]:
     """The candidates of an effect by joint, all values of what is not linear together."""
-    found: dict[int | None, list[Candidate]] = {}
+    groups: dict[int | None, list[Candidate]] = {}
     for each in every:
         if each.effect == id and (joint is None or each.joint == joint):
-            found.setdefault(each.joint, []).append(each)
-    if not found:
+            groups.setdefault(each.joint, []).append(each)
+    if not groups:
         raise InputError(
             f"{_name(id, joint)} has no columns that a motion could tell apart",
             remedy=CATALOGUE[id].separates,
         )
-    if None in found and len(found) > 1:  # of the whole robot, and of a joint: as it was asked for
-        found = {None: found[None]}
-    return found
+    if None in groups and len(groups) > 1:  # of the whole robot, and of a joint: as it was asked for
+        groups = {None: groups[None]}
+    return groups
 
 
 def _apart(columns: _Columns, one: Sequence[Candidate], other: Sequence[Candidate]) -> float | None:

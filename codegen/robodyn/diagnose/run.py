@@ -71,9 +71,9 @@ def diagnose(
     gates = [inspect(log, robot, source=_name(names, k)) for k, log in enumerate(logs)]
     seen = inspect(validate, robot, source=_name(names, len(logs))) if validate is not None else gates[-1]
     outcome = search(robot, gates, tell, hashes[0] if hashes else "log")
-    model, found, last, first = outcome.model, outcome.found, outcome.last, outcome.first
+    model, accepted, last, first = outcome.model, outcome.found, outcome.last, outcome.first
     tell("proving it")
-    checked = [_doubted(one, first, last) for one in found.values()]
+    checked = [_doubted(one, first, last) for one in accepted.values()]
     if doubtful(gates):
         checked = [(one, False) for one, _ in checked]
     findings = tuple(sorted((_finding(one, sure) for one, sure in checked), key=lambda f: -f.gain))
@@ -212,16 +212,16 @@ def _finding(one: Found, sure: bool) -> Finding:
 
 def _strongest(named: Named, candidate: Candidate) -> list[Any]:
     seen: set[tuple[str, int | None]] = {(candidate.effect, candidate.joint)}
-    found = []
+    claims = []
     for one in named.beside:
         key = (one.candidate.effect, one.candidate.joint)
         if key in seen or not set(one.candidate.rows) & set(candidate.rows):
             continue
         seen.add(key)
-        found.append(one)
-        if len(found) == 5:
+        claims.append(one)
+        if len(claims) == 5:
             break
-    return found
+    return claims
 
 
 def _unit(effect: str, name: str, revolute: bool) -> str:
@@ -232,13 +232,13 @@ def _unit(effect: str, name: str, revolute: bool) -> str:
 
 
 def _words(verdict: Verdict, findings: Sequence[Finding], last: Selection) -> tuple[str, ...]:
-    found = []
+    words = []
     if verdict == "unexplained":
         worst = int(np.argmax(_left(last)))
-        found.append(f"something moves joint {worst + 1} that no effect of the catalogue explains")
+        words.append(f"something moves joint {worst + 1} that no effect of the catalogue explains")
     if verdict == "consistent":
-        found.append("nothing is worth adding to this model")
-    return tuple(found)
+        words.append("nothing is worth adding to this model")
+    return tuple(words)
 
 
 def _inner(x: Floats) -> Floats:

@@ -155,21 +155,21 @@ def _comes_between(entry: EffectEntry) -> bool:
 
 def layer_of(
     robot: Robot,
-    number: Callable[[Fraction], Any],
+    constant: Callable[[Fraction], Any],
     parameter: Callable[[str], Any],
     *,
     bare: bool = False,
 ) -> Layer:
-    """The drives that :func:`rigid_part` leaves out, ``number`` applied to constants."""
+    """The drives that :func:`rigid_part` leaves out, ``constant`` applied to constants."""
 
     def scalar(value: Any) -> Any:
         if isinstance(value, Affine):
-            total = number(value.constant) if value.constant else 0
+            total = constant(value.constant) if value.constant else 0
             for name, factor in value.terms:
-                total = total + (parameter(name) if factor == 1 else number(factor) * parameter(name))
+                total = total + (parameter(name) if factor == 1 else constant(factor) * parameter(name))
             return total
         if isinstance(value, Fraction):
-            return number(value)
+            return constant(value)
         if isinstance(value, Inertia):
             return value
         return tuple(scalar(x) for x in value) if isinstance(value, tuple) else value
@@ -204,8 +204,8 @@ def layer_of(
                 coulomb=scalar(joint.coulomb),
             )
         joints.append(drive)
-        for made in by_place["pair"]:
-            pairs.append(Pair(i - 1, made.values["with"] - 1, made.values["ratio"], made))
+        for pair in by_place["pair"]:
+            pairs.append(Pair(i - 1, pair.values["with"] - 1, pair.values["ratio"], pair))
     return Layer(tuple(joints), tuple(pairs))
 
 
@@ -280,8 +280,8 @@ def _sum(first: Any, rest: Sequence[Any]) -> Any:
     return first
 
 
-def directions(robot: Robot, qd: Sequence[Any], number: Callable[[Fraction], Any]) -> list[Any]:
+def directions(robot: Robot, qd: Sequence[Any], constant: Callable[[Fraction], Any]) -> list[Any]:
     """Directions of motion [n] as ``friction_at_rest`` has them."""
-    rest = None if robot.rest_velocity is None else number(robot.rest_velocity)
-    band = None if robot.dead_band is None else number(robot.dead_band)
+    rest = None if robot.rest_velocity is None else constant(robot.rest_velocity)
+    band = None if robot.dead_band is None else constant(robot.dead_band)
     return [0 if is_zero(v) else smoothed_sign(v, rest, band) for v in qd]

@@ -115,8 +115,8 @@ class Motion:
     qdd: tuple[Any, ...]
 
 
-def build_arm(robot: Robot, number: Callable[[Fraction], Any], parameter: Callable[[str], Any]) -> Arm:
-    """``robot`` with ``number`` applied to its constants and ``parameter`` to its run-time names.
+def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Callable[[str], Any]) -> Arm:
+    """``robot`` with ``constant`` applied to its constants and ``parameter`` to its run-time names.
 
     With ``torque_side: link`` rotor and friction are not in the torque and are left out. A payload is part of
     the last body.
@@ -124,13 +124,13 @@ def build_arm(robot: Robot, number: Callable[[Fraction], Any], parameter: Callab
 
     def scalar(value: Value) -> Any:
         if isinstance(value, Affine):
-            total = number(value.constant) if value.constant else 0
+            total = constant(value.constant) if value.constant else 0
             for name, factor in value.terms:
-                total = total + (parameter(name) if factor == 1 else number(factor) * parameter(name))
+                total = total + (parameter(name) if factor == 1 else constant(factor) * parameter(name))
             return total
-        return number(value)
+        return constant(value)
 
-    none = number(Fraction(0))
+    none = constant(Fraction(0))
     motor = robot.torque_side == "motor"
     bodies = []
     for link in robot.links:
@@ -139,8 +139,8 @@ def build_arm(robot: Robot, number: Callable[[Fraction], Any], parameter: Callab
         bodies.append(
             Body(
                 revolute=joint.kind == "revolute",
-                cos_alpha=number(joint.alpha.cos),
-                sin_alpha=number(joint.alpha.sin),
+                cos_alpha=constant(joint.alpha.cos),
+                sin_alpha=constant(joint.alpha.sin),
                 a=scalar(joint.a),
                 d=scalar(joint.d),
                 theta=joint.theta,
@@ -163,11 +163,11 @@ def build_arm(robot: Robot, number: Callable[[Fraction], Any], parameter: Callab
         for tensor in (entry["inertia"] if "inertia" in entry else Inertia(),)
     ]
     gx, gy, gz = robot.gravity
-    rest = None if robot.rest_velocity is None else number(robot.rest_velocity)
-    band = None if robot.dead_band is None else number(robot.dead_band)
+    rest = None if robot.rest_velocity is None else constant(robot.rest_velocity)
+    band = None if robot.dead_band is None else constant(robot.dead_band)
     if loads:
         bodies[-1] = _loaded(bodies[-1], loads)
-    return Arm(tuple(bodies), (number(gx), number(gy), number(gz)), rest, band)
+    return Arm(tuple(bodies), (constant(gx), constant(gy), constant(gz)), rest, band)
 
 
 def _vector(scalar: Callable[[Value], Any], values: Sequence[Value]) -> Vector:
@@ -203,16 +203,16 @@ def build_motion(
     qd: Sequence[Any],
     qdd: Sequence[Any],
     trigonometry: Trigonometry,
-    number: Callable[[Fraction], Any],
+    constant: Callable[[Fraction], Any],
 ) -> Motion:
-    """The motion at ``q, qd, qdd``; constants pass through ``number``."""
+    """The motion at ``q, qd, qdd``; constants pass through ``constant``."""
     c, s, d = [], [], []
     for i, (body, x) in enumerate(zip(arm.bodies, q, strict=True)):
         if body.revolute:
             cosine, sine = trigonometry(JointAngle(((i, 1),), body.theta))
             d.append(body.d)
         else:
-            cosine, sine = number(body.theta.cos), number(body.theta.sin)
+            cosine, sine = constant(body.theta.cos), constant(body.theta.sin)
             d.append(body.d + x)
         c.append(cosine)
         s.append(sine)

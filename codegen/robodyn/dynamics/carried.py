@@ -76,5 +76,5 @@ def _reduced(numerator: int, denominator: int) -> int | Fraction:
     """The quotient, an integer where it is one."""
     if not numerator:
         return 0
-    found = Fraction(numerator, denominator)
-    return found.numerator if found.denominator == 1 else found
+    fraction = Fraction(numerator, denominator)
+    return fraction.numerator if fraction.denominator == 1 else fraction

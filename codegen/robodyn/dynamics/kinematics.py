@@ -46,7 +46,7 @@ BASE = Frame(ZERO, (1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 def frames(arm: Arm, motion: Motion) -> list[Frame]:
     """Frames of the links [n] of ``arm`` where ``motion`` has it."""
-    found = []
+    poses = []
     last = BASE
     for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
         x = last.x
@@ -54,8 +54,8 @@ def frames(arm: Arm, motion: Motion) -> list[Frame]:
         z = _minus(scaled(body.cos_alpha, last.z), scaled(body.sin_alpha, last.y))
         origin = plus(last.origin, scaled(body.a, x), scaled(d, z))
         last = Frame(origin, plus(scaled(c, x), scaled(s, y)), _minus(scaled(c, y), scaled(s, x)), z)
-        found.append(last)
-    return found
+        poses.append(last)
+    return poses
 
 
 def jacobian(arm: Arm, placed: Sequence[Frame], point: Vector = ZERO, link: int | None = None) -> Matrix:

@@ -28,12 +28,12 @@ def doubling(items: Sequence[Item], join: Join[Item]) -> list[Item]:
 
     ``ceil(log2 n)`` stages, about ``n log2 n`` joins (Kogge and Stone 1973).
     """
-    found = list(items)
+    prefixes = list(items)
     reach = 1
-    while reach < len(found):
-        found = [item if i < reach else join(found[i - reach], item) for i, item in enumerate(found)]
+    while reach < len(prefixes):
+        prefixes = [item if i < reach else join(prefixes[i - reach], item) for i, item in enumerate(prefixes)]
         reach *= 2
-    return found
+    return prefixes
 
 
 def tree(items: Sequence[Item], join: Join[Item]) -> list[Item]:
@@ -43,10 +43,10 @@ def tree(items: Sequence[Item], join: Join[Item]) -> list[Item]:
         return list(items)
     pairs = [join(items[i], items[i + 1]) for i in range(0, len(items) - 1, 2)]
     totals = tree(pairs, join)
-    found = [items[0]]
+    prefixes = [items[0]]
     for i in range(1, len(items)):
-        found.append(totals[i // 2] if i % 2 else join(totals[i // 2 - 1], items[i]))
-    return found
+        prefixes.append(totals[i // 2] if i % 2 else join(totals[i // 2 - 1], items[i]))
+    return prefixes
 
 
 _RUN: dict[Running, Callable[[Sequence[Any], Join[Any]], list[Any]]] = {"doubling": doubling, "tree": tree}

@@ -34,13 +34,13 @@ def chained(arm: Arm) -> tuple[bool, ...]:
     The first joint begins no chain: nothing turns before it. Offsets of the angles must be quarter turns,
     lest the kernel add them up.
     """
-    found = [False] * len(arm.bodies)
+    parallel = [False] * len(arm.bodies)
     for i in range(2, len(arm.bodies)):
         pair = arm.bodies[i - 1 : i + 1]
-        found[i] = is_zero(arm.bodies[i].sin_alpha) and all(
+        parallel[i] = is_zero(arm.bodies[i].sin_alpha) and all(
             body.revolute and body.theta.quarter is not None for body in pair
         )
-    return tuple(found)
+    return tuple(parallel)
 
 
 def single_turns(motion: Motion) -> Turns:

@@ -160,5 +160,5 @@ def in_parent(lump: Lump, arm: Arm, i: int, d: Any) -> Lump:
 
 def moved_into(lump: Lump, c: Any, s: Any, p: Vector) -> Lump:
     """``lump`` turned about x, and then about a point from which its own origin lies at ``p`` [m]."""
-    found = carried(lump, c, s, p)
-    return shifted(about_axis_x(lump, c, s), p) if found is None else found
+    moved = carried(lump, c, s, p)
+    return shifted(about_axis_x(lump, c, s), p) if moved is None else moved

@@ -196,13 +196,13 @@ def _loss_fault(p: Values, revolute: bool) -> Fault | None:
     return None
 
 
-def _loss_columns(given: Values, at: Site) -> tuple[Any, Any]:
+def _loss_columns(values: Values, at: Site) -> tuple[Any, Any]:
     """Torques by a factor of the loss, which is 1 where the efficiency is right, and by the breakaway."""
-    return _loss({"breakaway": 0.0, **given}, at), _loss({"breakaway": 1.0, "efficiency": 1}, at)
+    return _loss({"breakaway": 0.0, **values}, at), _loss({"breakaway": 1.0, "efficiency": 1}, at)
 
 
-def _loss_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
-    inverse = 1 + float(x[0]) * (1 / given["efficiency"] - 1)
+def _loss_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
+    inverse = 1 + float(x[0]) * (1 / values["efficiency"] - 1)
     return {"efficiency": min(1.0, 1 / inverse), "breakaway": float(max(x[1], 0.0))}
 
 

@@ -240,9 +240,9 @@ def _stribeck_fault(p: Values, revolute: bool) -> Fault | None:
     return None
 
 
-def _stribeck_columns(given: Values, at: Site) -> tuple[Any, Any]:
+def _stribeck_columns(values: Values, at: Site) -> tuple[Any, Any]:
     """Torques by the level, and by the rise above it."""
-    shape = {"exponent": 2, **given}
+    shape = {"exponent": 2, **values}
     return _stribeck({"level": 1.0, "static": 1.0, **shape}, at), _stribeck(
         {"level": 0.0, "static": 1.0, **shape}, at
     )

@@ -63,10 +63,10 @@ def _ripple_energy(p: Values, q: Any) -> Any:
     return -(p["amplitude"] / p["cycles_per_rev"] * cosine(p["cycles_per_rev"] * q + p["phase"]))
 
 
-def _wave_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
+def _wave_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
     return {
         "amplitude": float(math.hypot(x[0], x[1])),
-        "cycles_per_rev": given["cycles"],
+        "cycles_per_rev": values["cycles"],
         "phase": float(math.atan2(x[1], x[0])),
     }
 

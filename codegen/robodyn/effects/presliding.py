@@ -45,8 +45,8 @@ def _bristle_form(u: Usual, way: float, rng: Any) -> Form:
     return Form(lambda x: {"level": x, "stiffness": x / bend, "damping": 0.01 * x / bend}, SHARE * u.tau)
 
 
-def _bristle_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
-    return {"level": float(x[0]), "stiffness": float(x[0] / given["bend"]), "damping": 0.0}
+def _bristle_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
+    return {"level": float(x[0]), "stiffness": float(x[0] / values["bend"]), "damping": 0.0}
 
 
 PRESLIDING = Effect(

@@ -69,12 +69,12 @@ def cosine(x: Any) -> Any:
 
 def sign(x: Any) -> Any:
     """-1, 0 or 1; 0 of what is no number, in every language and for every scalar."""
-    found = _call("sign", x)
+    value = _call("sign", x)
     if hasattr(x, "dtype"):
         import numpy as np
 
-        return np.nan_to_num(found)
-    return found
+        return np.nan_to_num(value)
+    return value
 
 
 def magnitude(x: Any) -> Any:

@@ -29,8 +29,8 @@ def _spring_energy(p: Values, q: Any) -> Any:
     return p["stiffness"] * square / 2 + p["cubic"] * (square * square) / 4
 
 
-def _line_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
-    rest = given["middle"] - float(x[1] / x[0]) if x[0] else 0.0
+def _line_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
+    rest = values["middle"] - float(x[1] / x[0]) if x[0] else 0.0
     return {"stiffness": float(x[0]), "rest": rest, "cubic": 0.0}
 
 
@@ -94,7 +94,7 @@ _GAPS, _ROUNDED, _TRANSITIONS = tuple(1e-3 * 1.25**k for k in range(17)), 0.05, 
 _REACH = {"stiffness": 0.3, "damping": 0.5}
 
 
-def _soft_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
+def _soft_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
     return {"stiffness": float(1 / x[0]) if x[0] > 0 else 1e12, "damping": 0.0, "encoder": "link"}
 
 
@@ -167,8 +167,8 @@ def _flank_energy(p: Values, twist: Any) -> Any:
     return tau * magnitude(twist) - dual
 
 
-def _play_read(x: Sequence[float], given: Mapping[str, float]) -> dict[str, float | str]:
-    return {"gap": float(x[0]), "encoder": "link", "transition": given["transition"]}
+def _play_read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
+    return {"gap": float(x[0]), "encoder": "link", "transition": values["transition"]}
 
 
 def _play_form(u: Usual, way: float, rng: Any) -> Form:

@@ -83,7 +83,7 @@ def batch_files(unit: Unit) -> dict[str, str]:
 def _told(signature: Signature, unit: Unit) -> list[str]:
     real = f"{signature.robot}_real"
     arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
-    told = [
+    notes = [
         "Many states in one call, as lanes of the processor's vectors.",
         "Arrays, in SI units:",
         *(f"  {array:4} {array_named(array).text}" for array in arrays),
@@ -94,8 +94,8 @@ def _told(signature: Signature, unit: Unit) -> list[str]:
         f"-fopenmp a batch of more than {CHUNK} states is shared among threads.",
     ]
     if unit.sc:
-        told += ["sc, the sines and cosines:", *(f"  element {k}: {text}" for k, text in enumerate(unit.sc))]
-    return told
+        notes += ["sc, the sines and cosines:", *(f"  element {k}: {text}" for k, text in enumerate(unit.sc))]
+    return notes
 
 
 @dataclass(frozen=True, slots=True)
@@ -278,11 +278,11 @@ def _on_lanes(scalar: Spelling) -> Spelling:
 
 def _trig_of(body: Body) -> dict[Expression, dict[str, str]]:
     """For each angle, what its sine and its cosine are called."""
-    found: dict[Expression, dict[str, str]] = {}
+    angles: dict[Expression, dict[str, str]] = {}
     for s in body.statements:
         if isinstance(s.expression, Apply) and s.expression.op in ("sin", "cos"):
-            found.setdefault(s.expression.args[0], {})[s.expression.op] = s.name
-    return found
+            angles.setdefault(s.expression.args[0], {})[s.expression.op] = s.name
+    return angles
 
 
 def _only_inputs(e: Expression) -> bool:
@@ -292,15 +292,15 @@ def _only_inputs(e: Expression) -> bool:
 
 
 def _nodes(body: Body) -> list[Expression]:
-    found: list[Expression] = []
+    nodes: list[Expression] = []
     stack: list[Expression] = [s.expression for s in body.statements]
     stack += [e for _, elements in body.outputs for e in elements]
     while stack:
         e = stack.pop()
-        found.append(e)
+        nodes.append(e)
         if isinstance(e, Apply):
             stack.extend(e.args)
-    return found
+    return nodes
 
 
 def _operations(body: Body) -> set[str]:

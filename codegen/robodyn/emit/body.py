@@ -26,11 +26,11 @@ class Lines:
     parameters: bool
 
 
-def body_lines(body: Body, syntax: Syntax, *, builtin: bool, lanes: int, soon: bool) -> Lines:
+def body_lines(body: Body, syntax: Syntax, *, builtin: bool, lanes: int, early_writes: bool) -> Lines:
     """``body`` in lines of ``syntax``.
 
-    ``builtin``: sines and cosines are our own, those of ``lanes`` angles at a time; ``soon``: results are
-    written as soon as they are there, among the statements.
+    ``builtin``: sines and cosines are our own, those of ``lanes`` angles at a time; ``early_writes``: results
+    are written as soon as they are there, among the statements.
     """
     angles: list[str] = []
     lines: list[str] = []
@@ -43,19 +43,19 @@ def body_lines(body: Body, syntax: Syntax, *, builtin: bool, lanes: int, soon: b
 
     sines = syntax.sines
     if builtin and sines is not None:
-        found = together(body, lanes)
-        body, waiting = found.body, dict(found.later)
-        names = list(dict.fromkeys(s.name for s in (*found.sums, *body.statements)))
-        if found.angles:
-            angles = [line for statement in found.sums for line in syntax.statement(statement)]
-            angles += sines.all(found.angles)
-            arrays |= dict.fromkeys((ANGLES, SINES, COSINES), len(found.angles))
-        arrays |= dict.fromkeys(found.later, 2)
+        joined = together(body, lanes)
+        body, waiting = joined.body, dict(joined.later)
+        names = list(dict.fromkeys(s.name for s in (*joined.sums, *body.statements)))
+        if joined.angles:
+            angles = [line for statement in joined.sums for line in syntax.statement(statement)]
+            angles += sines.all(joined.angles)
+            arrays |= dict.fromkeys((ANGLES, SINES, COSINES), len(joined.angles))
+        arrays |= dict.fromkeys(joined.later, 2)
     expressions = [*_expressions(body), *waiting.values()]
     inputs = [x for expression in expressions for x in inputs_of(expression)]
     reads = {x.array for x in inputs if x.index is not None}
     parameters = any(x.index is None for x in inputs)
-    results = results_after(body.statements, body, soon=soon)
+    results = results_after(body.statements, body, early_writes=early_writes)
     for k, statement in enumerate(body.statements):
         for read in (x.array for x in inputs_of(statement.expression)):
             if sines is not None and read in waiting:

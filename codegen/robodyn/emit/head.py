@@ -279,4 +279,4 @@ def _uses(robot: Robot) -> dict[str, tuple[str, ...]]:
         units_of = {p.name: p.unit_at(revolute=revolute) for p in entry.definition.parameters}
         for name, value in entry.settings:
             note(value, f"{name} of {lowered(entry.definition.title)}{where}", units_of.get(name, ""))
-    return {name: tuple(found) for name, found in uses.items()}
+    return {name: tuple(names) for name, names in uses.items()}

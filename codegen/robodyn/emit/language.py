@@ -34,6 +34,20 @@ class FunctionText:
 
 
 @dataclass(frozen=True, slots=True)
+class Compiled:
+    """How a language is compiled, and called from C: the environment's ``variable`` for the compiler, its
+    usual ``commands``, ``flags`` that leave arithmetic as it is written, what to ``install``, and the
+    ``symbol`` of a function. ``header``: whether a header NAME.h declares them."""
+
+    variable: str
+    commands: tuple[str, ...]
+    flags: tuple[str, ...]
+    install: str
+    symbol: Callable[[Signature], str]
+    header: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class SelfTest:
     """A language's self-test in a firmware folder: ``file`` made by ``template``, the compiler's ``flags``,
     and names of types that the template is told, for ``double`` and for ``float`` (True)."""
@@ -74,12 +88,14 @@ class Language:
     type_name: Callable[[str, str], str] = lambda robot, kind: f"{robot}_{kind}"
     #: Whose sines and cosines its kernels have unless told otherwise.
     trig: Literal["libm", "builtin"] = "libm"
-    #: Templates of tests with vectors, by the file that each makes (:mod:`robodyn.packages.vectors`).
+    #: Templates of tests with vectors, by the file that each makes (:mod:`robodyn.firmware.language_tests`).
     tests: Mapping[str, str] = field(default_factory=dict)
     #: What it can do beyond plain kernels.
     features: frozenset[Feature] = frozenset()
     #: Files of batches, by name.
     batch: Callable[[Unit], dict[str, str]] | None = None
+    #: How it is compiled and called from Python; None: it is not.
+    compiled: Compiled | None = None
     #: What a firmware folder has of it beside the kernel; that of C is the folder itself.
     selftest: SelfTest | None = None
 

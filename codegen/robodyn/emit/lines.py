@@ -104,10 +104,10 @@ class Writer:
         return unique(f"t{i}" if label is None else str(label), self._taken)
 
 
-def head_of(robot: Robot, told: Sequence[str]) -> list[str]:
-    """The comment at the top of a file: whose dynamics, and what is ``told`` of it."""
+def head_of(robot: Robot, notes: Sequence[str]) -> list[str]:
+    """The comment at the top of a file: whose dynamics, and what is ``notes`` of it."""
     lines: list[str] = []
-    for text in (f"{robot.name}: {robot.title or 'a serial arm'}", *told):
+    for text in (f"{robot.name}: {robot.title or 'a serial arm'}", *notes):
         lines.extend(textwrap.wrap(comment(text), WIDTH - 4, subsequent_indent="  ") or [""])
     lines.append("Written by robodyn; do not edit, generate again.")
     return lines

@@ -71,9 +71,9 @@ def block(lines: Iterable[str]) -> Markdown:
 def markdown_environment() -> jinja2.Environment:
     """Where the templates of Markdown are: all that they print is escaped, with the filters ``code``,
     ``codes`` and ``block`` for what is code, and ``verbatim`` for what stands within code."""
-    found = environment().overlay(finalize=_finished)
-    found.filters = {**found.filters, "code": code, "codes": codes, "block": block, "verbatim": Markdown}
-    return found
+    overlay = environment().overlay(finalize=_finished)
+    overlay.filters = {**overlay.filters, "code": code, "codes": codes, "block": block, "verbatim": Markdown}
+    return overlay
 
 
 def _finished(value: Any) -> Any:

@@ -20,10 +20,10 @@ def deviations(trig: str) -> dict[str, str]:
 
 def notes(trig: str) -> tuple[str, ...]:
     """What the head of such a kernel says."""
-    found = deviations(trig)
-    if not found:
+    lines = deviations(trig)
+    if not lines:
         return ("MISRA C:2012: cppcheck finds no rule that is not kept (robodyn prove).",)
     return (
-        f"MISRA C:2012: every rule that cppcheck checks is kept but {', '.join(found)} (robodyn prove):",
-        *(f"{rule}: {why}" for rule, why in found.items()),
+        f"MISRA C:2012: every rule that cppcheck checks is kept but {', '.join(lines)} (robodyn prove):",
+        *(f"{rule}: {why}" for rule, why in lines.items()),
     )

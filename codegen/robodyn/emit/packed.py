@@ -35,7 +35,7 @@ def packed_files(robot: Robot, signature: Signature, packing: Packing) -> dict[s
     name = signature.robot
     body = _Body(signature, packing)
     read = body.writer.inputs
-    told = (
+    notes = (
         f"{signature.function} with {packing.lanes} lanes: {packing.vectors} vector operations, "
         f"{100 * packing.filling:.0f} % of their lanes filled, and "
         f"{len(packing.groups) - packing.vectors} single "
@@ -52,7 +52,7 @@ def packed_files(robot: Robot, signature: Signature, packing: Packing) -> dict[s
         "output": output,
         "size": size,
         "parameters": signature.parameters,
-        "head": head_of(robot, [told]),
+        "head": head_of(robot, [notes]),
         "lines": body.lines,
         "again": body.writer.again,
         "unused": [array for array, _ in signature.inputs if not any(x.is_of(array) for x in read)]
@@ -75,24 +75,24 @@ class _Body:
         self.vector = c_syntax(spelling, f"{self.name}_lanes")
         self.lines: list[str] = []
         self.vectors: dict[tuple[str, ...], str] = {}
-        for number, group in enumerate(packing.groups):
+        for group_index, group in enumerate(packing.groups):
             if len(group) == 1:
                 self.lines += self.writer.written(group[0], (), keep=True)
             else:
-                self._vector(number, group)
+                self._vector(group_index, group)
         for array, elements in packing.program.outputs:
             for i, operand in enumerate(elements):
                 self.lines += [
                     f"    {line.strip()}" for line in self.writer.assigned(f"{array}[{i}]", operand)
                 ]
 
-    def _vector(self, number: int, group: tuple[int, ...]) -> None:
+    def _vector(self, group_index: int, group: tuple[int, ...]) -> None:
         operations = [self.packing.program.operations[i] for i in group]
         left, right = (
             self._operand([self.writer.text(operation.args[side]) for operation in operations])
             for side in (0, 1)
         )
-        name = f"lanes_{number}"
+        name = f"lanes_{group_index}"
         text = f"{left} {_SIGNS[operations[0].op]} {right}"
         self.lines += self.vector.line(self.vector.declare(name, text))
         elements = [f"{name}[{k}]" for k in range(len(group))]

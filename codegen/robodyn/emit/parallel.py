@@ -41,7 +41,7 @@ class Parallel:
     packed: bool = False
 
 
-def parallel_files(made: Parallel) -> dict[str, str]:
+def parallel_files(parallel: Parallel) -> dict[str, str]:
     """``NAME_parallel.h``, ``NAME_parallel.c`` and ``NAME_parallel_check.c``: text by file name. The serial
     kernel ``NAME.h`` and ``NAME.c``, which they include, is :func:`robodyn.emit.render`'s.
 
@@ -49,15 +49,15 @@ def parallel_files(made: Parallel) -> dict[str, str]:
     ------
     InputError: the function remembers between calls, which is not for threads.
     """
-    signature = made.signature
+    signature = parallel.signature
     if signature.states:
         raise InputError(
             f"{signature.symbol} remembers between calls, and is not emitted in parallel",
             found=", ".join(signature.states),
             remedy="leave out the effects with memory, or schedule another function",
         )
-    plan = lanes(made.cut, made.timetable, made.waiting)
-    context = _context(made, plan)
+    plan = lanes(parallel.cut, parallel.timetable, parallel.waiting)
+    context = _context(parallel, plan)
     name = signature.robot
     return {
         f"{name}_parallel.h": environment().get_template("c/parallel.h.j2").render(context),
@@ -66,9 +66,9 @@ def parallel_files(made: Parallel) -> dict[str, str]:
     }
 
 
-def _context(made: Parallel, plan: Lanes) -> dict[str, Any]:
-    signature = made.signature
-    p = made.timetable.machine.processors
+def _context(parallel: Parallel, plan: Lanes) -> dict[str, Any]:
+    signature = parallel.signature
+    p = parallel.timetable.machine.processors
     (output, size), *_ = signature.outputs
     arrays = [array for array, _ in (*signature.inputs, *signature.outputs)]
     return {
@@ -83,59 +83,61 @@ def _context(made: Parallel, plan: Lanes) -> dict[str, Any]:
         "arrays": [{"name": array, "what": array_named(array).text} for array in arrays],
         "parameters": signature.parameters,
         "shared": max(1, len(plan.shared)),
-        "packed": made.packed,
+        "packed": parallel.packed,
         "barrier": bool(plan.barriers),
         "spins": SPINS,
         "stride": 1 + max(map(len, plan.steps)),
-        "lanes": [_lane(made, plan, k) for k in range(p)],
-        "head": head_of(made.robot, _told(made, plan)),
+        "lanes": [_lane(parallel, plan, k) for k in range(p)],
+        "head": head_of(parallel.robot, _told(parallel, plan)),
     }
 
 
-def _told(made: Parallel, plan: Lanes) -> list[str]:
-    table = made.timetable
+def _told(parallel: Parallel, plan: Lanes) -> list[str]:
+    table = parallel.timetable
     waits = sum(len(step.waits) for lane in plan.steps for step in lane)
     meet = (
         f"{len(plan.barriers)} barriers"
-        if made.waiting == "barrier"
+        if parallel.waiting == "barrier"
         else f"{waits} waits for another processor's counter"
     )
     return [
-        f"{made.signature.function} on {table.machine.processors} processors: {len(made.cut.graph)} tasks in "
-        f"{table.levels} {'levels' if table.machine.synchronised else 'units of time'}, "
+        f"{parallel.signature.function} on {table.machine.processors} processors: {len(parallel.cut.graph)} "
+        f"tasks in {table.levels} {'levels' if table.machine.synchronised else 'units of time'}, "
         f"{len(plan.shared)} values "
         f"that pass between processors, {meet}. The bits are those of the serial kernel.",
-        *made.notes,
+        *parallel.notes,
     ]
 
 
-def _lane(made: Parallel, plan: Lanes, k: int) -> dict[str, Any]:
+def _lane(parallel: Parallel, plan: Lanes, k: int) -> dict[str, Any]:
     """The function of processor ``k``: its lines, and what it reads."""
-    spelling = c_spelling(single=made.signature.scalar == "float")
+    spelling = c_spelling(single=parallel.signature.scalar == "float")
     slot = {i: n for n, i in enumerate(plan.shared)}
-    writer = Writer(made.cut.program, c_syntax(spelling, f"{made.signature.robot}_real"))
+    writer = Writer(parallel.cut.program, c_syntax(spelling, f"{parallel.signature.robot}_real"))
     lines: list[str] = []
     barriers = list(plan.barriers)
     level = 0
     for step in plan.steps[k]:
         while barriers and barriers[0] <= step.level:
-            lines.append(_meet(made.signature.robot, barriers.pop(0)))
+            lines.append(_meet(parallel.signature.robot, barriers.pop(0)))
         if step.task and step.level != level:
             level = step.level
-            kind = "level" if made.timetable.machine.synchronised else "time"
+            kind = "level" if parallel.timetable.machine.synchronised else "time"
             lines.append(f"    /* {kind} {level} */")
-        lines += [f"    {made.signature.robot}_await(&team->done[{j}], base + {n}u);" for j, n in step.waits]
-        lines += _step(made.cut, step, plan, k, writer, slot)
+        lines += [
+            f"    {parallel.signature.robot}_await(&team->done[{j}], base + {n}u);" for j, n in step.waits
+        ]
+        lines += _step(parallel.cut, step, plan, k, writer, slot)
         if step.publishes:
-            number = plan.steps[k].index(step) + 1
+            done = plan.steps[k].index(step) + 1
             lines.append(
-                f"    atomic_store_explicit(&team->done[{k}].value, base + {number}u, memory_order_release);"
+                f"    atomic_store_explicit(&team->done[{k}].value, base + {done}u, memory_order_release);"
             )
-    lines += [_meet(made.signature.robot, where) for where in barriers]
-    written = _results(made.cut.program, plan, k, writer)
+    lines += [_meet(parallel.signature.robot, where) for where in barriers]
+    written = _results(parallel.cut.program, plan, k, writer)
     lines += written
     text = "\n".join(lines)
-    arrays = [array for array, _ in made.signature.inputs if any(x.is_of(array) for x in writer.inputs)]
+    arrays = [array for array, _ in parallel.signature.inputs if any(x.is_of(array) for x in writer.inputs)]
     parameters = any(x.index is None for x in writer.inputs)
     return {
         "number": k,

@@ -25,26 +25,28 @@ class Result(NamedTuple):
     expression: Expression
 
 
-def results_after(statements: Sequence[Statement], body: Body, *, soon: bool) -> dict[int, list[Result]]:
+def results_after(
+    statements: Sequence[Statement], body: Body, *, early_writes: bool
+) -> dict[int, list[Result]]:
     """The results to write after statement k of ``statements``; those that wait for the end stand at -1.
 
     What a function remembers is written at the end.
     """
     last: dict[int, int] = {}
-    made: dict[str, int] = {}
+    position: dict[str, int] = {}
     for k, statement in enumerate(statements):
-        made[statement.name] = k
+        position[statement.name] = k
         for read in inputs_of(statement.expression):
             if read.index is not None and read.array in _IN_PLACE:
                 last[read.index] = k
-    found: dict[int, list[Result]] = {}
+    results: dict[int, list[Result]] = {}
     for array, elements in body.outputs:
         for i, expression in enumerate(elements):
             place = -1
-            if soon and array != "state" and isinstance(expression, str):
-                place = max(made.get(expression, -1), last.get(i, -1))
-            found.setdefault(place, []).append(Result(array, i, expression))
-    return found
+            if early_writes and array != "state" and isinstance(expression, str):
+                place = max(position.get(expression, -1), last.get(i, -1))
+            results.setdefault(place, []).append(Result(array, i, expression))
+    return results
 
 
 def inputs_of(expression: Expression) -> list[Input]:

@@ -31,25 +31,25 @@ class Together:
 
 def together(body: Body, lanes: int) -> Together:
     """``body`` with one call a distinct angle; from three angles on as many as fill ``lanes`` at a time."""
-    made = {s.name: s.expression for s in body.statements}
+    expressions = {s.name: s.expression for s in body.statements}
     first: dict[Expression, int] = {}
     later: dict[Expression, str] = {}
     needed: set[str] = set()
     statements: list[Statement] = []
     called: dict[str, Expression] = {}
     for statement in body.statements:
-        found = statement.expression
-        if not (isinstance(found, Apply) and found.op in ("sin", "cos")):
+        value = statement.expression
+        if not (isinstance(value, Apply) and value.op in ("sin", "cos")):
             statements.append(statement)
             continue
-        (angle,) = found.args
-        names = _of_positions(angle, made)
+        (angle,) = value.args
+        names = _of_positions(angle, expressions)
         if names is None:
-            pair = Input(later.setdefault(angle, f"later{len(later) + 1}"), int(found.op == "cos"))
+            pair = Input(later.setdefault(angle, f"later{len(later) + 1}"), int(value.op == "cos"))
         else:
             needed |= names
             place = first.setdefault(angle, len(first))
-            called[statement.name] = Input(SINES if found.op == "sin" else COSINES, place)
+            called[statement.name] = Input(SINES if value.op == "sin" else COSINES, place)
             continue
         statements.append(replace(statement, expression=pair))
     angles = list(first)
@@ -65,20 +65,20 @@ def together(body: Body, lanes: int) -> Together:
     )
 
 
-def _names(expressions: Sequence[Expression], made: Mapping[str, Expression]) -> set[str]:
+def _names(expressions: Sequence[Expression], known: Mapping[str, Expression]) -> set[str]:
     """What ``expressions`` read by name, sines and cosines left out, and what that reads."""
-    found: set[str] = set()
+    names: set[str] = set()
     stack = list(expressions)
     while stack:
         expression = stack.pop()
         if isinstance(expression, Apply):
             stack.extend(expression.args)
-        elif isinstance(expression, str) and expression not in found:
-            found.add(expression)
-            below = made[expression]
+        elif isinstance(expression, str) and expression not in names:
+            names.add(expression)
+            below = known[expression]
             if not (isinstance(below, Apply) and below.op in ("sin", "cos")):
                 stack.append(below)
-    return found
+    return names
 
 
 def _called(expression: Expression, names: Mapping[str, Expression]) -> Expression:
@@ -90,7 +90,7 @@ def _called(expression: Expression, names: Mapping[str, Expression]) -> Expressi
     return expression
 
 
-def _of_positions(angle: Expression, made: dict[str, Expression]) -> set[str] | None:
+def _of_positions(angle: Expression, known: dict[str, Expression]) -> set[str] | None:
     """The statements that ``angle`` needs if it is known from positions and parameters alone."""
     needed: set[str] = set()
     stack = [angle]
@@ -99,7 +99,7 @@ def _of_positions(angle: Expression, made: dict[str, Expression]) -> set[str] | 
         if isinstance(expression, str):
             if expression not in needed:
                 needed.add(expression)
-                stack.append(made[expression])
+                stack.append(known[expression])
         elif isinstance(expression, Apply):
             if expression.op not in SUMS:
                 return None

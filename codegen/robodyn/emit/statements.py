@@ -113,7 +113,7 @@ def statements(program: Program, *, in_order: bool = False) -> Body:
     compared = {x for op in operations if op.op == "sign" for x in op.args if isinstance(x, int)}
     size: list[int] = []
     text: list[Expression] = []
-    made: list[Statement] = []
+    written: list[Statement] = []
     taken: set[str] = set()
     heading: str | None = None
     serial = 0
@@ -144,27 +144,27 @@ def statements(program: Program, *, in_order: bool = False) -> Body:
             serial += 1
         name = unique(_name(label, serial), taken)
         group = _heading(label)
-        made.append(Statement(name, whole, group if group != heading else None, i in arguments))
+        written.append(Statement(name, whole, group if group != heading else None, i in arguments))
         heading = group if group is not None else heading
         text.append(name)
         size.append(0)
     outputs = tuple((name, tuple(map(expression, elements))) for name, elements in program.outputs)
-    return Body(tuple(made), outputs)
+    return Body(tuple(written), outputs)
 
 
 def _written_in_order(program: Program) -> set[int]:
     """Operations that may be written where they are used: a compiler that reads from left to right comes
     upon them in their place."""
-    found: set[int] = set()
+    seen: set[int] = set()
     first: list[int] = []
     for i, (_, args, _) in enumerate(program.operations):
         start = i
         for arg in reversed(args):
             if isinstance(arg, int) and arg == start - 1:  # a constant may be equal, too
-                found.add(arg)
+                seen.add(arg)
                 start = first[arg]
         first.append(start)
-    return found
+    return seen
 
 
 def _name(label: Label | None, serial: int) -> str:

@@ -49,8 +49,8 @@ def has_sines(unit: Unit) -> bool:
     return unit.builtin and any(count(program).sincos for _, program in unit.functions)
 
 
-def counted_text(found: Count) -> str:
-    parts = [str(found), f"{found.neg} unary minus", f"{found.sincos} sine/cosine"]
-    if found.other:
-        parts.append(f"{found.other} other calls")
+def counted_text(count: Count) -> str:
+    parts = [str(count), f"{count.neg} unary minus", f"{count.sincos} sine/cosine"]
+    if count.other:
+        parts.append(f"{count.other} other calls")
     return "; ".join(parts)

@@ -46,7 +46,7 @@ def outputs(
         return np.asarray(np.where(x > 0, real(1), np.where(x < 0, real(-1), real(0))))
 
     functions: dict[str, Callable[..., Any]] = {**trigonometry, "sqrt": np.sqrt, "abs": np.abs, "sign": sign}
-    ((_, elements),) = evaluate(program, inputs, number=number, functions=functions).items()
+    ((_, elements),) = evaluate(program, inputs, constant=number, functions=functions).items()
     return np.stack([np.asarray(x, real) for x in elements], axis=1)
 
 

@@ -34,7 +34,7 @@ from robodyn.firmware.states import (
     ranges,
     vector_states,
 )
-from robodyn.firmware.vectors import Vectors, vectors
+from robodyn.firmware.vectors import SMALLEST, Vectors, rounded_up, vectors
 from robodyn.ir.evaluate import angle_form
 from robodyn.ir.program import Program
 from robodyn.ir.signature import ScalarType, Signature
@@ -74,11 +74,8 @@ _TOLD = {
     "Makefile": "The self-test as an image and on this computer; GNU make.",
 }
 _OTHER = "Self-test of the {title} kernel: the same digest of the bits as of the C."
-#: Digits of a tolerance, which is rounded up.
-_UP = 1.0051
 #: Of the digests' generator: from an integer to a position in a range.
 _SCALE = Fraction(1, 2**23)
-_SMALLEST = {"float": 2.0**-126, "double": 2.0**-1022}
 _WIDTH = 96
 
 
@@ -96,15 +93,17 @@ class Folder:
         return template.render(self._context, name=name, figures=figures)
 
 
-def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str] | None = None) -> Folder:
-    """The firmware folder of ``made`` (with the options of :func:`robodyn.firmware.firmware_options`).
+def firmware(
+    generated: Generated, targets: Sequence[Target], languages: Sequence[str] | None = None
+) -> Folder:
+    """The firmware folder of ``generated`` (with the options of :func:`robodyn.firmware.firmware_options`).
 
     Raises
     ------
     InputError: no self-test can be made of these functions (:func:`check_firmware`), there is no C, or a
         language that firmware is not written in.
     """
-    check_firmware(made)
+    check_firmware(generated)
     chosen = languages_named(defaults() if languages is None else languages)
     names = [language.name for language in chosen]
     unable = [language.title for language in chosen if "firmware" not in language.features]
@@ -117,10 +116,10 @@ def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str
             expected="c, or c,fortran",
         )
     others = [language for language in chosen if language.selftest is not None]
-    context = _context(made, targets, others)
-    files = made.files(names)
-    name = made.unit.robot.name
-    told = {
+    context = _context(generated, targets, others)
+    files = generated.files(names)
+    name = generated.unit.robot.name
+    figures = {
         "confirmed": " and confirmed by exact torques from virtual work" if context["confirmed"] else "",
         "states": DIGEST_STATES,
         "prefix": context["prefix"],
@@ -128,17 +127,17 @@ def firmware(made: Generated, targets: Sequence[Target], languages: Sequence[str
     }
 
     def write(file: str, template: str, head: str, **own: object) -> None:
-        heading = head_of(made.unit.robot, [head])
+        heading = head_of(generated.unit.robot, [head])
         files[file.replace("NAME", name)] = _template(template).render(context, head=heading, **own)
 
     for file, template in _C.items():
-        write(file, template, _TOLD[file].format(**told))
+        write(file, template, _TOLD[file].format(**figures))
     for language in others:
         if language.selftest is not None:
-            own = _in_language(language, context["numbers"], single=made.options.scalar == "float")
+            own = _in_language(language, context["numbers"], single=generated.options.scalar == "float")
             head = _OTHER.format(title=language.title)
             write(language.selftest.file, language.selftest.template, head, own=own)
-    files |= image_files(made.unit.robot, targets, context)
+    files |= image_files(generated.unit.robot, targets, context)
     return Folder(files, context)
 
 
@@ -169,8 +168,8 @@ def _template(name: str) -> jinja2.Template:
     return environment().get_template(f"firmware/{name}")
 
 
-def _base(made: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:
-    robot, scalar = made.unit.robot, made.options.scalar
+def _base(generated: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:
+    robot, scalar = generated.unit.robot, generated.options.scalar
     return {
         "name": robot.name,
         "prefix": robot.name.upper(),
@@ -187,29 +186,29 @@ def _base(made: Generated, targets: Sequence[Target], others: Sequence[Language]
     }
 
 
-def _context(made: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:
+def _context(generated: Generated, targets: Sequence[Target], others: Sequence[Language]) -> dict[str, Any]:
     """What the templates are given."""
-    robot, scalar = made.unit.robot, made.options.scalar
+    robot, scalar = generated.unit.robot, generated.options.scalar
     single = scalar == "float"
     c = c_spelling(single=single)
-    arrays = tuple(dict.fromkeys(a for interface in made.signatures for a, _ in interface.inputs))
+    arrays = tuple(dict.fromkeys(a for interface in generated.signatures for a, _ in interface.inputs))
     spans = ranges(robot, arrays, scalar)
     at = draw(spans, DIGEST_STATES, DIGEST_SEED, scalar)
     vector_at = vector_states(spans, scalar)
     values = draw_parameters(robot, None, 0, np.dtype(DTYPE[scalar]))
     functions, confirmed = [], True
-    for interface, program in made.unit.functions:
-        pruning = made.prunings.get(interface.function)
+    for interface, program in generated.unit.functions:
+        pruning = generated.prunings.get(interface.function)
         spare = pruning.proven if pruning is not None else ()
         inputs = [array for array, _ in interface.inputs]
-        found = vectors(
+        vectors_of = vectors(
             robot, interface.function, program, {a: vector_at[a] for a in inputs}, values, scalar, spare=spare
         )
-        confirmed = confirmed and found.confirmed
+        confirmed = confirmed and vectors_of.confirmed
         bits = outputs(program, {a: at[a] for a in inputs}, values, scalar, kernel_sine(scalar))
-        functions.append(_function(interface, program, found, vector_at, fnv1a(bits), scalar))
-    parameters = made.signatures[0].parameters
-    return _base(made, targets, others) | {
+        functions.append(_function(interface, program, vectors_of, vector_at, fnv1a(bits), scalar))
+    parameters = generated.signatures[0].parameters
+    return _base(generated, targets, others) | {
         "confirmed": confirmed,
         "functions": functions,
         "vectors": len(vector_at[arrays[0]]),
@@ -217,7 +216,9 @@ def _context(made: Generated, targets: Sequence[Target], others: Sequence[Langua
             {"array": s.array, "middle": _numbers(s.middle, c), "half": _numbers(s.half, c)} for s in spans
         ],
         "parameters": [c.number(Fraction(values[name])) for name in parameters],
-        "outputs": list(dict.fromkeys(out for interface in made.signatures for out in interface.outputs)),
+        "outputs": list(
+            dict.fromkeys(out for interface in generated.signatures for out in interface.outputs)
+        ),
         "seed": DIGEST_SEED,
         "multiplier": MULTIPLIER,
         "increment": INCREMENT,
@@ -234,7 +235,7 @@ def _context(made: Generated, targets: Sequence[Target], others: Sequence[Langua
 def _function(
     interface: Signature,
     program: Program,
-    found: Vectors,
+    vectors: Vectors,
     states: dict[str, NDArray[Any]],
     digest: int,
     scalar: ScalarType,
@@ -260,7 +261,7 @@ def _function(
                 *(["values"] if interface.parameters else []),
             ]
         ),
-        "vectors": _vector_lines(interface, found, {a: states[a] for a in inputs}, scalar),
+        "vectors": _vector_lines(interface, vectors, {a: states[a] for a in inputs}, scalar),
     }
 
 
@@ -272,25 +273,21 @@ def _angles(program: Program) -> list[int]:
 
 
 def _vector_lines(
-    interface: Signature, found: Vectors, states: dict[str, NDArray[Any]], scalar: ScalarType
+    interface: Signature, vectors: Vectors, states: dict[str, NDArray[Any]], scalar: ScalarType
 ) -> list[list[list[str]]]:
     """Each vector as lists of lines, array by array."""
     spelling = c_spelling(single=scalar == "float")
     lines = []
-    for k, expected in enumerate(found.expected):
+    for k, expected in enumerate(vectors.expected):
         arrays = [[float(v) for v in x[k]] for x in states.values()]
-        small = [Fraction(0) if abs(x) < _SMALLEST[scalar] else x for x in expected]
+        small = [Fraction(0) if abs(x) < SMALLEST[scalar] else x for x in expected]
         rows = [_braced([Fraction(v) for v in row], spelling) for row in arrays]
-        rows += [_braced(small, spelling), _braced([_up(t, scalar) for t in found.tolerance[k]], spelling)]
+        rows += [
+            _braced(small, spelling),
+            _braced([rounded_up(t, scalar) for t in vectors.tolerance[k]], spelling),
+        ]
         lines.append([[*row[:-1], row[-1] + ","] for row in rows[:-1]] + [rows[-1]])
     return lines
-
-
-def _up(tolerance: float, scalar: ScalarType) -> Fraction:
-    """``tolerance`` rounded up to three digits, to a number that is not subnormal."""
-    if tolerance == 0:
-        return Fraction(0)
-    return Fraction(f"{max(tolerance, 2 * _SMALLEST[scalar]) * _UP:.2e}")
 
 
 def _braced(numbers: Sequence[Fraction], spelling: Spelling) -> list[str]:

@@ -72,13 +72,13 @@ class Figures:
             return [f"{self.target.name}: not measured: needs {self.missing}"]
         size = self.sections["text"] + self.sections["rodata"]
         wants = f"; calls libgcc: {', '.join(self.undefined)}" if self.undefined else ""
-        said = [f"{self.target.name}: {size} B of code and constants{wants}"]
+        lines = [f"{self.target.name}: {size} B of code and constants{wants}"]
         for cost in self.costs:
             run = f"not run: needs {self.not_run}"
             if cost.instructions is not None:
                 run = f"{cost.instructions:.0f} instructions a call, self-test passed in qemu"
-            said.append(f"  {cost.function}: {cost.stack} B of stack, {run}")
-        return said
+            lines.append(f"  {cost.function}: {cost.stack} B of stack, {run}")
+        return lines
 
 
 def measure(name: str, files: Mapping[str, str], functions: Sequence[str], target: Target) -> Figures:
@@ -163,8 +163,8 @@ def worst_stack(graph: str) -> dict[str, int]:
     own: dict[str, int] = {}
     calls: dict[str, set[str]] = {}
     for title, label in re.findall(r'node: \{ title: "([^"]*)" label: "([^"]*)"', graph):
-        found = re.search(r"(\d+) bytes", label)
-        own[title] = int(found[1]) if found else 0
+        match = re.search(r"(\d+) bytes", label)
+        own[title] = int(match[1]) if match else 0
     for source, to in re.findall(r'edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', graph):
         calls.setdefault(source, set()).add(to)
 
@@ -177,10 +177,10 @@ def worst_stack(graph: str) -> dict[str, int]:
     return {function.rpartition(":")[2]: deepest(function, ()) for function in own}
 
 
-def _sections(said: str) -> dict[str, int]:
+def _sections(output: str) -> dict[str, int]:
     """Bytes by kind of section."""
     total = dict.fromkeys(("text", "rodata", "data", "bss"), 0)
-    for kind, size in re.findall(r"^\.(text|rodata|data|bss)\S*\s+(\d+)", said, re.M):
+    for kind, size in re.findall(r"^\.(text|rodata|data|bss)\S*\s+(\d+)", output, re.M):
         total[kind] += int(size)
     return total
 
@@ -190,19 +190,19 @@ def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
     board = _board(figures.target)
     emulator, ticks_each = board.architecture.emulator.name, board.architecture.ticks
     command = [emulator, "-M", board.machine, *board.architecture.options, "-kernel", image]
-    said = _run(command, folder, range(256))
-    if "self-test passed" not in said:
+    output = _run(command, folder, range(256))
+    if "self-test passed" not in output:
         raise CheckError(
             f"the self-test of {name} fails on {figures.target.name} in qemu",
-            found=" | ".join(said.split("\n")[:4]) or "no word from it",
+            found=" | ".join(output.split("\n")[:4]) or "no word from it",
             remedy="please report the robot file",
         )
     costs = []
     for cost in figures.costs:
-        digest = re.search(rf"^{cost.function} digest ([0-9a-f]+)", said, re.M)
+        digest = re.search(rf"^{cost.function} digest ([0-9a-f]+)", output, re.M)
         ticks = re.search(
             rf"^measured {cost.function} calls (\d+) ticks (\d+) idle (\d+) most (\d+) stack (\d+)",
-            said,
+            output,
             re.M,
         )
         assert digest

@@ -55,11 +55,11 @@ def firmware_options(
     return dataclasses.replace(options, functions=functions, scalar=scalar, trig="builtin")
 
 
-def check_firmware(made: Generated) -> None:
+def check_firmware(generated: Generated) -> None:
     """:class:`InputError` where a self-test cannot say what the kernel must give: it remembers from call to
     call, or it calls the C library."""
-    name = made.unit.robot.name
-    for interface, program in made.unit.functions:
+    name = generated.unit.robot.name
+    for interface, program in generated.unit.functions:
         if interface.states:
             raise InputError(
                 f"{interface.symbol} remembers from call to call, and the firmware's self-test is for single "

@@ -51,7 +51,7 @@ def ranges(robot: Robot, arrays: Sequence[str], scalar: ScalarType) -> tuple[Ran
     for joint, link in zip(bounds, robot.links, strict=True):
         if link.joint.kind == "revolute":
             joint[0] = _near(joint[0])
-    found = []
+    result = []
     for array in arrays:
         if array == "tau":
             limits = [link.joint.limits.torque for link in robot.links]
@@ -59,8 +59,8 @@ def ranges(robot: Robot, arrays: Sequence[str], scalar: ScalarType) -> tuple[Ran
         else:
             spans = [joint[("q", "qd", "qdd").index(array)] for joint in bounds]
         pairs = [_inside(low, high, scalar) for low, high in spans]
-        found.append(Range(array, tuple(m for m, _ in pairs), tuple(h for _, h in pairs)))
-    return tuple(found)
+        result.append(Range(array, tuple(m for m, _ in pairs), tuple(h for _, h in pairs)))
+    return tuple(result)
 
 
 def _near(span: tuple[float, float]) -> tuple[float, float]:
@@ -94,11 +94,11 @@ def draw(spans: Sequence[Range], states: int, seed: int, scalar: ScalarType) -> 
 
 
 def _numbers(count: int, seed: int) -> list[int]:
-    found, x = [], seed
+    values, x = [], seed
     for _ in range(count):
         x = (MULTIPLIER * x + INCREMENT) % 2**32
-        found.append(x >> 8)
-    return found
+        values.append(x >> 8)
+    return values
 
 
 def vector_states(spans: Sequence[Range], scalar: ScalarType) -> dict[str, NDArray[Any]]:

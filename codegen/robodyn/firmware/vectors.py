@@ -28,6 +28,10 @@ from robodyn.verify.exact import exact_mass_matrix, exact_torque
 from robodyn.verify.numbers import number, real
 
 _DIGITS = 40
+#: Digits of a tolerance, which is rounded up.
+_UP = 1.0051
+#: The smallest normal numbers.
+SMALLEST: Mapping[ScalarType, float] = {"float": 2.0**-126, "double": 2.0**-1022}
 #: How far program and exact torque may be apart, as a share of the largest term: both are right to about
 #: 1e-28 of it.
 _AGREED = Fraction(1, 10**24)
@@ -70,7 +74,7 @@ def vectors(
     count = len(next(iter(states.values())))
     inputs |= {Input(name, None): np.full(count, value) for name, value in parameters.items()}
     ((output, bounds),) = rounding_bounds(program, inputs, scalar).items()
-    expected = tuple(tuple(_evaluated(program, inputs, k)) for k in range(count))
+    expected = tuple(tuple(evaluated(program, inputs, k)[output]) for k in range(count))
     size = np.array([[real(abs(x)) for x in row] for row in expected])
     if not bounds.max() <= max(size.max(), TINY[scalar]):
         raise InputError(
@@ -80,12 +84,14 @@ def vectors(
         )
     confirmed = not robot.effects and robot.dead_band is None
     if confirmed:
-        _confirm(robot, function, states, parameters, expected, spare)
+        confirm(robot, function, states, parameters, expected, spare)
     return Vectors(output, expected, bounds + UNIT[scalar] * size, confirmed)  # the literal is rounded, too
 
 
-def _evaluated(program: Program, inputs: Mapping[Input, NDArray[np.float64]], k: int) -> list[Fraction]:
-    """The one output of ``program`` at state ``k``."""
+def evaluated(
+    program: Program, inputs: Mapping[Input, NDArray[np.float64]], k: int
+) -> dict[str, list[Fraction]]:
+    """The outputs of ``program`` at state ``k``, to 40 digits."""
     import mpmath
 
     with mpmath.workdps(_DIGITS):
@@ -95,14 +101,24 @@ def _evaluated(program: Program, inputs: Mapping[Input, NDArray[np.float64]], k:
             "sqrt": mpmath.sqrt,
             "abs": abs,
             "sign": mpmath.sign,
+            "exp": mpmath.exp,
+            "tanh": mpmath.tanh,
+            "pow": mpmath.power,
         }
-        ((_, elements),) = evaluate(
+        outputs = evaluate(
             program,
             {name: mpmath.mpf(float(x[k])) for name, x in inputs.items()},
-            number=lambda x: mpmath.mpf(x.numerator) / x.denominator,
+            constant=lambda x: mpmath.mpf(x.numerator) / x.denominator,
             functions=functions,
-        ).items()
-        return [_fraction(mpmath.mpf(x)) for x in elements]
+        )
+        return {array: [_fraction(mpmath.mpf(x)) for x in row] for array, row in outputs.items()}
+
+
+def rounded_up(tolerance: float, scalar: ScalarType) -> Fraction:
+    """``tolerance`` rounded up to three digits, to a number that is not subnormal."""
+    if tolerance == 0:
+        return Fraction(0)
+    return Fraction(f"{max(tolerance, 2 * SMALLEST[scalar]) * _UP:.2e}")
 
 
 def _fraction(x: Any) -> Fraction:
@@ -111,7 +127,7 @@ def _fraction(x: Any) -> Fraction:
     return -size if sign else size
 
 
-def _confirm(
+def confirm(
     robot: Robot,
     function: str,
     states: Mapping[str, NDArray[Any]],

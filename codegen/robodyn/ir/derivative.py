@@ -37,14 +37,14 @@ def jacobian(graph: Graph, outputs: Sequence[Scalar], inputs: Sequence[Input]) -
 
 def _tangents(graph: Graph, order: Sequence[int], by: Input) -> dict[int, Scalar]:
     """The derivatives of positions that depend on ``by``; others are left out."""
-    found: dict[int, Any] = {}
+    tangents: dict[int, Any] = {}
     for position in order:
         key = graph.keys[position]
-        tangent = _tangent(graph, position, key, by, found)
+        tangent = _tangent(graph, position, key, by, tangents)
         if not isinstance(tangent, Node) and tangent == 0:
             continue
-        found[position] = tangent
-    return found
+        tangents[position] = tangent
+    return tangents
 
 
 def _tangent(graph: Graph, position: int, key: tuple[Any, ...], by: Input, known: dict[int, Any]) -> Any:

@@ -26,12 +26,12 @@ def evaluate(
     program: Program,
     inputs: Mapping[Input, Any],
     *,
-    number: Callable[[Fraction], Any] = float,
+    constant: Callable[[Fraction], Any] = float,
     functions: Mapping[str, Callable[..., Any]] = REAL_FUNCTIONS,
 ) -> dict[str, list[Any]]:
     """Run ``program`` on ``inputs``; the outputs by name.
 
-    ``number`` turns a constant into the scalar in use (``float``, ``Fraction``, ``sympy.Rational``...);
+    ``constant`` turns a constant into the scalar in use (``float``, ``Fraction``, ``sympy.Rational``...);
     ``functions`` has ``sin cos sqrt tanh sign abs exp pow`` over that scalar, those that the program needs.
     """
     values: list[Any] = []
@@ -41,7 +41,7 @@ def evaluate(
             return values[operand]
         if isinstance(operand, Input):
             return inputs[operand]
-        return number(operand)
+        return constant(operand)
 
     for op, args, _ in program.operations:
         x = value(args[0])
@@ -155,4 +155,4 @@ def evaluate_exact(
         "sign": sign,
         "abs": abs,
     }
-    return evaluate(program, inputs, number=lambda x: x, functions=functions)
+    return evaluate(program, inputs, constant=lambda x: x, functions=functions)

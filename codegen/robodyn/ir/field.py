@@ -152,17 +152,17 @@ def drawn_prime(seed: bytes) -> int:
     # favour primes behind long gaps.
     k = 0
     while True:
-        number = _drawn(key, f"prime {k}") % top | top | 3
-        if math.gcd(number, _PRODUCT) == 1 and is_prime(number, key):
-            return number
+        candidate = _drawn(key, f"prime {k}") % top | top | 3
+        if math.gcd(candidate, _PRODUCT) == 1 and is_prime(candidate, key):
+            return candidate
         k += 1
 
 
-def is_prime(number: int, key: bytes) -> bool:
+def is_prime(candidate: int, key: bytes) -> bool:
     """Miller's and Rabin's test of a number that is 3 modulo 4: ``a ^ ((n - 1) / 2)`` is 1 or -1."""
-    half = number >> 1
+    half = candidate >> 1
     return all(
-        pow(base, half, number) in (1, number - 1)
-        for base in (2, *(_drawn(key, f"base {k}") % number for k in range(_ROUNDS)))
+        pow(base, half, candidate) in (1, candidate - 1)
+        for base in (2, *(_drawn(key, f"base {k}") % candidate for k in range(_ROUNDS)))
         if base
     )

@@ -261,11 +261,11 @@ class Graph:
             if replacement is not None and i in replacement:
                 values.append(replacement[i])
                 continue
-            made = self.apply(op, [value(arg) for arg in args])
+            node = self.apply(op, [value(arg) for arg in args])
             if label is not None:
-                self.label(made, label)
-            self._check_digits(made)
-            values.append(made)
+                self.label(node, label)
+            self._check_digits(node)
+            values.append(node)
         return values
 
     def _reader(self, values: list[Scalar], inputs: Mapping[Input, Scalar]) -> Callable[[Operand], Scalar]:
@@ -285,8 +285,8 @@ class Graph:
         if key[0] == "const" or key[0] == "scale":
             check_digits(key[1])
 
-    def copied(self, key: tuple[Any, ...], made: Mapping[int, Scalar]) -> Scalar:
-        """What ``key`` of another graph is in this one, where its operands are ``made``."""
+    def copied(self, key: tuple[Any, ...], copies: Mapping[int, Scalar]) -> Scalar:
+        """What ``key`` of another graph is in this one, where its operands are ``copies``."""
         op = key[0]
         if op == "input":
             return self.input(*key[1])
@@ -294,14 +294,14 @@ class Graph:
             constant: Fraction = key[1]
             return constant
         if op == "scale":
-            return self.mul(made[key[2]], key[1])
+            return self.mul(copies[key[2]], key[1])
         if op == "add":
-            return self.add(made[key[1]], made[key[3]] * key[2])
+            return self.add(copies[key[1]], copies[key[3]] * key[2])
         if op in ("sqrt", "exp"):
-            return self.apply(op, [made[key[1]] * key[2]])
+            return self.apply(op, [copies[key[1]] * key[2]])
         if op == "pow":
-            return self.pow(made[key[1]] * key[2], made[key[3]] * key[4])
-        return self.apply(op, [made[p] for p in key[1:]])
+            return self.pow(copies[key[1]] * key[2], copies[key[3]] * key[4])
+        return self.apply(op, [copies[p] for p in key[1:]])
 
     # -- inside ---------------------------------------------------------------------------------
     def _node(self, key: tuple[Any, ...], sign: int = 1) -> Node:

@@ -29,8 +29,3 @@ class Signature:
     def symbol(self) -> str:
         """The C symbol."""
         return f"{self.robot}_{self.function}"
-
-    @property
-    def fortran_symbol(self) -> str:
-        """The symbol of the Fortran version, so that both can stand in one program."""
-        return f"{self.symbol}_f"

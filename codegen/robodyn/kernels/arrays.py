@@ -77,10 +77,10 @@ def laid_out(array: Array, dtype: np.dtype[Any], *, columns: bool) -> Array:
 def _real_array(where: str, name: str, length: int, value: object, dtype: np.dtype[Any]) -> Array:
     array = value if type(value) is np.ndarray else _as_array(where, name, length, value)
     if array.dtype.kind not in _REAL:
-        found = _KINDS.get(array.dtype.kind, f"{array.dtype}")
+        kind = _KINDS.get(array.dtype.kind, f"{array.dtype}")
         raise InputError(
             f"{where}: {name} is not an array of real numbers",
-            found=f"{found} of shape {shape_text(array.shape)}",
+            found=f"{kind} of shape {shape_text(array.shape)}",
             expected=f"{dtype}, or real numbers that can be converted to it",
         )
     return array
@@ -140,10 +140,10 @@ def check_output(
     if problem is None:
         assert isinstance(value, np.ndarray)
         return value
-    found, expected = problem
+    actual, expected = problem
     raise InputError(
         f"{where}: out cannot take {name}",
-        found=found,
+        found=actual,
         expected=expected or f"{dtype} {shape_text(shape)}, contiguous and writable",
     )
 
@@ -183,13 +183,13 @@ def read_parameters(
     ------
     InputError: one is missing, unknown, or not a real number.
     """
-    given: Mapping[str, float] = {} if params is None else params
-    if not isinstance(given, Mapping):
+    entries: Mapping[str, float] = {} if params is None else params
+    if not isinstance(entries, Mapping):
         raise InputError(
             f"{where}: params is not a mapping", found=type(params).__name__, expected="{name: number}"
         )
-    missing = [name for name in names if name not in given]
-    unknown = [str(name) for name in given if name not in names]
+    missing = [name for name in names if name not in entries]
+    unknown = [str(name) for name in entries if name not in names]
     if missing or unknown:
         problems = [f"missing: {', '.join(missing)}"] if missing else []
         problems += [f"unknown: {', '.join(unknown)}"] if unknown else []
@@ -198,7 +198,7 @@ def read_parameters(
             found="; ".join(problems),
             expected=f"numbers for {', '.join(names)}" if names else "none: there are no run-time parameters",
         )
-    values = [_real(where, name, given[name]) for name in names]
+    values = [_real(where, name, entries[name]) for name in names]
     with np.errstate(over="ignore"):
         return np.array(values, dtype=np.float64).astype(dtype)
 

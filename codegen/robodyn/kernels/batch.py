@@ -54,13 +54,13 @@ class Batch:
                 f"{where}: threads is no number of threads", found=repr(asked), expected="1 or more"
             )
         names = [name for name, _ in function.signature.inputs]
-        given = [
+        passed = [
             read_states(where, name, length, value, dtype)
             for (name, length), value in zip(function.signature.inputs, arrays, strict=True)
         ]
-        (count,) = common_lead(where, names, given)
-        result, columns = self._result(count, out, given, dict(zip(names, arrays, strict=True)))
-        inputs = [laid_out(array, dtype, columns=columns) for array in given]
+        (count,) = common_lead(where, names, passed)
+        result, columns = self._result(count, out, passed, dict(zip(names, arrays, strict=True)))
+        inputs = [laid_out(array, dtype, columns=columns) for array in passed]
         values: Any = self.library.ffi.NULL
         if function.parameters or params:
             values = self._view(read_parameters(where, function.parameters, params, dtype))
@@ -69,7 +69,7 @@ class Batch:
         return result
 
     def _result(
-        self, count: int, out: Array | None, given: Sequence[Array], busy: Mapping[str, object]
+        self, count: int, out: Array | None, arrays: Sequence[Array], busy: Mapping[str, object]
     ) -> tuple[Array, bool]:
         """The array to write to, and whether the arrays go column by column."""
         function = self.function
@@ -77,7 +77,7 @@ class Batch:
         if out is not None:
             checked = check_output(function.where, name, (count, *shape), out, dtype, busy, columns=True)
             return checked, not checked.flags.c_contiguous
-        if all(array.flags.f_contiguous and not array.flags.c_contiguous for array in given):
+        if all(array.flags.f_contiguous and not array.flags.c_contiguous for array in arrays):
             return np.moveaxis(np.empty((*shape, count), dtype), -1, 0), True
         return np.empty((count, *shape), dtype), False
 

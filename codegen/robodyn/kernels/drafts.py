@@ -74,18 +74,18 @@ class Drafts:
         """There is nothing on top of the rigid arm."""
         return None
 
-    def pruned(self, function: str, found: Program) -> Program:
-        """``found`` without terms that cannot matter, if that is asked for; or what the passes alone give
+    def pruned(self, function: str, program: Program) -> Program:
+        """``program`` without terms that cannot matter, if that is asked for; or what the passes alone give
         without them, where that comes to less than a record."""
         if self.options.prune is None:
-            return found
+            return program
         from robodyn.optimize.prune import prune
 
         if not function_named(function).gives_torques:
-            return found
+            return program
         plain = self._passed(function)
         smaller, self.prunings[function] = prune(
-            self.robot, function, found, self.options.prune, beside=(plain,), progress=self._told
+            self.robot, function, program, self.options.prune, beside=(plain,), progress=self._told
         )
         return smaller
 
@@ -101,14 +101,14 @@ class Drafts:
         return self._best[function]
 
     def _proven(self, function: str) -> Program:
-        found = self._recorded(function)
-        if found is None or not self._clearly_better(function, found):
+        record = self._recorded(function)
+        if record is None or not self._clearly_better(function, record):
             passed = self._passed(function)
-            if found is None or self._cost(passed) <= self._cost(found):
-                found = passed
+            if record is None or self._cost(passed) <= self._cost(record):
+                record = passed
                 self.taken.pop(function, None)
-        prove(self.robot, function, found)
-        return found
+        prove(self.robot, function, record)
+        return record
 
     def _passed(self, function: str) -> Program:
         """The program of ``function`` after the passes of its level."""
@@ -120,12 +120,12 @@ class Drafts:
             self._after_passes[function] = unchecked(self.draft(function), passes)
         return self._after_passes[function]
 
-    def _clearly_better(self, function: str, found: Program) -> bool:
+    def _clearly_better(self, function: str, program: Program) -> bool:
         """Whether no pass will bring the recursion down to what a record has."""
         if function_named(function).at_rest or self.options.objective != "total":
             return False
         draft = count(self.draft(function)).total
-        return draft > _SMALL and count(found).total <= _CLEARLY * draft
+        return draft > _SMALL and count(program).total <= _CLEARLY * draft
 
     def _cost(self, program: Program) -> float:
         """What ``program`` costs by the objective asked for."""
@@ -147,12 +147,12 @@ class Drafts:
             record = self._record(source)
             if record is None:
                 continue
-            made = record.program if source == function else at_rest_of(record, function)
+            program = record.program if source == function else at_rest_of(record, function)
             passes = SPELLING if source == function else FAST
             inputs = self._inputs(function)
-            made = trusted(made, self.draft(function), record, passes, inputs, self._rounding(source))
-            if best is None or self._cost(made) < self._cost(best):
-                best = made
+            program = trusted(program, self.draft(function), record, passes, inputs, self._rounding(source))
+            if best is None or self._cost(program) < self._cost(best):
+                best = program
                 self.taken[function] = record.found
         return best
 
@@ -179,15 +179,19 @@ class Drafts:
 
     def _record(self, function: str) -> Record | None:
         if function not in self._records:
-            given = [r for r in self.options.records if r.function == function]
+            matching = [r for r in self.options.records if r.function == function]
             folders = self.options.record_folders
-            found = given[0] if given else best_record(self.robot, function, self.options.objective, folders)
-            if found is None and self.options.target is not None:
-                found = best_record(self.robot, function, folders=folders)  # fewest operations: close enough
-            if found is not None:
-                check_length(found, self.draft(function))
-                check_reading(found, self._rounding(function))
-            self._records[function] = found
+            record = (
+                matching[0]
+                if matching
+                else best_record(self.robot, function, self.options.objective, folders)
+            )
+            if record is None and self.options.target is not None:
+                record = best_record(self.robot, function, folders=folders)  # fewest operations: close enough
+            if record is not None:
+                check_length(record, self.draft(function))
+                check_reading(record, self._rounding(function))
+            self._records[function] = record
         return self._records[function]
 
     def draft(self, function: str) -> Program:

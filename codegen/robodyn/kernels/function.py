@@ -118,31 +118,31 @@ class Function:
     def bind(self, arrays: tuple[object, ...], named: dict[str, object]) -> tuple[object, ...]:
         """Positional and named arguments in the order of the signature."""
         names = self._inputs
-        given = dict(zip(names, arrays, strict=False))
-        wrong = [f"{name} twice" for name in named if name in given]
+        bound = dict(zip(names, arrays, strict=False))
+        wrong = [f"{name} twice" for name in named if name in bound]
         wrong += [f"unknown {name}" for name in named if name not in names]
-        wrong += [f"no {name}" for name in names if name not in given and name not in named]
+        wrong += [f"no {name}" for name in names if name not in bound and name not in named]
         if len(arrays) > len(names):
             wrong.append(f"{len(arrays)} arrays")
         if wrong:
             raise InputError(
                 f"{self.where}: the arguments do not fit", found=", ".join(wrong), expected=", ".join(names)
             )
-        return tuple({**given, **named}[name] for name in names)
+        return tuple({**bound, **named}[name] for name in names)
 
     def _arrays(self, lead: Shape, out: object, arrays: Sequence[object]) -> list[Array]:
         """Arrays to write to: new ones, or those of ``out``."""
         if out is None:
             return [np.empty(lead + shape, self.dtype) for _, shape in self.results]
         shapes = [lead + shape for _, shape in self.results]
-        given = [out] if len(shapes) == 1 else list(out) if isinstance(out, (tuple, list)) else []
-        if len(given) != len(shapes):
+        outputs = [out] if len(shapes) == 1 else list(out) if isinstance(out, (tuple, list)) else []
+        if len(outputs) != len(shapes):
             raise InputError(
                 f"{self.where}: out does not fit", expected=f"{len(shapes)} arrays: {self._output_text()}"
             )
         busy = dict(zip(self._inputs, arrays, strict=True))
         checked: list[Array] = []
-        for (name, _), shape, array in zip(self.results, shapes, given, strict=True):
+        for (name, _), shape, array in zip(self.results, shapes, outputs, strict=True):
             checked.append(check_output(self.where, name, shape, array, self.dtype, busy))
             busy[name] = array
         return checked

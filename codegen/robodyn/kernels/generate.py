@@ -116,15 +116,15 @@ def generate(
     InputError: a constant of the model does not fit the scalar type, or an option is unknown.
     """
     options = options or Options()
-    made = maker(robot, options, pruning)
-    drafts = made if isinstance(made, Drafts) else made.rigid
+    builder = maker(robot, options, pruning)
+    drafts = builder if isinstance(builder, Drafts) else builder.rigid
     programs: dict[str, Program] = {}
     left_out: dict[str, str] = {}
     for function in options.functions or by_default():
         if progress is not None:
             progress(function)
         try:
-            programs[function] = made.program(function)
+            programs[function] = builder.program(function)
         except NoForwardDynamics as reason:
             if options.functions is not None:
                 raise
@@ -135,7 +135,7 @@ def generate(
     if options.trig == "given":
         layout = given_layout(list(programs.values()))
         no_angle = not layout  # C has no array of no elements: sc has one then
-        described = tuple(describe(given) for given in layout)
+        described = tuple(describe(angle) for angle in layout)
         programs = {f: trig_given(p, layout) for f, p in programs.items()}
         interfaces = {f: _with_sc(interface, max(1, len(layout))) for f, interface in interfaces.items()}
     if options.trig == "builtin":
@@ -148,7 +148,7 @@ def generate(
         functions=tuple((interfaces[f], programs[f]) for f in programs),
         sc=described,
         notes=_notes(drafts)
-        + (() if isinstance(made, Drafts) else made.notes)
+        + (() if isinstance(builder, Drafts) else builder.notes)
         + _pruned(drafts)
         + (("sc is not read: there is no angle.",) if no_angle else ()),
         advice=_told(options),
@@ -160,7 +160,7 @@ def generate(
         lanes=4 if options.profile is None else options.profile.lanes,
     )
     counts = {f: count(p) for f, p in programs.items()}
-    rigid = {f: made.rigid_count(f) for f in programs}
+    rigid = {f: builder.rigid_count(f) for f in programs}
     return Generated(unit, options, counts, drafts.prunings, left_out, rigid)
 
 
@@ -219,25 +219,25 @@ def _pruned(drafts: Drafts) -> tuple[str, ...]:
 def _notes(drafts: Drafts) -> tuple[str, ...]:
     if not drafts.taken:
         return _method(drafts.choice)
-    told: dict[str, list[str]] = {}
-    for function, found in drafts.taken.items():
-        told.setdefault(found, []).append(function)
+    notes: dict[str, list[str]] = {}
+    for function, record in drafts.taken.items():
+        notes.setdefault(record, []).append(function)
     return _method(drafts.choice) + tuple(
         f"Of {', '.join(functions)} the best program known for these parameters, equal to the recursion "
-        f"without being written like it: {found}."
-        for found, functions in told.items()
+        f"without being written like it: {record}."
+        for record, functions in notes.items()
     )
 
 
 def _told(options: Options) -> tuple[str, ...]:
     """What the head of the files says of the target, of bits and of arrays."""
-    told: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
     target = options.profile
     contraction = options.contraction or "off"
     if target is not None:
-        told += (f"Target: {target.name} ({target.why}); compile C with {target.compiled(contraction)}.",)
+        notes += (f"Target: {target.name} ({target.why}); compile C with {target.compiled(contraction)}.",)
     if options.trig == "builtin":
-        told += (
+        notes += (
             "Sine and cosine are built in: no libm. "
             + (
                 "Products and sums may be fused (-ffp-contract=fast): bits depend on the compiler."
@@ -247,11 +247,11 @@ def _told(options: Options) -> tuple[str, ...]:
             ),
         )
     if options.by_registers:
-        told += (
+        notes += (
             "Results are written early: they may take the place of q, qd or qdd (the very same array), and "
             "must not overlap them otherwise.",
         )
-    return told
+    return notes
 
 
 def _method(choice: Choice) -> tuple[str, ...]:

@@ -29,7 +29,6 @@ from robodyn.kernels.batch_calls import batch_calls
 from robodyn.kernels.function import Function
 from robodyn.kernels.workspace import Workspace
 from robodyn.kernels.wrapper import parameters_of, prototypes, wrapper
-from robodyn.toolchain.compiler import Language
 from robodyn.toolchain.library import Calls, Library, Mode, open_library
 
 #: Emitted C files of a function's batch, ``{path: text}``, by the function's name.
@@ -43,7 +42,7 @@ def load(
     cc: str | None = None,
     fc: str | None = None,
     flags: str | Sequence[str] | None = None,
-    language: Language = "c",
+    language: str = "c",
     mode: Mode = "auto",
     cache: Path | str | None = None,
     batch: BatchFiles | None = None,
@@ -57,7 +56,7 @@ def load(
     cc, fc: the C and the Fortran compiler, maybe with arguments (default: ``CC``, ``FC``, the usual names).
         Fortran needs a C compiler too, for the calls from Python.
     flags: compiler flags of the emitted language in place of the default
-        (:data:`~robodyn.toolchain.compiler.C_FLAGS`, :data:`~robodyn.toolchain.compiler.FORTRAN_FLAGS`);
+        (:class:`~robodyn.emit.language.Compiled`);
         what makes a shared library is added.
     language: which of the emitted files to compile, ``c`` or ``fortran``.
     mode: ``api`` for the cheapest calls (needs Python's headers, compiles longer), ``abi`` for the least
@@ -100,9 +99,9 @@ def _check(signatures: Sequence[Signature]) -> None:
     if not signatures:
         raise InputError("there is no function to load", expected="one signature at least")
     for what in ("robot", "scalar"):
-        found = sorted({str(getattr(s, what)) for s in signatures})
-        if len(found) > 1:
-            raise InputError(f"the functions of a kernel have one {what}", found=", ".join(found))
+        values = sorted({str(getattr(s, what)) for s in signatures})
+        if len(values) > 1:
+            raise InputError(f"the functions of a kernel have one {what}", found=", ".join(values))
     names = [s.function for s in signatures]
     if len(set(names)) < len(names):
         raise InputError("a function is there twice", found=", ".join(names))
@@ -122,7 +121,7 @@ class Kernel:
     """
 
     def __init__(
-        self, signatures: Sequence[Signature], library: Library, language: Language, recipe: tuple[Any, ...]
+        self, signatures: Sequence[Signature], library: Library, language: str, recipe: tuple[Any, ...]
     ) -> None:
         self.robot = signatures[0].robot
         self.scalar = signatures[0].scalar
@@ -185,18 +184,18 @@ class Kernel:
         InputError: there is no such function, it remembers between calls, or an argument does not fit.
         ToolError: no compiler, or it refuses the files.
         """
-        found = self._function(function)
-        if named or len(arrays) != len(found.signature.inputs):
-            arrays = found.bind(arrays, named)
-        return self._batch(found)(arrays, params=params, out=out, threads=threads)
+        entry = self._function(function)
+        if named or len(arrays) != len(entry.signature.inputs):
+            arrays = entry.bind(arrays, named)
+        return self._batch(entry)(arrays, params=params, out=out, threads=threads)
 
     def _batch(self, function: Function) -> Batch:
         """The batch of ``function``, compiled at the first time."""
         with self._lock:
-            made = self._batches.get(function.name)
-            if made is None:
-                made = self._batches[function.name] = self._make_batch(function)
-            return made
+            batch = self._batches.get(function.name)
+            if batch is None:
+                batch = self._batches[function.name] = self._make_batch(function)
+            return batch
 
     def _make_batch(self, function: Function) -> Batch:
         if function.signature.states:
@@ -226,12 +225,12 @@ class Kernel:
         return Batch(function, library)
 
     def _function(self, name: str) -> Function:
-        found = self._functions.get(name)
-        if found is None:
+        entry = self._functions.get(name)
+        if entry is None:
             raise InputError(
                 f"{self.robot}: there is no function {name!r}", expected=" or ".join(self.functions)
             )
-        return found
+        return entry
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _load_again, self._recipe

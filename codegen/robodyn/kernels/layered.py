@@ -72,17 +72,17 @@ class Layered:
         check_solvable(self.robot, record)
         if not record.parts:
             draft = layered(self.robot, record, self._rigid, self.options.formulation)
-            made = run(draft, SPELLING if self.options.optimize == "none" else FRESH)
-            self._compare(function, made, self._plain(record))
-            return made
+            program = run(draft, SPELLING if self.options.optimize == "none" else FRESH)
+            self._compare(function, program, self._plain(record))
+            return program
         try:
             draft = composed(record, {part: self.program(part) for part in record.parts}, self.robot.n)
-            made = unchecked(draft, FRESH)
+            program = unchecked(draft, FRESH)
             # Of what solves for accelerations there is no other formula: its parts are compared.
-            self._compare(function, made, draft if record.expected is None else self._plain(record))
+            self._compare(function, program, draft if record.expected is None else self._plain(record))
         except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
             raise self.rigid.singular(function) from None
-        return made
+        return program
 
     def _rigid(self, function: str) -> Program | None:
         """The rigid arm's best program, unless bearings feel what moves."""
@@ -97,11 +97,11 @@ class Layered:
 
         return layered(self.robot, record, rigid, "newton_euler", expected=True)
 
-    def _compare(self, function: str, made: Program, plain: Program) -> None:
+    def _compare(self, function: str, program: Program, plain: Program) -> None:
         """In finite fields, where roots and the like are random functions, so that their arguments must be
         equal as well."""
         context = (identity(self.robot).encode(), function.encode())
-        if not all(agree(made, plain, circle_point, *context, tag) for tag in (b"one", b"two")):
+        if not all(agree(program, plain, circle_point, *context, tag) for tag in (b"one", b"two")):
             raise Unequal(f"{function} of {self.robot.name} differs from plain Newton-Euler with its effects")
 
     def rigid_count(self, function: str) -> Count | None:

@@ -165,13 +165,13 @@ def _check_functions(functions: tuple[str, ...]) -> None:
         raise InputError("a function is asked for twice", found=", ".join(functions))
 
 
-def _one_of(what: str, found: str, allowed: Sequence[str]) -> None:
-    if found not in allowed:
+def _one_of(what: str, value: str, allowed: Sequence[str]) -> None:
+    if value not in allowed:
         import difflib
 
-        close = difflib.get_close_matches(found, allowed, n=1)
+        close = difflib.get_close_matches(value, allowed, n=1)
         raise InputError(
-            f"unknown {what} {found!r}",
+            f"unknown {what} {value!r}",
             expected=f"one of {', '.join(allowed)}",
             remedy=f"did you mean {close[0]!r}?" if close else None,
         )

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from robodyn.emit import render
 from robodyn.emit.batch import batch_files
 from robodyn.kernels.generate import Options, generate
 from robodyn.kernels.kernel import Kernel, load
 from robodyn.robot.model import Robot
-
-if TYPE_CHECKING:
-    from robodyn.toolchain.compiler import Language
 
 
 def compile(
@@ -26,7 +23,7 @@ def compile(
     formulation: str = "modified_newton_euler",
     trig: str = "libm",
     engine: str = "graph",
-    language: Language = "c",
+    language: str = "c",
     **build: Any,
 ) -> Kernel:
     """Generate the kernels of ``robot``, compile and load them.
@@ -50,9 +47,9 @@ def compile(
         trig=trig,  # type: ignore[arg-type]
         engine=engine,  # type: ignore[arg-type]
     )
-    made = generate(robot, options)
+    generated = generate(robot, options)
     batch = _Batches(robot, options)
-    return load(made.signatures, made.files((language,)), language=language, batch=batch, **build)
+    return load(generated.signatures, generated.files((language,)), language=language, batch=batch, **build)
 
 
 @dataclass(frozen=True)

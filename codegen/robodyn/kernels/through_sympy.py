@@ -155,8 +155,8 @@ def build_through_sympy(robot: Robot, function: str, choice: Choice) -> Program:
     replacements, reduced = sympy.cse(expressions, symbols=symbols, optimizations=None, order="none")
     graph = Graph(fold=False)
     values: dict[sympy.Symbol, Scalar] = {}
-    for name, given in model.inputs.items():
-        values.update((symbol, graph.input(name, i)) for i, symbol in enumerate(given))
+    for name, bound in model.inputs.items():
+        values.update((symbol, graph.input(name, i)) for i, symbol in enumerate(bound))
     values.update((symbol, graph.input(name)) for name, symbol in model.parameters.items())
     # cse puts its symbols first although they may use the model's own: take each when it is reached.
     waiting: dict[sympy.Symbol, sympy.Expr] = dict(replacements)

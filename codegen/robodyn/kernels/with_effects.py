@@ -210,17 +210,17 @@ def rigid_loads(
     def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
         return turned(graph, link.q, angle)
 
-    found: dict[tuple[int, str, str], Any] = {}
+    loads: dict[tuple[int, str, str], Any] = {}
 
     def mark(value: Any, label: Label) -> Any:
-        found[label.link - 1, label.quantity, label.axis] = value
+        loads[label.link - 1, label.quantity, label.axis] = value
         return graph.label(value, label)
 
     motion = build_motion(arm, link.q, link.qd, link.qdd, trigonometry, exact)
     tau = REACTIONS[formulation](arm, motion, mark)
 
     def vectors(quantity: str) -> dict[int, tuple[Any, Any, Any]]:
-        axes = {i: [found[i, quantity, axis] for axis in "xyz"] for i in layer.needs_reactions}
+        axes = {i: [loads[i, quantity, axis] for axis in "xyz"] for i in layer.needs_reactions}
         return {i: (x, y, z) for i, (x, y, z) in axes.items()}
 
     return Loads(tau, vectors("f"), vectors("n"))

@@ -16,9 +16,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from robodyn.emit.language import Compiled
+from robodyn.emit.languages import compiled_language
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
-from robodyn.toolchain.compiler import Language
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,22 +61,23 @@ def prototypes(signatures: Sequence[Signature]) -> str:
     return "".join(f"void {_batch(s)};\nvoid {_work(s)};\n" for s in signatures)
 
 
-def wrapper(signatures: Sequence[Signature], files: Mapping[str, str], language: Language) -> str:
+def wrapper(signatures: Sequence[Signature], files: Mapping[str, str], language: str) -> str:
     """The C source.
 
-    For C it includes the emitted header, so that the compiler checks the two against each other; for
-    Fortran it declares the ``bind(C)`` functions itself.
+    Where there is an emitted header it is included, so that the compiler checks the two against each other;
+    else the functions are declared here.
     """
     robot = signatures[0].robot
+    tools = compiled_language(language)[1]
     parameters = parameters_of(signatures)
     lines = [f"/* Calls from Python into the kernels of {robot}. */", "#include <stddef.h>"]
-    if language == "c":
+    if tools.header:
         lines.append(f'#include "{header(robot, files)}"')
     else:
-        lines += _declarations(signatures, parameters)
+        lines += _declarations(signatures, parameters, tools)
     lines.append(prototypes(signatures))
     for signature in signatures:
-        lines += _definitions(signature, parameters, language)
+        lines += _definitions(signature, parameters, tools)
     return "\n".join(lines) + "\n"
 
 
@@ -107,8 +109,8 @@ def _work(s: Signature) -> str:
     return f"{s.function}_robodyn_work({s.scalar} *block)"
 
 
-def _declarations(signatures: Sequence[Signature], parameters: Sequence[str]) -> list[str]:
-    """What an emitted header would say of the ``bind(C)`` functions of the Fortran module."""
+def _declarations(signatures: Sequence[Signature], parameters: Sequence[str], tools: Compiled) -> list[str]:
+    """What an emitted header would say of the functions."""
     first = signatures[0]
     lines = []
     if parameters:
@@ -123,12 +125,12 @@ def _declarations(signatures: Sequence[Signature], parameters: Sequence[str]) ->
             arguments.append(f"const {s.robot}_params *")
         if s.states:
             arguments += [f"{s.robot}_state *", s.scalar]
-        lines.append(f"void {s.fortran_symbol}({', '.join(arguments)});")
+        lines.append(f"void {tools.symbol(s)}({', '.join(arguments)});")
     return lines
 
 
-def _definitions(s: Signature, parameters: Sequence[str], language: Language) -> list[str]:
-    symbol = s.symbol if language == "c" else s.fortran_symbol
+def _definitions(s: Signature, parameters: Sequence[str], tools: Compiled) -> list[str]:
+    symbol = tools.symbol(s)
     block = layout(s, parameters)
     last = (["&p"] if s.parameters else []) + (["&state", "dt"] if s.states else [])
     steps = [f"i{k} + {length} * k" for k, (_, length) in enumerate(s.inputs)]

@@ -73,8 +73,8 @@ class Costing:
         check_size(self.arm, writing)
         tally = Tally(self.circle)
         if self._plain:
-            field, given = self._field, self._all_given(writing)
-            links, unit = assembled(self.arm, writing, given)
+            field, lumps = self._field, self._all_given(writing)
+            links, unit = assembled(self.arm, writing, lumps)
         else:
             # Parameters are values of the tally that they are counted in.
             arm = build_arm(self.robot, exact, tally.input)
@@ -95,21 +95,21 @@ class Costing:
 
     def _all_given(self, writing: Writing) -> list[Given]:
         n = self.robot.n
-        given: list[Given] = [AT_TIP] * (n + 1)
+        lumps: list[Given] = [AT_TIP] * (n + 1)
         tail: tuple[Any, ...] = ()
         for i in reversed(range(n)):
             how = writing.links[i]
             tail = (how.mass, how.first, how.second, how.slide, tail)
-            found = self._given.get(tail)
-            if found is None:
+            cached = self._given.get(tail)
+            if cached is None:
                 if len(self._given) > _MANY:
                     self._given.clear()
-                found = self._given[tail] = self._give(i, how, given[i + 1])
-            if isinstance(found, Unsuited):
-                raise found
-            point_of(i, found.own, how)  # a form that does not suit says so before the links below are made
-            given[i] = found
-        return given
+                cached = self._given[tail] = self._give(i, how, lumps[i + 1])
+            if isinstance(cached, Unsuited):
+                raise cached
+            point_of(i, cached.own, how)  # a form that does not suit says so before the links below are made
+            lumps[i] = cached
+        return lumps
 
     def _give(self, i: int, how: LinkWriting, child: Given) -> Given | Unsuited:
         try:
@@ -120,13 +120,13 @@ class Costing:
 
 def operations(tally: Tally, wanted: Collection[int]) -> int:
     """How many of ``wanted`` are multiplications and additions."""
-    made = tally.made
-    return sum([made[position][0] <= SCALE for position in wanted])
+    entries = tally.made
+    return sum([entries[position][0] <= SCALE for position in wanted])
 
 
 def _all_given(arm: Arm, writing: Writing) -> list[Given]:
     lumps = lumps_of(arm)
-    given = [AT_TIP] * (len(lumps) + 1)
+    gauges = [AT_TIP] * (len(lumps) + 1)
     for i in reversed(range(len(lumps))):
-        given[i] = give(arm, lumps, i, writing.links[i], given[i + 1])
-    return given
+        gauges[i] = give(arm, lumps, i, writing.links[i], gauges[i + 1])
+    return gauges

@@ -11,41 +11,41 @@ from typing import Any
 from robodyn.optimize.tally import ADD, MUL, OFFSET, PRIME, SCALE, Entry
 
 
-def saved(made: dict[int, Entry], wanted: Collection[int]) -> int:
+def saved(entries: dict[int, Entry], wanted: Collection[int]) -> int:
     """Multiplications that factoring the sums of ``wanted`` saves, about."""
     uses: dict[int, int] = {}
     sums = []
     for position in wanted:
-        kind, reads, _ = made[position]
+        kind, reads, _ = entries[position]
         for p in reads:
             uses[p] = uses.get(p, 0) + 1
         if kind <= OFFSET:
             sums.append(position)
-    inner = {p for position in sums for p in made[position][1] if made[p][0] <= OFFSET and uses[p] == 1}
+    inner = {p for position in sums for p in entries[position][1] if entries[p][0] <= OFFSET and uses[p] == 1}
     total = 0
     for root in sums:
         if root in inner:
             continue
         products = []
-        stack = list(made[root][1])
+        stack = list(entries[root][1])
         while stack:
             p = stack.pop()
             if p in inner:
-                stack += made[p][1]
-            elif uses[p] == 1 and MUL <= made[p][0] <= SCALE:
+                stack += entries[p][1]
+            elif uses[p] == 1 and MUL <= entries[p][0] <= SCALE:
                 products.append(p)
         if len(products) > 1:
-            total += _saved(products, made, uses)
+            total += _saved(products, entries, uses)
     return total
 
 
-def _saved(products: list[int], made: dict[int, Entry], uses: dict[int, int]) -> int:
+def _saved(products: list[int], entries: dict[int, Entry], uses: dict[int, int]) -> int:
     """What factoring a sum of products saves, the commonest factor first."""
     total = 0
     while len(products) > 1:
         counts: dict[Any, int] = {}
         for p in products:
-            for factor in _factors(made[p]):
+            for factor in _factors(entries[p]):
                 counts[factor] = counts.get(factor, 0) + 1
         common = max(counts, key=counts.__getitem__)
         if counts[common] < 2:
@@ -53,7 +53,7 @@ def _saved(products: list[int], made: dict[int, Entry], uses: dict[int, int]) ->
         total += counts[common] - 1
         cofactors, rest = [], []
         for p in products:
-            factors = _factors(made[p])
+            factors = _factors(entries[p])
             if common not in factors:
                 rest.append(p)
             elif len(factors) == 2:
@@ -62,13 +62,13 @@ def _saved(products: list[int], made: dict[int, Entry], uses: dict[int, int]) ->
                     stack = [other]
                     while stack:
                         q = stack.pop()
-                        kind = made[q][0]
+                        kind = entries[q][0]
                         if MUL <= kind <= SCALE and uses[q] == 1:
                             cofactors.append(q)
                         elif kind <= ADD and uses[q] == 1:
-                            stack += made[q][1]
+                            stack += entries[q][1]
         if len(cofactors) > 1:
-            total += _saved(cofactors, made, uses)
+            total += _saved(cofactors, entries, uses)
         products = rest
     return total
 

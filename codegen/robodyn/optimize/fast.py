@@ -32,11 +32,11 @@ def fast_choices(robot: Robot) -> tuple[Choice, ...]:
         if other == best:
             continue
         try:
-            found = costing.factored_total(other)
+            total = costing.factored_total(other)
         except Unsuited:
             continue
-        if found < cost:
-            best, cost = other, found
+        if total < cost:
+            best, cost = other, total
     alone = literature(costing.arm)
     costs = {
         Choice(writing=best, chains=any(link.chained for link in best.links)): cost,
@@ -44,7 +44,7 @@ def fast_choices(robot: Robot) -> tuple[Choice, ...]:
         Choice(regroup=False, chains=False): costing.factored_total(None),
     }
     least = min(costs.values())
-    return tuple(choice for choice, found in costs.items() if found <= least + _CLOSE)
+    return tuple(choice for choice, total in costs.items() if total <= least + _CLOSE)
 
 
 def _changes(arm: Arm) -> Iterator[Callable[[Writing], Writing]]:

@@ -84,21 +84,25 @@ def regrouped_as(arm: Arm, writing: Writing) -> tuple[list[Regrouped], Any]:
     """The links of ``arm`` as ``writing`` has them, and the unit of length [m]."""
     check_size(arm, writing)
     lumps = lumps_of(arm)
-    given = [AT_TIP] * (len(lumps) + 1)
+    gauges = [AT_TIP] * (len(lumps) + 1)
     for i in reversed(range(len(lumps))):
-        given[i] = give(arm, lumps, i, writing.links[i], given[i + 1])
-    return assembled(arm, writing, given)
+        gauges[i] = give(arm, lumps, i, writing.links[i], gauges[i + 1])
+    return assembled(arm, writing, gauges)
 
 
-def in_scalars(link: Regrouped, number: Callable[[Any], Any]) -> Regrouped:
-    """``link`` with ``number`` applied to its numbers."""
+def in_scalars(link: Regrouped, constant: Callable[[Any], Any]) -> Regrouped:
+    """``link`` with ``constant`` applied to its numbers."""
     lump, point = link.lump, link.point
-    x, y, z = map(number, lump.first)
+    x, y, z = map(constant, lump.first)
     if point is not None:
-        point = Point(*map(number, (point.second, point.mass, point.distance, point.rest)))
-    second = Symmetric(*map(number, lump.second.entries()))
+        point = Point(*map(constant, (point.second, point.mass, point.distance, point.rest)))
+    second = Symmetric(*map(constant, lump.second.entries()))
     return Regrouped(
-        Lump(number(lump.mass), (x, y, z), second), number(link.x), number(link.lift), number(link.d), point
+        Lump(constant(lump.mass), (x, y, z), second),
+        constant(link.x),
+        constant(link.lift),
+        constant(link.d),
+        point,
     )
 
 
@@ -108,23 +112,23 @@ def with_displacements(arm: Arm, links: Sequence[Regrouped], unit: Any) -> Arm:
     return replace(arm, bodies=tuple(replace(body, d=link.d * unit) for body, link in bodies))
 
 
-def assembled(arm: Arm, writing: Writing, given: Sequence[Given]) -> tuple[list[Regrouped], Any]:
+def assembled(arm: Arm, writing: Writing, gauges: Sequence[Given]) -> tuple[list[Regrouped], Any]:
     """The links, from what each gave, lengths in the unit of ``writing``; and that unit [m]."""
-    made = []
+    links = []
     for i, body in enumerate(arm.bodies):
-        point = point_of(i, given[i].own, writing.links[i])
-        lift = -given[i - 1].slid if i else 0
-        made.append(Regrouped(given[i].own, body.a, lift, given[i].d, point))
+        point = point_of(i, gauges[i].own, writing.links[i])
+        lift = -gauges[i - 1].slid if i else 0
+        links.append(Regrouped(gauges[i].own, body.a, lift, gauges[i].d, point))
     if writing.unit == "metre":
-        return made, 1
-    chosen = made[writing.unit_link - 1]
+        return links, 1
+    chosen = links[writing.unit_link - 1]
     length = chosen.x if writing.unit == "a" else chosen.d
     if writing.unit == "point":
         length = chosen.point.distance if chosen.point else 0
     if not _known(length) or not length:
         raise Unsuited(writing.unit_link, "no length that could be the unit")
     length = _ratio(length, 1)
-    return [_in_unit(link, length) for link in made], length
+    return [_in_unit(link, length) for link in links], length
 
 
 def give(arm: Arm, lumps: Sequence[Lump], i: int, rules: LinkWriting, child: Given) -> Given:

@@ -67,14 +67,14 @@ class Choice:
 
     def to_dict(self) -> dict[str, Any]:
         """As JSON has it: what is as usual is left out."""
-        made: dict[str, Any] = {}
+        data: dict[str, Any] = {}
         for field in fields(self):
             value = getattr(self, field.name)
             if value != field.default:
-                made[field.name] = list(value) if field.name == "forms" else value
+                data[field.name] = list(value) if field.name == "forms" else value
         if self.writing is not None:
-            made["writing"] = self.writing.to_dict()
-        return made
+            data["writing"] = self.writing.to_dict()
+        return data
 
     @staticmethod
     def from_dict(data: Any) -> Choice:
@@ -89,23 +89,23 @@ def choice_from(data: Any) -> Choice:
         raise InputError(
             "no choice of a way of writing", found=repr(data), expected=f"some of {', '.join(allowed)}"
         )
-    made = dict(data)
+    settings = dict(data)
     for name in ("regroup", "chains"):
-        if not isinstance(made.get(name, True), bool):
-            raise InputError(f"{name} must be true or false", found=repr(made[name]))
-    if made.get("formulation", FORMULATIONS[0]) not in FORMULATIONS:
+        if not isinstance(settings.get(name, True), bool):
+            raise InputError(f"{name} must be true or false", found=repr(settings[name]))
+    if settings.get("formulation", FORMULATIONS[0]) not in FORMULATIONS:
         raise InputError(
             "unknown formulation",
-            found=repr(made["formulation"]),
+            found=repr(settings["formulation"]),
             expected=f"one of {', '.join(FORMULATIONS)}",
         )
-    forms = made.get("forms", [])
+    forms = settings.get("forms", [])
     if not isinstance(forms, list) or not set(forms) <= {"inertia", "second_moment"}:
         raise InputError("forms of moments", found=repr(forms), expected="a list of inertia, second_moment")
-    made["forms"] = tuple(forms)
-    if "writing" in made:
-        made["writing"] = Writing.from_dict(made["writing"])
-    return Choice(**made)
+    settings["forms"] = tuple(forms)
+    if "writing" in settings:
+        settings["writing"] = Writing.from_dict(settings["writing"])
+    return Choice(**settings)
 
 
 def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Signature:
@@ -145,16 +145,16 @@ def build(robot: Robot, function: str, choice: Choice) -> Program:
 
 def _built(graph: Graph, robot: Robot, function: str, choice: Choice) -> Program:
     interface = signature(robot, function)
-    given = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
+    inputs = {name: [graph.input(name, i) for i in range(size)] for name, size in interface.inputs}
     arm = build_arm(robot, exact, graph.input)
 
     def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-        return turned(graph, given["q"], angle)
+        return turned(graph, inputs["q"], angle)
 
     def mark(value: Any, label: Label) -> Any:
         return graph.label(value, label)
 
-    values = outputs_of(function, arm, choice, given, trigonometry, exact, mark)
+    values = outputs_of(function, arm, choice, inputs, trigonometry, exact, mark)
     if choice.regroup:
         graph, values = in_reading_order(graph, values)
     (result, _), *_ = interface.outputs
@@ -165,13 +165,13 @@ def outputs_of(
     function: str,
     arm: Arm,
     choice: Choice,
-    given: Mapping[str, Sequence[Any]],
+    inputs: Mapping[str, Sequence[Any]],
     trigonometry: Trigonometry,
-    number: Callable[[Fraction], Any],
+    constant: Callable[[Fraction], Any],
     mark: Mark,
 ) -> list[Any]:
-    """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``given``."""
-    recursion = Recursion(arm, choice, given, trigonometry, number, mark)
+    """The outputs of ``function``, one after another, over the scalars of ``arm`` and ``inputs``."""
+    recursion = Recursion(arm, choice, inputs, trigonometry, constant, mark)
     return list(function_named(function).outputs(recursion))
 
 
@@ -184,12 +184,12 @@ class Recursion:
         choice: Choice,
         inputs: Mapping[str, Sequence[Any]],
         trigonometry: Trigonometry,
-        number: Callable[[Fraction], Any],
+        constant: Callable[[Fraction], Any],
         mark: Mark,
     ) -> None:
         self.inputs, self.mark = inputs, mark
         self.rest: Sequence[Any] = [0] * len(arm.bodies)
-        self._arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, number
+        self._arm, self._choice, self._trigonometry, self._number = arm, choice, trigonometry, constant
         self._inverse: Inverse | None = None
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
@@ -234,7 +234,7 @@ def _inverse_dynamics(
     choice: Choice,
     q: Sequence[Any],
     trigonometry: Trigonometry,
-    number: Callable[[Fraction], Any],
+    constant: Callable[[Fraction], Any],
 ) -> Inverse:
     if choice.formulation not in FORMULATIONS:
         raise InputError(
@@ -245,14 +245,14 @@ def _inverse_dynamics(
         home = importlib.import_module(f"robodyn.dynamics.{choice.formulation}")
         book = getattr(home, choice.formulation)
         return lambda qd, qdd, mark: list(
-            book(arm, build_motion(arm, q, qd, qdd, trigonometry, number), mark)
+            book(arm, build_motion(arm, q, qd, qdd, trigonometry, constant), mark)
         )
     writing = choice.writing or suited_writing(arm, choice.chains, choice.forms)
     links, unit = regrouped_as(arm, writing)
     placed = with_displacements(arm, links, unit)
 
     def recursion(qd: Sequence[Any], qdd: Sequence[Any], mark: Mark) -> list[Any]:
-        motion = build_motion(placed, q, qd, qdd, trigonometry, number)
+        motion = build_motion(placed, q, qd, qdd, trigonometry, constant)
         turns = chain_turns(placed, motion, trigonometry, [link.chained for link in writing.links])
         return base_newton_euler(placed, motion, turns, links, writing, 1 if unit == 1 else 1 / unit, mark)
 

@@ -27,21 +27,21 @@ def in_reading_order(graph: Graph, outputs: Sequence[Scalar]) -> tuple[Graph, li
     back = [(-link, BACKWARD.index(quantity), p) for link, quantity, p in named if quantity in BACKWARD]
     roots = [p for _, _, p in (*sorted(forward), *sorted(back))]
     target = Graph(fold=graph.fold)
-    made: dict[int, Any] = {}
+    copies: dict[int, Any] = {}
     stack: list[int] = []
     for root in (*roots, *positions):
         stack.append(root)
         while stack:
             p = stack[-1]
-            if p in made:
+            if p in copies:
                 stack.pop()
                 continue
-            waiting = [child for child in reversed(children(graph.keys[p])) if child not in made]
+            waiting = [child for child in reversed(children(graph.keys[p])) if child not in copies]
             if waiting:
                 stack += waiting
                 continue
             stack.pop()
-            made[p] = target.copied(graph.keys[p], made)
+            copies[p] = target.copied(graph.keys[p], copies)
             if p in labels:
-                target.label(made[p], labels[p])
-    return target, [made[v.position] * v.sign if isinstance(v, Node) else v for v in outputs]
+                target.label(copies[p], labels[p])
+    return target, [copies[v.position] * v.sign if isinstance(v, Node) else v for v in outputs]

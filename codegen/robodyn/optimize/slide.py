@@ -14,7 +14,7 @@ from robodyn.effects.scalars import is_zero
 
 def slides(arm: Arm) -> tuple[bool, ...]:
     """For each link [n] whether its origin slides along, so that the next offset ``d`` is zero."""
-    found = [False] * len(arm.bodies)
+    slid = [False] * len(arm.bodies)
     offset = [body.d for body in arm.bodies]
     for i in reversed(range(len(arm.bodies) - 1)):
         child = arm.bodies[i + 1]
@@ -22,9 +22,9 @@ def slides(arm: Arm) -> tuple[bool, ...]:
             continue
         if i and is_zero(offset[i]):
             continue  # one offset stays one offset
-        found[i] = True
+        slid[i] = True
         offset[i] = offset[i] + child.cos_alpha * offset[i + 1]
-    return tuple(found)
+    return tuple(slid)
 
 
 def slid(arm: Arm) -> Arm:
@@ -33,7 +33,7 @@ def slid(arm: Arm) -> Arm:
     The joint variables, torques and everything but the frames stay the same.
     """
     bodies = list(arm.bodies)
-    for i in reversed([i for i, found in enumerate(slides(arm)) if found]):
+    for i in reversed([i for i, slides_here in enumerate(slides(arm)) if slides_here]):
         body, child = bodies[i], bodies[i + 1]
         shift = child.cos_alpha * child.d
         x, y, z = body.com

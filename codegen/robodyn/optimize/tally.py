@@ -236,12 +236,12 @@ class Tally:
 
     def summed(self, u: int, v: int, value: int) -> Any:
         """``u + v``, which is ``value``."""
-        made = self.made
+        entries = self.made
         one, two = u if u <= _HALF else PRIME - u, v if v <= _HALF else PRIME - v
         if one == two:
             return self.scaled(u, 2)
-        kind_one, reads_one, more_one = made[one]
-        kind_two, reads_two, more_two = made[two]
+        kind_one, reads_one, more_one = entries[one]
+        kind_two, reads_two, more_two = entries[two]
         if kind_one == SCALE or kind_two == SCALE:
             x, ka = (reads_one[0], more_one) if kind_one == SCALE else (one, 1)
             y, kb = (reads_two[0], more_two) if kind_two == SCALE else (two, 1)
@@ -251,7 +251,7 @@ class Tally:
             ru, k = more_one if one == u else (PRIME - more_one[0], PRIME - more_one[1])
             rv, m = more_two if two == v else (PRIME - more_two[0], PRIME - more_two[1])
             return Value(self, ru) + Value(self, rv) + (k + m)
-        made[value if value <= _HALF else PRIME - value] = (ADD, (one, two), None)
+        entries[value if value <= _HALF else PRIME - value] = (ADD, (one, two), None)
         return Value(self, value)
 
     def scaled(self, u: int, k: Any) -> Any:
@@ -285,14 +285,14 @@ class Tally:
     # -- counting ---------------------------------------------------------------------------------
     def needed(self, outputs: Iterable[Any]) -> set[int]:
         """The positions that ``outputs`` need."""
-        made = self.made
+        entries = self.made
         stack = [_position(value.value) for value in outputs if value.__class__ is Value]
         wanted: set[int] = set()
         while stack:
             position = stack.pop()
             if position not in wanted:
                 wanted.add(position)
-                stack += made[position][1]
+                stack += entries[position][1]
         return wanted
 
 

@@ -109,11 +109,11 @@ class Writing:
             {f.name: getattr(link, f.name) for f in fields(link) if getattr(link, f.name) != f.default}
             for link in self.links
         ]
-        made: dict[str, Any] = {"links": links}
+        data: dict[str, Any] = {"links": links}
         if self.unit != "metre":
-            made["unit"] = self.unit
-            made["unit_link"] = self.unit_link
-        return made
+            data["unit"] = self.unit
+            data["unit_link"] = self.unit_link
+        return data
 
     @staticmethod
     def from_dict(data: Any) -> Writing:
@@ -122,16 +122,16 @@ class Writing:
         links = data.get("links")
         if not isinstance(links, list):
             raise InputError("a writing without links", found=repr(links), expected="a list of links")
-        made = []
+        parts = []
         for i, link in enumerate(links, 1):
             _only(link, tuple(LINK_VALUES), f"link {i} of a writing")
             for name, value in link.items():
                 _known(f"link {i}: {name}", value, LINK_VALUES[name])
-            made.append(replace(_PLAIN, **link))
+            parts.append(replace(_PLAIN, **link))
         unit, unit_link = data.get("unit", "metre"), data.get("unit_link", 0)
         _known("unit", unit, get_args(UnitRule))
-        _known("unit_link", unit_link, range(1, len(made) + 1) if unit != "metre" else (0,))
-        return Writing(tuple(made), unit, unit_link)
+        _known("unit_link", unit_link, range(1, len(parts) + 1) if unit != "metre" else (0,))
+        return Writing(tuple(parts), unit, unit_link)
 
 
 def _only(data: Any, allowed: tuple[str, ...], what: str) -> None:

@@ -37,10 +37,10 @@ def angles_first(program: Program) -> Program:
 def of_positions(program: Program) -> set[int]:
     """The sines and cosines of ``program`` whose angles are known from positions and parameters alone."""
     known: list[bool] = []
-    found: set[int] = set()
+    positions: set[int] = set()
     for i, (op, args, _) in enumerate(program.operations):
-        given = all(known[x] if isinstance(x, int) else is_position(x) for x in args)
-        known.append(op in SUMS and given)
-        if op in ("sin", "cos") and given:
-            found.add(i)
-    return found
+        all_positions = all(known[x] if isinstance(x, int) else is_position(x) for x in args)
+        known.append(op in SUMS and all_positions)
+        if op in ("sin", "cos") and all_positions:
+            positions.add(i)
+    return positions

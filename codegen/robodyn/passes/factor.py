@@ -73,16 +73,16 @@ class _Factoring:
         if not sums:
             return None
         target = Graph()
-        made: dict[int, Scalar] = {}
+        copies: dict[int, Scalar] = {}
         dissolved = {p for root in sums for p in self._inside(root)}
         for p in self.positions:
             if p in dissolved:
                 continue
-            made[p] = self._factored(*sums[p], made) if p in sums else target.copied(keys[p], made)
+            copies[p] = self._factored(*sums[p], copies) if p in sums else target.copied(keys[p], copies)
             if p in labels:
-                target.label(made[p], labels[p])
+                target.label(copies[p], labels[p])
         outputs = [
-            (name, [made[v.position] * v.sign if isinstance(v, Node) else v for v in values])
+            (name, [copies[v.position] * v.sign if isinstance(v, Node) else v for v in values])
             for name, values in self.outputs
         ]
         return target, outputs
@@ -104,15 +104,15 @@ class _Factoring:
 
     def _inside(self, root: int) -> list[int]:
         """The additions inside the sum at ``root``, itself left out."""
-        found: list[int] = []
+        inside: list[int] = []
         stack = [root]
         while stack:
             key = self.graph.keys[stack.pop()]
             for child in (key[1], key[3]):
                 if child in self.inner:
-                    found.append(child)
+                    inside.append(child)
                     stack.append(child)
-        return found
+        return inside
 
     def _common(self, terms: list[Term]) -> Any:
         """The factor that most products of ``terms`` share, or None."""
@@ -124,17 +124,17 @@ class _Factoring:
         best = max(counts, key=lambda f: counts[f], default=None)
         return best if best is not None and counts[best] > 1 else None
 
-    def _factored(self, terms: list[Term], common: Any, made: dict[int, Scalar]) -> Any:
+    def _factored(self, terms: list[Term], common: Any, copies: dict[int, Scalar]) -> Any:
         group: Scalar = 0
         rest: Scalar = 0
         for p, sign in terms:
             factors = _factors(self.graph.keys[p])
             if self.uses[p] == 1 and common in factors:
                 cofactor = factors[1] if factors[0] == common else factors[0]
-                group = group + sign * _value(cofactor, made)
+                group = group + sign * _value(cofactor, copies)
             else:
-                rest = rest + sign * made[p]
-        return _value(common, made) * group + rest
+                rest = rest + sign * copies[p]
+        return _value(common, copies) * group + rest
 
 
 def _factors(key: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -146,5 +146,5 @@ def _factors(key: tuple[Any, ...]) -> tuple[Any, ...]:
     return ()
 
 
-def _value(factor: Any, made: dict[int, Scalar]) -> Any:
-    return made[factor] if isinstance(factor, int) else Fraction(*factor)
+def _value(factor: Any, copies: dict[int, Scalar]) -> Any:
+    return copies[factor] if isinstance(factor, int) else Fraction(*factor)

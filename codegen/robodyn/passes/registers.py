@@ -31,21 +31,21 @@ def registers(program: Program, available: int = 16) -> Program:
     results = list(dict.fromkeys(x for x in program.results() if isinstance(x, int)))
     if not results:
         return program
-    made = _Orders(program, available)
-    found = results[::-1]
-    best = made.cost(made.order(found))
+    orders = _Orders(program, available)
+    order = results[::-1]
+    best = orders.cost(orders.order(order))
     left = _EFFORT // (len(program.operations) + 1) - 1
     while True:
         tried = []
-        for changed in _exchanged(found):
+        for changed in _exchanged(order):
             if left <= 0:
                 break
             left -= 1
-            tried.append((made.cost(made.order(changed)), changed))
-        lower = min(tried, default=(best, found))
+            tried.append((orders.cost(orders.order(changed)), changed))
+        lower = min(tried, default=(best, order))
         if lower[0] >= best:
-            return kept(program, made.whole(found))
-        best, found = lower
+            return kept(program, orders.whole(order))
+        best, order = lower
 
 
 def _exchanged(results: Sequence[int]) -> Iterator[list[int]]:
@@ -194,15 +194,15 @@ class _Lives:
         for value, (start, end, _) in self.of.items():
             if end > start:
                 begins.setdefault(start, []).append(value)
-        found: set[_Value] = set()
+        spilled: set[_Value] = set()
         alive: list[_Value] = []
         for t in sorted(begins):
             alive = [value for value in alive if self.of[value][1] > t] + begins[t]
             while len(alive) > available:
                 worst = max(alive, key=self._idle)
                 alive.remove(worst)
-                found.add(worst)
-        return found
+                spilled.add(worst)
+        return spilled
 
     def _idle(self, value: _Value) -> float:
         start, end, touched = self.of[value]

@@ -19,13 +19,13 @@ Given = tuple[str, tuple[tuple[Input, int | Fraction], ...], Fraction]
 
 def given_layout(programs: Sequence[Program]) -> tuple[Given, ...]:
     """What ``sc`` holds for all of ``programs``: sines and cosines, then displacements, by joint."""
-    found: set[Given] = set()
+    angles: set[Given] = set()
     for program in programs:
         for op, args, _ in program.operations:
             if op in ("sin", "cos") and _of_positions(program, args[0]):
-                found.add((op, *angle_form(program, args[0])))
-        found.update(("q", ((x, 1),), Fraction(0)) for x in _displacements(program))
-    return tuple(sorted(found, key=lambda g: (g[0] == "q", g[1], g[2], g[0])))
+                angles.add((op, *angle_form(program, args[0])))
+        angles.update(("q", ((x, 1),), Fraction(0)) for x in _displacements(program))
+    return tuple(sorted(angles, key=lambda g: (g[0] == "q", g[1], g[2], g[0])))
 
 
 def _of_positions(program: Program, operand: Operand) -> bool:
@@ -35,24 +35,24 @@ def _of_positions(program: Program, operand: Operand) -> bool:
 
 def _displacements(program: Program) -> list[Input]:
     """Joint variables that are read other than as angles."""
-    found: dict[Input, None] = {}
+    displacements: dict[Input, None] = {}
     seen: set[int] = set()
     stack: list[Operand] = list(program.results())
     while stack:
         operand = stack.pop()
         if isinstance(operand, Input) and operand.is_of("q"):
-            found[operand] = None
+            displacements[operand] = None
         elif isinstance(operand, int) and operand not in seen:
             seen.add(operand)
             operation = program.operations[operand]
             if operation.op not in ("sin", "cos") or not _of_positions(program, operation.args[0]):
                 stack.extend(operation.args)
-    return list(found)
+    return list(displacements)
 
 
 def trig_given(program: Program, layout: Sequence[Given]) -> Program:
     """``program`` with the elements of ``layout`` read from ``sc``."""
-    place = {given: Input("sc", k) for k, given in enumerate(layout)}
+    place = {angle: Input("sc", k) for k, angle in enumerate(layout)}
     values: list[Operand] = []
     operations: list[Operation] = []
 
@@ -73,9 +73,9 @@ def trig_given(program: Program, layout: Sequence[Given]) -> Program:
     return dce(Program(tuple(operations), outputs))
 
 
-def describe(given: Given) -> str:
+def describe(angle: Given) -> str:
     """``cos(q2 + q3)``, or ``q3`` for a displacement."""
-    kind, terms, constant = given
+    kind, terms, constant = angle
     if kind == "q":
         return str(terms[0][0])
     text = " + ".join(str(x) if m == 1 else f"{_decimal(m)}*{x}" for x, m in terms).replace("+ -", "- ")

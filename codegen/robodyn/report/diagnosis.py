@@ -39,60 +39,62 @@ _KINDS: Final = {
 }  # fmt: skip
 
 
-def page(found: Diagnosis, *, validated: bool) -> str:
-    """The HTML of ``found``; ``validated``: the last of its logs was not fitted.
+def page(diagnosis: Diagnosis, *, validated: bool) -> str:
+    """The HTML of ``diagnosis``; ``validated``: the last of its logs was not fitted.
 
     Text of files and of the diagnosis is escaped; nothing in it depends on the time or the place.
     """
     from importlib.metadata import version
 
-    places = localised(found)
-    travels = travelled(found.robot, found.series[0]) if found.series else []
-    windows = _windows(found)
+    places = localised(diagnosis)
+    travels = travelled(diagnosis.robot, diagnosis.series[0]) if diagnosis.series else []
+    windows = _windows(diagnosis)
     trained = [window for window in windows if window.name == "train"]
-    asked = next_of(found)
+    asked = next_of(diagnosis)
     return markup_template("diagnosis.html.j2").render(
-        robot=found.robot,
-        verdict=found.verdict,
-        verdict_words=VERDICTS[found.verdict],
-        headline=headline(found),
-        words=found.words,
+        robot=diagnosis.robot,
+        verdict=diagnosis.verdict,
+        verdict_words=VERDICTS[diagnosis.verdict],
+        headline=headline(diagnosis),
+        words=diagnosis.words,
         validated=validated,
-        tiles=tiles(found, validated, places),
-        findings=cards(found, places, trained),
-        more_findings=max(0, len(found.findings) - MOST_CARDS),
-        looks=looks(found, told_about(found, places), trained) if found.verdict == "unexplained" else [],
-        is_changed=found.verdict == "missing_effect" and not is_touched_only(found),
-        experiments=[*asked, *advice(found, places, travels)],
-        ladder=ladder(found, validated),
-        tables=tables(found, validated),
-        unit=units_of(found),
+        tiles=tiles(diagnosis, validated, places),
+        findings=cards(diagnosis, places, trained),
+        more_findings=max(0, len(diagnosis.findings) - MOST_CARDS),
+        looks=looks(diagnosis, told_about(diagnosis, places), trained)
+        if diagnosis.verdict == "unexplained"
+        else [],
+        is_changed=diagnosis.verdict == "missing_effect" and not is_touched_only(diagnosis),
+        experiments=[*asked, *advice(diagnosis, places, travels)],
+        ladder=ladder(diagnosis, validated),
+        tables=tables(diagnosis, validated),
+        unit=units_of(diagnosis),
         places=[_place(place) for place in places] if any(p.shown for p in places) else [],
         quantities=QUANTITIES,
-        logs_drawn=_drawn(found, validated, windows),
-        tried=[_tried(one) for one in found.tried[:_TRIED]],
-        diff=_diff(found.diff),
-        operations=found.operations,
-        counts=_counts(found),
-        travels=[_travel(found, travel) for travel in travels],
-        detectable=found.detectable is not None,
-        flags=found.flags[:_FLAGS],
-        more_flags=max(0, len(found.flags) - _FLAGS),
-        logs=_logs(found, validated),
+        logs_drawn=_drawn(diagnosis, validated, windows),
+        tried=[_tried(one) for one in diagnosis.tried[:_TRIED]],
+        diff=_diff(diagnosis.diff),
+        operations=diagnosis.operations,
+        counts=_counts(diagnosis),
+        travels=[_travel(diagnosis, travel) for travel in travels],
+        detectable=diagnosis.detectable is not None,
+        flags=diagnosis.flags[:_FLAGS],
+        more_flags=max(0, len(diagnosis.flags) - _FLAGS),
+        logs=_logs(diagnosis, validated),
         version=version("robodyn"),
     )
 
 
-def _windows(found: Diagnosis) -> list[Window]:
+def _windows(diagnosis: Diagnosis) -> list[Window]:
     """What is shaded: the given windows, else those of contacts that were found."""
-    if found.windows:
-        return list(found.windows)
-    made = []
-    for f in found.findings:
+    if diagnosis.windows:
+        return list(diagnosis.windows)
+    windows = []
+    for f in diagnosis.findings:
         start, end = (f.parameters[k].value if k in f.parameters else None for k in ("start", "end"))
         if is_contact(f.effect) and not isinstance(start, str | None) and not isinstance(end, str | None):
-            made.append(Window("train", start, end, "contact"))
-    return made
+            windows.append(Window("train", start, end, "contact"))
+    return windows
 
 
 # --- where ------------------------------------------------------------------------------------------------
@@ -117,13 +119,15 @@ def _place(place: Localised) -> dict[str, Any]:
 # --- the residual -----------------------------------------------------------------------------------------
 
 
-def _drawn(found: Diagnosis, validated: bool, windows: Sequence[Window]) -> list[dict[str, Any]]:
+def _drawn(diagnosis: Diagnosis, validated: bool, windows: Sequence[Window]) -> list[dict[str, Any]]:
     """The logs as charts, the one that was not fitted first."""
-    series = [one for one in (found.series[::-1] if validated else found.series[:1]) if len(one.times)]
-    named = {f.joint - 1 for f in found.findings if f.joint is not None}
+    series = [
+        one for one in (diagnosis.series[::-1] if validated else diagnosis.series[:1]) if len(one.times)
+    ]
+    named = {f.joint - 1 for f in diagnosis.findings if f.joint is not None}
     with np.errstate(all="ignore"):
-        size = np.nan_to_num(found.gap.train_before / found.gap.noise_floor, nan=0.0, posinf=0.0)
-    by_size = sorted(range(found.robot.n), key=lambda j: (j not in named, -float(size[j]), j))
+        size = np.nan_to_num(diagnosis.gap.train_before / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
+    by_size = sorted(range(diagnosis.robot.n), key=lambda j: (j not in named, -float(size[j]), j))
     joints = sorted(by_size[:MOST_JOINTS])
     panels = max(1, 2 * len(joints) * len(series))
     dots = max(30, min(DOTS, _DOTS // (panels * len(_OVER))))
@@ -132,9 +136,9 @@ def _drawn(found: Diagnosis, validated: bool, windows: Sequence[Window]) -> list
         {
             "title": "Validation log, not fitted" if one.name == "validate" else "First log that was fitted",
             "is_open": k == 0,
-            "left_out": found.robot.n - len(joints),
+            "left_out": diagnosis.robot.n - len(joints),
             "joints": [
-                _joint(found, one, j, [w for w in windows if w.name == one.name], dots, columns)
+                _joint(diagnosis, one, j, [w for w in windows if w.name == one.name], dots, columns)
                 for j in joints
             ],
             "shaded": sorted({w.what for w in windows if w.name == one.name}),
@@ -144,9 +148,9 @@ def _drawn(found: Diagnosis, validated: bool, windows: Sequence[Window]) -> list
 
 
 def _joint(
-    found: Diagnosis, one: Series, j: int, windows: Sequence[Window], dots: int, columns: int
+    diagnosis: Diagnosis, one: Series, j: int, windows: Sequence[Window], dots: int, columns: int
 ) -> dict[str, Any]:
-    units, floor = units_at(found, j), float(found.gap.noise_floor[j])
+    units, floor = units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
     return {
         "joint": j + 1,
         "told": told_of(one, j, units["tau"]),
@@ -171,10 +175,10 @@ def _tried(one: Any) -> dict[str, str]:
 def _diff(text: str) -> list[tuple[str, str]]:
     """Lines of a unified diff with what each is."""
     lines = text.splitlines()
-    found = [(_kind(line), line) for line in lines[:_DIFF_LINES]]
+    shown = [(_kind(line), line) for line in lines[:_DIFF_LINES]]
     if len(lines) > _DIFF_LINES:
-        found.append(("hunk", f"... and {len(lines) - _DIFF_LINES} lines more: model.yaml has them"))
-    return found
+        shown.append(("hunk", f"... and {len(lines) - _DIFF_LINES} lines more: model.yaml has them"))
+    return shown
 
 
 def _kind(line: str) -> str:
@@ -183,13 +187,13 @@ def _kind(line: str) -> str:
     return {"+": "added", "-": "gone"}.get(line[:1], "same")
 
 
-def _counts(found: Diagnosis) -> dict[str, Any]:
+def _counts(diagnosis: Diagnosis) -> dict[str, Any]:
     """Operations before and after: as bars, and by kind where that is known."""
-    old, new = found.operations
+    old, new = diagnosis.operations
     top = max(old, new, 1)
     rows = []
-    if found.counts is not None:
-        before, after = found.counts
+    if diagnosis.counts is not None:
+        before, after = diagnosis.counts
         for kind, name in _KINDS.items():
             a, b = int(before.get(kind, 0)), int(after.get(kind, 0))
             if a or b:
@@ -203,12 +207,12 @@ def _counts(found: Diagnosis) -> dict[str, Any]:
     }
 
 
-def _travel(found: Diagnosis, travel: Travel) -> dict[str, Any]:
-    units = units_at(found, travel.joint - 1)
+def _travel(diagnosis: Diagnosis, travel: Travel) -> dict[str, Any]:
+    units = units_at(diagnosis, travel.joint - 1)
     low, high = travel.limits or (travel.low, travel.high)
     low, high = min(low, travel.low), max(high, travel.high)
     wide = (high - low) or 1.0
-    seen = found.detectable
+    seen = diagnosis.detectable
     return {
         "joint": travel.joint,
         "q": f"{number(travel.low)} to {number(travel.high)} {units['q']}",
@@ -224,8 +228,8 @@ def _travel(found: Diagnosis, travel: Travel) -> dict[str, Any]:
     }
 
 
-def _logs(found: Diagnosis, validated: bool) -> Sequence[dict[str, str]]:
-    last = len(found.logs) - 1
+def _logs(diagnosis: Diagnosis, validated: bool) -> Sequence[dict[str, str]]:
+    last = len(diagnosis.logs) - 1
     return [
         {
             "name": log.get("name", ""),
@@ -237,5 +241,5 @@ def _logs(found: Diagnosis, validated: bool) -> Sequence[dict[str, str]]:
                 if key in log
             ),
         }
-        for k, log in enumerate(found.logs)
+        for k, log in enumerate(diagnosis.logs)
     ]

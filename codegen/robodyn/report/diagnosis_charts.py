@@ -59,9 +59,9 @@ def over_time(
         for start, end in ([min(max(frame.across(x), 0.0), 100.0) for x in (window.start, window.end)],)
         if end > 0 and start < 100
     ]
-    told = f"{told_of(series, j, unit)}{''.join(f'; {s.what} shaded' for s in shades)}"
+    caption = f"{told_of(series, j, unit)}{''.join(f'; {s.what} shaded' for s in shades)}"
     title = f"Joint {j + 1} over time"
-    return frame.chart(title, told, ("t [s]", f"[{unit}]"), marks, most=(9, 3), shades=shades)
+    return frame.chart(title, caption, ("t [s]", f"[{unit}]"), marks, most=(9, 3), shades=shades)
 
 
 def over(

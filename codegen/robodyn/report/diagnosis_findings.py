@@ -45,9 +45,9 @@ def across(series: Series, j: int, name: str, units: dict[str, str]) -> Across:
     return Across("position", units["q"], series.q[:, j], each_way=True)
 
 
-def cards(found: Diagnosis, places: Sequence[Localised], windows: Any) -> list[dict[str, Any]]:
+def cards(diagnosis: Diagnosis, places: Sequence[Localised], windows: Any) -> list[dict[str, Any]]:
     """A card for each finding, those that are claims first."""
-    ordered = sorted(found.findings, key=lambda f: f.confidence < CLAIM)
+    ordered = sorted(diagnosis.findings, key=lambda f: f.confidence < CLAIM)
     return [
         {
             "effect": f.effect,
@@ -65,7 +65,7 @@ def cards(found: Diagnosis, places: Sequence[Localised], windows: Any) -> list[d
             "evidence": _evidence(f),
             "parts": _parts(f),
             "t": number(f.t),
-            "picture": _picture(found, f, places, windows) if k < _PICTURES else None,
+            "picture": _picture(diagnosis, f, places, windows) if k < _PICTURES else None,
         }
         for k, f in enumerate(ordered[:MOST_CARDS])
     ]
@@ -168,14 +168,16 @@ def _parts(finding: Finding) -> dict[str, Any] | None:
 # --- pictures ---------------------------------------------------------------------------------------------
 
 
-def _picture(found: Diagnosis, finding: Finding, places: Sequence[Localised], windows: Any) -> Chart | None:
+def _picture(
+    diagnosis: Diagnosis, finding: Finding, places: Sequence[Localised], windows: Any
+) -> Chart | None:
     """The residual at the joint that shows a finding best, over what it depends on."""
-    if not found.series or len(found.series[0].times) < 2:
+    if not diagnosis.series or len(diagnosis.series[0].times) < 2:
         return None
-    series = found.series[0]
+    series = diagnosis.series[0]
     j = (finding.joint or _loudest(places)) - 1
-    units, floor = units_at(found, j), float(found.gap.noise_floor[j])
-    own = _own(series, finding, found, units)
+    units, floor = units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
+    own = _own(series, finding, diagnosis, units)
     if own is not None:
         return over(series, j, own, units["tau"], floor, dots=260, wide=True)
     name = traits_of(finding.effect).over or places[j].best or "position"
@@ -184,24 +186,24 @@ def _picture(found: Diagnosis, finding: Finding, places: Sequence[Localised], wi
     return over(series, j, across(series, j, name, units), units["tau"], floor, dots=260, wide=True)
 
 
-def looks(found: Diagnosis, place: Localised, windows: Any) -> list[Chart]:
+def looks(diagnosis: Diagnosis, place: Localised, windows: Any) -> list[Chart]:
     """What is left at a joint over time, and over what shows it best."""
-    if not found.series or len(found.series[0].times) < 2:
+    if not diagnosis.series or len(diagnosis.series[0].times) < 2:
         return []
-    series, j = found.series[0], place.joint - 1
-    units, floor = units_at(found, j), float(found.gap.noise_floor[j])
-    made = [over_time(series, j, units["tau"], floor, windows)]
+    series, j = diagnosis.series[0], place.joint - 1
+    units, floor = units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
+    charts = [over_time(series, j, units["tau"], floor, windows)]
     if place.best not in (None, *_IN_TIME):
         what = across(series, j, place.best or "", units)
-        made.append(over(series, j, what, units["tau"], floor, dots=260, wide=True))
-    return made
+        charts.append(over(series, j, what, units["tau"], floor, dots=260, wide=True))
+    return charts
 
 
 def _loudest(places: Sequence[Localised]) -> int:
     return max(places, key=lambda place: place.share).joint
 
 
-def _own(series: Series, finding: Finding, found: Diagnosis, units: dict[str, str]) -> Across | None:
+def _own(series: Series, finding: Finding, diagnosis: Diagnosis, units: dict[str, str]) -> Across | None:
     """What one effect alone depends on: the angle within a ripple, the speed of another joint."""
     if finding.joint is None:
         return None
@@ -214,16 +216,16 @@ def _own(series: Series, finding: Finding, found: Diagnosis, units: dict[str, st
     if cycles > 0 and units["q"] == "rad":
         turns = np.mod(series.q[:, finding.joint - 1] * cycles / (2 * math.pi), 1.0)
         return Across(f"place in a cycle of 1/{cycles:.4g} turn", "", turns, each_way=True)
-    if 1 <= other <= found.robot.n and other == int(other):
+    if 1 <= other <= diagnosis.robot.n and other == int(other):
         k = int(other) - 1
-        return Across(f"velocity of joint {k + 1}", units_at(found, k)["qd"], series.qd[:, k])
+        return Across(f"velocity of joint {k + 1}", units_at(diagnosis, k)["qd"], series.qd[:, k])
     return None
 
 
-def next_of(found: Diagnosis) -> list[dict[str, str]]:
+def next_of(diagnosis: Diagnosis) -> list[dict[str, str]]:
     """What to record next: what it settles, and how; each thing once."""
     seen: dict[str, dict[str, str]] = {}
-    for f in found.findings:
+    for f in diagnosis.findings:
         if f.experiment:
             about = f"{title_of(f.effect)} ({place_of(f.joint)})"
             title = (

@@ -25,15 +25,15 @@ _UNITS: Final = {
 _NAMED: Final = 3
 
 
-def units_at(found: Diagnosis, j: int) -> dict[str, str]:
+def units_at(diagnosis: Diagnosis, j: int) -> dict[str, str]:
     """Units at joint ``j`` (from 0)."""
-    return _UNITS[found.robot.links[j].joint.kind]
+    return _UNITS[diagnosis.robot.links[j].joint.kind]
 
 
-def ladder(found: Diagnosis, validated: bool) -> dict[str, Any]:
+def ladder(diagnosis: Diagnosis, validated: bool) -> dict[str, Any]:
     """Rows of joints: how many times the noise floor the gap was and is, on a logarithmic scale."""
-    gap = found.gap
-    pairs = [chosen(found, validated)]
+    gap = diagnosis.gap
+    pairs = [chosen(diagnosis, validated)]
     if validated:
         pairs.append((gap.train_before, gap.train_after))
     with np.errstate(all="ignore"):
@@ -47,7 +47,7 @@ def ladder(found: Diagnosis, validated: bool) -> dict[str, Any]:
 
     before, after = pairs[0]
     rows = []
-    for j in range(found.robot.n):
+    for j in range(diagnosis.robot.n):
         drawn = []
         for kind, (a, b) in zip(("proof", "fitted"), times, strict=False):
             if math.isfinite(a[j]) and math.isfinite(b[j]):
@@ -65,13 +65,13 @@ def ladder(found: Diagnosis, validated: bool) -> dict[str, Any]:
         rows.append(
             {
                 "joint": j + 1,
-                "effects": _effects(found, j + 1),
+                "effects": _effects(diagnosis, j + 1),
                 "drawn": drawn,
                 "before": number(before[j]),
                 "after": number(after[j]),
                 "floor": number(gap.noise_floor[j]),
                 "times": _times(after[j], gap.noise_floor[j]),
-                "unit": units_at(found, j)["tau"],
+                "unit": units_at(diagnosis, j)["tau"],
                 "change": change(before[j], after[j]),
                 "is_same": bool(before[j] == after[j]),
             }
@@ -83,9 +83,9 @@ def ladder(found: Diagnosis, validated: bool) -> dict[str, Any]:
     return {"rows": rows, "ticks": ticks[:: -(-len(ticks) // 6) or 1], "noise": percent(at(1.0))}
 
 
-def _effects(found: Diagnosis, joint: int) -> str:
+def _effects(diagnosis: Diagnosis, joint: int) -> str:
     """Claims that a row of a joint names."""
-    names = [named(f.effect) for f in claims(found) if f.joint == joint]
+    names = [named(f.effect) for f in claims(diagnosis) if f.joint == joint]
     more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
     return ", ".join(names[:_NAMED]) + more
 
@@ -102,9 +102,9 @@ def change(before: float, after: float) -> str:
     return f"{rounded:+d} %".replace("-", "−") if rounded else "0 %"
 
 
-def tables(found: Diagnosis, validated: bool) -> list[dict[str, Any]]:
+def tables(diagnosis: Diagnosis, validated: bool) -> list[dict[str, Any]]:
     """All figures."""
-    gap = found.gap
+    gap = diagnosis.gap
     pairs = [("Logs that were fitted", gap.train_before, gap.train_after)]
     if validated:
         pairs.insert(0, ("Validation log, not fitted", gap.validate_before, gap.validate_after))

@@ -54,70 +54,70 @@ _SHORT: Final = 120
 _LOUD: Final = 0.05
 
 
-def tiles(found: Diagnosis, validated: bool, places: Sequence[Localised]) -> list[tuple[str, str, str]]:
+def tiles(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) -> list[tuple[str, str, str]]:
     """Question, answer, and a remark on it."""
-    made = [
-        _missing(found, validated),
-        _where(found, places),
-        _sure(found),
-        _better(found, validated, places),
+    summary = [
+        _missing(diagnosis, validated),
+        _where(diagnosis, places),
+        _sure(diagnosis),
+        _better(diagnosis, validated, places),
     ]
-    old, new = found.operations
+    old, new = diagnosis.operations
     if old or new:
         more = f" ({new - old:+d})" if new != old else ""
         text = f"operations of one call of the inverse dynamics{more}"
-        made.append(("Cost of the kernel", f"{old} → {new}" if new != old else f"{old}", text))
-    return [*made, _next(found)]
+        summary.append(("Cost of the kernel", f"{old} → {new}" if new != old else f"{old}", text))
+    return [*summary, _next(diagnosis)]
 
 
-def told_about(found: Diagnosis, places: Sequence[Localised]) -> Localised:
+def told_about(diagnosis: Diagnosis, places: Sequence[Localised]) -> Localised:
     """The joint that matters most: where nothing explains it, that of the headline."""
-    worst = worst_joint(found.left) if found.verdict == "unexplained" else None
+    worst = worst_joint(diagnosis.left) if diagnosis.verdict == "unexplained" else None
     return max(places, key=lambda p: p.share) if worst is None else places[worst - 1]
 
 
-def _worst(found: Diagnosis, validated: bool, places: Sequence[Localised]) -> int:
+def _worst(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) -> int:
     """The joint (from 1) whose gap is told: where most of it was, in units of the noise."""
-    if found.verdict == "unexplained":
-        return told_about(found, places).joint
-    before, _ = chosen(found, validated)
+    if diagnosis.verdict == "unexplained":
+        return told_about(diagnosis, places).joint
+    before, _ = chosen(diagnosis, validated)
     with np.errstate(all="ignore"):
-        size = np.nan_to_num(before / found.gap.noise_floor, nan=-1.0, posinf=0.0)
-    joints = [f.joint - 1 for f in claims(found) if f.joint is not None] or list(range(found.robot.n))
+        size = np.nan_to_num(before / diagnosis.gap.noise_floor, nan=-1.0, posinf=0.0)
+    joints = [f.joint - 1 for f in claims(diagnosis) if f.joint is not None] or list(range(diagnosis.robot.n))
     return max(joints, key=lambda j: float(size[j])) + 1
 
 
-def _missing(found: Diagnosis, validated: bool) -> tuple[str, str, str]:
-    if found.verdict == "consistent":
+def _missing(diagnosis: Diagnosis, validated: bool) -> tuple[str, str, str]:
+    if diagnosis.verdict == "consistent":
         return "What is missing", "Nothing", "no effect is worth adding"
-    lacking = claims(found)
-    if is_touched_only(found):
+    lacking = claims(diagnosis)
+    if is_touched_only(diagnosis):
         return "What is missing", "Nothing", "but something outside touched the arm"
-    if found.verdict == "unexplained" or not lacking:
+    if diagnosis.verdict == "unexplained" or not lacking:
         return "What is missing", "Something", "that no effect of the catalogue explains"
     first = title_of(lacking[0].effect)
     others = list(dict.fromkeys(named(f.effect) for f in lacking[1:]))
-    rest = still(found, validated)
-    more = [f"something at {joints_of(rest, found.robot.n)} that this does not explain"] if rest else []
+    rest = still(diagnosis, validated)
+    more = [f"something at {joints_of(rest, diagnosis.robot.n)} that this does not explain"] if rest else []
     remark = f"and {listed([*others, *more])}" if others or more else "and nothing else"
     return "What is missing", first, remark
 
 
-def _where(found: Diagnosis, places: Sequence[Localised]) -> tuple[str, str, str]:
-    top = told_about(found, places)
+def _where(diagnosis: Diagnosis, places: Sequence[Localised]) -> tuple[str, str, str]:
+    top = told_about(diagnosis, places)
     over = _shown(top.best)
     share = f"{100 * top.share:.0f} % of the excess is at joint {top.joint}"
-    if found.verdict == "consistent":
+    if diagnosis.verdict == "consistent":
         return "At which joint", "None", "no joint stands out of its noise" if not top.shown else share
-    if is_touched_only(found):
-        where, when = touched_at(claims(found)[0])
+    if is_touched_only(diagnosis):
+        where, when = touched_at(claims(diagnosis)[0])
         return "Where and when", where[:1].upper() + where[1:], when or share
-    if found.verdict == "unexplained":
+    if diagnosis.verdict == "unexplained":
         if math.isfinite(top.left) and top.left > 1:
             share = f"{number(top.left)} times what would matter is left there"
         return "At which joint", f"Joint {top.joint}", f"{share}; {over}"
-    joints = sorted({f.joint for f in claims(found) if f.joint is not None})
-    whole = ["the whole robot"] if any(f.joint is None for f in claims(found)) else []
+    joints = sorted({f.joint for f in claims(diagnosis) if f.joint is not None})
+    whole = ["the whole robot"] if any(f.joint is None for f in claims(diagnosis)) else []
     answer = listed([*([joints_of(joints)] if joints else []), *whole])
     return "At which joint", answer[:1].upper() + answer[1:], f"{share}; {over}"
 
@@ -129,50 +129,50 @@ def _shown(name: str | None) -> str:
     return _CLAUSES.get(name) or f"seen best over the {name}"
 
 
-def _sure(found: Diagnosis) -> tuple[str, str, str]:
-    lacking = claims(found)
+def _sure(diagnosis: Diagnosis) -> tuple[str, str, str]:
+    lacking = claims(diagnosis)
     question = "How sure"
-    if found.verdict == "missing_effect" and lacking:
+    if diagnosis.verdict == "missing_effect" and lacking:
         open_ = list(dict.fromkeys(named(r) for f in lacking for r in f.confounded_with))
         least = min(f.confidence for f in lacking)
         rivals = f"not told from {listed(open_)}" if open_ else "no rival is left"
         several = "the least sure of the names; " if len(lacking) > 1 else ""
         return question, f"{100 * least:.0f} %", several + rivals
-    if found.verdict == "unexplained":
-        some = f"{len(found.findings)} suspicions, none held" if len(found.findings) > 1 else ""
-        some = "one suspicion, which did not hold" if len(found.findings) == 1 else some
+    if diagnosis.verdict == "unexplained":
+        some = f"{len(diagnosis.findings)} suspicions, none held" if len(diagnosis.findings) > 1 else ""
+        some = "one suspicion, which did not hold" if len(diagnosis.findings) == 1 else some
         return question, "No name", some or "no name reaches 50 %"
-    if found.detectable is not None and np.isfinite(found.detectable).any():
-        j = int(np.nanargmax(found.detectable))
-        size = f"{number(found.detectable[j])} {units_at(found, j)['tau']}"
+    if diagnosis.detectable is not None and np.isfinite(diagnosis.detectable).any():
+        j = int(np.nanargmax(diagnosis.detectable))
+        size = f"{number(diagnosis.detectable[j])} {units_at(diagnosis, j)['tau']}"
         return question, f"down to {size}", f"RMS at joint {j + 1}: anything larger would be worth a name"
     return question, "As far as the motion goes", "what it does not excite it cannot show: see below"
 
 
-def _better(found: Diagnosis, validated: bool, places: Sequence[Localised]) -> tuple[str, str, str]:
+def _better(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) -> tuple[str, str, str]:
     question = f"How much better{'' if validated else ' (on the logs fitted)'}"
-    before, after = chosen(found, validated)
-    j = _worst(found, validated, places) - 1
-    unit, floor = units_at(found, j)["tau"], found.gap.noise_floor[j]
+    before, after = chosen(diagnosis, validated)
+    j = _worst(diagnosis, validated, places) - 1
+    unit, floor = units_at(diagnosis, j)["tau"], diagnosis.gap.noise_floor[j]
     noise = f"noise floor {number(floor)}"
-    if found.verdict != "missing_effect" or is_touched_only(found):
+    if diagnosis.verdict != "missing_effect" or is_touched_only(diagnosis):
         times = before[j] / floor if floor > 0 else math.nan
         stays = f"RMS at joint {j + 1}, {number(times)} times its noise"
-        touched = "; contact is not added to a model" if found.verdict == "missing_effect" else ""
+        touched = "; contact is not added to a model" if diagnosis.verdict == "missing_effect" else ""
         return "How much is left", f"{number(before[j])} {unit}", stays + touched
-    share = closed(before, after, found.gap.noise_floor)
+    share = closed(before, after, diagnosis.gap.noise_floor)
     gone = f"{100 * share:.0f} % of what can be removed is gone; " if share is not None else ""
     where = f"RMS at joint {j + 1}{', on a log that was not fitted' if validated else ''}; {noise}"
     return question, f"{number(before[j])} → {number(after[j])} {unit}", gone + where
 
 
-def _next(found: Diagnosis) -> tuple[str, str, str]:
-    following = next_of(found)
+def _next(diagnosis: Diagnosis) -> tuple[str, str, str]:
+    following = next_of(diagnosis)
     question = "What to record next"
     if not following:
-        if found.verdict == "unexplained":
+        if diagnosis.verdict == "unexplained":
             return question, "See below", "a motion that narrows it down"
-        return question, "Nothing more", "for these names" if claims(found) else "that these logs ask for"
+        return question, "Nothing more", "for these names" if claims(diagnosis) else "that these logs ask for"
     text = following[0]["text"]
     text = text.partition(": ")[2] or text
     if len(text) > _SHORT:
@@ -182,27 +182,29 @@ def _next(found: Diagnosis) -> tuple[str, str, str]:
     return question, "One motion" if one else f"{len(following)} motions", text + more
 
 
-def advice(found: Diagnosis, places: Sequence[Localised], travels: Sequence[Travel]) -> list[dict[str, str]]:
+def advice(
+    diagnosis: Diagnosis, places: Sequence[Localised], travels: Sequence[Travel]
+) -> list[dict[str, str]]:
     """What to record next where no name asks for it."""
-    made = []
-    if found.verdict == "unexplained":
-        told: dict[str, list[int]] = {}
+    items = []
+    if diagnosis.verdict == "unexplained":
+        by_text: dict[str, list[int]] = {}
         for place in places:
             if place.shown and (place.share > _LOUD or place.left > 1):
-                told.setdefault(place.best or "", []).append(place.joint)
-        for best, joints in told.items():
+                by_text.setdefault(place.best or "", []).append(place.joint)
+        for best, joints in by_text.items():
             title = f"{joints_of(joints)}: {_shown(best or None)}"
-            made.append({"title": title[:1].upper() + title[1:], "text": _ADVICE.get(best, _NO_ADVICE)})
+            items.append({"title": title[:1].upper() + title[1:], "text": _ADVICE.get(best, _NO_ADVICE)})
     lame = [t for t in travels if t.wants]
-    if lame and found.verdict != "missing_effect":
+    if lame and diagnosis.verdict != "missing_effect":
         lacks: dict[str, list[int]] = {}
         for travel in lame:
             lacks.setdefault(travel.wants, []).append(travel.joint)
         text = "; ".join(f"{joints_of(joints)}: {wants}" for wants, joints in lacks.items())
-        made.append(
+        items.append(
             {
                 "title": "More motion",
                 "text": f"{text[:1].upper()}{text[1:]}. What is not excited cannot be seen.",
             }
         )
-    return made
+    return items

@@ -85,25 +85,25 @@ def is_unseen(estimate: Estimate) -> bool:
     return not isinstance(value, str) and error is not None and 0 < abs(value) * _UNSEEN < error < math.inf
 
 
-def claims(found: Diagnosis) -> tuple[Finding, ...]:
+def claims(diagnosis: Diagnosis) -> tuple[Finding, ...]:
     """The findings that are claims."""
-    return tuple(finding for finding in found.findings if finding.confidence >= CLAIM)
+    return tuple(finding for finding in diagnosis.findings if finding.confidence >= CLAIM)
 
 
-def headline(found: Diagnosis) -> str:
+def headline(diagnosis: Diagnosis) -> str:
     """The verdict as a sentence."""
-    if found.verdict == "consistent":
-        return f"{found.robot.name} explains the logs: nothing is worth adding."
-    if found.verdict == "unexplained":
-        worst = worst_joint(found.left)
+    if diagnosis.verdict == "consistent":
+        return f"{diagnosis.robot.name} explains the logs: nothing is worth adding."
+    if diagnosis.verdict == "unexplained":
+        worst = worst_joint(diagnosis.left)
         where = "" if worst is None else f" It shows most at joint {worst}."
         return f"Something is there that no effect of the catalogue explains.{where}"
-    lacking = [f for f in claims(found) if not is_contact(f.effect)]
-    touched = [_touched(f) for f in claims(found) if is_contact(f.effect)]
+    lacking = [f for f in claims(diagnosis) if not is_contact(f.effect)]
+    touched = [_touched(f) for f in claims(diagnosis) if is_contact(f.effect)]
     if not lacking and touched:
-        return f"{found.robot.name} lacks nothing, but {listed(touched)}."
+        return f"{diagnosis.robot.name} lacks nothing, but {listed(touched)}."
     parts = [_at(named(f.effect), place_of(f.joint)) for f in lacking] or ["an effect"]
-    return f"{found.robot.name} lacks {listed(parts)}{'; ' if touched else ''}{listed(touched)}."
+    return f"{diagnosis.robot.name} lacks {listed(parts)}{'; ' if touched else ''}{listed(touched)}."
 
 
 def _at(name: str, place: str) -> str:
@@ -131,9 +131,9 @@ def touched_at(contact: Finding) -> tuple[str, str]:
     return place, ""
 
 
-def is_touched_only(found: Diagnosis) -> bool:
+def is_touched_only(diagnosis: Diagnosis) -> bool:
     """Whether contact is all that was found."""
-    lacking = claims(found)
+    lacking = claims(diagnosis)
     return bool(lacking) and all(is_contact(f.effect) for f in lacking)
 
 
@@ -158,33 +158,33 @@ def closed(before: Floats, after: Floats, floor: Floats) -> float | None:
     return None if removable <= 1e-9 else 1 - math.sqrt(rest / removable)
 
 
-def experiments(found: Diagnosis) -> tuple[str, ...]:
+def experiments(diagnosis: Diagnosis) -> tuple[str, ...]:
     """What is to be recorded next, each thing once."""
-    named = [f.experiment for f in found.findings if f.experiment]
-    sure = found.verdict == "missing_effect" and all(f.confidence >= CLAIM for f in found.findings)
-    return tuple(dict.fromkeys([*named, *([found.record] if found.record and not sure else [])]))
+    named = [f.experiment for f in diagnosis.findings if f.experiment]
+    sure = diagnosis.verdict == "missing_effect" and all(f.confidence >= CLAIM for f in diagnosis.findings)
+    return tuple(dict.fromkeys([*named, *([diagnosis.record] if diagnosis.record and not sure else [])]))
 
 
 # --- the terminal -----------------------------------------------------------------------------------------
 
 
-def summary(found: Diagnosis, report: str, *, validated: bool) -> list[str]:
+def summary(diagnosis: Diagnosis, report: str, *, validated: bool) -> list[str]:
     """The diagnosis in :data:`LINES` lines at most; ``report`` is where the page is, ``validated`` whether
     there was a log that was not fitted."""
-    head = [f"{VERDICTS[found.verdict]}: {headline(found)}"]
-    tail = _gap(found, validated)
-    better = _better(found, validated)
+    head = [f"{VERDICTS[diagnosis.verdict]}: {headline(diagnosis)}"]
+    tail = _gap(diagnosis, validated)
+    better = _better(diagnosis, validated)
     if better:
         tail.append(better)
-    following = experiments(found)
+    following = experiments(diagnosis)
     if following:
         more = f" (and {len(following) - 1} more)" if len(following) > 1 else ""
         tail.append(f"record next: {following[0]}{more}")
-    notes = f"; {len(found.flags)} remarks on the data there" if len(found.flags) > 1 else ""
-    notes = "; one remark on the data there" if len(found.flags) == 1 else notes
+    notes = f"; {len(diagnosis.flags)} remarks on the data there" if len(diagnosis.flags) > 1 else ""
+    notes = "; one remark on the data there" if len(diagnosis.flags) == 1 else notes
     tail.append(f"report: {report}{notes}")
     room = LINES - len(head) - len(tail)
-    lines = [_line(k, finding) for k, finding in enumerate(found.findings, 1)]
+    lines = [_line(k, finding) for k, finding in enumerate(diagnosis.findings, 1)]
     if len(lines) > room:
         lines = [*lines[: room - 1], f"and {len(lines) - room + 1} more in the report"]
     return [_plain(line) for line in (*head, *lines, *tail)]
@@ -203,15 +203,15 @@ def _line(k: int, finding: Finding) -> str:
     return f"{k}. {finding.effect}, {place_of(finding.joint)}: {figures}; {sure}{rivals}"
 
 
-def _gap(found: Diagnosis, validated: bool) -> list[str]:
+def _gap(diagnosis: Diagnosis, validated: bool) -> list[str]:
     """Before, after and noise by joint, of long arms where most is there."""
-    gap = found.gap
-    before, after = chosen(found, validated)
-    changed = found.verdict == "missing_effect"
+    gap = diagnosis.gap
+    before, after = chosen(diagnosis, validated)
+    changed = diagnosis.verdict == "missing_effect"
     log = "validation log" if validated else "logs that were fitted"
     with np.errstate(all="ignore"):
         size = np.nan_to_num(before / gap.noise_floor, nan=0.0, posinf=0.0)
-    shown = sorted(sorted(range(found.robot.n), key=lambda j: (-float(size[j]), j))[:_JOINTS])
+    shown = sorted(sorted(range(diagnosis.robot.n), key=lambda j: (-float(size[j]), j))[:_JOINTS])
     rows: list[tuple[str, Sequence[str]]] = [
         ("joint", [str(j + 1) for j in shown]),
         ("gap before" if changed else "gap", [number(before[j]) for j in shown]),
@@ -225,40 +225,40 @@ def _gap(found: Diagnosis, validated: bool) -> list[str]:
         + "  ".join(cell.rjust(width) for cell, width in zip(cells, widths, strict=True))
         for name, cells in rows
     ]
-    most = f", {_JOINTS} of {found.robot.n} joints" if found.robot.n > _JOINTS else ""
-    lines[0] += f"  ({units_of(found)}, RMS, {log}{most})"
+    most = f", {_JOINTS} of {diagnosis.robot.n} joints" if diagnosis.robot.n > _JOINTS else ""
+    lines[0] += f"  ({units_of(diagnosis)}, RMS, {log}{most})"
     return lines
 
 
-def _better(found: Diagnosis, validated: bool) -> str:
+def _better(diagnosis: Diagnosis, validated: bool) -> str:
     """How much of the gap is gone, and what the kernel costs; empty where nothing was added."""
-    if found.verdict != "missing_effect":
+    if diagnosis.verdict != "missing_effect":
         return ""
-    share = closed(*chosen(found, validated), found.gap.noise_floor)
-    if is_touched_only(found):
+    share = closed(*chosen(diagnosis, validated), diagnosis.gap.noise_floor)
+    if is_touched_only(diagnosis):
         return "contact is left out of the fit and not added to the model"
     parts = [] if share is None else [f"{100 * share:.0f} % of the removable gap closed"]
-    rest = still(found, validated)
+    rest = still(diagnosis, validated)
     if rest:
-        parts.append(f"left beyond the noise at {joints_of(rest, found.robot.n)}")
-    old, new = found.operations
+        parts.append(f"left beyond the noise at {joints_of(rest, diagnosis.robot.n)}")
+    old, new = diagnosis.operations
     if old or new:
         more = f" -> {new} operations ({new - old:+d})" if old != new else " operations, as before"
         parts.append(f"inverse dynamics {old}{more}")
     return "; ".join(parts)
 
 
-def chosen(found: Diagnosis, validated: bool) -> tuple[Floats, Floats]:
+def chosen(diagnosis: Diagnosis, validated: bool) -> tuple[Floats, Floats]:
     """RMS [n] before and after, of the log that proves most."""
-    gap = found.gap
+    gap = diagnosis.gap
     return (gap.validate_before, gap.validate_after) if validated else (gap.train_before, gap.train_after)
 
 
-def still(found: Diagnosis, validated: bool) -> list[int]:
+def still(diagnosis: Diagnosis, validated: bool) -> list[int]:
     """Joints (from 1) at which a gap is left that stands out of the noise."""
-    _, after = chosen(found, validated)
+    _, after = chosen(diagnosis, validated)
     with np.errstate(all="ignore"):
-        rest = np.nan_to_num(after / found.gap.noise_floor, nan=0.0, posinf=0.0)
+        rest = np.nan_to_num(after / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
     return (np.flatnonzero(rest > _STILL) + 1).tolist()
 
 
@@ -269,9 +269,9 @@ def joints_of(joints: Sequence[int], n: int | None = None) -> str:
     return f"joint{'s' if len(joints) > 1 else ''} {listed([str(j) for j in joints])}"
 
 
-def units_of(found: Diagnosis) -> str:
+def units_of(diagnosis: Diagnosis) -> str:
     """The unit of the joints' torques."""
-    kinds = {link.joint.kind for link in found.robot.links}
+    kinds = {link.joint.kind for link in diagnosis.robot.links}
     return "N m" if kinds == {"revolute"} else "N" if kinds == {"prismatic"} else "N m or N"
 
 

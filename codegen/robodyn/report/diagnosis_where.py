@@ -41,19 +41,19 @@ class Localised:
     left: float
 
 
-def localised(found: Diagnosis) -> list[Localised]:
+def localised(diagnosis: Diagnosis) -> list[Localised]:
     """Every joint, from the first log that was fitted."""
-    before, floor = found.gap.train_before, found.gap.noise_floor
+    before, floor = diagnosis.gap.train_before, diagnosis.gap.noise_floor
     with np.errstate(all="ignore"):
         excess = np.nan_to_num(np.maximum((before / floor) ** 2 - 1, 0.0), nan=0.0, posinf=0.0)
     total = float(excess.sum()) or 1.0
     rows = []
-    for j in range(found.robot.n):
+    for j in range(diagnosis.robot.n):
         shown: tuple[float, ...] = ()
-        if found.series and len(found.series[0].times) > 4 * _BINS and excess[j] > STANDS_OUT**2 - 1:
+        if diagnosis.series and len(diagnosis.series[0].times) > 4 * _BINS and excess[j] > STANDS_OUT**2 - 1:
             most = float(excess[j] / (excess[j] + 1))
-            shown = tuple(min(x / most, 1.0) for x in shown_over(found.series[0], j))
-        left = float(found.left[j]) if j < len(found.left) else np.nan
+            shown = tuple(min(x / most, 1.0) for x in shown_over(diagnosis.series[0], j))
+        left = float(diagnosis.left[j]) if j < len(diagnosis.left) else np.nan
         rows.append(Localised(j + 1, float(excess[j]) / total, shown, best_of(shown), left))
     return rows
 

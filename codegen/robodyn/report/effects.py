@@ -106,8 +106,8 @@ def _row(p: Parameter) -> str:
 def default_text(p: Parameter) -> str:
     """A default as a file would have it."""
     if isinstance(p.default, Fraction):
-        number = p.default.numerator if p.default.denominator == 1 else float(p.default)
-        return f"[{number}, {number}, {number}]" if p.kind == "vector" else str(number)
+        default = p.default.numerator if p.default.denominator == 1 else float(p.default)
+        return f"[{default}, {default}, {default}]" if p.kind == "vector" else str(default)
     return str(p.default)
 
 

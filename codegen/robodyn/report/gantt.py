@@ -95,20 +95,20 @@ def layers_svg(source: Source) -> str:
     )
 
 
-def sweep_svg(source: Source, found: Sequence[Solved], others: Sequence[Solved] = ()) -> str:
+def sweep_svg(source: Source, solutions: Sequence[Solved], others: Sequence[Solved] = ()) -> str:
     """Figures 4.11 to 4.13 redrawn: time, speed-up and efficiency by processors, ours beside the printed.
 
     ``others``: the same machines by another method. The thesis's own drawings are not at hand; this is what
     its tables support.
     """
-    p = [one.timetable.machine.processors for one in found]
+    p = [one.timetable.machine.processors for one in solutions]
     if len(p) == 1:
-        p, found, others = p * 2, [*found] * 2, [*others] * 2
+        p, solutions, others = p * 2, [*solutions] * 2, [*others] * 2
     # The printed levels are those of the printed tasks.
     work = source.graph.work if source.figures is None else source.figures["tasks"]
-    times: list[Curve] = [Curve(f"{found[0].method}", p, [one.timetable.span for one in found])]
-    speed = [Curve(f"{found[0].method}", p, [one.speedup for one in found])]
-    share = [Curve(f"{found[0].method}", p, [100 * one.efficiency for one in found])]
+    times: list[Curve] = [Curve(f"{solutions[0].method}", p, [one.timetable.span for one in solutions])]
+    speed = [Curve(f"{solutions[0].method}", p, [one.speedup for one in solutions])]
+    share = [Curve(f"{solutions[0].method}", p, [100 * one.efficiency for one in solutions])]
     if others:
         name = f"{others[0].method}"
         times.append(Curve(name, p, [one.timetable.span for one in others]))

@@ -55,14 +55,15 @@ def joint_rows(run: Simulation, reference: Trajectory | None = None) -> list[dic
     return rows
 
 
-def to_text(found: Mapping[str, Any]) -> list[str]:
+def to_text(summary: Mapping[str, Any]) -> list[str]:
     """Lines for what ``robodyn simulate --json`` prints: files, solver, energies, and a row a joint."""
-    solver, energy, drive = found["solver"], found["energy"], found["drive"]
-    name = found["robot"]
-    lines = [f"{name}: wrote {', '.join(map(repr_of, found['files']))}"] if found["files"] else []
+    solver, energy, drive = summary["solver"], summary["energy"], summary["drive"]
+    name = summary["robot"]
+    lines = [f"{name}: wrote {', '.join(map(repr_of, summary['files']))}"] if summary["files"] else []
     lines.append(
-        f"{found['duration']:g} s, {found['samples']} samples at {found['rate']:g} Hz; {solver['method']}: "
-        f"{solver['steps']} steps, {solver['rejected']} rejected, {solver['evaluations']} evaluations, "
+        f"{summary['duration']:g} s, {summary['samples']} samples at {summary['rate']:g} Hz; "
+        f"{solver['method']}: {solver['steps']} steps, {solver['rejected']} rejected, "
+        f"{solver['evaluations']} evaluations, "
         f"{solver['events']} events"
     )
     if "kp" in drive:
@@ -77,7 +78,7 @@ def to_text(found: Mapping[str, Any]) -> list[str]:
         f"the balance is off by {energy['error']:.1e} of the largest"
     )
     rows: list[Sequence[str]] = [_HEADS]
-    for row in found["joints"]:
+    for row in summary["joints"]:
         unit, force = ("m", "N") if row["kind"] == "prismatic" else ("rad", "N m")
         rows.append(
             (
@@ -104,28 +105,30 @@ def repr_of(path: str) -> str:
 def doubts(run: Simulation, balanced: float, reference: Trajectory | None = None) -> list[str]:
     """What about ``run`` a reader should know: energies off by more than the share ``balanced``, joints that
     run away from their ``reference``, drives at their limits, torques above what the description allows."""
-    found = []
+    warnings = []
     if reference is not None:
         way = np.ptp(reference.q, axis=0)
         for j, row in enumerate(joint_rows(run, reference)):
             if row["peak_error"] > max(float(way[j]), _NOTHING):
-                found.append(
+                warnings.append(
                     f"joint {j + 1} is up to {row['peak_error']:.3g} away from its reference, which moves by "
                     f"{way[j]:.3g}: the controller does not hold it; give --kp and --kd"
                 )
     balance = run.balance()
     rounding = _ROUNDING * max(1.0, float(np.abs(balance.kinetic + balance.potential).max()))
     if balance.error > balanced and float(np.abs(balance.residual).max()) > rounding:
-        found.append(
+        warnings.append(
             f"the energies do not balance: off by {balance.error:.2g} of the largest, more than "
             f"{balanced:g}; take a shorter --step, or --solver adaptive with a smaller --rtol"
         )
     for j, link in enumerate(run.plant.robot.links):
         short = float(np.mean(run.applied[:, j] != run.command[:, j]))
         if short:
-            found.append(f"the drive of joint {j + 1} is at its limit {100 * short:.3g} % of the time")
+            warnings.append(f"the drive of joint {j + 1} is at its limit {100 * short:.3g} % of the time")
         limit, peak = link.joint.limits.torque, float(np.abs(run.applied[:, j]).max())
         if limit is not None and peak > float(limit) * (1 + 1e-9):
             unit = "N" if link.joint.kind == "prismatic" else "N m"
-            found.append(f"joint {j + 1} takes {peak:.4g} {unit}, more than its limit of {float(limit):.4g}")
-    return found
+            warnings.append(
+                f"joint {j + 1} takes {peak:.4g} {unit}, more than its limit of {float(limit):.4g}"
+            )
+    return warnings

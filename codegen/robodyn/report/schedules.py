@@ -78,7 +78,7 @@ def _long(graph: TaskGraph, n: int, costs: Mapping[str, int] | None) -> TaskGrap
         return graph
     amid = operations_of_tasks(4)
     lengths = {
-        task: sum(costs[kind] * number for kind, number in amid[task_id(3, link_and_number(task)[1])].items())
+        task: sum(costs[kind] * amount for kind, amount in amid[task_id(3, link_and_number(task)[1])].items())
         for task in graph.tasks
     }
     return replace(graph, lengths=lengths)
@@ -133,23 +133,27 @@ def _printed(levels: Mapping[int, int], tables: Mapping[int, str]) -> dict[int, 
 
 def _more(graph: TaskGraph, than: TaskGraph) -> str:
     """The tasks of one graph that another has not, spelled."""
-    found = sorted(set(graph.tasks) - set(than.tasks))
-    return ", ".join(map(str, found[:-1])) + f" and {found[-1]}" if len(found) > 1 else str(found[0])
+    additional = sorted(set(graph.tasks) - set(than.tasks))
+    return (
+        ", ".join(map(str, additional[:-1])) + f" and {additional[-1]}"
+        if len(additional) > 1
+        else str(additional[0])
+    )
 
 
 def _doubts(robot: Robot) -> tuple[str, ...]:
     """What of the robot the tasks of Table 4.1 are not cut for."""
-    found = []
+    lines = []
     if any(link.joint.alpha.quarter is None for link in robot.links):
-        found.append("angles alpha that are no multiples of 90 degrees")
+        lines.append("angles alpha that are no multiples of 90 degrees")
     if any(value != 0 for link in robot.links for value in _products(link.inertia)):
-        found.append("products of inertia")
+        lines.append("products of inertia")
     if robot.effects:
-        found.append("effects in its joints")
-    if not found:
+        lines.append("effects in its joints")
+    if not lines:
         return ()
     return (
-        f"{robot.name} has {' and '.join(found)}, which the tasks of Table 4.1 are not cut for: --cut 3 "
+        f"{robot.name} has {' and '.join(lines)}, which the tasks of Table 4.1 are not cut for: --cut 3 "
         f"takes the "
         "operations of its kernel",
     )
@@ -159,10 +163,10 @@ def _products(inertia: Any) -> tuple[Any, ...]:
     return inertia.xy, inertia.xz, inertia.yz
 
 
-def cut_source(name: str, made: Cut, k: int) -> Source:
+def cut_source(name: str, cut: Cut, k: int) -> Source:
     """The tasks of a kernel's program."""
     operations = "single operations" if k == 1 else f"tasks of at most {k} operations"
-    return Source(name, f"{operations} of the kernel", made.graph, cut=made)
+    return Source(name, f"{operations} of the kernel", cut.graph, cut=cut)
 
 
 def to_dict(source: Source, solved: Solved) -> dict[str, Any]:
@@ -203,7 +207,7 @@ def _faults(solved: Solved) -> list[str]:
     """The validator's word on the schedule once more, for the reader."""
     table, graph = solved.timetable, solved.graph
     machine = table.machine
-    found = faults_of_times(
+    faults = faults_of_times(
         graph.after,
         graph.lengths,
         machine.processors,
@@ -211,7 +215,7 @@ def _faults(solved: Solved) -> list[str]:
         table.placements,
         levels=table.slots if machine.synchronised else None,
     )
-    return [str(fault) for fault in found]
+    return [str(fault) for fault in faults]
 
 
 def to_text(source: Source, solved: Solved) -> str:
@@ -271,9 +275,9 @@ def _grid(solved: Solved) -> list[str]:
     head = "  ".join(f"P{k}".rjust(width) for k in range(1, table.machine.processors + 1))
     rows = [f"{' ' * first}  {head}"]
     numbers = range(1, len(table.slots) + 1) if table.machine.synchronised else table.times
-    for number, row in zip(numbers, table.slots, strict=True):
+    for level, row in zip(numbers, table.slots, strict=True):
         cells = "  ".join(("-" if task is None else str(task)).rjust(width) for task in row)
-        rows.append(f"{str(number).rjust(first)}  {cells}")
+        rows.append(f"{str(level).rjust(first)}  {cells}")
     return rows
 
 
@@ -284,11 +288,11 @@ def _told(notes: Sequence[str]) -> list[str]:
     return ["", *lines] if lines else []
 
 
-def sweep_text(source: Source, found: Sequence[Solved]) -> str:
+def sweep_text(source: Source, solutions: Sequence[Solved]) -> str:
     """Schedules on several machines, one a row."""
     heads = ("p", "levels", "time", "speed-up", "efficiency", "none below", "above optimum", "thesis")
     rows: list[tuple[str, ...]] = [heads]
-    for solved in found:
+    for solved in solutions:
         table = solved.timetable
         beside = source.printed.get(table.machine.processors)
         rows.append(
@@ -307,7 +311,7 @@ def sweep_text(source: Source, found: Sequence[Solved]) -> str:
     graph = source.graph
     lines = [
         f"{source.name}: {len(graph)} {source.tasks}, critical path {graph.critical_path}",
-        TITLES[found[0].method] if found else "",
+        TITLES[solutions[0].method] if solutions else "",
         "",
         *("  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows),
         *_told(source.notes),
@@ -322,7 +326,7 @@ def processors_of(text: str, parse: Callable[[str], int] = int) -> tuple[int, ..
     ------
     InputError: not of that form, or so many that no sweep is meant.
     """
-    found: list[int] = []
+    counts: list[int] = []
     for part in text.split(","):
         first, dots, last = part.strip().partition("..")
         try:
@@ -335,5 +339,5 @@ def processors_of(text: str, parse: Callable[[str], int] = int) -> tuple[int, ..
             raise InputError(
                 "processors cannot be read", found=repr(text), expected="4, 2,4,8 or 2..13, from 1"
             )
-        found += range(begin, end + 1)
-    return tuple(dict.fromkeys(found))
+        counts += range(begin, end + 1)
+    return tuple(dict.fromkeys(counts))

@@ -119,8 +119,8 @@ class Editor:
 
     def _comments(self, start: int, end: int, indent: int) -> str:
         """The comments between, each behind a line break; what looks like one within quotes does no harm."""
-        found = re.findall(r"(?<!\S)#[^\r\n]*", self.text[start:end])
-        return "".join(f"{self._line_end}{' ' * indent}{comment}" for comment in found)
+        comments = re.findall(r"(?<!\S)#[^\r\n]*", self.text[start:end])
+        return "".join(f"{self._line_end}{' ' * indent}{comment}" for comment in comments)
 
     # --- edits --------------------------------------------------------------------------------------------
 

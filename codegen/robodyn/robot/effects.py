@@ -132,14 +132,14 @@ def read_effects(section: Section, joint: int | None, kind: JointKind, joints: i
     ------
     InputError: an entry is not what the catalogue says, or two of them do not go together.
     """
-    found = []
+    entries = []
     for i, node in enumerate(section.items("effects") or (), 1):
         section.source.effects += 1
         if section.source.effects > EFFECTS:
             section.source.fail(node, "too many effects", expected=f"at most {EFFECTS} in all lists together")
-        found.append(_entry(section, i, node, joint, kind, joints))
-    _refuse_pairs(found)
-    return tuple(found)
+        entries.append(_entry(section, i, node, joint, kind, joints))
+    _refuse_pairs(entries)
+    return tuple(entries)
 
 
 def _entry(section: Section, i: int, node: Node, joint: int | None, kind: JointKind, joints: int) -> Written:
@@ -230,9 +230,9 @@ def default_of(parameter: Parameter) -> Setting | None:
     return (ZERO, ZERO, ZERO) if vector else parameter.default
 
 
-def _refuse_pairs(found: Iterable[Written]) -> None:
+def _refuse_pairs(entries: Iterable[Written]) -> None:
     first: dict[tuple[str, object], Written] = {}
-    for written in found:
+    for written in entries:
         id, other = written.effect, dict(written.entry.settings).get("with")
         source, place = written.section.source, written.section.node
         if first.setdefault((id, other), written) is not written and not CATALOGUE[id].traits.several:

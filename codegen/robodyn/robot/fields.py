@@ -259,7 +259,7 @@ class Section:
     def _parse(self, node: Node, key: Key, path: str) -> numbers.Number:
         scalar = self._word(node, key, path)
         try:
-            number = numbers.parse(scalar.text, names=key.names)
+            value = numbers.parse(scalar.text, names=key.names)
         except numbers.NumberError as error:
             raise InputError(
                 f"{path}: {error.what}",
@@ -268,9 +268,9 @@ class Section:
                 expected=error.expected,
                 remedy=error.remedy,
             ) from None
-        for name, position in number.names:
+        for name, position in value.names:
             self.source.name(name, self.source.place(scalar, position))
-        return number
+        return value
 
     def _constant(self, node: Node, key: Key, path: str) -> Fraction:
         value = self._number(node, key, path)

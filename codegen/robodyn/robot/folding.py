@@ -23,7 +23,7 @@ _INTO_LINKS = ("joint", "link")
 
 
 def into_link(
-    link: Link, friction: Section | None, found: Iterable[Written]
+    link: Link, friction: Section | None, entries: Iterable[Written]
 ) -> tuple[Link, tuple[Written, ...]]:
     """The link with those effects that are numbers of it, and the others; ``friction`` is its shorthand.
 
@@ -32,7 +32,7 @@ def into_link(
     InputError: friction is stated twice, or the mass would be negative or a number beyond double.
     """
     kept = []
-    for written in found:
+    for written in entries:
         part = written.section
         fold = written.entry.definition.traits.fold
         if fold is None or fold.into not in _INTO_LINKS:
@@ -62,16 +62,16 @@ def into_link(
     return link, tuple(kept)
 
 
-def into_robot(robot: Robot, found: Iterable[Written]) -> Robot:
-    """``robot`` with the effects ``found``, base to tip, then those of the whole robot.
+def into_robot(robot: Robot, entries: Iterable[Written]) -> Robot:
+    """``robot`` with the effects ``entries``, base to tip, then those of the whole robot.
 
     Raises
     ------
     InputError: an effect of all joints stands at one of them too, or gravity would be beyond double.
     """
-    found = tuple(found)
-    at_joints = {written.effect for written in found if written.entry.joint is not None}
-    for written in found:
+    entries = tuple(entries)
+    at_joints = {written.effect for written in entries if written.entry.joint is not None}
+    for written in entries:
         part = written.section
         if written.entry.joint is None and written.effect in at_joints:
             part.source.fail(
@@ -80,7 +80,7 @@ def into_robot(robot: Robot, found: Iterable[Written]) -> Robot:
                 expected="one for all joints, or one at each",
                 remedy="delete it here or there",
             )
-    behind = next((one for one in found if CATALOGUE[one.effect].place in _BEFORE_THE_GEAR), None)
+    behind = next((one for one in entries if CATALOGUE[one.effect].place in _BEFORE_THE_GEAR), None)
     if behind and robot.torque_side == "link":
         behind.section.source.note(
             behind.section.node,
@@ -88,9 +88,9 @@ def into_robot(robot: Robot, found: Iterable[Written]) -> Robot:
             "delete it, or take torque_side: motor",
         )
     try:
-        return folded(replace(robot, effects=tuple(written.entry for written in found)))
+        return folded(replace(robot, effects=tuple(written.entry for written in entries)))
     except OverflowError:
-        part = next(written.section for written in found if _turns_gravity(written.entry))
+        part = next(written.section for written in entries if _turns_gravity(written.entry))
         part.source.fail(
             part.node, "the tilted gravity is beyond double", expected="numbers well below 1e308"
         )

@@ -116,9 +116,9 @@ def parse(text: str, *, names: bool = False) -> Number:
         )
     if _NOT_FINITE.match(text.strip()):
         raise NumberError("not a finite number", 0, found=shown(text), expected="a finite number")
-    number = _Parser(text, names).number()
-    _check_double(number.value, text)
-    return number
+    value = _Parser(text, names).number()
+    _check_double(value.value, text)
+    return value
 
 
 def number(text: str) -> Fraction:

@@ -138,12 +138,12 @@ def _share(key: Key) -> Schema:
 
 
 def _number(key: Key) -> Schema:
-    number: Schema = {"type": "number"}
+    schema: Schema = {"type": "number"}
     if key.sign == "nonnegative":
-        number["minimum"] = 0
+        schema["minimum"] = 0
     elif key.sign != "any":
-        number["exclusiveMinimum"] = 0
+        schema["exclusiveMinimum"] = 0
     if key.sign == "share":
-        number["maximum"] = 1
+        schema["maximum"] = 1
     text = "arithmetic_with_names" if key.names else "arithmetic"
-    return {"anyOf": [number, {"$ref": f"#/$defs/{text}"}]}
+    return {"anyOf": [schema, {"$ref": f"#/$defs/{text}"}]}

@@ -136,25 +136,25 @@ _ENTRIES: Final = {
 }
 
 
-def _lambda(number: int, at: Place) -> None:
-    now, square = at.now, number in (7, 8)
+def _lambda(task_number: int, at: Place) -> None:
+    now, square = at.now, task_number in (7, 8)
     target = now.ww if square else now.lam
     if not at.joint.body.revolute:
         R, source = at.joint.R(), at.was.ww if square else at.was.lam
         carried = product(product(transposed(R), tuple(map(tuple, source))), R)
-        for i, j in _ENTRIES[number]:
+        for i, j in _ENTRIES[task_number]:
             target[i][j] = carried[i][j]
             if square:
                 target[j][i] = carried[i][j]
         return
-    for i, j in _ENTRIES[number]:
+    for i, j in _ENTRIES[task_number]:
         if square:
             target[i][j] = target[j][i] = now.w[i] * now.w[j]
         elif i == j:
             target[i][i] = -(now.ww[i - 1][i - 1] + now.ww[i - 2][i - 2])
         else:
             turning = now.alpha[3 - i - j]
-            target[i][j] = now.ww[i][j] + (turning if number == 10 else -turning)
+            target[i][j] = now.ww[i][j] + (turning if task_number == 10 else -turning)
 
 
 def _products(axis: int, at: Place, *, of_parent: bool) -> None:
@@ -270,9 +270,9 @@ def run_tasks(
     beyond: list[Joint | None] = [*joints[1:], None]
     for task in one_after_another(arm) if order is None else order:
         watch(task)
-        link, number = link_and_number(task)
+        link, task_number = link_and_number(task)
         at = Place(links[link - 1], links[link], links[link + 1], joints[link - 1], beyond[link - 1])
-        _DO[number](at)
+        _DO[task_number](at)
     return links[1:-1]
 
 
@@ -283,13 +283,13 @@ def one_after_another(arm: Arm) -> list[TaskId]:
     ask for.
     """
     forward = [task.number for task in TASKS if task.forward]
-    sliding = [number for number in forward if number != 6]
+    sliding = [task_number for task_number in forward if task_number != 6]
     sliding.insert(sliding.index(20), 6)
     links = range(1, len(arm.bodies) + 1)
     there = [
-        task_id(link, number)
+        task_id(link, task_number)
         for link in links
-        for number in (forward if arm.bodies[link - 1].revolute else sliding)
+        for task_number in (forward if arm.bodies[link - 1].revolute else sliding)
     ]
     back = [task_id(link, task.number) for link in reversed(links) for task in TASKS if not task.forward]
     return there + back

@@ -63,12 +63,12 @@ def _work_after(tasks: Sequence[tuple[int, int, int]], begin: int) -> list[tuple
             start = last if last > begin else begin
             slope[start] = slope.get(start, 0) + 1
             slope[start + after] = slope.get(start + after, 0) - 1
-    found: list[tuple[int, int]] = []
+    work: list[tuple[int, int]] = []
     rate = total = now = 0
     for end in sorted(slope):
         total += rate * (end - now)
         if end > begin:
-            found.append((end, total))
+            work.append((end, total))
         rate += slope[end]
         now = end
-    return found
+    return work

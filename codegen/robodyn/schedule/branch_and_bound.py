@@ -59,11 +59,11 @@ class _State:
 
     def path(self) -> list[tuple[TaskId, ...]]:
         """The levels that led here."""
-        found, state = [], self
+        path, state = [], self
         while state.before is not None:
-            found.append(state.level)
+            path.append(state.level)
             state = state.before
-        return found[::-1]
+        return path[::-1]
 
 
 def one_processor_a_joint(
@@ -101,7 +101,7 @@ def _widened(search: _Search, root: _State, width: int) -> bool:
     states, done = [root], 0
     while states:
         done += 1
-        found: dict[frozenset[TaskId], tuple[tuple[int, int], _State]] = {}
+        successors: dict[frozenset[TaskId], tuple[tuple[int, int], _State]] = {}
         for state in states:
             branches = _branches(search, state.ready)
             for taken in itertools.islice(branches, 4 * width):
@@ -112,16 +112,16 @@ def _widened(search: _Search, root: _State, width: int) -> bool:
                     continue
                 # What is left decides all that follows.
                 left = frozenset(task for task, count in after.waiting.items() if count >= 0)
-                if left in found:
+                if left in successors:
                     continue
                 bound = done + _left(search, after)
                 if search.best is not None and bound >= len(search.best):
                     continue
-                found[left] = ((bound, sum(search.tail[task] for task in left)), after)
+                successors[left] = ((bound, sum(search.tail[task] for task in left)), after)
             whole = whole and next(branches, None) is None
             if search.late:
                 return False
-        ranked = sorted(found.values(), key=lambda one: one[0])
+        ranked = sorted(successors.values(), key=lambda one: one[0])
         whole = whole and len(ranked) <= width
         states = [state for _, state in ranked[:width]]
     return whole

@@ -38,10 +38,10 @@ class Cut:
 
     def operations(self) -> dict[TaskId, list[int]]:
         """The operations of each task in the program's order; those before all tasks under 0."""
-        found: dict[TaskId, list[int]] = {task: [] for task in (0, *self.graph.tasks)}
+        operations: dict[TaskId, list[int]] = {task: [] for task in (0, *self.graph.tasks)}
         for i, task in enumerate(self.task_of):
-            found[task].append(i)
-        return found
+            operations[task].append(i)
+        return operations
 
 
 def parse_costs(text: str) -> dict[str, int]:
@@ -51,7 +51,7 @@ def parse_costs(text: str) -> dict[str, int]:
     ------
     InputError: not of that form, an unknown operation, a negative cost.
     """
-    found = dict(COSTS)
+    costs = dict(COSTS)
     for part in text.split(","):
         name, sign, value = (piece.strip() for piece in part.partition("="))
         names = ("sin", "cos") if name == "sincos" else (name,)
@@ -62,8 +62,8 @@ def parse_costs(text: str) -> dict[str, int]:
                 expected="OPERATION=N with a whole number, e.g. mul=1,add=1,div=14,sincos=40",
                 remedy=f"operations are {', '.join(COSTS)}",
             )
-        found.update(dict.fromkeys(names, int(value)))
-    return found
+        costs.update(dict.fromkeys(names, int(value)))
+    return costs
 
 
 def cut(program: Program, k: int = 3, costs: Mapping[str, int] | None = None) -> Cut:
@@ -163,12 +163,12 @@ def _levelled(program: Program, price: Mapping[str, int], groups: list[int], k: 
 
 def _between(program: Program, groups: Sequence[int]) -> dict[int, set[int]]:
     """Which groups each group needs."""
-    found: dict[int, set[int]] = {group: set() for group in groups if group >= 0}
+    needs: dict[int, set[int]] = {group: set() for group in groups if group >= 0}
     for i, operation in enumerate(program.operations):
         own = groups[i]
         if own >= 0:
-            found[own] |= {groups[arg] for arg in operation.args if isinstance(arg, int)} - {-1, own}
-    return found
+            needs[own] |= {groups[arg] for arg in operation.args if isinstance(arg, int)} - {-1, own}
+    return needs
 
 
 def _levels(needs: Mapping[int, set[int]]) -> dict[int, int]:
@@ -180,32 +180,32 @@ def _levels(needs: Mapping[int, set[int]]) -> dict[int, int]:
 
 def _links(program: Program, groups: Sequence[int]) -> dict[int, int]:
     """The link of each group: that of its last labelled operation, else of the group that needs it first."""
-    found: dict[int, int] = {}
+    successors: dict[int, int] = {}
     for i, operation in enumerate(program.operations):
         if groups[i] >= 0 and operation.label is not None:
-            found[groups[i]] = operation.label.link
+            successors[groups[i]] = operation.label.link
     for i in reversed(range(len(program.operations))):
-        if groups[i] in found:
+        if groups[i] in successors:
             for arg in program.operations[i].args:
                 if isinstance(arg, int) and groups[arg] >= 0:
-                    found.setdefault(groups[arg], found[groups[i]])
-    return {group: max(1, found.get(group, 1)) for group in groups if group >= 0}
+                    successors.setdefault(groups[arg], successors[groups[i]])
+    return {group: max(1, successors.get(group, 1)) for group in groups if group >= 0}
 
 
 def _finished(program: Program, price: Mapping[str, int], groups: list[int], priced: bool) -> Cut:
     needs, links = _between(program, groups), _links(program, groups)
     level = _levels(needs)
-    number = {group: k for k, group in enumerate(sorted(needs, key=lambda group: (level[group], group)), 1)}
+    order = {group: k for k, group in enumerate(sorted(needs, key=lambda group: (level[group], group)), 1)}
     lengths: dict[TaskId, int] = {}
     if priced:
-        lengths = dict.fromkeys(number.values(), 0)
+        lengths = dict.fromkeys(order.values(), 0)
         for i, group in enumerate(groups):
             if group >= 0:
-                lengths[number[group]] += price[program.operations[i].op]
+                lengths[order[group]] += price[program.operations[i].op]
     graph = TaskGraph(
-        {number[group]: frozenset(number[other] for other in needs[group]) for group in number},
-        {number[group]: level[group] for group in number},
+        {order[group]: frozenset(order[other] for other in needs[group]) for group in order},
+        {order[group]: level[group] for group in order},
         lengths,
-        {number[group]: links[group] for group in number},
+        {order[group]: links[group] for group in order},
     )
-    return Cut(program, graph, tuple(0 if group < 0 else number[group] for group in groups))
+    return Cut(program, graph, tuple(0 if group < 0 else order[group] for group in groups))

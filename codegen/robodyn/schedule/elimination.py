@@ -116,7 +116,7 @@ def eliminated(
             numbers |= PRISMATIC
         if pattern is not None:
             numbers |= sparse_tasks(pattern, link, step_3)
-        out |= {task_id(link, number) for number in numbers}
+        out |= {task_id(link, task_number) for task_number in numbers}
     return frozenset(out)
 
 

@@ -20,9 +20,9 @@ TaskId = int
 _ID = 100
 
 
-def task_id(link: int, number: int) -> TaskId:
-    """The task ``number`` of Table 4.1 at ``link`` (both from 1)."""
-    return _ID * link + number
+def task_id(link: int, task_number: int) -> TaskId:
+    """The task ``task_number`` of Table 4.1 at ``link`` (both from 1)."""
+    return _ID * link + task_number
 
 
 def link_and_number(task: TaskId) -> tuple[int, int]:
@@ -107,10 +107,10 @@ class TaskGraph:
 
     def layers(self) -> list[tuple[TaskId, ...]]:
         """The layered graph: tasks by layer, in order; layers may be empty."""
-        found: list[list[TaskId]] = [[] for _ in range(max(self.layer.values(), default=0))]
+        layers: list[list[TaskId]] = [[] for _ in range(max(self.layer.values(), default=0))]
         for task in self.after:
-            found[self.layer[task] - 1].append(task)
-        return [tuple(layer) for layer in found]
+            layers[self.layer[task] - 1].append(task)
+        return [tuple(layer) for layer in layers]
 
     def width(self) -> int:
         """Tasks of the widest layer: the processors that the layered graph asks for."""
@@ -156,13 +156,17 @@ def arm_graph(
     waits: dict[TaskId, set[TaskId]] = {}
     for link in range(1, n + 1):
         for task in TASKS:
-            found = {task_id(link + place, number) for place, number in task.after if 1 <= link + place <= n}
+            predecessors = {
+                task_id(link + place, task_number)
+                for place, task_number in task.after
+                if 1 <= link + place <= n
+            }
             if own_products and task.number in OWN_PRODUCT:
                 other = set(OWN_PRODUCT.values()) - {OWN_PRODUCT[task.number]}
-                found -= {task_id(link, number) for number in other}
+                predecessors -= {task_id(link, task_number) for task_number in other}
             if link in prismatic and task.number in (9, 10, 11) and task_id(link, task.number) in out:
-                found = {task_id(link - 1, task.number)} if link > 1 else set()
-            waits[task_id(link, task.number)] = found
+                predecessors = {task_id(link - 1, task.number)} if link > 1 else set()
+            waits[task_id(link, task.number)] = predecessors
     for one in TopologicalSorter(waits).static_order():  # earlier ones first: theirs is settled when read
         earlier = waits[one]
         waits[one] = (earlier - out).union(*(waits[gone] for gone in earlier & out))
@@ -175,8 +179,8 @@ def arm_graph(
 def stacked_layer(n: int, task: TaskId) -> int:
     """The layer of a task in the thesis's layered graph (section 4.3): a link begins two layers after the
     one before it, link 1 beside link 2, the backward pass after the forward pass; 4 n + 3 layers."""
-    link, number = link_and_number(task)
-    own = TASKS[number - 1]
+    link, task_number = link_and_number(task)
+    own = TASKS[task_number - 1]
     if not own.forward:
         return 2 * n + 2 + own.layer + 2 * (n - link)
     return max(1, own.layer + 2 * (link - 2)) if link > 1 else max(1, own.layer - 4)

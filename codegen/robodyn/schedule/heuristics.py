@@ -134,8 +134,8 @@ def list_times(
         for follower in later[task]:
             waiting[follower] -= 1
             if not waiting[follower]:
-                made = [done[needed] for needed in graph.after[follower]]
-                arrival[follower] = _arrival(machine.communication, made)
+                placements = [done[needed] for needed in graph.after[follower]]
+                arrival[follower] = _arrival(machine.communication, placements)
     return in_time(machine, done.values())
 
 
@@ -146,10 +146,10 @@ class _Arrival(NamedTuple):
     sooner: dict[int, int]
 
 
-def _arrival(communication: int, made: Collection[Placement]) -> _Arrival:
-    anywhere = max(one.finish for one in made) + communication
+def _arrival(communication: int, placements: Collection[Placement]) -> _Arrival:
+    anywhere = max(one.finish for one in placements) + communication
     sooner = {
-        place: max(one.finish + (communication if one.processor != place else 0) for one in made)
-        for place in {one.processor for one in made}
+        place: max(one.finish + (communication if one.processor != place else 0) for one in placements)
+        for place in {one.processor for one in placements}
     }
     return _Arrival(anywhere, sooner if communication else {})

@@ -67,10 +67,10 @@ def lanes(cut: Cut, timetable: Timetable, waiting: Waiting = "barrier") -> Lanes
             + [(task, level[task], tuple(by_task[task])) for task in todo]
         )
     passing = _passing(cut, processor_of)
-    shared = tuple(sorted({made for made, _ in passing}))
+    shared = tuple(sorted({producer for producer, _ in passing}))
     if waiting == "barrier":
         of_level = [0 if task == 0 else level[task] for task in cut.task_of]
-        barriers = _barriers([(of_level[made], of_level[used]) for made, used in passing])
+        barriers = _barriers([(of_level[producer], of_level[used]) for producer, used in passing])
         steps = tuple(tuple(Step(*draft) for draft in lane) for lane in drafts)
         return Lanes(steps, shared, barriers, processor_of)
     return Lanes(_counted(drafts, passing, processor_of), shared, (), processor_of)
@@ -81,7 +81,7 @@ def _near(cut: Cut, timetable: Timetable) -> tuple[dict[TaskId, int], dict[TaskI
     place: dict[TaskId, int] = {}
     level: dict[TaskId, int] = {}
     p = timetable.machine.processors
-    for number, row in enumerate(timetable.slots, 1):
+    for level_index, row in enumerate(timetable.slots, 1):
         tasks = [task for task in row if task is not None]
         wish = sorted(
             (
@@ -95,7 +95,7 @@ def _near(cut: Cut, timetable: Timetable) -> tuple[dict[TaskId, int], dict[TaskI
             task = row[where]
             assert task is not None
             if task not in place and k not in taken:
-                place[task], level[task] = k, number
+                place[task], level[task] = k, level_index
                 taken.add(k)
     return place, level
 
@@ -136,11 +136,11 @@ def _passing(cut: Cut, processor_of: Sequence[int]) -> list[tuple[int, int]]:
 def _barriers(needs: Sequence[tuple[int, int]]) -> tuple[int, ...]:
     """Levels before which to meet, as few as there can be, so that each pair (made in, used in) has one
     between: in the order of use, as late as can be."""
-    found: list[int] = []
-    for made, used in sorted(needs, key=lambda pair: pair[1]):
-        if not found or found[-1] <= made:
-            found.append(used)
-    return tuple(found)
+    barriers: list[int] = []
+    for produced, used in sorted(needs, key=lambda pair: pair[1]):
+        if not barriers or barriers[-1] <= produced:
+            barriers.append(used)
+    return tuple(barriers)
 
 
 def _counted(
@@ -149,11 +149,11 @@ def _counted(
     processor_of: Sequence[int],
 ) -> tuple[tuple[Step, ...], ...]:
     """Steps that wait for the counters of others: each counter tells how many steps are done there."""
-    number = {i: k for lane in drafts for k, (_, _, own) in enumerate(lane, 1) for i in own}
+    order = {i: k for lane in drafts for k, (_, _, own) in enumerate(lane, 1) for i in own}
     needed: dict[tuple[int, int], dict[int, int]] = {}
-    for made, used in passing:
-        here = needed.setdefault((processor_of[used], number[used]), {})
-        here[processor_of[made]] = max(here.get(processor_of[made], 0), number[made])
+    for producer, used in passing:
+        here = needed.setdefault((processor_of[used], order[used]), {})
+        here[processor_of[producer]] = max(here.get(processor_of[producer], 0), order[producer])
     waits, published = _only_new(drafts, needed)
     return tuple(
         tuple(

@@ -111,15 +111,15 @@ class Timetable:
 
     def lanes(self) -> list[list[Placement]]:
         """The placements of each processor by time."""
-        found: list[list[Placement]] = [[] for _ in range(self.machine.processors)]
+        lanes: list[list[Placement]] = [[] for _ in range(self.machine.processors)]
         for placement in sorted(self.placements, key=lambda one: one.start):
-            found[placement.processor].append(placement)
-        return found
+            lanes[placement.processor].append(placement)
+        return lanes
 
 
 def in_levels(graph: TaskGraph, machine: Machine, schedule: Schedule) -> Timetable:
     """The times of a ``schedule`` in levels: everything of a level begins together."""
-    found: list[Placement] = []
+    placements: list[Placement] = []
     now = 0
     rows: list[tuple[TaskId | None, ...]] = []
     times: list[int] = []
@@ -128,22 +128,22 @@ def in_levels(graph: TaskGraph, machine: Machine, schedule: Schedule) -> Timetab
             now += machine.communication
         doing = [(place, task) for place, task in enumerate(slot) if task is not None]
         times.append(now)
-        found += [Placement(task, place, now, now + graph.length(task)) for place, task in doing]
+        placements += [Placement(task, place, now, now + graph.length(task)) for place, task in doing]
         now += max((graph.length(task) for _, task in doing), default=1)
         rows.append((*slot, *(None,) * (machine.processors - len(slot))))
-    return Timetable(machine, tuple(found), now, tuple(rows), tuple(times))
+    return Timetable(machine, tuple(placements), now, tuple(rows), tuple(times))
 
 
 def in_time(machine: Machine, placements: Iterable[Placement]) -> Timetable:
     """A timetable without levels; of a machine with them see :func:`in_levels`."""
-    found = tuple(sorted(placements, key=lambda one: (one.start, one.processor)))
-    span = max((one.finish for one in found), default=0)
-    times = sorted({one.start for one in found})
+    ordered = tuple(sorted(placements, key=lambda one: (one.start, one.processor)))
+    span = max((one.finish for one in ordered), default=0)
+    times = sorted({one.start for one in ordered})
     rows: list[list[TaskId | None]] = [[None] * machine.processors for _ in times]
-    for one in found:
+    for one in ordered:
         for k in range(bisect_left(times, one.start), bisect_left(times, one.finish)):
             rows[k][one.processor] = one.task
-    return Timetable(machine, found, span, tuple(map(tuple, rows)), tuple(times))
+    return Timetable(machine, ordered, span, tuple(map(tuple, rows)), tuple(times))
 
 
 def settled(levels: Mapping[TaskId, int], order: Callable[[TaskId], tuple[int, ...]], p: int) -> Schedule:

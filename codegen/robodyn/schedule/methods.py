@@ -106,23 +106,23 @@ def solve(
     search: Searched | None = None
     if method == "optimal":
         result = optimum(graph, machine, seconds=seconds, seed=seed)
-        made = result.timetable
+        timetable = result.timetable
         bound = max(bound, _with_meetings(result.lower_bound, machine))
     elif method in _TREE_SEARCHES:
-        made, search = _searched(graph, machine, method, seconds, nodes)
+        timetable, search = _searched(graph, machine, method, seconds, nodes)
         bound = max(bound, _with_meetings(search.lower_bound, machine))
     elif method == "branch-and-bound":
-        made, own = _a_joint(graph, machine, seconds)
+        timetable, own = _a_joint(graph, machine, seconds)
     elif not machine.synchronised:
         order = thesis_order(graph) if method == "thesis" else critical_path_order(graph)
-        made = list_times(graph, machine, order, levels_count=method == "dhlf")
+        timetable = list_times(graph, machine, order, levels_count=method == "dhlf")
     elif method == "dhlf":
-        made = in_levels(graph, machine, dynamic_schedule(graph, machine.processors))
+        timetable = in_levels(graph, machine, dynamic_schedule(graph, machine.processors))
     else:
         order = thesis_order(graph) if method == "thesis" else critical_path_order(graph)
-        made = in_levels(graph, machine, list_schedule(graph, machine.processors, order))
-    check(graph, made)
-    return Solved(graph, method, made, bound, own, search)
+        timetable = in_levels(graph, machine, list_schedule(graph, machine.processors, order))
+    check(graph, timetable)
+    return Solved(graph, method, timetable, bound, own, search)
 
 
 def _searched(
@@ -151,14 +151,14 @@ def _searched(
     first = min(lists, key=lambda plan: plan.span)
     known = {one.task: one.start for one in first.placements}
     limits = Limits(nodes, time.monotonic() + seconds)
-    found = _TREE_SEARCHES[method](Tree(graph, p), known, first.span, limits)
-    return placed(graph, machine, dict(found.starts), None), found
+    solution = _TREE_SEARCHES[method](Tree(graph, p), known, first.span, limits)
+    return placed(graph, machine, dict(solution.starts), None), solution
 
 
 def check(graph: TaskGraph, timetable: Timetable) -> None:
     """:class:`AssertionError` where ``timetable`` may not be carried out: a scheduler is at fault."""
     machine = timetable.machine
-    found = faults_of_times(
+    faults = faults_of_times(
         graph.after,
         graph.lengths,
         machine.processors,
@@ -166,8 +166,8 @@ def check(graph: TaskGraph, timetable: Timetable) -> None:
         timetable.placements,
         levels=timetable.slots if machine.synchronised else None,
     )
-    if found:
-        raise AssertionError("; ".join(map(str, found[:5])))
+    if faults:
+        raise AssertionError("; ".join(map(str, faults[:5])))
 
 
 def _with_meetings(levels: int, machine: Machine) -> int:
@@ -196,6 +196,6 @@ def _a_joint(graph: TaskGraph, machine: Machine, seconds: float) -> tuple[Timeta
             found=f"{machine.processors} processors, {joints} links with tasks",
             remedy=f"ask for -p {joints}",
         )
-    found = one_processor_a_joint(graph, seconds=seconds)
-    made = in_levels(graph, machine, found.schedule)
-    return made, _with_meetings(found.lower_bound, machine)
+    solution = one_processor_a_joint(graph, seconds=seconds)
+    timetable = in_levels(graph, machine, solution.schedule)
+    return timetable, _with_meetings(solution.lower_bound, machine)

@@ -131,17 +131,19 @@ def _solved(
     run.parameters.num_workers = workers
     status = run.solve(model)
     proven = status == cp.OPTIMAL
-    found = best
+    solution = best
     if status in (cp.OPTIMAL, cp.FEASIBLE) and run.objective_value < horizon:
         when = {task: int(run.value(start)) for task, start in starts.items()}
         where = None
         if places is not None:
             where = {t: next(k for k, x in enumerate(row) if run.value(x)) for t, row in places.items()}
-        found = placed(graph, machine, when, where)
+        solution = placed(graph, machine, when, where)
     known = max(bound, -int(-run.best_objective_bound // 1)) if status != cp.UNKNOWN else bound
     # A length with which to be content is no bound.
-    known = min(known, found.levels) if enough == bound or not proven else bound
-    return Optimum(found, found.levels if proven and enough == bound else known, proven and enough == bound)
+    known = min(known, solution.levels) if enough == bound or not proven else bound
+    return Optimum(
+        solution, solution.levels if proven and enough == bound else known, proven and enough == bound
+    )
 
 
 def _tasks(model: Any, graph: TaskGraph, horizon: int) -> dict[TaskId, Any]:

@@ -46,13 +46,13 @@ def task_program(robot: Robot) -> Cut:
             f"{robot.name} has effects in its joints, and Table 4.1 knows of none", remedy=_REMEDY
         )
     graph = Graph()
-    given = {name: [graph.input(name, i) for i in range(robot.n)] for name in ("q", "qd", "qdd")}
+    inputs = {name: [graph.input(name, i) for i in range(robot.n)] for name in ("q", "qd", "qdd")}
     arm = build_arm(robot, exact, graph.input)
 
     def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-        return turned(graph, given["q"], angle)
+        return turned(graph, inputs["q"], angle)
 
-    motion = build_motion(arm, given["q"], given["qd"], given["qdd"], trigonometry, exact)
+    motion = build_motion(arm, inputs["q"], inputs["qd"], inputs["qdd"], trigonometry, exact)
     graph.labels.clear()
     begun: list[tuple[int, TaskId]] = []
     links = run_tasks(arm, motion, lambda task: begun.append((len(graph.keys), task)))
@@ -72,11 +72,11 @@ def _label(graph: Graph, begun: list[tuple[int, TaskId]]) -> None:
     ends = [position for position, _ in begun[1:]] + [len(graph.keys)]
     serial: dict[TaskId, count[int]] = {}
     for (start, task), end in zip(begun, ends, strict=True):
-        link, number = link_and_number(task)
+        link, task_number = link_and_number(task)
         for position in range(start, end):
             if graph.keys[position][0] not in ("input", "const"):
                 which = next(serial.setdefault(task, count(1)))
-                graph.labels[position] = Label(link, f"T{number}_", str(which))
+                graph.labels[position] = Label(link, f"T{task_number}_", str(which))
 
 
 def _check(robot: Robot, program: Program) -> None:
@@ -96,8 +96,8 @@ def _cut(n: int, program: Program) -> Cut:
         if operation.label is not None:
             task_of.append(_task(operation.label))
         else:  # a sine of before all tasks, or a change of sign, which goes with what it changes
-            made = [task_of[arg] for arg in operation.args if isinstance(arg, int)]
-            task_of.append(made[0] if made else 0)
+            predecessors = [task_of[arg] for arg in operation.args if isinstance(arg, int)]
+            task_of.append(predecessors[0] if predecessors else 0)
     after: dict[TaskId, set[TaskId]] = {task: set() for task in sorted(set(task_of) - {0})}
     for own, operation in zip(task_of, program.operations, strict=True):
         if own:

@@ -35,23 +35,27 @@ class Task:
 
 
 def _before(*numbers: int) -> tuple[tuple[Place, int], ...]:
-    return tuple((-1, number) for number in numbers)
+    return tuple((-1, task_number) for task_number in numbers)
 
 
 def _own(*numbers: int) -> tuple[tuple[Place, int], ...]:
-    return tuple((0, number) for number in numbers)
+    return tuple((0, task_number) for task_number in numbers)
 
 
 def _beyond(*numbers: int) -> tuple[tuple[Place, int], ...]:
-    return tuple((1, number) for number in numbers)
+    return tuple((1, task_number) for task_number in numbers)
 
 
-def _forward(number: int, step: str, layer: int, does: str, after: tuple[tuple[Place, int], ...]) -> Task:
-    return Task(number, step, True, layer, does, after)
+def _forward(
+    task_number: int, step: str, layer: int, does: str, after: tuple[tuple[Place, int], ...]
+) -> Task:
+    return Task(task_number, step, True, layer, does, after)
 
 
-def _backward(number: int, step: str, layer: int, does: str, after: tuple[tuple[Place, int], ...]) -> Task:
-    return Task(number, step, False, layer, does, after)
+def _backward(
+    task_number: int, step: str, layer: int, does: str, after: tuple[tuple[Place, int], ...]
+) -> Task:
+    return Task(task_number, step, False, layer, does, after)
 
 
 _LAMBDA = (9, 10, 11)

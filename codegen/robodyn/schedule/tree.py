@@ -170,8 +170,8 @@ class Tree:
 
     def starts(self, node: Node) -> dict[TaskId, int]:
         """When each task began on the way to ``node``."""
-        found: dict[TaskId, int] = {}
+        starts: dict[TaskId, int] = {}
         while node.before is not None:
-            found.update((self.tasks[i], node.before.time) for i in node.taken)
+            starts.update((self.tasks[i], node.before.time) for i in node.taken)
             node = node.before
-        return found
+        return starts

@@ -46,25 +46,25 @@ def faults_of_levels(
 
     A task done twice is judged where it is done first. What needs a task that is missing is not blamed.
     """
-    found: list[Fault] = []
+    faults: list[Fault] = []
     first: dict[int, int] = {}
     for k, level in enumerate(levels, 1):
         doing = [task for task in level if task is not None]
-        found += [Fault("crowded", task, k) for task in doing[processors:]]
+        faults += [Fault("crowded", task, k) for task in doing[processors:]]
         for task in doing:
             if task in first:
-                found.append(Fault("twice", task, k))
+                faults.append(Fault("twice", task, k))
             else:
                 first[task] = k
                 if task not in after:
-                    found.append(Fault("unknown", task, k))
+                    faults.append(Fault("unknown", task, k))
     for task, needed in after.items():
         if task not in first:
-            found.append(Fault("missing", task, 0))
+            faults.append(Fault("missing", task, 0))
             continue
         late = sorted(other for other in needed if other in first and first[other] >= first[task])
-        found += [Fault("precedence", task, first[task], other) for other in late]
-    return found
+        faults += [Fault("precedence", task, first[task], other) for other in late]
+    return faults
 
 
 def faults_of_times(
@@ -81,20 +81,20 @@ def faults_of_times(
     With ``levels`` (of a synchronised machine) they too are judged, and each task must begin when all of the
     level before have ended and met, ``communication`` later.
     """
-    found: list[Fault] = []
+    faults: list[Fault] = []
     when: dict[int, tuple[int, int, int]] = {}
     for task, processor, start, finish in placements:
         if task not in after:
-            found.append(Fault("unknown", task, start))
+            faults.append(Fault("unknown", task, start))
         if task in when:
-            found.append(Fault("twice", task, start))
+            faults.append(Fault("twice", task, start))
             continue
         when[task] = (processor, start, finish)
         if finish - start != lengths.get(task, 1):
-            found.append(Fault("length", task, start))
+            faults.append(Fault("length", task, start))
         if not 0 <= processor < processors or start < 0:
-            found.append(Fault("crowded", task, start))
-    found += [Fault("missing", task, 0) for task in after if task not in when]
+            faults.append(Fault("crowded", task, start))
+    faults += [Fault("missing", task, 0) for task in after if task not in when]
     for task, (processor, start, _) in when.items():
         for other in sorted(after.get(task, ())):
             if other not in when:
@@ -102,28 +102,28 @@ def faults_of_times(
             there, _, done = when[other]
             wait = communication if levels is None and there != processor else 0
             if start < done + wait:
-                found.append(Fault("early", task, start, other))
+                faults.append(Fault("early", task, start, other))
     busy: dict[int, tuple[int, int]] = {}
     for task, (processor, start, finish) in sorted(when.items(), key=lambda one: one[1][1:]):
         if processor in busy and busy[processor][1] > start:
-            found.append(Fault("overlap", task, start, busy[processor][0]))
+            faults.append(Fault("overlap", task, start, busy[processor][0]))
         busy[processor] = (task, finish)
     if levels is not None:
-        found += faults_of_levels(after, processors, levels)
-        found += _uneven(levels, when, communication)
-    return found
+        faults += faults_of_levels(after, processors, levels)
+        faults += _uneven(levels, when, communication)
+    return faults
 
 
 def _uneven(
     levels: Sequence[Sequence[int | None]], when: Mapping[int, tuple[int, int, int]], communication: int
 ) -> list[Fault]:
-    found: list[Fault] = []
+    faults: list[Fault] = []
     begin = 0
     for k, level in enumerate(levels, 1):
         doing = [task for task in level if task is not None and task in when]
-        found += [Fault("levels", task, k) for task in doing if when[task][1] != begin]
+        faults += [Fault("levels", task, k) for task in doing if when[task][1] != begin]
         begin = max((when[task][2] for task in doing), default=begin + 1) + communication
-    return found
+    return faults
 
 
 def summary(faults: Sequence[Fault]) -> dict[str, int]:

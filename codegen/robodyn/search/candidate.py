@@ -47,8 +47,8 @@ class Candidates:
 
     def cost(self, writing: Writing) -> float | None:
         """The cost of ``writing``; None where it does not suit the robot."""
-        found = self.judged(writing)
-        return None if found is None else found[0]
+        cost = self.judged(writing)
+        return None if cost is None else cost[0]
 
     def judged(self, writing: Writing) -> tuple[float, Sketch] | None:
         """The cost of ``writing`` and its sketch; None where it does not suit the robot."""
@@ -56,8 +56,8 @@ class Candidates:
             return self._costs[writing]
         if len(self._costs) > _MANY:
             self._costs.clear()
-        found = self._costs[writing] = self._judged(writing)
-        return found
+        cost = self._costs[writing] = self._judged(writing)
+        return cost
 
     def _judged(self, writing: Writing) -> tuple[float, Sketch] | None:
         try:

@@ -150,12 +150,12 @@ class _Race:
             walk.run(_CHUNK, temperature * scale)
             self.steps += _CHUNK
         try:
-            found = walk.best()
+            best = walk.best()
         except NoWalk:  # a constant grew beyond all bounds: that walk is lost
             return
         with self.lock:
-            if self.cost(found) < self.cost(program):
-                self.add(found)
+            if self.cost(best) < self.cost(program):
+                self.add(best)
 
 
 def _inner(objective: Objective) -> tuple[int, tuple[int, int], float]:

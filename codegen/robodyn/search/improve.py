@@ -97,11 +97,11 @@ def improved(
         starts += _written(robot, written, seed, objective, processes, progress)
         if robot.n <= _SHORT and cost(recursion, objective) > 0:
             starts += closed_forms(robot, effort=min(1.0, max(_LEAST_EFFORT, budget * _EFFORT)))
-    found = _distinct(starts, objective)
+    distinct = _distinct(starts, objective)
     how = f"robodyn --optimize {level}, seed {seed}"
     if level == "full" or _compiler():
         left = max(0.5, end - time.monotonic())
-        saved = (0.0, cost(found[0], objective))
+        saved = (0.0, cost(distinct[0], objective))
 
         def tell(at: Climbed) -> None:
             nonlocal saved
@@ -112,8 +112,10 @@ def improved(
                 if (better := _proved(robot, function, at.program, recursion, objective, how)) is not None:
                     _keep(better)
 
-        found = climb(found, seconds=left, seed=seed, objective=objective, threads=processes, progress=tell)
-    for program in found:
+        distinct = climb(
+            distinct, seconds=left, seed=seed, objective=objective, threads=processes, progress=tell
+        )
+    for program in distinct:
         record = _proved(robot, function, program, recursion, objective, how)
         if record is not None:
             kept = [old for old in known if old.program.operations == record.program.operations]
@@ -168,11 +170,11 @@ def _written(
 
 def _distinct(programs: Sequence[Program], objective: Objective) -> list[Program]:
     """The programs, best first, each once."""
-    found: dict[object, Program] = {}
+    distinct: dict[object, Program] = {}
     for program in programs:
         plain = tuple((op, args) for op, args, _ in program.operations)
-        found.setdefault((plain, program.outputs), replace(program, origin=None))
-    return sorted(found.values(), key=lambda program: cost(program, objective))
+        distinct.setdefault((plain, program.outputs), replace(program, origin=None))
+    return sorted(distinct.values(), key=lambda program: cost(program, objective))
 
 
 def _proved(
@@ -194,7 +196,7 @@ def _known(
     robot: Robot, function: str, objective: Objective, folders: Sequence[Path], recursion: Program
 ) -> list[Record]:
     """Records of earlier searches; damaged ones are passed over, since a search makes new ones."""
-    found = []
+    programs = []
     places: list[Sequence[Path]] = [folders, ()]
     if (cache := kept_folder()) is not None:
         places.insert(0, (cache,))
@@ -204,10 +206,10 @@ def _known(
             if record is not None:
                 check_reading(record, rounding := Rounding(recursion))
                 trusted(record.program, recursion, record, rounding=rounding)
-                found.append(record)
+                programs.append(record)
         except InputError:
             continue
-    return found
+    return programs
 
 
 def kept_folder() -> Path | None:

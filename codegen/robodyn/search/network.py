@@ -113,8 +113,8 @@ class Network:
     @property
     def targets(self) -> list[int]:
         """The rows that outputs need, each once, leaves left out."""
-        found = dict.fromkeys(out[0] for out in self.outputs if not isinstance(out, Fraction))
-        return [row for row in found if row >= len(self.leaves)]
+        targets = dict.fromkeys(out[0] for out in self.outputs if not isinstance(out, Fraction))
+        return [row for row in targets if row >= len(self.leaves)]
 
 
 Part = tuple[int, int] | Fraction
@@ -126,18 +126,18 @@ def network(programs: Sequence[Program], *, primes: int | None = None, seed: int
 
     Only what the first needs is alive at the start; its outputs are the network's.
     """
-    made = _Building(programs[0], primes or _primes_for(programs), seed)
+    building = _Building(programs[0], primes or _primes_for(programs), seed)
     with localcontext() as context:
         context.prec = _DIGITS
-        outputs, *_ = [made.replay(program) for program in programs]
+        outputs, *_ = [building.replay(program) for program in programs]
     return Network(
         programs[0],
-        tuple(made.leaf_operands),
-        tuple(made.rows),
-        tuple(made.residues),
-        tuple(tuple(_split(x) for x in row) for row in made.truth),
+        tuple(building.leaf_operands),
+        tuple(building.rows),
+        tuple(building.residues),
+        tuple(tuple(_split(x) for x in row) for row in building.truth),
         tuple(outputs),
-        made.primes,
+        building.primes,
     )
 
 
@@ -306,22 +306,22 @@ def _split(x: Decimal) -> tuple[float, float]:
 
 def _algebra(program: Program) -> list[Operand]:
     """The leaves: inputs and opaque operations that additions and multiplications of the outputs read."""
-    found: dict[Operand, None] = {}
+    operands: dict[Operand, None] = {}
     stack: list[Operand] = [operand for operand in program.results() if not isinstance(operand, Fraction)]
     seen: set[int] = set()
     while stack:
         operand = stack.pop()
         if isinstance(operand, Input):
-            found[operand] = None
+            operands[operand] = None
         elif isinstance(operand, int) and operand not in seen:
             seen.add(operand)
             op, args, _ = program.operations[operand]
             if op in _OPAQUE:
-                found[operand] = None
+                operands[operand] = None
             else:
                 stack.extend(arg for arg in args if not isinstance(arg, Fraction))
 
     def rank(operand: Operand) -> tuple[int, object]:
         return (1, operand) if isinstance(operand, int) else (0, str(operand))
 
-    return sorted(found, key=rank)
+    return sorted(operands, key=rank)

@@ -30,7 +30,7 @@ def rebuilt(
     program = source.program
     own = _own_constants(program, moduli[:_FEW])
     values = graph.replay_all(program)
-    made: dict[int, Scalar] = {}
+    nodes: dict[int, Scalar] = {}
     residue_of = {i: residues[k] for k, i in enumerate(ids)}
 
     def recovered(i: int, j: int, quotient: bool, sign: int = 1) -> Fraction:
@@ -45,25 +45,25 @@ def rebuilt(
     for i, row in zip(ids, rows, strict=True):
         if row.op == LEAF:
             operand = source.leaves[i]
-            made[i] = values[operand] if isinstance(operand, int) else graph.input(*operand)  # type: ignore[misc]
+            nodes[i] = values[operand] if isinstance(operand, int) else graph.input(*operand)  # type: ignore[misc]
             continue
         if row.op == SCALE:
-            made[i] = made[row.a] * recovered(i, row.a, quotient=True)
+            nodes[i] = nodes[row.a] * recovered(i, row.a, quotient=True)
             continue
         if row.op == OFFSET:
-            made[i] = row.sign * made[row.a] + recovered(i, row.a, quotient=False, sign=row.sign)
+            nodes[i] = row.sign * nodes[row.a] + recovered(i, row.a, quotient=False, sign=row.sign)
             continue
         p = moduli[0]
         a, b = residue_of[row.a][0], residue_of[row.b][0]
         if row.op == ADD:
-            made[i] = made[row.a] + row.sign * made[row.b]
-            found = (a + row.sign * b) % p
+            nodes[i] = nodes[row.a] + row.sign * nodes[row.b]
+            image = (a + row.sign * b) % p
         else:
-            made[i] = made[row.a] * made[row.b]
-            found = a * b % p
-        if found != residue_of[i][0]:
-            made[i] = -made[i]
-    results = [out if isinstance(out, Fraction) else made[out[0]] * out[1] for out in source.outputs]
+            nodes[i] = nodes[row.a] * nodes[row.b]
+            image = a * b % p
+        if image != residue_of[i][0]:
+            nodes[i] = -nodes[i]
+    results = [out if isinstance(out, Fraction) else nodes[out[0]] * out[1] for out in source.outputs]
     return lower(graph, grouped(program, results))
 
 
@@ -74,11 +74,11 @@ _FEW = 3
 def _own_constants(program: Program, moduli: Sequence[int]) -> dict[tuple[int, ...], Fraction]:
     """Constants of ``program``, their negatives and reciprocals by their residues: these come back however
     long they are, and at once."""
-    found: dict[tuple[int, ...], Fraction] = {}
+    constants: dict[tuple[int, ...], Fraction] = {}
     for c in {arg for operation in program.operations for arg in operation.args if isinstance(arg, Fraction)}:
         for x in (c, -c, *((1 / c, -1 / c) if c else ())):
-            found[tuple(x.numerator * pow(x.denominator, -1, p) % p for p in moduli)] = x
-    return found
+            constants[tuple(x.numerator * pow(x.denominator, -1, p) % p for p in moduli)] = x
+    return constants
 
 
 def fraction(parts: Sequence[int], moduli: Sequence[int]) -> Fraction:

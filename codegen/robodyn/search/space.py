@@ -97,12 +97,12 @@ class Space:
         """Changes of link ``i``, and of the one before it, that pay only together."""
         if i == 0 or not self.arm.bodies[i].revolute:
             return []
-        found: list[dict[int, Changes]] = [{i: change} for change in (*_POINT, *_EVEN)]
+        macros: list[dict[int, Changes]] = [{i: change} for change in (*_POINT, *_EVEN)]
         if i + 1 == self.n:
-            found += [{i: change} for change in _SPIN]
+            macros += [{i: change} for change in _SPIN]
             if i > 1:
-                found += [{i: spin, i - 1: point} for spin in _SPIN for point in _POINT]
-                found += [
+                macros += [{i: spin, i - 1: point} for spin in _SPIN for point in _POINT]
+                macros += [
                     {i: _SPIN[0], i - 1: {**point, "form": "wrist"}}
                     for point in _POINT
                     if point["frame"] == "start" and point["form"] == "point_y"
@@ -110,7 +110,7 @@ class Space:
         legal = self.values
         return [
             change
-            for change in found
+            for change in macros
             if all(v in legal[j][f] for j, fs in change.items() for f, v in fs.items())
         ]
 
@@ -187,9 +187,9 @@ class Space:
                     for v in values[other]:
                         if u != getattr(link, one) and v != getattr(link, other):
                             yield writing.with_link(i, **{one: u, other: v})
-        for unit, number in self.units:
-            if (unit, number) != (writing.unit, writing.unit_link):
-                yield replace(writing, unit=unit, unit_link=number)
+        for unit, unit_count in self.units:
+            if (unit, unit_count) != (writing.unit, writing.unit_link):
+                yield replace(writing, unit=unit, unit_link=unit_count)
 
     def fitted(self, writing: Writing) -> Writing:
         """``writing`` with fields that have no effect at their plain value."""

@@ -97,8 +97,8 @@ def search(
                 heat = rng.choice((1.0, 2.0, 3.0)) if origin is not plain else 3.0
                 left = deadline - time.monotonic()
                 tasks.append((robot, objective, origin, f"{seed} {done} {k}", heat, steps, left))
-            for found, count in workers.run(walk, tasks):
-                known.update(found)
+            for discovered, count in workers.run(walk, tasks):
+                known.update(discovered)
                 tried += count
             known = dict(sorted(known.items(), key=_by_cost)[:2000])
             done += 1
@@ -163,12 +163,12 @@ def walk(
             if steps % 64 == 0 and time.monotonic() > deadline:
                 break
     top = sorted(seen.items(), key=lambda item: item[1])[:100]
-    found: Known = {}
+    known: Known = {}
     for writing, _ in top:
         judged = candidates.judged(writing)
         if judged is not None:
-            found[writing] = judged
-    return found, steps
+            known[writing] = judged
+    return known, steps
 
 
 def _by_cost(item: tuple[Writing, tuple[float, Sketch]]) -> float:

@@ -63,7 +63,7 @@ class Walk:
         if not targets:
             raise NoWalk("there is nothing to rewrite")
         add, mul = weights
-        made = self._library.walk_new(
+        handle = self._library.walk_new(
             leaves,
             len(rows) - leaves,
             len(targets),
@@ -79,9 +79,9 @@ class Walk:
             tolerance,
             seed,
         )
-        if made == self._ffi.NULL:
+        if handle == self._ffi.NULL:
             raise NoWalk("too large, or out of memory")
-        self._walk = self._ffi.gc(made, self._library.walk_free)
+        self._walk = self._ffi.gc(handle, self._library.walk_free)
 
     def run(self, steps: int, temperature: float) -> int:
         """Take ``steps`` steps; the least cost so far. At temperature t a step that costs x more than before
@@ -112,8 +112,8 @@ class Walk:
         n = self._library.walk_best(self._walk, ids, ops, residues)
         rows = [Row(*ops[4 * i : 4 * i + 4]) for i in range(n)]
         values = self._ffi.unpack(residues, n * width)
-        found = [values[i * width : (i + 1) * width] for i in range(n)]
-        return rebuilt(self._network, self._ffi.unpack(ids, n), rows, found)
+        outputs = [values[i * width : (i + 1) * width] for i in range(n)]
+        return rebuilt(self._network, self._ffi.unpack(ids, n), rows, outputs)
 
 
 @functools.cache
@@ -135,8 +135,8 @@ def library() -> tuple[Any, Any]:
     def build(folder: Path) -> str:
         for name, text in sources.items():
             (folder / name).write_text(text, encoding="utf-8")
-        made = compiler.compile("walk.c", flags=_FLAGS, folder=folder)
-        compiler.link([made], "walk.so", flags=(), folder=folder, extension=False)
+        library = compiler.compile("walk.c", flags=_FLAGS, folder=folder)
+        compiler.link([library], "walk.so", flags=(), folder=folder, extension=False)
         return "walk.so"
 
     path = Cache().fetch(content_key(["walk", sources, compiler.identity, *_FLAGS]), build)

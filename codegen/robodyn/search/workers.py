@@ -107,12 +107,12 @@ def _lost(process: subprocess.Popen[bytes]) -> ToolError:
     """What to say of a process that has ended on its own."""
     try:
         code = process.wait(1)
-        found = f"signal {-code}" if code < 0 else f"exit status {code}"
+        cause = f"signal {-code}" if code < 0 else f"exit status {code}"
     except subprocess.TimeoutExpired:
-        found = "no answer"
+        cause = "no answer"
     return ToolError(
         "a process that helps to search has ended before its work was done",
-        found=found,
+        found=cause,
         remedy="search again; if memory is short, with fewer other programs running",
     )
 

@@ -31,8 +31,8 @@ class Balance:
     def residual(self) -> Floats:
         """Stored energy since the start less work plus loss [S] in J: the integration's error."""
         stored = self.kinetic + self.potential
-        found: Floats = stored - stored[0] - self.work + self.loss
-        return found
+        residual: Floats = stored - stored[0] - self.work + self.loss
+        return residual
 
     @property
     def scale(self) -> float:

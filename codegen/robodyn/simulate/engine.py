@@ -130,10 +130,10 @@ class Engine:
         width = 1 + 3 * self.n + self.states + self.elements + 2 * motors + 2
         rows = np.empty((samples, width))
         asked.record = pointer(rows)
-        made = self.library.run_new(asked)
-        if made == self.ffi.NULL:
+        run = self.library.run_new(asked)
+        if run == self.ffi.NULL:
             raise MemoryError
-        state = self.ffi.gc(made, self.library.run_free)
+        state = self.ffi.gc(run, self.library.run_free)
         status = self._advance(state, samples, progress)
         if raised and not isinstance(raised[0], KeyboardInterrupt):
             raise raised[0]
@@ -263,8 +263,8 @@ def build_engine(
             target = folder / path
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_text(text, encoding="utf-8", newline="\n")
-        made = [compiler.compile(path, flags=(*flags, "-I."), folder=folder) for path in sources]
-        compiler.link(made, "engine.so", flags=tuple(flags), folder=folder, extension=False)
+        objects = [compiler.compile(path, flags=(*flags, "-I."), folder=folder) for path in sources]
+        compiler.link(objects, "engine.so", flags=tuple(flags), folder=folder, extension=False)
         return "engine.so"
 
     key = content_key(["engine", texts, compiler.command, compiler.identity, *flags])

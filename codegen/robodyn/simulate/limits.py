@@ -39,7 +39,7 @@ def with_limits(robot: Robot) -> tuple[Robot, tuple[int, ...]]:
 
 def outside(robot: Robot, motion: Trajectory) -> list[str]:
     """What of ``motion`` is outside the stated limits of ``robot``, a line each."""
-    found = []
+    violations = []
     for i, link in enumerate(robot.links):
         limits, unit = link.joint.limits, "m" if link.joint.kind == "prismatic" else "rad"
         ranges = [("is at", motion.q, limits.position, unit)]
@@ -55,8 +55,8 @@ def outside(robot: Robot, motion: Trajectory) -> list[str]:
             beyond = np.maximum(values[:, i] - high, low - values[:, i])
             k = int(np.argmax(beyond))
             if beyond[k] > _SLACK * max(1.0, abs(low), abs(high)):
-                found.append(
+                violations.append(
                     f"joint {i + 1} {what} {values[k, i]:.4g} {measure} at {motion.t[k]:.4g} s, outside its "
                     f"limits {low:.4g} to {high:.4g}"
                 )
-    return found
+    return violations

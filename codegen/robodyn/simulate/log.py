@@ -63,10 +63,10 @@ class Log:
         shape = self.q.shape
         fits = len(shape) == 2 and shape[0] > 0 and shape[1] > 0 and self.t.shape == shape[:1]
         if not fits or any(array.shape != shape for _, array in self._groups()):
-            found = [("t", self.t), *self._groups()]
+            columns = [("t", self.t), *self._groups()]
             raise InputError(
                 "the arrays of a log do not fit together",
-                found=", ".join(f"{name} {list(array.shape)}" for name, array in found),
+                found=", ".join(f"{name} {list(array.shape)}" for name, array in columns),
                 expected="t [K] and all others [K, n], K and n at least 1",
             )
 
@@ -142,7 +142,7 @@ def provenance(
     data = yaml.encode() if isinstance(yaml, str) else yaml
     linear = [link.joint.kind == "prismatic" for link in robot.links]
     way = ["m" if each else "rad" for each in linear]
-    found = {
+    entries = {
         "robodyn": version("robodyn"),
         "robot": robot.name,
         "identity": identity(robot),
@@ -164,13 +164,13 @@ def provenance(
             "tau": ["N" if each else "N m" for each in linear],
         },
     }
-    plain: dict[str, Any] = _plain(found)
+    plain: dict[str, Any] = _plain(entries)
     return plain
 
 
-def provenance_text(found: Mapping[str, Any]) -> str:
-    """``found`` as JSON, the text of the file beside a log; numbers that JSON lacks become words."""
-    return json.dumps(_plain(found), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+def provenance_text(data: Mapping[str, Any]) -> str:
+    """``data`` as JSON, the text of the file beside a log; numbers that JSON lacks become words."""
+    return json.dumps(_plain(data), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def read_provenance(path: str | os.PathLike[str]) -> dict[str, Any] | None:
@@ -185,18 +185,18 @@ def read_provenance(path: str | os.PathLike[str]) -> dict[str, Any] | None:
         return None
     data = read_bytes(beside, _PROVENANCE, "the provenance of a log")
     try:
-        found = parsed_json(data)
+        entries = parsed_json(data)
     except ValueError as error:
-        found = str(error)
-    if not isinstance(found, dict):
+        entries = str(error)
+    if not isinstance(entries, dict):
         raise InputError(
             "this is not the provenance of a log",
             where=Place(label(beside)),
-            found=found if isinstance(found, str) else "other JSON",
+            found=entries if isinstance(entries, str) else "other JSON",
             expected="a JSON object",
             remedy="delete it, or write the log again",
         )
-    return found
+    return entries
 
 
 def _plain(value: Any) -> Any:
@@ -213,8 +213,8 @@ def _plain(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [_plain(each) for each in value]
     if isinstance(value, (float, Fraction)):
-        number = float(value)
-        return number if math.isfinite(number) else repr(number)
+        converted = float(value)
+        return converted if math.isfinite(converted) else repr(converted)
     if isinstance(value, PurePath):
         return value.name
     if isinstance(value, str):

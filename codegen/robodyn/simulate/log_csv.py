@@ -239,11 +239,11 @@ def _wrong_cell(cells: Sequence[bytes], position: int, line: Place) -> InputErro
     cell = cells[position]
     space = len(cell) - len(cell.lstrip()) if cell.strip() else 0
     where = Place(line.file, line.line, before + space + 1)
-    found = shown(_decode(cell.strip(), where)) if cell.strip() else "nothing"
+    content = shown(_decode(cell.strip(), where)) if cell.strip() else "nothing"
     return InputError(
         "the cell is not a number",
         where=where,
-        found=found,
+        found=content,
         expected="a number such as -0.125 or 1e-3",
         remedy=_cell_remedy(cells, cell),
     )

@@ -95,9 +95,9 @@ def read_footer(file: IO[bytes], size: int) -> Footer:
     if length > size - 12 or length > FOOTER:
         raise Damaged(f"a footer of {length} bytes in a file of {size}")
     file.seek(size - 8 - length)
-    found = _Thrift(file.read(length) or b"").struct(_FOOTER)
-    schema, groups = (found[key] if isinstance(found.get(key), list) else [] for key in (2, 4))
-    rows, counts = _whole(found.get(3)), [_whole(group.get(3)) for group in groups]
+    footer = _Thrift(file.read(length) or b"").struct(_FOOTER)
+    schema, groups = (footer[key] if isinstance(footer.get(key), list) else [] for key in (2, 4))
+    rows, counts = _whole(footer.get(3)), [_whole(group.get(3)) for group in groups]
     if min([rows, *counts]) < 0 or sum(counts) != rows:
         raise Damaged(f"{rows} rows, and {sum(counts)} in its groups of rows")
     if any(not isinstance(group.get(1), list) for group in groups):
@@ -203,20 +203,20 @@ class _Thrift:
 
     def struct(self, form: _Form, depth: int = _LEVELS) -> dict[int, Any]:
         """The fields of a struct that ``form`` names, by number; structs in it are the same again."""
-        found: dict[int, Any] = {}
+        fields: dict[int, Any] = {}
         seen: set[int] = set()
         last = 0
         while True:
             head = self._byte()
             if not head:
-                return found
+                return fields
             last = last + (head >> 4) if head >> 4 else self._signed()
             if last in seen or len(seen) == _FIELDS:
                 raise Damaged("a field that stands twice, or too many of them")
             seen.add(last)
             value = self._value(head & 15, form.get(last, False), depth)
             if last in form:
-                found[last] = value
+                fields[last] = value
 
     def _value(self, kind: int, form: _Form | bool, depth: int) -> Any:
         if not depth:
@@ -252,12 +252,12 @@ class _Thrift:
         self.kept += count if form else 0
         if count > COLUMNS or self.kept > 4 * CHUNKS:
             raise Damaged(f"a list of {count}, more than {COLUMNS}, or too many lists")
-        found = []
+        items = []
         for _ in range(count):
             value = self._value(kind, form, depth)
             if form:
-                found.append(value)
-        return found
+                items.append(value)
+        return items
 
     def _signed(self) -> int:
         value = self._unsigned()

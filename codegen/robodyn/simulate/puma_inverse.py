@@ -139,18 +139,18 @@ class PumaArm:
             np.sqrt(np.maximum((a + f - from_shoulder) * (a + f + from_shoulder), 0.0)),
             np.sqrt(np.maximum((from_shoulder - abs(a - f)) * (from_shoulder + abs(a - f)), 0.0)),
         )
-        found = np.empty((len(points), 4, 3))
+        positions = np.empty((len(points), 4, 3))
         for k, (shoulder, elbow) in enumerate(BRANCHES):
             u, psi = shoulder * r, elbow * bend
-            found[:, k, 0] = np.arctan2(y * u - x * d, x * u + y * d)
+            positions[:, k, 0] = np.arctan2(y * u - x * d, x * u + y * d)
             if self.upper < 0:
                 psi = psi + math.pi
             along, across = self.upper + f * np.cos(psi), f * np.sin(psi)
-            found[:, k, 1] = np.arctan2(-z * along - u * across, u * along - z * across)
-            found[:, k, 2] = psi - math.atan2(-self.forearm, self.elbow)
-        found -= np.array(self.zero)
-        found -= _TURN * np.ceil(found / _TURN - 0.5)
-        return found.reshape((*target.shape[:-1], 4, 3))
+            positions[:, k, 1] = np.arctan2(-z * along - u * across, u * along - z * across)
+            positions[:, k, 2] = psi - math.atan2(-self.forearm, self.elbow)
+        positions -= np.array(self.zero)
+        positions -= _TURN * np.ceil(positions / _TURN - 0.5)
+        return positions.reshape((*target.shape[:-1], 4, 3))
 
     def continuous(
         self, path: ArrayLike, branch: Branch = (1, 1), near: Sequence[float] | None = None

@@ -26,24 +26,24 @@ def elements_of(layer: Layer, coupled: Sequence[int], size: int) -> tuple[Elemen
     def unit(k: int) -> tuple[Fraction, ...]:
         return tuple(Fraction(int(j == k)) for j in range(size))
 
-    found: list[Element] = []
+    elements: list[Element] = []
     for i, drive in enumerate(layer.joints):
         at_link = _is_dry(drive, drive.link, drive.bearing)
         at_motor = _is_dry(drive, drive.gear, drive.motor) or not is_zero(drive.coulomb)
         if i in coupled:
             if at_link:
-                found.append(Element(f"link {i + 1}", unit(i)))
+                elements.append(Element(f"link {i + 1}", unit(i)))
             if at_motor:
-                found.append(Element(f"motor {i + 1}", unit(n + list(coupled).index(i))))
+                elements.append(Element(f"motor {i + 1}", unit(n + list(coupled).index(i))))
         elif at_link or at_motor:
-            found.append(Element(f"joint {i + 1}", unit(i)))
+            elements.append(Element(f"joint {i + 1}", unit(i)))
     for k, pair in enumerate(layer.pairs, 1):
         if _is_dry(layer.joints[pair.one], (pair.acting,)):
             row = [Fraction(0)] * size
             for joint, x in ((pair.one, Fraction(1)), (pair.other, Fraction(pair.ratio))):
                 row[n + list(coupled).index(joint) if joint in coupled else joint] = x
-            found.append(Element(f"pair {k}", tuple(row)))
-    return tuple(found)
+            elements.append(Element(f"pair {k}", tuple(row)))
+    return tuple(elements)
 
 
 def _is_dry(drive: JointDrive, *sides: Sequence[Acting]) -> bool:

@@ -241,22 +241,22 @@ def _start(
         raise InputError(
             "the trajectory is another robot's", found=f"{first.n} joints", expected=f"{robot.n}"
         )
-    found = []
-    for name, given, own in (
+    states = []
+    for name, value, own in (
         ("start", start, first.q[0] if first is not None else None),
         ("speed", speed, first.qd[0] if first is not None else None),
     ):
-        if given is None:
-            given = own if own is not None else np.zeros(robot.n)
-        array = np.asarray(given, np.float64)
+        if value is None:
+            value = own if own is not None else np.zeros(robot.n)
+        array = np.asarray(value, np.float64)
         if array.shape != (robot.n,) or not np.isfinite(array).all():
             raise InputError(
                 f"{name} does not fit {robot.name}",
                 found=str(list(array.shape)),
                 expected=f"{robot.n} numbers",
             )
-        found.append(array)
-    return found[0], found[1]
+        states.append(array)
+    return states[0], states[1]
 
 
 def _control(
@@ -301,8 +301,8 @@ def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, flo
     """The torques [K, n] of the plant's model along ``motion``; effects that remember, at their steady
     values."""
     values = parameter_values(plant.robot, parameters)
-    given = [values[name] for name in plant.robot.parameters]
-    return plant.engine.model_torques(motion.q, motion.qd, motion.qdd, given)
+    numbers = [values[name] for name in plant.robot.parameters]
+    return plant.engine.model_torques(motion.q, motion.qd, motion.qdd, numbers)
 
 
 def drive_limits(robot: Robot, values: Mapping[str, float]) -> Floats | None:

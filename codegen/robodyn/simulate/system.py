@@ -154,37 +154,37 @@ class _Builder:
         )
 
     def _remembered(self, graph: Graph, layer: Layer, moved: Rates) -> dict[int, list[Any]]:
-        found: dict[int, list[Any]] = {}
+        states: dict[int, list[Any]] = {}
         for i, acting, site, state in self._memories(graph, layer, moved):
-            found.setdefault(i, []).append(memory_of(acting).torque(acting.values, site, state))
-        return found
+            states.setdefault(i, []).append(memory_of(acting).torque(acting.values, site, state))
+        return states
 
     def _memories(
         self, graph: Graph, layer: Layer, moved: Rates
     ) -> list[tuple[int, Acting, Site, tuple[Any, ...]]]:
-        found = []
+        memories = []
         k = 0
         for i, drive in enumerate(layer.joints):
             site = Site(drive.revolute, moved.q[i], moved.qd[i], moved.qdd[i], moved.direction[i])
             for acting in drive.memories:
                 count = len(memory_of(acting).names)
-                found.append((i, acting, site, tuple(graph.input("z", k + j) for j in range(count))))
+                memories.append((i, acting, site, tuple(graph.input("z", k + j) for j in range(count))))
                 k += count
-        return found
+        return memories
 
     # -- programs ----------------------------------------------------------------------------------
     def programs(self) -> dict[str, Program]:
         """All programs that the engine needs, by name."""
-        made = {"mass": self._mass(), "conserved": self._bias(lossless=True)}
+        programs = {"mass": self._mass(), "conserved": self._bias(lossless=True)}
         if self.affine:
-            made["bias"] = self._bias()
+            programs["bias"] = self._bias()
         else:
-            made.update(self._implicit())
+            programs.update(self._implicit())
         if self.states:
-            made["rates"] = self._rates()
+            programs["rates"] = self._rates()
         for k, entry in enumerate(self._contacts()):
-            made[f"contact_{k}"] = self._contact(entry)
-        return {name: run(program, FRESH) for name, program in made.items()}
+            programs[f"contact_{k}"] = self._contact(entry)
+        return {name: run(program, FRESH) for name, program in programs.items()}
 
     def _fresh(self) -> tuple[Graph, Layer]:
         graph = Graph()

@@ -64,16 +64,16 @@ def read_torques(path: str | PathLike[str], n: int) -> tuple[Floats, float]:
 def _rows(path: Path, name: str) -> tuple[tuple[int, list[str]], list[tuple[int, str]]]:
     """The cells of the header and the rows, each with the number of its line."""
     text = read_text(path, LARGEST, "torques, such as torques.csv", name)
-    found = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
-    if len(found) < 2:
+    rows = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
+    if len(rows) < 2:
         raise InputError(
             "there are no torques in the file",
             where=Place(name),
-            found="the header only" if found else "nothing",
+            found="the header only" if rows else "nothing",
             expected="t,tau1..taun and a row or more",
         )
-    first, header = found[0]
-    return (first, [cell.strip() for cell in header.split(",")]), found[1:]
+    first, header = rows[0]
+    return (first, [cell.strip() for cell in header.split(",")]), rows[1:]
 
 
 def _columns(names: list[str], n: int, where: Place) -> list[int]:

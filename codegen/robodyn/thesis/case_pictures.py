@@ -13,13 +13,13 @@ _LOADS = [k / 200 for k in range(201)]
 
 def pictures(study: Study) -> dict[str, str]:
     """SVGs by file name."""
-    found = {
+    files = {
         "path.svg": path(study),
         "joints.svg": joints(study),
         "efficiency.svg": efficiency(),
         "following.svg": following(study),
     }
-    return found | {f"joint-{k}.svg": torques(study, k) for k in _JOINTS}
+    return files | {f"joint-{k}.svg": torques(study, k) for k in _JOINTS}
 
 
 def path(study: Study) -> str:
@@ -59,8 +59,8 @@ def joints(study: Study) -> str:
 
 def torques(study: Study, joint: int) -> str:
     """All torques of ``joint`` (from 1)."""
-    found, k = study.torques, joint - 1
-    ends = _ends(found.joint[1:-1, k])
+    series, k = study.torques, joint - 1
+    ends = _ends(series.joint[1:-1, k])
     return figure(
         f"Torques of joint {joint}",
         LABEL,
@@ -69,25 +69,25 @@ def torques(study: Study, joint: int) -> str:
                 f"Joint {joint}: with and without friction",
                 "N m over s",
                 (
-                    _over(study, "without friction", found.rigid[:, k]),
-                    _over(study, "with joint friction", found.joint[:, k]),
-                    _over(study, "with joint friction and transmission", found.input[:, k]),
+                    _over(study, "without friction", series.rigid[:, k]),
+                    _over(study, "with joint friction", series.joint[:, k]),
+                    _over(study, "with joint friction and transmission", series.input[:, k]),
                 ),
             ),
             Panel(
                 f"Joint {joint}: parts of the friction",
                 "N m over s",
                 (
-                    _over(study, "bearings, Eq 3.3", found.bearing[:, k]),
-                    _over(study, "breakaway torque", found.breakaway[:, k]),
-                    _over(study, "efficiency of the transmission", found.loss[:, k]),
+                    _over(study, "bearings, Eq 3.3", series.bearing[:, k]),
+                    _over(study, "breakaway torque", series.breakaway[:, k]),
+                    _over(study, "efficiency of the transmission", series.loss[:, k]),
                 ),
             ),
             Panel(
                 f"Joint {joint}: through the transmission",
                 "torque that goes in over torque at the joint, N m",
                 (
-                    _curve("input torque", found.joint[1:-1, k], found.input[1:-1, k]),
+                    _curve("input torque", series.joint[1:-1, k], series.input[1:-1, k]),
                     Curve("without loss", ends, ends, dashed=True),
                 ),
             ),
@@ -95,8 +95,8 @@ def torques(study: Study, joint: int) -> str:
                 f"Joint {joint}: efficiency",
                 "share over s",
                 (
-                    _over(study, "efficiency", found.efficiency[:, k]),
-                    _over(study, "load, share of the largest torque", found.load[:, k]),
+                    _over(study, "efficiency", series.efficiency[:, k]),
+                    _over(study, "load, share of the largest torque", series.load[:, k]),
                 ),
             ),
         ),

@@ -117,22 +117,22 @@ def case_study(assumptions: Assumptions | None = None, *, cache: Path | None = N
         none.
     ToolError: no C compiler.
     """
-    given = assumptions or Assumptions()
-    _check(given)
-    made = robots(given.payload, given.span)
-    arm = led(given.arm)
-    fine = motion_of(given, arm)
+    assumed = assumptions or Assumptions()
+    _check(assumed)
+    arms = robots(assumed.payload, assumed.span)
+    arm = led(assumed.arm)
+    fine = motion_of(assumed, arm)
     motion = fine.sampled(DURATION / (SAMPLES - 1))
-    torques = torques_along(made, motion, cache)
+    torques = torques_along(arms, motion, cache)
     runs = []
     for law, kp, kd in (("feedforward", 0.0, 0.0), ("pd", KP, KD)):
         drive = Follow(fine, law, kp=kp, kd=kd, period=CONTROL_PERIOD)  # type: ignore[arg-type]  # of LAWS
-        runs.append(simulate(made.complete, drive, sample_period=CONTROL_PERIOD, cache=cache))
+        runs.append(simulate(arms.complete, drive, sample_period=CONTROL_PERIOD, cache=cache))
     off = _distance(arm, runs[1], fine)
     return Study(
-        given,
+        assumed,
         arm,
-        made,
+        arms,
         motion,
         arm.kinematics.position(motion.q),
         torques,
@@ -142,40 +142,40 @@ def case_study(assumptions: Assumptions | None = None, *, cache: Path | None = N
     )
 
 
-def _check(given: Assumptions) -> None:
-    if given.arm not in ARMS:
-        raise InputError("there is no such arm", found=repr(given.arm), expected=" or ".join(ARMS))
-    if given.profile not in REST_TO_REST:
+def _check(assumptions: Assumptions) -> None:
+    if assumptions.arm not in ARMS:
+        raise InputError("there is no such arm", found=repr(assumptions.arm), expected=" or ".join(ARMS))
+    if assumptions.profile not in REST_TO_REST:
         raise InputError(
             "the case study begins and ends at rest",
-            found=repr(given.profile),
+            found=repr(assumptions.profile),
             expected=" or ".join(REST_TO_REST),
         )
-    if given.end == START:
+    if assumptions.end == START:
         raise InputError(
             "the line has no length", found=f"its end at y = z = {START}", remedy="choose another"
         )
 
 
-def motion_of(given: Assumptions, arm: Led) -> Trajectory:
+def motion_of(assumptions: Assumptions, arm: Led) -> Trajectory:
     """The motion along the line, sampled as finely as it is simulated."""
-    start, end = (X, START, START), (X, given.end, given.end)
+    start, end = (X, START, START), (X, assumptions.end, assumptions.end)
     return line(
         arm.kinematics,
         start,
         end,
         DURATION,
-        given.profile,
+        assumptions.profile,
         solver=lambda path: arm.inverse.continuous(path, D4_BRANCH, near=D4_START),
         period=CONTROL_PERIOD,
     )
 
 
-def torques_along(made: Robots, motion: Trajectory, cache: Path | None = None) -> Torques:
+def torques_along(arms: Robots, motion: Trajectory, cache: Path | None = None) -> Torques:
     """All torques along ``motion``, each from the compiled kernel of a robot with as much friction."""
     kernels = [
         compile_kernel(robot, functions=["inverse_dynamics"], cache=cache)
-        for robot in (made.rigid, made.with_bearings, made.complete)
+        for robot in (arms.rigid, arms.with_bearings, arms.complete)
     ]
     rigid, joint, total = (
         np.asarray(kernel.inverse_dynamics(motion.q, motion.qd, motion.qdd)) for kernel in kernels
@@ -202,18 +202,18 @@ def _following(arm: Led, run: Simulation, motion: Trajectory) -> Following:
 def shares(torques: Torques) -> dict[str, Any]:
     """Peaks and root mean squares [3] of the torques [N m], the range of efficiencies [3], and by what factor
     [3] the root mean square of the input torque is above the rigid arm's."""
-    found: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     for name in ("rigid", "bearing", "joint", "transmission", "input"):
         values = getattr(torques, name)
-        found[name] = {
+        result[name] = {
             "peak": np.abs(values).max(axis=0).tolist(),
             "rms": np.sqrt((values**2).mean(axis=0)).tolist(),
         }
     moving = slice(1, -1)  # at rest there is no loss
-    found["efficiency"] = {
+    result["efficiency"] = {
         "least": torques.efficiency[moving].min(axis=0).tolist(),
         "greatest": torques.efficiency[moving].max(axis=0).tolist(),
     }
-    pairs = zip(found["input"]["rms"], found["rigid"]["rms"], strict=True)
-    found["factor"] = [given / needed for given, needed in pairs]
-    return found
+    pairs = zip(result["input"]["rms"], result["rigid"]["rms"], strict=True)
+    result["factor"] = [applied / needed for applied, needed in pairs]
+    return result

@@ -35,7 +35,7 @@ def to_text(study: Study) -> str:
 
 
 def _head(study: Study) -> Iterable[str]:
-    given, q = study.assumptions, study.motion.q
+    assumed, q = study.assumptions, study.motion.q
     knots = [f"{float(x):g} {float(y):.4f}" for x, y in efficiency_curve()]
     points, beyond = (", ".join(part) for part in (knots[: len(TABLE_3_5)], knots[len(TABLE_3_5) :]))
     yield "The thesis's case study of friction (chapter 3)"
@@ -52,13 +52,13 @@ def _head(study: Study) -> Iterable[str]:
     yield f"  efficiency  {points} by load fraction (out of Table 3.5)"
     yield "Assumed"
     yield (
-        f"  motion      {given.profile}, rest to rest; end y = z = {given.end:g} m; "
-        f"payload {given.payload:g} kg"
+        f"  motion      {assumed.profile}, rest to rest; end y = z = {assumed.end:g} m; "
+        f"payload {assumed.payload:g} kg"
     )
-    yield f"  bearings    {given.span:g} m apart"
+    yield f"  bearings    {assumed.span:g} m apart"
     yield f"  efficiency  {beyond} beyond, as load^0.2; level below {knots[0].split()[0]}"
     yield "  stiction    none"
-    if given.arm == "programs":
+    if assumed.arm == "programs":
         yield "  arm         joint angles of D.1.3 (offset 0.127 m, point along +y of frame 3),"
         yield "              dynamics of D.1.2 (offset 0.1501 m, load along -y of frame 3):"
         yield f"              that load is {study.load_point:.4f} m off the point at the start"
@@ -69,7 +69,7 @@ def _head(study: Study) -> Iterable[str]:
 
 
 def _shown(study: Study) -> Iterable[str]:
-    found = study.torques
+    torques = study.torques
     t = study.motion.t[SHOWN]
     yield f"Torques at {t:.1f} s [N m], Table 3.5 in brackets: another motion, not to be compared"
     signs = " ".join("+" if rate > 0 else "-" for rate in study.motion.qd[SHOWN])
@@ -77,7 +77,7 @@ def _shown(study: Study) -> Iterable[str]:
     yield _line(20, "", *_HEADS)
     for k, printed in enumerate(TABLE_3_5):
         cells = [
-            f"{getattr(found, own)[SHOWN, k]:.4f} ({float(getattr(printed, theirs)):.4f})"
+            f"{getattr(torques, own)[SHOWN, k]:.4f} ({float(getattr(printed, theirs)):.4f})"
             for own, theirs in zip(_COLUMNS, _PRINTED, strict=True)
         ]
         yield _line(20, f"joint {k + 1}", *cells)
@@ -113,11 +113,11 @@ def _line(width: int, name: str, *cells: str) -> str:
 
 def to_dict(study: Study) -> dict[str, Any]:
     """The study as JSON holds it, without its samples."""
-    given, found = study.assumptions, study.torques
+    assumed, torques = study.assumptions, study.torques
     return {
         "label": LABEL,
         "assumptions": {
-            **asdict(given),
+            **asdict(assumed),
             "stiction": None,
             "efficiency": [[float(x), float(y)] for x, y in efficiency_curve()],
             "efficiency_known": [[float(p.load), float(p.efficiency)] for p in efficiency_points()],
@@ -134,11 +134,11 @@ def to_dict(study: Study) -> dict[str, Any]:
             "t": float(study.motion.t[SHOWN]),
             "direction": np.sign(study.motion.qd[SHOWN]).tolist(),
             **{
-                name: getattr(found, own)[SHOWN].tolist()
+                name: getattr(torques, own)[SHOWN].tolist()
                 for name, own in zip(_PRINTED, _COLUMNS, strict=True)
             },
         },
-        "sizes": shares(found),
+        "sizes": shares(torques),
         "forward": {"open_loop": _run(study.open_loop), "closed_loop": _run(study.closed_loop)},
     }
 
@@ -149,12 +149,12 @@ def _run(run: Following) -> dict[str, Any]:
 
 def to_csv(study: Study) -> str:
     """All samples, SI units, one row each."""
-    motion, found = study.motion, study.torques
+    motion, torques = study.motion, study.torques
     parts: list[tuple[Sequence[str], Any]] = [(("t",), motion.t[:, None]), (("x", "y", "z"), study.point)]
     for name, values in (("q", motion.q), ("qd", motion.qd), ("qdd", motion.qdd)):
         parts.append(([f"{name}{k}" for k in (1, 2, 3)], values))
     for name in (*_COLUMNS, "breakaway", "loss", "load", "efficiency"):
-        parts.append(([f"{name}{k}" for k in (1, 2, 3)], getattr(found, name)))
+        parts.append(([f"{name}{k}" for k in (1, 2, 3)], getattr(torques, name)))
     rows = np.hstack([values for _, values in parts])
     head = ",".join(name for names, _ in parts for name in names)
     return "\n".join([head, *(",".join(map(repr, row)) for row in rows.tolist())]) + "\n"

@@ -30,19 +30,19 @@ def compared(most: int, tell: Callable[[str], None] = lambda _: None) -> dict[st
     if not 2 <= most <= MOST_JOINTS:
         raise InputError("forms need joints", found=f"--links {most}", expected=f"2 to {MOST_JOINTS}")
     rows: list[dict[str, Any]] = []
-    found: dict[str, dict[int, Cost]] = {form: {} for form in FORMS}
+    costs: dict[str, dict[int, Cost]] = {form: {} for form in FORMS}
     for n in range(2, most + 1):
         tell(f"{n} joints")
         for form in FORMS:
-            found[form][n] = cost(form, n)
+            costs[form][n] = cost(form, n)
         rows.append(
             {
                 "joints": n,
                 "thesis_tasks_chain": thesis_chain(n),
-                **{form: {"chain": found[form][n].chain, "work": found[form][n].work} for form in FORMS},
+                **{form: {"chain": costs[form][n].chain, "work": costs[form][n].work} for form in FORMS},
             }
         )
-    chains = {form: {n: one.chain for n, one in found[form].items()} for form in FORMS}
+    chains = {form: {n: one.chain for n, one in costs[form].items()} for form in FORMS}
     thesis = {n: thesis_chain(n) for n in range(2, most + 1)}
     against = {**{form: chains[form] for form in LINEAR}, "thesis_tasks": thesis}
     return {
@@ -65,7 +65,7 @@ def _first(own: dict[int, int], other: dict[int, int]) -> int | None:
     return first
 
 
-def forms_text(found: dict[str, Any]) -> str:
+def forms_text(comparison: dict[str, Any]) -> str:
     """The comparison for a person."""
     forms = list(FORMS)
     lines = [
@@ -76,22 +76,22 @@ def forms_text(found: dict[str, Any]) -> str:
         "joints  thesis  " + "  ".join(form.rjust(22) for form in forms),
         "                " + "  ".join("chain / work".rjust(22) for _ in forms),
     ]
-    for row in found["rows"]:
+    for row in comparison["rows"]:
         cells = "  ".join(f"{row[form]['chain']:>13} / {row[form]['work']:<6}" for form in forms)
         lines.append(f"{row['joints']:>6}  {row['thesis_tasks_chain']:>6}  {cells}".rstrip())
     lines.append("")
-    for form, against in found["shorter_from"].items():
-        told = ", ".join(
+    for form, against in comparison["shorter_from"].items():
+        crossings = ", ".join(
             f"{other} from {n} joints on" if n else f"{other} at no number here"
             for other, n in against.items()
         )
-        lines.append(f"{form}: a shorter chain than {told}")
-    last = found["rows"][-1]
+        lines.append(f"{form}: a shorter chain than {crossings}")
+    last = comparison["rows"][-1]
     base = last["modified newton-euler"]["work"]
     for form in LOGARITHMIC:
         lines.append(
             f"{form}: {last[form]['work'] / base:.2f} times the work of modified newton-euler at "
             f"{last['joints']} joints"
         )
-    lines += ["", *(f"{name}: {title}" for name, title in found["titles"].items())]
+    lines += ["", *(f"{name}: {title}" for name, title in comparison["titles"].items())]
     return "\n".join(lines) + "\n"

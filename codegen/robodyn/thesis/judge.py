@@ -148,7 +148,7 @@ def _misprints(printed: PrintedSchedule, faults: Sequence[Fault]) -> Iterator[Mi
     ]
     near = {place.printed for place in places if _same_link(place)}
     places = [place for place in places if _same_link(place) or place.printed not in near]
-    told: set[tuple[TaskId, TaskId]] = set()
+    reported: set[tuple[TaskId, TaskId]] = set()
     for place in places:
         pair = (place.printed, place.meant)
         rivals = {
@@ -156,8 +156,8 @@ def _misprints(printed: PrintedSchedule, faults: Sequence[Fault]) -> Iterator[Mi
             for other in places
             if place.meant == other.meant or place.printed == other.printed
         }
-        if rivals == {pair} and pair not in told:
-            told.add(pair)
+        if rivals == {pair} and pair not in reported:
+            reported.add(pair)
             yield place
 
 
@@ -184,9 +184,11 @@ def _fits(printed: PrintedSchedule, task: TaskId, meant: TaskId, where: int) -> 
 
 
 def _is_task(task: TaskId) -> bool:
-    link, number = link_and_number(task)
-    return 1 <= link <= JOINTS and 1 <= number <= len(TASKS)
+    link, task_number = link_and_number(task)
+    return 1 <= link <= JOINTS and 1 <= task_number <= len(TASKS)
 
 
 def _shared(fault: Fault) -> bool:
-    return fault.other == task_id(1, 10) and fault.task in {task_id(1, number) for number in (20, 21, 22)}
+    return fault.other == task_id(1, 10) and fault.task in {
+        task_id(1, task_number) for task_number in (20, 21, 22)
+    }

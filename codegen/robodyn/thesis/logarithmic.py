@@ -121,9 +121,9 @@ def thesis_chain(n: int) -> int:
 def first_shorter(form: str, than: Callable[[int], int], most: int = 64) -> int | None:
     """The number of joints from which on (up to ``most``) the chain of ``form`` is shorter than ``than``;
     None if it is not at ``most``."""
-    found = None
+    shorter = None
     for n in range(most, 1, -1):
         if form_graph(form, n).critical_path >= than(n):
             break
-        found = n
-    return found
+        shorter = n
+    return shorter

@@ -24,25 +24,25 @@ def fitted(values: Mapping[int, int | Fraction], degree: int) -> Polynomial | No
     points = sorted(values.items())
     if len(points) < degree + 2:
         raise ValueError(f"{len(points)} values cannot check a polynomial of degree {degree}")
-    found: list[Fraction] = [Fraction(0)]
+    coefficients: list[Fraction] = [Fraction(0)]
     basis: list[Fraction] = [Fraction(1)]  # Newton's form: the product of (n - n_k) so far
     for n, y in points[: degree + 1]:
-        slope = (y - value(found, n)) / value(basis, n)
-        found = _plus(found, [slope * b for b in basis])
+        slope = (y - value(coefficients, n)) / value(basis, n)
+        coefficients = _plus(coefficients, [slope * b for b in basis])
         basis = _plus([*basis, Fraction(0)], [-n * b for b in basis])
-    if any(value(found, n) != y for n, y in points[degree + 1 :]):
+    if any(value(coefficients, n) != y for n, y in points[degree + 1 :]):
         return None
-    while len(found) > 1 and not found[0]:
-        found.pop(0)
-    return tuple(found)
+    while len(coefficients) > 1 and not coefficients[0]:
+        coefficients.pop(0)
+    return tuple(coefficients)
 
 
 def difference(a: Sequence[Fraction], b: Sequence[Fraction]) -> Polynomial:
     """``a - b``."""
-    found = _plus(list(a), [-x for x in b])
-    while len(found) > 1 and not found[0]:
-        found.pop(0)
-    return tuple(found)
+    remainder = _plus(list(a), [-x for x in b])
+    while len(remainder) > 1 and not remainder[0]:
+        remainder.pop(0)
+    return tuple(remainder)
 
 
 def _plus(a: list[Fraction], b: list[Fraction]) -> list[Fraction]:
@@ -60,8 +60,8 @@ def spelled(coefficients: Sequence[Fraction]) -> str:
             continue
         sign = "-" if coefficient < 0 else "+"
         size = abs(coefficient)
-        number = "" if size == 1 and power else str(size)
+        factor = "" if size == 1 and power else str(size)
         variable = "" if not power else "n" if power == 1 else f"n^{power}"
-        term = " ".join(part for part in (number, variable) if part)
+        term = " ".join(part for part in (factor, variable) if part)
         text += f" {sign} {term}" if text else (f"-{term}" if sign == "-" else term)
     return text or "0"

@@ -62,12 +62,12 @@ class _Scratch:
 def step_counts(method: Method, *, revolute: bool, rotation: Rotation = "full") -> dict[str, Count]:
     """Multiplications and additions of each step for one joint, by the row of Table 2.9."""
     carried_out = _revolute_steps(method) if revolute else _prismatic_steps(method)
-    found = {}
+    counts = {}
     for row in STEPS:
         scratch = _Scratch(rotation, revolute)
         carried_out[row](scratch)
-        found[row] = Count(**scratch.ledger)
-    return found
+        counts[row] = Count(**scratch.ledger)
+    return counts
 
 
 _Step = Callable[[_Scratch], object]

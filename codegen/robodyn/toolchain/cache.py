@@ -74,9 +74,9 @@ class Cache:
         ``build`` writes into an empty folder and returns the library's file name. Whatever it raises is
         passed on, and leaves nothing behind.
         """
-        found = _library(self.root / key)
-        if found is not None:
-            return found
+        cached = _library(self.root / key)
+        if cached is not None:
+            return cached
         try:
             folder = Path(tempfile.mkdtemp(prefix="unfinished-", dir=self.root))
         except OSError as error:
@@ -101,9 +101,9 @@ class Cache:
             except OSError:
                 if not entry.exists():
                     raise
-            found = _library(entry)
-            if found is not None:
-                return found
+            library = _library(entry)
+            if library is not None:
+                return library
             # A damaged entry (a full disk, a crash of the machine): out of the way, and again.
             broken = Path(tempfile.mkdtemp(prefix="broken-", dir=self.root))
             try:

@@ -1,4 +1,4 @@
-"""Find the system's C and Fortran compilers and run them.
+"""Find the system's compilers and run them.
 
 The compiler is the one that the environment names (``CC``, ``FC``), else the first of the usual names
 on the ``PATH``. A command may carry arguments (``CC="gcc -m64"``). No shell is ever involved.
@@ -15,34 +15,17 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
 
+from robodyn.emit.languages import compiled_language, language_named
 from robodyn.errors import ToolError
 from robodyn.toolchain.running import SECONDS, run
 
-Language = Literal["c", "fortran"]
-
 #: Default flags of the emitted C. Contraction is off, so that ``a * b + c`` is rounded twice everywhere and
-#: C and Fortran give the same bits; nothing here lets the compiler reorder arithmetic.
-C_FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno")
-#: Default flags of the emitted Fortran, with the same arithmetic.
-FORTRAN_FLAGS = ("-std=f2018", "-O2", "-ffp-contract=off")
+#: all languages give the same bits; nothing here lets the compiler reorder arithmetic.
+C_FLAGS = compiled_language("c")[1].flags
 
 #: How long a compiler may take to say who it is [s].
 ANSWER = 60.0
-
-_TITLE: dict[Language, str] = {"c": "C", "fortran": "Fortran"}
-_VARIABLE: dict[Language, str] = {"c": "CC", "fortran": "FC"}
-_USUAL: dict[Language, tuple[str, ...]] = {
-    "c": ("cc", "gcc", "clang"),
-    "fortran": ("gfortran", "flang", "flang-new"),
-}
-_HOW: dict[Language, str] = {
-    "c": "install one (Debian, Ubuntu: apt install gcc; Fedora: dnf install gcc;"
-    " macOS: xcode-select --install) or name one in CC",
-    "fortran": "install one (Debian, Ubuntu: apt install gfortran; Fedora: dnf install gcc-gfortran;"
-    " macOS: brew install gcc) or name one in FC",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +35,7 @@ class Compiler:
     ``version`` is the first line of ``--version``, ``identity`` all of it with the target machine.
     """
 
-    language: Language
+    language: str
     command: tuple[str, ...]
     version: str
     identity: str
@@ -69,21 +52,22 @@ class Compiler:
             of what it said; or it is content and has not written the target.
         """
         command = [*self.command, *arguments]
-        code, said = _execute(command, folder, SECONDS)
+        code, output = _execute(command, folder, SECONDS)
         if code != 0:
             raise ToolError(
-                f"the {_TITLE[self.language]} compiler failed at {doing}",
-                found=first_lines(said) or f"exit status {code} and no message",
+                f"the {language_named(self.language).title} compiler failed at {doing}",
+                found=first_lines(output) or f"exit status {code} and no message",
                 remedy=f"the command was: {shlex.join(command)}",
             )
         if target is not None and not (folder / target).is_file():
+            title = language_named(self.language).title
             raise ToolError(
-                f"the {_TITLE[self.language]} compiler {self.command[0]} wrote no file at {doing}",
-                found=first_lines(said) or "exit status 0 and no message",
+                f"the {title} compiler {self.command[0]} wrote no file at {doing}",
+                found=first_lines(output) or "exit status 0 and no message",
                 expected=target,
                 remedy=f"the command was: {shlex.join(command)}",
             )
-        return said
+        return output
 
     def compile(self, source: str, *, flags: Sequence[str], folder: Path) -> str:
         """Compile ``source`` (a path in ``folder``) to a position-independent object; the object's name."""
@@ -113,17 +97,7 @@ def find_c(cc: str | None = None) -> Compiler:
     ------
     ToolError: there is none, or the one that is named does not run.
     """
-    return _find("c", cc)
-
-
-def find_fortran(fc: str | None = None) -> Compiler:
-    """The Fortran compiler: ``fc`` if given, else the environment's ``FC``, else ``gfortran`` or ``flang``.
-
-    Raises
-    ------
-    ToolError: there is none, or the one that is named does not run.
-    """
-    return _find("fortran", fc)
+    return find_compiler("c", cc)
 
 
 def split_flags(flags: str | Sequence[str]) -> tuple[str, ...]:
@@ -131,9 +105,9 @@ def split_flags(flags: str | Sequence[str]) -> tuple[str, ...]:
     return tuple(shlex.split(flags)) if isinstance(flags, str) else tuple(flags)
 
 
-def first_lines(said: str, count: int = 3) -> str:
+def first_lines(output: str, count: int = 3) -> str:
     """The lines of a compiler's output that matter: the first ``count`` errors, else the first lines."""
-    lines = [line.strip() for line in said.splitlines() if line.strip()]
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
     errors = [k for k, line in enumerate(lines) if re.search(r"\b(error|undefined|multiple def)", line, re.I)]
     if not errors:
         return " | ".join(lines[:count])
@@ -144,8 +118,18 @@ def first_lines(said: str, count: int = 3) -> str:
     return " | ".join(chosen)
 
 
-def _find(language: Language, asked: str | None) -> Compiler:
-    variable, title = _VARIABLE[language], _TITLE[language]
+def find_compiler(language: str, asked: str | None = None) -> Compiler:
+    """The compiler of ``language``: ``asked`` if given, else the one that the environment names, else the
+    first of the usual ones.
+
+    Raises
+    ------
+    InputError: the language is not compiled here.
+    ToolError: there is no compiler, or the one that is named does not run.
+    """
+    spoken, tools = compiled_language(language)
+    title, variable = spoken.title, tools.variable
+    remedy = f"install one ({tools.install}) or name one in {variable}"
     named, by = (asked, "it was asked for") if asked else (os.environ.get(variable), f"{variable} names it")
     if named and named.strip():
         try:
@@ -158,32 +142,32 @@ def _find(language: Language, asked: str | None) -> Compiler:
             ) from None
         program = shutil.which(command[0])
         if program is None:
-            raise ToolError(f"there is no {title} compiler {command[0]!r} ({by})", remedy=_HOW[language])
+            raise ToolError(f"there is no {title} compiler {command[0]!r} ({by})", remedy=remedy)
         return _identify(language, (str(Path(program).absolute()), *command[1:]))
-    for name in _USUAL[language]:
+    for name in tools.commands:
         program = shutil.which(name)
         if program is not None:
             return _identify(language, (str(Path(program).absolute()),))
     raise ToolError(
         f"no {title} compiler was found",
-        found=f"none of {', '.join(_USUAL[language])} on the PATH, and {variable} is not set",
-        remedy=_HOW[language],
+        found=f"none of {', '.join(tools.commands)} on the PATH, and {variable} is not set",
+        remedy=remedy,
     )
 
 
 @functools.lru_cache(maxsize=32)
-def _identify(language: Language, command: tuple[str, ...]) -> Compiler:
-    code, said = _execute([*command, "--version"], None, ANSWER)
-    if code != 0 or not said.strip():
+def _identify(language: str, command: tuple[str, ...]) -> Compiler:
+    code, output = _execute([*command, "--version"], None, ANSWER)
+    if code != 0 or not output.strip():
         raise ToolError(
-            f"the {_TITLE[language]} compiler does not work",
-            found=first_lines(said) or f"exit status {code} and no message",
+            f"the {language_named(language).title} compiler does not work",
+            found=first_lines(output) or f"exit status {code} and no message",
             expected="its version",
             remedy=f"the command was: {shlex.join([*command, '--version'])}",
         )
     code, machine = _execute([*command, "-dumpmachine"], None, ANSWER)
-    identity = said.strip() + (f"\n{machine.strip()}" if code == 0 else "")
-    return Compiler(language, command, said.strip().splitlines()[0], identity)
+    identity = output.strip() + (f"\n{machine.strip()}" if code == 0 else "")
+    return Compiler(language, command, output.strip().splitlines()[0], identity)
 
 
 def _execute(command: Sequence[str], folder: Path | None, seconds: float) -> tuple[int, str]:

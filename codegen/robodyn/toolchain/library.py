@@ -18,15 +18,14 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any, Literal
 
+from robodyn.emit.languages import compiled_language, language_named
 from robodyn.errors import InputError, ToolError
 from robodyn.toolchain.cache import Cache, content_key
 from robodyn.toolchain.compiler import (
     C_FLAGS,
-    FORTRAN_FLAGS,
     Compiler,
-    Language,
     find_c,
-    find_fortran,
+    find_compiler,
     split_flags,
 )
 
@@ -63,7 +62,7 @@ def open_library(
     calls: Calls,
     files: Mapping[str, str],
     *,
-    language: Language,
+    language: str,
     mode: Mode,
     cc: str | None,
     fc: str | None,
@@ -73,9 +72,8 @@ def open_library(
     """Compile (or find in the cache) and load; see :func:`robodyn.kernels.kernel.load`."""
     sources = _sources(files, language)
     c = find_c(cc)
-    main = c if language == "c" else find_fortran(fc)
-    default = C_FLAGS if language == "c" else FORTRAN_FLAGS
-    chosen = default if flags is None else split_flags(flags)
+    main = c if language == "c" else find_compiler(language, fc)
+    chosen = compiled_language(language)[1].flags if flags is None else split_flags(flags)
     around = chosen if language == "c" else C_FLAGS
     content = {
         "files": dict(files),
@@ -133,9 +131,10 @@ class _BindingError(ToolError):
     """The glue to Python does not compile or load; the kernels may well do."""
 
 
-def _sources(files: Mapping[str, str], language: Language) -> list[str]:
+def _sources(files: Mapping[str, str], language: str) -> list[str]:
     """The files to compile, in the order given."""
-    endings = (".c",) if language == "c" else (".f90", ".f")
+    spoken = language_named(language)
+    endings = spoken.suffixes
     for path in files:
         pure = PurePosixPath(path)
         if pure.is_absolute() or ".." in pure.parts or path == _WRAPPER:
@@ -147,7 +146,7 @@ def _sources(files: Mapping[str, str], language: Language) -> list[str]:
     sources = [path for path in files if path.endswith(endings)]
     if not sources:
         raise InputError(
-            f"there is no {'C' if language == 'c' else 'Fortran'} among the emitted files",
+            f"there is no {spoken.title} among the emitted files",
             found=", ".join(files) or "no file at all",
             expected=f"a file that ends in {endings[0]}",
         )

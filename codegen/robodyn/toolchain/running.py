@@ -61,8 +61,8 @@ def run(
     )
     stream = process.stderr if listen == "stderr" else process.stdout
     assert stream is not None
-    said = bytearray()
-    reader = threading.Thread(target=_listen, args=(stream, said), daemon=True)
+    output = bytearray()
+    reader = threading.Thread(target=_listen, args=(stream, output), daemon=True)
     try:
         reader.start()
         end = monotonic() + seconds
@@ -79,7 +79,7 @@ def run(
         raise
     finally:
         _running.discard(process)
-    return Finished(code, bytes(said).decode("utf-8", "replace"))
+    return Finished(code, bytes(output).decode("utf-8", "replace"))
 
 
 def start(command: Sequence[str], **how: Any) -> subprocess.Popen[Any]:
@@ -101,11 +101,11 @@ _running: set[subprocess.Popen[Any]] = set()
 atexit.register(end_all)
 
 
-def _listen(stream: IO[bytes], said: bytearray) -> None:
+def _listen(stream: IO[bytes], output: bytearray) -> None:
     """Keep the beginning of what comes, and let the rest pass, so that nobody waits to be heard."""
     with stream:
         while data := os.read(stream.fileno(), 1 << 16):
-            said += data[: max(0, SAID - len(said))]
+            output += data[: max(0, SAID - len(output))]
 
 
 def _end(process: subprocess.Popen[Any]) -> None:

@@ -192,8 +192,8 @@ class _Run:
         yardstick = self.largest
         if record.expected is None:
             sound = np.isfinite(actual)
-            found, wanted = oracle.compared(record, inputs, np.where(sound, actual, 0.0))
-            error = differences(wanted, found)
+            reference, wanted = oracle.compared(record, inputs, np.where(sound, actual, 0.0))
+            error = differences(wanted, reference)
             error[~sound.all(axis=1)] = np.inf
             return self._comparison(function, oracle, places, left_out, error, yardstick, None)
         if self.kernel.signatures[function].states:
@@ -223,10 +223,10 @@ class _Run:
             call = getattr(self.kernel, function)
             needs = self.kernel.signatures[function].parameters
             if self.kernel.signatures[function].states:
-                found = self._stepped(function, arrays)
+                stepped = self._stepped(function, arrays)
             else:
-                found = call(*arrays, params=self.values if needs else None)
-            self.results[function] = np.asarray(found, np.float64)
+                stepped = call(*arrays, params=self.values if needs else None)
+            self.results[function] = np.asarray(stepped, np.float64)
         return self.results[function]
 
     def _stepped(self, function: str, arrays: list[Floats]) -> Floats:
@@ -276,8 +276,8 @@ class _Run:
         sizes = np.reshape([real(abs(x)) for x in expected.flat], expected.shape)
         unit = sizes.max(axis=0) if error.ndim == 2 else np.full(sizes.shape[1:], yardstick)
         unit = np.where(unit > 0, unit, yardstick if yardstick > 0 else 1.0)
-        found = float((error / np.spacing(unit.astype(self.kernel.dtype)).astype(np.float64)).max())
-        return np.inf if np.isnan(found) else found
+        worst = float((error / np.spacing(unit.astype(self.kernel.dtype)).astype(np.float64)).max())
+        return np.inf if np.isnan(worst) else worst
 
 
 def _relative(error: float, yardstick: float) -> float:

@@ -163,8 +163,8 @@ def two_supports(span: float, f: Floats, n: Floats, *, mirrored: bool = False) -
     )
     n_x = -n[:, 0] if mirrored else n[:, 0]
     loads = np.stack([f[:, 0], f[:, 1], n_x, n[:, 1]])
-    found = np.linalg.solve(balance, loads).T
-    return found[:, :2], found[:, 2:]
+    reactions = np.linalg.solve(balance, loads).T
+    return reactions[:, :2], reactions[:, 2:]
 
 
 def _loss(p: Settings, at: State) -> Floats:
@@ -309,5 +309,5 @@ class Drives:
         """Motors that drive two joints: the joints (from 0) and the parameters."""
         if not self._at_motor:
             return []
-        found = [(joint, p) for place, _, joint, p in self._entries if place == "pair"]
-        return [(joint - 1, p["with"] - 1, p) for joint, p in found if joint is not None]
+        pairs = [(joint, p) for place, _, joint, p in self._entries if place == "pair"]
+        return [(joint - 1, p["with"] - 1, p) for joint, p in pairs if joint is not None]

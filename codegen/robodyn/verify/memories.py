@@ -70,8 +70,8 @@ def twist_step(effect: str, p: Settings, tau: Floats, before: Twist, dt: float) 
     if not 0 <= dt < np.inf:
         return before
     with np.errstate(all="ignore"):
-        found = _twist_step(effect, p, tau, before, dt)
-        parts = [(getattr(found, x), getattr(before, x)) for x in ("way", "rate", "acceleration")]
+        state = _twist_step(effect, p, tau, before, dt)
+        parts = [(getattr(state, x), getattr(before, x)) for x in ("way", "rate", "acceleration")]
         good = np.isfinite(sum(np.abs(new) for new, _ in parts))
         return Twist(*(np.where(good, new, old) for new, old in parts))
 

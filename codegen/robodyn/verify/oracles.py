@@ -113,10 +113,10 @@ def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Virtual work over rationals; an array of Fractions."""
 
     def torque(q: Floats, qd: Floats, qdd: Floats) -> Numbers:
-        found = np.empty(q.shape, dtype=object)
+        torques = np.empty(q.shape, dtype=object)
         for k in range(len(q)):
-            found[k] = exact_torque(robot, q[k].tolist(), qd[k].tolist(), qdd[k].tolist(), parameters)
-        return found
+            torques[k] = exact_torque(robot, q[k].tolist(), qd[k].tolist(), qdd[k].tolist(), parameters)
+        return torques
 
     return Oracle("exact", torque, exact=True)
 

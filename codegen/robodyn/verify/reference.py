@@ -208,18 +208,18 @@ class Reference:
             moments.append(moment)
             turns.append(R)
             arms.append(p)
-        made = Reactions(np.empty_like(q), np.empty((*q.shape, 3)), np.empty((*q.shape, 3)))
+        reactions = Reactions(np.empty_like(q), np.empty((*q.shape, 3)), np.empty((*q.shape, 3)))
         f = np.zeros((count, 3))  # what link i+1 takes from link i, in frame i
         n = np.zeros((count, 3))
         for i in reversed(range(len(self._bodies))):
             body = self._bodies[i]
             n = moments[i] + n  # 6.52, moments about the frame's origin
             f = forces[i] + f  # 6.51
-            made.f[:, i], made.n[:, i] = f, n
-            made.tau[:, i] = (f if body.prismatic else n)[:, 2]  # 6.53
+            reactions.f[:, i], reactions.n[:, i] = f, n
+            reactions.tau[:, i] = (f if body.prismatic else n)[:, 2]  # 6.53
             f = _apply(turns[i], f)
             n = _apply(turns[i], n) + _cross(arms[i], f)
-        return made
+        return reactions
 
 
 def _transform(body: _Body, q: Floats) -> tuple[Floats, Floats]:

@@ -61,10 +61,10 @@ class Stepping:
         for entry, part in couplers:
             assert entry.joint is not None
             i = entry.joint - 1
-            found = twist_step(
+            stepped = twist_step(
                 entry.effect, self._settings[id(entry)], passed[:, i], Twist(*state[:, part].T), dt
             )
-            after[:, part] = np.stack([found.way, found.rate, found.acceleration], axis=1)
+            after[:, part] = np.stack([stepped.way, stepped.rate, stepped.acceleration], axis=1)
             if entry.text("encoder") == "link":
                 for array, ahead in zip(moved, after[:, part].T, strict=True):
                     array[:, i] += ahead

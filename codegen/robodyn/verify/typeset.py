@@ -41,10 +41,10 @@ def value(latex: str, symbols: Mapping[str, Any], functions: Mapping[str, Any] =
     if cases:
         return _by_case(cases[1].split(r"\\"), symbols, functions)
     reader = _Reader(latex, symbols, functions)
-    found = reader.sum()
+    total = reader.sum()
     if reader.peek():
         raise SyntaxError(f"{latex}: cannot read on at {reader.rest}")
-    return found
+    return total
 
 
 def _by_case(rows: list[str], symbols: Mapping[str, Any], functions: Mapping[str, Any]) -> Any:
@@ -56,9 +56,9 @@ def _by_case(rows: list[str], symbols: Mapping[str, Any], functions: Mapping[str
         conditions.append({"<": a < b, ">": a > b, r"\ge": a >= b, r"\le": a <= b}[relation])
         values.append(value(then, symbols, functions))
     if not any(isinstance(condition, np.ndarray) for condition in conditions):
-        for condition, found in zip(conditions, values, strict=True):
+        for condition, candidate in zip(conditions, values, strict=True):
             if condition:
-                return found
+                return candidate
         raise SyntaxError(f"no case of {rows}")
     if not np.all(np.any(np.broadcast_arrays(*conditions), axis=0)):
         raise SyntaxError(f"no case of {rows}")
@@ -77,9 +77,9 @@ class _Reader:
         return next((text for text in texts if self.rest.startswith(text)), "") if texts else self.rest
 
     def take(self, *texts: str) -> str:
-        found = self.peek(*texts)
-        self.rest = self.rest[len(found) :]
-        return found
+        token = self.peek(*texts)
+        self.rest = self.rest[len(token) :]
+        return token
 
     def need(self, text: str) -> None:
         if not self.take(text):
@@ -92,18 +92,18 @@ class _Reader:
         return total
 
     def product(self) -> Any:
-        found = self.power()
+        product = self.power()
         while True:
             if self.take("/"):
-                found = found / self.power()
+                product = product / self.power()
             elif (
                 self.rest.lstrip()
                 and not self.peek("+", "-", ")", "]", "}")
                 and not (self.bars and self.peek("|"))
             ):
-                found = found * self.power()
+                product = product * self.power()
             else:
-                return found
+                return product
 
     def power(self) -> Any:
         base = self.atom()
@@ -118,10 +118,10 @@ class _Reader:
                 return self.functions["number"](digit[0])
             return self.atom()
         bars, self.bars = self.bars, 0
-        found = self.sum()
+        inner = self.sum()
         self.need("}")
         self.bars = bars
-        return found
+        return inner
 
     def atom(self) -> Any:
         self.peek()
@@ -130,9 +130,9 @@ class _Reader:
             if self.rest.startswith(name) and not (name.startswith("\\") and after[:1].isalpha()):
                 self.rest = after
                 return self.symbols[name]
-        if number := re.match(r"\d+(\.\d+)?", self.peek()):
-            self.rest = self.rest[number.end() :]
-            return self.functions["number"](number[0])
+        if digits := re.match(r"\d+(\.\d+)?", self.peek()):
+            self.rest = self.rest[digits.end() :]
+            return self.functions["number"](digits[0])
         if self.take(r"\frac", r"\tfrac"):
             above = self.group()
             return above / self.group()
@@ -144,14 +144,14 @@ class _Reader:
             return self.functions[name[1:]](self.atom())
         if opened := self.take("(", "["):
             bars, self.bars = self.bars, 0
-            found = self.sum()
+            inner = self.sum()
             self.need({"(": ")", "[": "]"}[opened])
             self.bars = bars
-            return found
+            return inner
         if self.take("|"):
             self.bars += 1
-            found = self.sum()
+            inner = self.sum()
             self.need("|")
             self.bars -= 1
-            return abs(found)
+            return abs(inner)
         raise SyntaxError(f"cannot read {self.rest!r}")

@@ -49,7 +49,7 @@ def own_calls(robot: Robot, states: States, **build: Any) -> list[Call]:
         workspace()
         return workspace.tau.copy()
 
-    made = [
+    calls = [
         Call("workspace", "robodyn, Workspace()", workspace, 1, torque),
         Call(
             "function",
@@ -64,8 +64,8 @@ def own_calls(robot: Robot, states: States, **build: Any) -> list[Call]:
     for key, title, arrays in (("F", "column by column", columns), ("C", "row by row", rows)):
         once = partial(kernel.batch, *arrays, out=np.empty_like(arrays[0]))
         title = f"robodyn, batch of {BATCH}, {title}"
-        made.append(Call(f"batch-{key}", title, once, BATCH, partial(_of_batch, once)))
-    return made
+        calls.append(Call(f"batch-{key}", title, once, BATCH, partial(_of_batch, once)))
+    return calls
 
 
 def _of_batch(once: Callable[[], Any], k: int) -> Any:
@@ -146,8 +146,8 @@ def checked(call: Call, wanted: Floats, count: int = 32) -> float:
     ------
     Disagreement: it is too large.
     """
-    found = np.array([call.torque(k) for k in range(min(count, len(wanted)))])
-    return hold_against(call.title, wanted[: len(found)], found)
+    torques = np.array([call.torque(k) for k in range(min(count, len(wanted)))])
+    return hold_against(call.title, wanted[: len(torques)], torques)
 
 
 def raced(calls: Sequence[Call], rounds: int, block_s: float = 1e-3) -> Floats:

@@ -81,8 +81,8 @@ def numbers_of(robot: Robot) -> Numbers:
     if robot.parameters:
         raise NumbersLacking(f"{robot.name} has run-time parameters", found=", ".join(robot.parameters))
     if robot.effects:
-        found = ", ".join(sorted({entry.effect for entry in robot.effects}))
-        raise NumbersLacking(f"{robot.name} has effects that peers do not know", found=found)
+        effects = ", ".join(sorted({entry.effect for entry in robot.effects}))
+        raise NumbersLacking(f"{robot.name} has effects that peers do not know", found=effects)
     motor = robot.torque_side == "motor"
     if motor and any(link.joint.viscous or link.joint.coulomb for link in robot.links):
         raise NumbersLacking(f"{robot.name} has friction, which the peers' inverse dynamics leave out")

@@ -110,8 +110,8 @@ def _plain(x: float) -> Any:
     return int(x) if x in (0.0, 1.0, -1.0) else float(x)
 
 
-def _known(x: Any, number: int) -> bool:
-    return isinstance(x, int) and x == number
+def _known(x: Any, constant: int) -> bool:
+    return isinstance(x, int) and x == constant
 
 
 def _product(a: Any, b: Any) -> Any:

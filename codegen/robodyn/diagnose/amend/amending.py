@@ -52,22 +52,22 @@ class Work:
             )
         if joint is not None and not 1 <= joint <= self.robot.n:
             raise InputError(f"{known.id}: no such joint", found=str(joint), expected=f"1 to {self.robot.n}")
-        given = read_settings(known, parameters, self.robot.n)
+        settings = read_settings(known, parameters, self.robot.n)
         fold = known.traits.fold
         if known.traits.body:
-            self._body(known.id, given)
+            self._body(known.id, settings)
         elif fold is not None and fold.into == "gravity":
-            self._tilt(known.id, given)
+            self._tilt(known.id, settings)
         elif joint is None:
-            self._of_robot(known, given)
+            self._of_robot(known, settings)
         elif fold is None:
-            self._at_joint(known, joint, given)
+            self._at_joint(known, joint, settings)
         elif fold.into == "link":
-            self._inertials(joint, given)
+            self._inertials(joint, settings)
         elif fold.key == _LEVEL:
-            self._level(joint, given[fold.parameter])
+            self._level(joint, settings[fold.parameter])
         else:
-            self._of_joint(joint, fold.key, given[fold.parameter])
+            self._of_joint(joint, fold.key, settings[fold.parameter])
 
     # --- numbers of the rigid arm -----------------------------------------------------------------------
 
@@ -78,11 +78,11 @@ class Work:
             return ZERO
         return value
 
-    def _link(self, number: int, place: str, **changes: Any) -> None:
+    def _link(self, index: int, place: str, **changes: Any) -> None:
         links = list(self.robot.links)
-        links[number - 1] = replace(links[number - 1], **changes)
+        links[index - 1] = replace(links[index - 1], **changes)
         self.robot = replace(self.robot, links=tuple(links))
-        self.places.add((number, place))
+        self.places.add((index, place))
 
     def _of_joint(self, joint: int, key: str, added: Value) -> None:
         at = self.robot.links[joint - 1].joint
@@ -102,26 +102,26 @@ class Work:
                 return
         self._of_joint(joint, _LEVEL, level)
 
-    def _inertials(self, joint: int, given: dict[str, Any]) -> None:
+    def _inertials(self, joint: int, settings: dict[str, Any]) -> None:
         link = self.robot.links[joint - 1]
-        if "delta_mass" in given:
-            self._link(joint, "mass", mass=self._sum(link.mass, given["delta_mass"], "mass"))
+        if "delta_mass" in settings:
+            self._link(joint, "mass", mass=self._sum(link.mass, settings["delta_mass"], "mass"))
         com = tuple(
-            total(old, given.get(f"delta_com_{axis}", ZERO))
+            total(old, settings.get(f"delta_com_{axis}", ZERO))
             for old, axis in zip(link.com, "xyz", strict=True)
         )
         if com != link.com:
             self._link(joint, "com", com=com)
         sums = {
-            axes: total(getattr(link.inertia, axes), given[f"delta_{axes}"])
+            axes: total(getattr(link.inertia, axes), settings[f"delta_{axes}"])
             for axes in AXES
-            if f"delta_{axes}" in given
+            if f"delta_{axes}" in settings
         }
         if sums:
             self._link(joint, "inertia", inertia=replace(link.inertia, **sums))
 
-    def _tilt(self, id: str, given: dict[str, Any]) -> None:
-        settings = (("tilt_x", given.get("tilt_x", ZERO)), ("tilt_y", given.get("tilt_y", ZERO)))
+    def _tilt(self, id: str, values: dict[str, Any]) -> None:
+        settings = (("tilt_x", values.get("tilt_x", ZERO)), ("tilt_y", values.get("tilt_y", ZERO)))
         if any(value for _, value in settings):
             entry = EffectEntry(id, None, settings)
             tilted = folded(replace(self.robot, effects=(entry,))).gravity
@@ -129,11 +129,11 @@ class Work:
             self.robot = replace(self.robot, gravity=(x, y, z))
             self.places.add((None, "gravity"))
 
-    def _body(self, id: str, given: dict[str, Any]) -> None:
+    def _body(self, id: str, settings: dict[str, Any]) -> None:
         at = self._find(id, None)
         old: dict[str, Any] = dict(self.entries[at][1].settings) if at is not None else {}
-        added: Vector = given.get("com", old.get("com", (ZERO, ZERO, ZERO)))
-        load = Body(given.get("mass", ZERO), added, given.get("inertia", Inertia()))
+        added: Vector = settings.get("com", old.get("com", (ZERO, ZERO, ZERO)))
+        load = Body(settings.get("mass", ZERO), added, settings.get("inertia", Inertia()))
         before = Body(old.get("mass", ZERO), old.get("com", added), old.get("inertia", Inertia()))
         both = joined(before, load)
         if both is None:
@@ -172,21 +172,21 @@ class Work:
                 return k
         return None
 
-    def _of_robot(self, known: Effect, given: dict[str, Any]) -> None:
+    def _of_robot(self, known: Effect, settings: dict[str, Any]) -> None:
         id = known.id
         if known.place == "outside":
-            values = checked(known, None, given, self.robot, self.remarks)
+            values = checked(known, None, settings, self.robot, self.remarks)
             there = [entry for _, entry in self.entries]
             if EffectEntry(id, None, values) not in there:
-                self._append(id, None, given)
+                self._append(id, None, settings)
             return
         if any(entry.effect == id and entry.joint is not None for _, entry in self.entries):
             for joint in range(1, self.robot.n + 1):  # of all joints, or at each: never both
-                self._merge(id, joint, given)
+                self._merge(id, joint, settings)
             return
-        self._merge(id, None, given)
+        self._merge(id, None, settings)
 
-    def _at_joint(self, known: Effect, joint: int, given: dict[str, Any]) -> None:
+    def _at_joint(self, known: Effect, joint: int, settings: dict[str, Any]) -> None:
         id = known.id
         of_all = self._find(id, None)
         if of_all is not None:
@@ -194,51 +194,53 @@ class Work:
             self.became[None, id] = (joint, id)
             for each in range(1, self.robot.n + 1):
                 self._merge(id, each, values)
-        self._take_level(joint, known, given)
+        self._take_level(joint, known, settings)
         # What holds another effect, as play with stiff teeth holds an elastic joint, is there alone: the
         # reader allows one of the two at a joint.
         for k, (origin, entry) in enumerate(self.entries):
             if entry.joint == joint and id in entry.definition.traits.absorbs:
-                self._store(k, origin, entry.effect, joint, {**dict(entry.settings), **given})
+                self._store(k, origin, entry.effect, joint, {**dict(entry.settings), **settings})
                 return
         for part in known.traits.absorbs:
             at = self._find(part, joint)
             if at is not None:
-                given = {**dict(self.entries.pop(at)[1].settings), **given}
+                settings = {**dict(self.entries.pop(at)[1].settings), **settings}
                 self.became[joint, part] = (joint, id)
-        self._merge(id, joint, given)
+        self._merge(id, joint, settings)
 
-    def _take_level(self, joint: int, known: Effect, given: dict[str, Any]) -> None:
+    def _take_level(self, joint: int, known: Effect, settings: dict[str, Any]) -> None:
         """Coulomb friction of the joint becomes the level of the law that is added."""
         at = self.robot.links[joint - 1].joint
         if at.coulomb == ZERO or not known.traits.levels:
             return
         for name in known.traits.levels:
-            if name in given:
-                given[name] = total(given[name], at.coulomb)
+            if name in settings:
+                settings[name] = total(settings[name], at.coulomb)
         self._link(joint, _LEVEL, joint=replace(at, coulomb=ZERO))
         self.became[joint, _LEVEL] = (joint, known.id)
 
-    def _merge(self, id: str, joint: int | None, given: dict[str, Any]) -> None:
+    def _merge(self, id: str, joint: int | None, settings: dict[str, Any]) -> None:
         """Into an entry that is there, or as one more."""
         known = CATALOGUE[id]
         combined = COMBINED.get(known.traits.combines)
         whole: dict[str, Any] = (
-            dict(checked(known, joint, given, self.robot, [], bounds=False)) if combined else dict(given)
+            dict(checked(known, joint, settings, self.robot, [], bounds=False))
+            if combined
+            else dict(settings)
         )
         for k, (origin, entry) in enumerate(self.entries):
             if (entry.effect, entry.joint) != (id, joint):
                 continue
             old = dict(entry.settings)
-            if old.get("with") != given.get("with"):
+            if old.get("with") != settings.get("with"):
                 continue
-            values = combined(old, whole, self.remarks) if combined else summed(known, old, given)
+            values = combined(old, whole, self.remarks) if combined else summed(known, old, settings)
             if values is not None:
                 self._store(k, origin, id, joint, values)
                 return
         if known.traits.combines == "waves" and whole["amplitude"] < 0:
-            given = waves({**whole, "amplitude": ZERO}, whole, self.remarks) or given
-        self._append(id, joint, given)
+            settings = waves({**whole, "amplitude": ZERO}, whole, self.remarks) or settings
+        self._append(id, joint, settings)
 
     def _append(self, id: str, joint: int | None, values: dict[str, Any]) -> None:
         self.entries.append((None, EffectEntry(id, joint, ())))

@@ -14,30 +14,30 @@ from robodyn.robot.model import AXES, Inertia, Robot, Setting
 from robodyn.robot.values import ZERO, Affine
 
 
-def read_settings(effect: Effect, given: Mapping[str, Any], joints: int) -> dict[str, Any]:
-    """Those parameters that are ``given``, numbers rounded to six digits; vectors and tensors may be given by
-    their entries (``com_x``; ``xx`` or ``inertia_xx``).
+def read_settings(effect: Effect, parameters: Mapping[str, Any], joints: int) -> dict[str, Any]:
+    """Those parameters that are ``parameters``, numbers rounded to six digits; vectors and tensors may be
+    given by their entries (``com_x``; ``xx`` or ``inertia_xx``).
 
     Raises
     ------
     InputError: one of them is not the effect's, or not of its kind.
     """
     known = {p.name: p for p in effect.parameters}
-    found: dict[str, Any] = {}
-    for name, value in given.items():
+    values: dict[str, Any] = {}
+    for name, value in parameters.items():
         path = f"{effect.id}: {name}"
         if name in known:
-            found[name] = _setting(known[name], value, path, joints)
+            values[name] = _setting(known[name], value, path, joints)
         elif "com" in known and name in ("com_x", "com_y", "com_z"):
-            com = list(found.get("com", (ZERO,) * 3))
+            com = list(values.get("com", (ZERO,) * 3))
             com["xyz".index(name[-1])] = _number(value, path)
-            found["com"] = tuple(com)
+            values["com"] = tuple(com)
         elif "inertia" in known and name.removeprefix("inertia_") in AXES:
-            entries = {axes: getattr(found.get("inertia", Inertia()), axes) for axes in AXES}
-            found["inertia"] = Inertia(**{**entries, name.removeprefix("inertia_"): _number(value, path)})
+            entries = {axes: getattr(values.get("inertia", Inertia()), axes) for axes in AXES}
+            values["inertia"] = Inertia(**{**entries, name.removeprefix("inertia_"): _number(value, path)})
         else:
             raise InputError(f"{path}: no such parameter", expected=f"one of {', '.join(known)}")
-    return found
+    return values
 
 
 def _setting(parameter: Parameter, value: Any, path: str, joints: int) -> Setting:
@@ -48,10 +48,10 @@ def _setting(parameter: Parameter, value: Any, path: str, joints: int) -> Settin
             raise InputError(f"{path}: not what may stand there", found=repr(value), expected=expected)
         return value
     if kind == "joint":
-        number = _number(value, path)
-        if number.denominator != 1 or not 1 <= number <= joints:
+        finite = _number(value, path)
+        if finite.denominator != 1 or not 1 <= finite <= joints:
             raise InputError(f"{path}: no such joint", found=repr(value), expected=f"1 to {joints}")
-        return int(number)
+        return int(finite)
     if kind == "vector":
         x, y, z = (_number(part, path) for part in value)
         return x, y, z
@@ -69,11 +69,11 @@ def _number(value: Any, path: str) -> Fraction:
         raise InputError(f"{path}: not a number", found=repr(value), expected="a finite number") from None
 
 
-def summed(effect: Effect, old: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings ``old`` with what is ``given``: added where the effect is linear in it, else
+def summed(effect: Effect, old: Mapping[str, Any], added: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings ``old`` with what is ``added``: added where the effect is linear in it, else
     in its place."""
     values = dict(old)
-    for name, value in given.items():
+    for name, value in added.items():
         adds = name in effect.linear or name in effect.traits.adds
         values[name] = total(old[name], value) if adds and name in old else value
     if "rated_torque" in values and not isinstance(values["efficiency"], tuple):

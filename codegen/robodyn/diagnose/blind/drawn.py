@@ -90,7 +90,7 @@ def places(id: str, u: Usual) -> list[int | None]:
         return []
     if belongs(known, of_robot=True) and not hidden.at_joint:
         return [None]
-    found: list[int | None] = []
+    joints: list[int | None] = []
     for j, link in enumerate(u.robot.links):
         if hidden.needs and u.tau[j] < _LOADED * u.tau.max():
             continue
@@ -102,8 +102,8 @@ def places(id: str, u: Usual) -> list[int | None]:
             continue
         if known.traits.levels and _rubs(u.robot, j + 1):
             continue
-        found.append(j + 1)
-    return found
+        joints.append(j + 1)
+    return joints
 
 
 def _rubs(robot: Robot, joint: int) -> bool:
@@ -122,21 +122,23 @@ def draw(
     ------
     InputError: the robot has no room for so many.
     """
-    found = list(taken)
+    amendments = list(taken)
     free = {id: places(id, u) for id in CATALOGUE}
-    while len(found) < len(taken) + count:
+    while len(amendments) < len(taken) + count:
         left = {
-            id: [joint for joint in joints if all(_apart(id, joint, one) for one in found)]
+            id: [joint for joint in joints if all(_apart(id, joint, one) for one in amendments)]
             for id, joints in free.items()
         }
         ids = [id for id, joints in left.items() if joints]
         if not ids:
             raise InputError(
-                f"{u.robot.name} has no room for so many effects", found=f"{count}", expected=f"{len(found)}"
+                f"{u.robot.name} has no room for so many effects",
+                found=f"{count}",
+                expected=f"{len(amendments)}",
             )
         id = ids[int(rng.integers(len(ids)))]
-        found.append(Amendment(id, left[id][int(rng.integers(len(left[id])))], {}))
-    return tuple(found[len(taken) :])
+        amendments.append(Amendment(id, left[id][int(rng.integers(len(left[id])))], {}))
+    return tuple(amendments[len(taken) :])
 
 
 def _apart(id: str, joint: int | None, other: Amendment) -> bool:
@@ -168,7 +170,7 @@ def form(id: str, joint: int | None, u: Usual, rng: np.random.Generator) -> Form
     return hidden.form(u.at(joint), way, rng)
 
 
-def settings(build: Parameters, given: Mapping[str, float | str]) -> Parameters:
-    """Parameters with what is ``given`` in their place, six digits each, as a model is amended by them."""
-    both: Parameters = {**build, **given}
+def settings(build: Parameters, fixed: Mapping[str, float | str]) -> Parameters:
+    """Parameters with what is ``fixed`` in their place, six digits each, as a model is amended by them."""
+    both: Parameters = {**build, **fixed}
     return {name: value if isinstance(value, str) else float(f"{value:.6g}") for name, value in both.items()}

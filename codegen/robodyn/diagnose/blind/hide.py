@@ -149,8 +149,8 @@ def hide(
     for k, (motion, which) in enumerate(((first, exact), (second, None))):
         clean = which or arm.log(motion, how.rate)
         shown = measure(clean, sensors, true.effects, seed=_stream(how.seed, 7, k))
-        told = _provenance(robot, text, how, motion, sensors)
-        logs.append(replace(shown, provenance=told))
+        provenance = _provenance(robot, text, how, motion, sensors)
+        logs.append(replace(shown, provenance=provenance))
     gap = rms(lacking(robot, measured(exact, true)))
     return Blind(robot, text or to_yaml(robot), true, effects, logs[0], logs[1], bench.noise, gap, how)
 
@@ -176,16 +176,16 @@ class _Bench:
         """The effects with all their parameters."""
         rng = np.random.default_rng(_stream(self.how.seed, 3))
         named = tuple(self._placed(one, rng) for one in wanted)
-        found = [self._sized(one, rng)[0] for one in named]
+        amendments = [self._sized(one, rng)[0] for one in named]
         missing = random
         for _ in range(_DRAWS):
-            for one in draw(self.usual, missing, rng, found):
-                made, ratio = self._sized(one, rng)
+            for one in draw(self.usual, missing, rng, amendments):
+                sized, ratio = self._sized(one, rng)
                 if ratio > _ENOUGH * self.how.ratio:
-                    found.append(made)
+                    amendments.append(sized)
                     missing -= 1
             if not missing:
-                return tuple(found)
+                return tuple(amendments)
         raise InputError(
             f"no effect shows {self.how.ratio:g} times the noise of {self.robot.name} on this motion",
             remedy="a lower --ratio, less --noise, or a livelier trajectory",
@@ -218,10 +218,10 @@ class _Bench:
         tried: list[tuple[float, float]] = []
         for _ in range(_TRIALS):
             x = min(max(x, drawn.least), drawn.most)
-            made = replace(one, parameters=settings(drawn.build(x), one.parameters))
-            ratio = self._shows(made)
+            amendment = replace(one, parameters=settings(drawn.build(x), one.parameters))
+            ratio = self._shows(amendment)
             if best is None or abs(np.log(ratio / self.how.ratio)) < abs(np.log(best[1] / self.how.ratio)):
-                best = made, ratio
+                best = amendment, ratio
             tried.append((x, ratio))
             power = 1.0
             if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
@@ -271,26 +271,26 @@ def _sensors(robot: Robot, how: Setup, noise: Floats) -> Sensors:
 
 
 def _motions(robot: Robot, how: Setup, own: Sequence[Trajectory]) -> tuple[Trajectory, Trajectory]:
-    found = list(own[:2])
-    if any(motion.n != robot.n for motion in found):
+    motions = list(own[:2])
+    if any(motion.n != robot.n for motion in motions):
         raise InputError(f"the trajectory does not fit {robot.name}", expected=f"{robot.n} joints")
     limited, _ = with_limits(robot)
     periods = max(1, round(_BASE * how.duration))
-    while len(found) < 2:
-        seed = _stream(how.seed, 1, len(found))
-        found.append(
+    while len(motions) < 2:
+        seed = _stream(how.seed, 1, len(motions))
+        motions.append(
             fourier(limited, periods / how.duration, _HARMONICS, seed, periods=periods, share=_SHARE)
         )
-    return found[0], found[1]
+    return motions[0], motions[1]
 
 
 def _provenance(
     robot: Robot, text: str | None, how: Setup, motion: Trajectory, sensors: Sensors
 ) -> dict[str, Any]:
     """Where a log comes from, as far as that does not give the answer away: seeds would."""
-    told = {key: value for key, value in motion.describe().items() if key != "seed"}
+    motion_data = {key: value for key, value in motion.describe().items() if key != "seed"}
     options = {
-        "drive": {"kind": "follow", "trajectory": told, "controller": "pd", "model": robot.name},
+        "drive": {"kind": "follow", "trajectory": motion_data, "controller": "pd", "model": robot.name},
         "duration": motion.duration,
         "rate": how.rate,
         "noise": how.noise,

@@ -42,10 +42,10 @@ class Part:
 
     def need(self, key: str, expected: str) -> Part:
         """The value of ``key`` in this object, which must be there."""
-        found = self.get(key)
-        if found is None:
+        part = self.get(key)
+        if part is None:
             raise self._inner(key, None).wrong(expected)
-        return found
+        return part
 
     def object(self) -> dict[str, Any]:
         """This, an object."""

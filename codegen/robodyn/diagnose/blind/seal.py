@@ -81,8 +81,8 @@ def _answer(whole: Part) -> dict[str, Any]:
         each.number(0)
     for key in logs.object() if logs is not None else ():
         logs.need(key, "the hash of a log").text()  # type: ignore[union-attr]
-    found: dict[str, Any] = whole.value
-    return found
+    answer: dict[str, Any] = whole.value
+    return answer
 
 
 def _hidden_values(parameters: Part) -> None:
@@ -130,12 +130,12 @@ class Score:
     @property
     def result(self) -> str:
         """The worst of what there is to say: ``wrong``, ``missed``, ``in the declared set`` or ``right``."""
-        said = {claim.status for claim in self.claims}
-        if "wrong" in said:
+        statuses = {claim.status for claim in self.claims}
+        if "wrong" in statuses:
             return "wrong"
         if self.missed:
             return "missed"
-        return "in the declared set" if "in the declared set" in said else "right"
+        return "in the declared set" if "in the declared set" in statuses else "right"
 
     def to_dict(self) -> dict[str, Any]:
         """Ready for JSON."""
@@ -180,19 +180,19 @@ def score(answer: Mapping[str, Any], diagnosis: Any, file: str = "diagnosis.json
     closed, same = _closed(answer, whole), _same(answer, whole)
     hidden = list(answer["effects"])
     open_ = list(range(len(hidden)))
-    found: dict[int, tuple[Status, Mapping[str, Any] | None]] = {}
+    matches: dict[int, tuple[Status, Mapping[str, Any] | None]] = {}
     for status, fits in (("right", _is), ("in the declared set", _holds)):
         for k, finding in enumerate(findings):
-            if k in found:
+            if k in matches:
                 continue
             match = next((i for i in open_ if fits(finding, hidden[i])), None)
             if match is not None:
                 open_.remove(match)
                 truth = hidden[match]["parameters"] if status == "right" else None
-                found[k] = (status, truth)  # type: ignore[assignment]  # the words of Status
+                matches[k] = (status, truth)  # type: ignore[assignment]  # the words of Status
     claims = []
     for k, finding in enumerate(findings):
-        status, truth = found.get(k, ("wrong", None))
+        status, truth = matches.get(k, ("wrong", None))
         claims.append(Claim(finding["effect"], finding["joint"], status, finding["parameters"], truth))
     return Score(verdict.value, len(hidden), len(open_), tuple(claims), closed, same)
 
@@ -213,12 +213,12 @@ def _finding(part: Part) -> dict[str, Any]:
 def _estimate(name: str, part: Part) -> dict[str, Any]:
     """A parameter of a finding: its value, where it has one its standard error, and its unit."""
     value, error, unit = (part.get(key) for key in ("value", "stderr", "unit"))
-    said: float | str | None = None
+    claimed: float | str | None = None
     if value is not None:
         plain = value.joint if name == "with" else value.number
-        said = value.text() if isinstance(value.value, str) else plain()
+        claimed = value.text() if isinstance(value.value, str) else plain()
     return {
-        "value": said,
+        "value": claimed,
         "stderr": None if error is None else error.number(0),
         "unit": "" if unit is None else unit.text(),
     }
@@ -270,8 +270,8 @@ def _closed(answer: Mapping[str, Any], diagnosis: Part) -> float | None:
 
 def _gaps(listed: Part) -> list[float]:
     """The numbers of a list, none where one of them is null, as what cannot be known is."""
-    found = [None if part.value is None else part.number(0) for part in listed.each()]
-    return [] if None in found else [x for x in found if x is not None]
+    rms = [None if part.value is None else part.number(0) for part in listed.each()]
+    return [] if None in rms else [x for x in rms if x is not None]
 
 
 def _same(answer: Mapping[str, Any], diagnosis: Part) -> bool:

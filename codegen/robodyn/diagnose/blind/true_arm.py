@@ -25,9 +25,9 @@ Floats = NDArray[np.float64]
 class Arm:
     """The true arm, compiled, under a controller that takes it for the given one."""
 
-    def __init__(self, given: Robot, true: Robot, motion: Trajectory, cache: Path | None) -> None:
-        self.given, self.true = given, true
-        self.plant = build_plant(true, model=given, energy=False, cache=cache)
+    def __init__(self, model: Robot, true: Robot, motion: Trajectory, cache: Path | None) -> None:
+        self.given, self.true = model, true
+        self.plant = build_plant(true, model=model, energy=False, cache=cache)
         self.gains = default_gains(self.plant.system, motion, "pd", 1e-3, {})
 
     def log(self, motion: Trajectory, rate: float) -> Log:
@@ -45,14 +45,14 @@ def measured(exact: Log, true: Robot) -> Log:
     return replace(exact, q=q, tau=measured_torque(exact.tau, exact.t, true.effects))
 
 
-def lacking(given: Robot, log: Log) -> Floats:
-    """The torque [K, n] of ``log``, which has true rates, that ``given`` does not explain."""
+def lacking(model: Robot, log: Log) -> Floats:
+    """The torque [K, n] of ``log``, which has true rates, that ``model`` does not explain."""
     assert log.qd is not None
     assert log.qdd is not None
-    if any(CATALOGUE[entry.effect].kind == "state" for entry in given.effects):
-        return np.asarray(log.tau - model_torque(given, log.t, log.q, log.qd, log.qdd, log.tau))
-    tau = Model(given).torque(log.q - offsets(given), log.qd, log.qdd)
-    return np.asarray(log.tau - measured_torque(tau, log.t, given.effects))
+    if any(CATALOGUE[entry.effect].kind == "state" for entry in model.effects):
+        return np.asarray(log.tau - model_torque(model, log.t, log.q, log.qd, log.qdd, log.tau))
+    tau = Model(model).torque(log.q - offsets(model), log.qd, log.qdd)
+    return np.asarray(log.tau - measured_torque(tau, log.t, model.effects))
 
 
 def rms(x: Floats) -> Floats:

@@ -87,13 +87,13 @@ def content(
     goes[:, [j for j in range(n) if j not in moving]] = False
     loads, drives, brakes = _quadrants(smooth, goes, robot, parameters)
     cut = np.zeros(log.q.shape, dtype=bool)
-    found = []
+    contents = []
     for j in range(n):
         limit, at = _cut_off(log.tau[:, j], goes[:, j], float(steps[1][j]))
         cut[:, j] = at
         direction = np.sign(velocity[goes[:, j], j])
         ahead, back = (float(np.clip(s * velocity[inside, j], 0, None).sum()) for s in (1, -1))
-        found.append(
+        contents.append(
             JointContent(
                 joint=j + 1,
                 moves=j in moving,
@@ -116,8 +116,8 @@ def content(
                 unexplained=math.nan if unexplained is None else float(unexplained[j]),
             )
         )
-    _say(found, grid, goes, cut, robot, flags)
-    return tuple(found), cut
+    _say(contents, grid, goes, cut, robot, flags)
+    return tuple(contents), cut
 
 
 def steps_of(x: Floats) -> Floats:
@@ -177,7 +177,7 @@ def _cut_off(tau: Floats, goes: Mask, step: float) -> tuple[float, Mask]:
 
 
 def _say(
-    found: Sequence[JointContent], grid: Grid, goes: Mask, cut: Mask, robot: Robot, flags: list[Flag]
+    contents: Sequence[JointContent], grid: Grid, goes: Mask, cut: Mask, robot: Robot, flags: list[Flag]
 ) -> None:
     """Flags on what is missing from the motion."""
 
@@ -186,8 +186,8 @@ def _say(
             flags.append(Flag(kind, named(group, joints), (), text, tuple(joints)))
 
     prismatic = [link.joint.kind == "prismatic" for link in robot.links]
-    moving = [one for one in found if one.moves]
-    tell("motionless", "does not move", "q", [one.joint for one in found if not one.moves])
+    moving = [one for one in contents if one.moves]
+    tell("motionless", "does not move", "q", [one.joint for one in contents if not one.moves])
     one_way = [one.joint for one in moving if not ONE_WAY < one.forward < 1 - ONE_WAY]
     tell("one_way", "moves in one direction only", "q", one_way)
     narrow = [
@@ -198,7 +198,7 @@ def _say(
     tell("narrow", "moves over a small part of its range", "q", narrow)
     few = [one.joint for one in moving if one.reversals < FEW_REVERSALS and one.joint not in one_way]
     tell("few_reversals", f"turns round less than {FEW_REVERSALS} times", "q", few)
-    for one in found:
+    for one in contents:
         j = one.joint - 1
         if one.limit < math.inf:
             text = f"stays at {one.limit:.6g} in {one.limited:.2%} of the samples: cut off there"

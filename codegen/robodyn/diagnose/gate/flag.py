@@ -87,9 +87,9 @@ def named(group: str, joints: Sequence[int]) -> str:
     return ", ".join(f"{group}{j}" for j in joints)
 
 
-def count(number: int, thing: str = "row") -> str:
+def count(amount: int, thing: str = "row") -> str:
     """So many of a ``thing``: ``1 row``, ``2 rows``."""
-    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
+    return f"{amount} {thing}" if amount == 1 else f"{amount} {thing}s"
 
 
 def chunks(samples: int) -> Iterator[slice]:

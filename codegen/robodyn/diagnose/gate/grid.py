@@ -31,14 +31,14 @@ class Grid:
 
     def rows(self) -> Rows:
         """About which row (from 0) of the given log each sample is [K]."""
-        found = []
+        rows = []
         for segment, part in zip(self.segments, self.parts, strict=True):
             if self.stride > 1:
-                found.append(part[:: self.stride][: segment.stop - segment.start])
+                rows.append(part[:: self.stride][: segment.stop - segment.start])
                 continue
             near = np.searchsorted(self.given.t[part], self.log.t[segment] - 0.5 * self.period)
-            found.append(part[np.minimum(near, len(part) - 1)])
-        return np.concatenate(found)
+            rows.append(part[np.minimum(near, len(part) - 1)])
+        return np.concatenate(rows)
 
     def spans(self, samples: Rows) -> tuple[Span, ...]:
         """Where the ``samples`` (rising) are in the given log, runs of them as one span."""
@@ -71,21 +71,21 @@ def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
         t = log.t[0] + period * np.arange(log.samples)
         result = Log(t, log.q, groups["qd"], groups["qdd"], log.tau, log.provenance, log.ignored)
         return Grid(result, log, (slice(0, log.samples),), origins, period, 1)
-    made: dict[str, list[Floats]] = {name: [] for name, array in groups.items() if array is not None}
+    resampled: dict[str, list[Floats]] = {name: [] for name, array in groups.items() if array is not None}
     times, segments, start = [], [], 0
     for a, b in parts:
         own = index[a:b]
         t = log.t[own]
         length = b - a if rows.even else int(np.floor((t[-1] - t[0]) / period + 1e-6)) + 1
         grid = t[0] + period * np.arange(length)
-        for name, pieces in made.items():
+        for name, pieces in resampled.items():
             values = groups[name][own]  # type: ignore[index]
             values = values if rows.even else _interpolated(t, values, grid)
             pieces.append(_averaged(values, stride))
         times.append(_averaged(grid, stride))
         segments.append(slice(start, start + len(times[-1])))
         start = segments[-1].stop
-    arrays = {name: np.concatenate(pieces) for name, pieces in made.items()}
+    arrays = {name: np.concatenate(pieces) for name, pieces in resampled.items()}
     result = Log(
         np.concatenate(times), arrays["q"], arrays.get("qd"), arrays.get("qdd"), arrays["tau"],
         log.provenance, log.ignored,
@@ -114,14 +114,14 @@ def _windows(log: Log, rows: Usable, most: int) -> tuple[tuple[int, int], ...]:
     # As many as fit, at even distances.
     count = max(1, min(len(moving), int(most / (sum(lengths) / len(moving)))))
     chosen = np.unique(np.linspace(0, len(moving) - 1, count).astype(int)).tolist()
-    found, left = [], most
+    intervals, left = [], most
     for k in chosen:
         a, b = moving[k]
-        found.append((a, min(b, a + left)))
-        left -= found[-1][1] - a
+        intervals.append((a, min(b, a + left)))
+        left -= intervals[-1][1] - a
         if left <= 0:
             break
-    return tuple(found)
+    return tuple(intervals)
 
 
 def _averaged(x: Floats, stride: int) -> Floats:

@@ -69,20 +69,20 @@ def check_model(
     model = Reference(_frictionless(robot), parameters).inverse_dynamics
     torque = model(trial.q, trial.qd, trial.qdd)
     _constant(smooth.tau[smooth.inside], torque, source)
-    found = likeness(trial, torque)
+    fit = likeness(trial, torque)
 
     def changed(changes: Iterator[Change]) -> list[tuple[float, Change, Likeness]]:
         read = ((change, likeness(*change.of(trial, model, torque))) for change in changes)
-        return sorted(((gain_of(found, other), change, other) for change, other in read), key=lambda x: -x[0])
+        return sorted(((gain_of(fit, other), change, other) for change, other in read), key=lambda x: -x[0])
 
-    if not (found.apart > SLIGHT_EXACT).any():
-        return found.unexplained
-    if (found.unexplained > UNLIKE).any():
-        _tell(changed(units(robot, smooth)), found, source, flags)
-    _scales(found, source)
-    _tell(changed(signs_and_order(robot, found)), found, source, flags)
-    _unlike(found, torque, trial, source, flags)
-    return found.unexplained
+    if not (fit.apart > SLIGHT_EXACT).any():
+        return fit.unexplained
+    if (fit.unexplained > UNLIKE).any():
+        _tell(changed(units(robot, smooth)), fit, source, flags)
+    _scales(fit, source)
+    _tell(changed(signs_and_order(robot, fit)), fit, source, flags)
+    _unlike(fit, torque, trial, source, flags)
+    return fit.unexplained
 
 
 def _rubs(entry: EffectEntry) -> bool:
@@ -190,13 +190,13 @@ def _elsewhere(before: Likeness, after: Likeness, change: Change) -> bool:
     return any(near[j] for j in range(len(near)) if j + 1 not in change.joints)
 
 
-def _scales(found: Likeness, source: str | None) -> None:
+def _scales(fit: Likeness, source: str | None) -> None:
     """Refuse torques of the model's shape and of another size: a fit would name gains, errors of inertia."""
-    like = [j for j in range(len(found.factor)) if found.correlation[j] > 0.9]
-    off = [j for j in like if not LEAST_SCALE < found.factor[j] < MOST_SCALE]
+    like = [j for j in range(len(fit.factor)) if fit.correlation[j] > 0.9]
+    off = [j for j in like if not LEAST_SCALE < fit.factor[j] < MOST_SCALE]
     if len(off) <= max(1, len(like) / 2):
         return
-    low, high = (float(f(found.factor[off])) for f in (np.min, np.max))
+    low, high = (float(f(fit.factor[off])) for f in (np.min, np.max))
     remedy = "write N m (N) at the joint: a motor's current times its torque constant and the gear ratio"
     for factor, what in ((1e3, "divide by 1000: N mm or mN m for N m"), (1e-3, "multiply by 1000: kN m")):
         if abs(low / factor - 1) < KNOWN and abs(high / factor - 1) < KNOWN:
@@ -210,20 +210,20 @@ def _scales(found: Likeness, source: str | None) -> None:
     )
 
 
-def _unlike(found: Likeness, torque: Floats, trial: Trial, source: str | None, flags: list[Flag]) -> None:
+def _unlike(fit: Likeness, torque: Floats, trial: Trial, source: str | None, flags: list[Flag]) -> None:
     """Refuse torques of which nothing is of the model's shape; only a flag where one joint alone tells."""
-    joints = range(len(found.factor))
+    joints = range(len(fit.factor))
     size = np.sqrt((torque * torque).mean(axis=0)), np.sqrt((trial.tau * trial.tau).mean(axis=0))
-    telling = [j for j in joints if np.isfinite(found.unexplained[j]) and size[0][j] > 0.2 * size[1][j]]
-    if any(abs(found.correlation[j]) >= 0.3 or found.unexplained[j] <= UNLIKE for j in telling):
+    telling = [j for j in joints if np.isfinite(fit.unexplained[j]) and size[0][j] > 0.2 * size[1][j]]
+    if any(abs(fit.correlation[j]) >= 0.3 or fit.unexplained[j] <= UNLIKE for j in telling):
         return
     where = named("tau", [j + 1 for j in telling])
     if len(telling) > 1:
         refuse(
             source,
             f"{where}: nothing of the torque is like the model's",
-            found=f"correlations of {min(found.correlation[telling]):.2f} to "
-            f"{max(found.correlation[telling]):.2f}, beside friction and a bias",
+            found=f"correlations of {min(fit.correlation[telling]):.2f} to "
+            f"{max(fit.correlation[telling]):.2f}, beside friction and a bias",
             expected="torques of this robot in this motion",
             remedy="see whether the log is of another robot or run, and in SI units",
         )

@@ -104,7 +104,7 @@ def _check(
 
 def _known(robot: Robot, group: str) -> list[list[tuple[float, str, str]]]:
     degree = math.degrees(1.0)
-    found: list[list[tuple[float, str, str]]] = []
+    rates: list[list[tuple[float, str, str]]] = []
     for link in robot.links:
         own: list[tuple[float, str, str]] = [(-1.0, "its sign is flipped", "change the sign of {group}{j}")]
         if link.joint.kind == "revolute":
@@ -119,8 +119,8 @@ def _known(robot: Robot, group: str) -> list[list[tuple[float, str, str]]]:
             ]
         if group == "qd":
             own.append((1e3, "t in milliseconds", "divide t by 1000"))
-        found.append(own)
-    return found
+        rates.append(own)
+    return rates
 
 
 def _swapped(group: str, match: Floats, moving: Any, source: str | None) -> None:

@@ -46,10 +46,10 @@ class Change:
             states = [x[:, list(self.order)] for x in states]
         if self.scale is not None:
             states = [x * np.array(self.scale) for x in states]
-        found = Trial(states[0], states[1], states[2], tau)
+        changed = Trial(states[0], states[1], states[2], tau)
         if self.order is None and self.scale is None:
-            return found, torque
-        return found, model(found.q, found.qd, found.qdd)
+            return changed, torque
+        return changed, model(changed.q, changed.qd, changed.qdd)
 
 
 def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
@@ -82,10 +82,10 @@ def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
             yield Change(kind, numbers, where, text, remedy.format(where), scale=scale)
 
 
-def signs_and_order(robot: Robot, found: Likeness) -> Iterator[Change]:
+def signs_and_order(robot: Robot, fit: Likeness) -> Iterator[Change]:
     """Readings with other signs and in another order."""
     n = robot.n
-    unlike = [j for j in range(n) if not found.unexplained[j] < 0.5]
+    unlike = [j for j in range(n) if not fit.unexplained[j] < 0.5]
     everyone = tuple(range(1, n + 1))
     minus = tuple(-1.0 for _ in everyone)
     for where, groups, text, scale, sign in (

@@ -77,12 +77,12 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
         if array is None:
             continue
         table = array if array.ndim == 2 else array[:, None]
-        found = np.zeros(log.samples, dtype=bool)
+        garbage = np.zeros(log.samples, dtype=bool)
         counts = np.zeros(table.shape[1], dtype=np.int64)
         for rows in chunks(log.samples):
             wrong = ~(np.abs(table[rows]) <= BOUNDS[name])
             counts += wrong.sum(axis=0)
-            found[rows] = wrong.any(axis=1)
+            garbage[rows] = wrong.any(axis=1)
         share = counts.max() / log.samples
         if share > GARBAGE:
             j = int(counts.argmax())
@@ -90,7 +90,7 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
             if name in usable_rates:
                 usable_rates[name] = False
                 text = f"no number, or one beyond {BOUNDS[name]:g}, in {share:.0%} of the rows: not used"
-                flags.append(Flag("rates_unusable", column, spans_of(np.flatnonzero(found), log.t), text))
+                flags.append(Flag("rates_unusable", column, spans_of(np.flatnonzero(garbage), log.t), text))
                 continue
             first = int(np.argmax(~(np.abs(table[:, j]) <= BOUNDS[name])))
             unit = {"t": "s", "q": "rad or m", "tau": "N m or N"}[name]
@@ -102,14 +102,14 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
                 expected=f"numbers in {unit}, at most {GARBAGE:.0%} of the rows broken",
                 remedy="record it again, or convert its unit",
             )
-        if found.any():
+        if garbage.any():
             where = ", ".join(
                 name if name == "t" else f"{name}{j + 1}" for j in np.flatnonzero(counts).tolist()
             )
-            text = f"no number, or one beyond {BOUNDS[name]:g}, in {count(int(found.sum()))}, left out"
+            text = f"no number, or one beyond {BOUNDS[name]:g}, in {count(int(garbage.sum()))}, left out"
             joints = () if name == "t" else tuple(int(j) + 1 for j in np.flatnonzero(counts))
-            flags.append(Flag("garbage", where, spans_of(np.flatnonzero(found), log.t), text, joints))
-        bad |= found
+            flags.append(Flag("garbage", where, spans_of(np.flatnonzero(garbage), log.t), text, joints))
+        bad |= garbage
     if bad.mean() > GARBAGE:
         first = int(np.argmax(bad))
         refuse(
@@ -177,9 +177,9 @@ def _without_strays(log: Log, index: Rows, source: str | None, flags: list[Flag]
         strays += index[drop].tolist()
         index = np.delete(index, drop)
     if strays:
-        found = sorted(strays)
-        text = f"{count(len(found))} with a time out of order, left out"
-        flags.append(Flag("stray_time", "t", spans_of(found, log.t), text))
+        rows = sorted(strays)
+        text = f"{count(len(rows))} with a time out of order, left out"
+        flags.append(Flag("stray_time", "t", spans_of(rows, log.t), text))
     return index
 
 

@@ -55,8 +55,8 @@ def _parabola(x: Floats, window: int, period: float, derivative: int) -> Floats:
     """Savitzky-Golay smoothing of second order, or a derivative of it."""
     from scipy.signal import savgol_filter
 
-    found: Floats = savgol_filter(x, window, 2, deriv=derivative, delta=period, axis=0, mode="nearest")
-    return found
+    smooth: Floats = savgol_filter(x, window, 2, deriv=derivative, delta=period, axis=0, mode="nearest")
+    return smooth
 
 
 def noise_of(x: Floats, segments: Sequence[slice]) -> Floats:
@@ -67,7 +67,7 @@ def noise_of(x: Floats, segments: Sequence[slice]) -> Floats:
     for order in range(2, 6):
         # The squares of binomial coefficients add up to the middle one of twice the order.
         gain = float(np.sqrt(np.prod([(order + k) / k for k in range(1, order + 1)])))
-        found = [np.diff(piece, order, axis=0) for piece in pieces]
-        if found:
-            best = np.minimum(best, 1.4826 * np.median(np.abs(np.concatenate(found)), axis=0) / gain)
+        differences = [np.diff(piece, order, axis=0) for piece in pieces]
+        if differences:
+            best = np.minimum(best, 1.4826 * np.median(np.abs(np.concatenate(differences)), axis=0) / gain)
     return np.where(np.isfinite(best), best, 0.0)

@@ -55,31 +55,31 @@ def _jumps(
         limit = min(limit, max(_FASTEST * period, least))
     if limit <= 0:
         return [], []
-    found: list[int] = []
+    kept: list[int] = []
     for rows in chunks(len(index) - 1):
         own = index[rows.start : rows.stop + 1]
         # Across missing rows any distance may be covered.
         far = (np.abs(np.diff(x[own])) > limit) & (np.diff(t[own]) < 1.5 * period)
-        found += (np.flatnonzero(far) + rows.start).tolist()
-        if len(found) > 2 * MOST_JUMPS * len(index):
+        kept += (np.flatnonzero(far) + rows.start).tolist()
+        if len(kept) > 2 * MOST_JUMPS * len(index):
             return [], []  # not jumps: this is how the signal is
     spikes: list[int] = []
     jumps: list[int] = []
     k = 0
-    while k < len(found):
-        a = found[k]
+    while k < len(kept):
+        a = kept[k]
         step = x[index[a + 1]] - x[index[a]]
         # The way back: the course is met again where it was left.
         home = next(
             (
                 m
-                for m in range(k + 1, len(found))
-                if found[m] - a <= longest and abs(x[index[found[m] + 1]] - x[index[a]]) < 0.3 * abs(step)
+                for m in range(k + 1, len(kept))
+                if kept[m] - a <= longest and abs(x[index[kept[m] + 1]] - x[index[a]]) < 0.3 * abs(step)
             ),
             None,
-        ) if k + 1 < len(found) and found[k + 1] - a <= longest else None  # fmt: skip
+        ) if k + 1 < len(kept) and kept[k + 1] - a <= longest else None  # fmt: skip
         if home is not None:
-            spikes += range(a + 1, found[home] + 1)
+            spikes += range(a + 1, kept[home] + 1)
             k = home + 1
             continue
         # A torque may well jump where the arm starts and stops.

@@ -25,16 +25,16 @@ def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:
     log = grid.log
     stay = max(_STAY, round(_STAY_TIME / grid.period))
     for j in range(log.n):
-        found = [part.start + row for part in grid.segments for row in _stuck(log.q[part, j], stay)]
-        if not found:
+        rows = [part.start + row for part in grid.segments for row in _stuck(log.q[part, j], stay)]
+        if not rows:
             continue
-        spans = grid.spans(np.array(found, dtype=np.intp))
-        share = len(found) / log.samples
+        spans = grid.spans(np.array(rows, dtype=np.intp))
+        share = len(rows) / log.samples
         if share > _MOST:
             refuse(
                 source,
                 f"q{j + 1} stops dead and stays on one number while the joint moves",
-                found=f"{log.q[found[0], j]:.6g} in {spans[0]}, {share:.0%} of the samples in all",
+                found=f"{log.q[rows[0], j]:.6g} in {spans[0]}, {share:.0%} of the samples in all",
                 expected="positions that follow the motion",
                 remedy="see whether the sensor freezes, or its range ends there; leave such rows out",
             )
@@ -49,10 +49,10 @@ def _stuck(q: Floats, stay: int) -> list[int]:
     step = np.diff(q)
     top = float(np.quantile(np.abs(q[_BEFORE:] - q[:-_BEFORE]), 0.99)) / _BEFORE
     edges: Rows = np.flatnonzero(np.diff(np.r_[0, (step == 0).astype(np.int8), 0]))
-    found: list[int] = []
+    rows: list[int] = []
     for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         if b - a < stay or a < _BEFORE:
             continue
         if top > 0 and abs(float(q[a] - q[a - _BEFORE])) > _SPEED * top * _BEFORE:
-            found += range(a + 1, b + 1)
-    return found
+            rows += range(a + 1, b + 1)
+    return rows

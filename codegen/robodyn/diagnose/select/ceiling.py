@@ -23,7 +23,7 @@ _RIDGE, STANDS_OUT = 1e-3, 2.0
 def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floats:
     """What the library leaves in parts of the log that it was not fitted to, [n], by its middle (joints that
     stick at reversals make bursts) and in units of the noise; 1 where that is about the noise."""
-    found = np.ones(p.n)
+    ratio = np.ones(p.n)
     for j in range(p.n):
         columns = [p.A[:, j]]
         seen: dict[tuple[str, int | None], int] = {}
@@ -45,5 +45,5 @@ def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floa
             x = np.linalg.solve(G - grams[k] + ridge, g - rights[k])
             left[part] = b[part] - X[part] @ x
         size = 1.4826 * float(np.median(np.abs(left)))
-        found[j] = size if size > STANDS_OUT else 1.0
-    return found
+        ratio[j] = size if size > STANDS_OUT else 1.0
+    return ratio

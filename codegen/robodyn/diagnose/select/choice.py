@@ -179,7 +179,7 @@ def nearest(
 ) -> list[Trial]:
     """The trials, best first, and for what swings the best of its grid refined: a swing a little off is in
     step for a while and then worse than none."""
-    found, count = list(tried), dict[tuple[str, int | None], int]()
+    kept, count = list(tried), dict[tuple[str, int | None], int]()
     least_gain = max(_SOME * max((one.gain for one in tried), default=0.0), enough(now, 3))
     for one in tried:
         key = (one.candidate.effect, one.candidate.joint)
@@ -187,8 +187,8 @@ def nearest(
             continue
         count[key] = count.get(key, 0) + 1
         if count[key] <= _STARTS and sum(count.values()) <= 2 * _STARTS:
-            found.append(_refined(now, current, one, least, contexts))
-    return sorted(found, key=lambda one: -one.gain)
+            kept.append(_refined(now, current, one, least, contexts))
+    return sorted(kept, key=lambda one: -one.gain)
 
 
 def _contains(wide: Candidate, narrow: Candidate) -> bool:
@@ -220,24 +220,24 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
     def at(values: dict[str, float]) -> Trial:
         again = one.candidate.again
         assert again is not None
-        made = [again(c, values) for c in contexts]
-        columns = [prepared(c, each) for c, each in zip(contexts, made, strict=True)]
-        return trial(now, current, made[0], np.concatenate(columns), least)
+        candidates = [again(c, values) for c in contexts]
+        columns = [prepared(c, each) for c, each in zip(contexts, candidates, strict=True)]
+        return trial(now, current, candidates[0], np.concatenate(columns), least)
 
     if one.candidate.reach:
         return _wandered(one, at)
     spread, fine = one.candidate.spread
     for _ in range(_ROUNDS):
         better = one
-        given = dict(one.candidate.given)
-        for name, value in given.items():
+        start = dict(one.candidate.given)
+        for name, value in start.items():
             for factor in (1 / spread, spread):
                 other = value * factor
                 if name == "efficiency":
                     other = 1 - (1 - value) * factor
                     if not 0.05 < other < 0.995:
                         continue
-                once = at({**given, name: other})
+                once = at({**start, name: other})
                 if once.gain > better.gain:
                     better = once
         if better is one:
@@ -253,11 +253,11 @@ def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
     rng, start = np.random.default_rng(0), one.candidate.given
     size = np.array([one.candidate.reach[name] for name in start])
     for _ in range(_ROUNDS):
-        given = one.candidate.given
+        settings = one.candidate.given
         steps = np.exp(size * rng.standard_normal((_DIRECTIONS, len(size))))
         tried = []
         for row in steps:
-            values = {name: given[name] * float(f) for name, f in zip(given, row, strict=True)}
+            values = {name: settings[name] * float(f) for name, f in zip(settings, row, strict=True)}
             if all(1 / _FARTHEST < x / start[name] < _FARTHEST for name, x in values.items()):
                 tried.append(at(values))
         if not tried:

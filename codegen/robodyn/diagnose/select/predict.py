@@ -57,11 +57,11 @@ def delays(robot: Robot) -> Floats:
 def _sums(robot: Robot, acts: Acts) -> Floats:
     """By joint [n], the sum of what so acts on a channel; an entry of the whole robot is one of every
     joint."""
-    found = np.zeros(robot.n)
+    sums = np.zeros(robot.n)
     for entry, channel in acting_on(robot.effects, acts):
         joints = slice(None) if entry.joint is None else entry.joint - 1
-        found[joints] += entry.number(channel.parameter)
-    return found
+        sums[joints] += entry.number(channel.parameter)
+    return sums
 
 
 def model_torque(
@@ -71,8 +71,8 @@ def model_torque(
     showed, ``tau`` [K, n], tells of joints with springs how they were twisted at first."""
     model = Model(robot)
     if model.couplers:  # a kernel can only look back
-        found = behind_motors(model, q - offsets(robot), qd, qdd, float(t[1] - t[0]), tau)
-        return measured_torque(found.total, t, robot.effects)
+        torque = behind_motors(model, q - offsets(robot), qd, qdd, float(t[1] - t[0]), tau)
+        return measured_torque(torque.total, t, robot.effects)
     kernel = kernel_of(robot)
     more: dict[str, Any] = {}
     if kernel.signatures["inverse_dynamics"].states:
@@ -83,12 +83,12 @@ def model_torque(
 
 def given_torque(tau: Floats, robot: Robot) -> Floats:
     """Of commands [K, n], what the drives of ``robot`` gave: no more than their limits."""
-    found = np.array(tau)
+    torque = np.array(tau)
     for entry, channel in acting_on(robot.effects, "limit"):
         if entry.joint and entry.text(channel.who) == "drive":
             limit = entry.number(channel.parameter)
-            found[:, entry.joint - 1] = np.clip(found[:, entry.joint - 1], -limit, limit)
-    return found
+            torque[:, entry.joint - 1] = np.clip(torque[:, entry.joint - 1], -limit, limit)
+    return torque
 
 
 def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
@@ -102,10 +102,10 @@ def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats
 
 def predicted(robot: Robot, gate: Gate) -> Floats:
     """The torques [K, n] that ``robot`` predicts along a log."""
-    found = np.zeros_like(gate.log.tau)
+    torque = np.zeros_like(gate.log.tau)
     for part in gate.segments:
-        found[part] = model_torque(robot, *smooth_motion(gate.log, part), gate.log.tau[part])
-    return found
+        torque[part] = model_torque(robot, *smooth_motion(gate.log, part), gate.log.tau[part])
+    return torque
 
 
 def lacking(robot: Robot, gate: Gate) -> Floats:

@@ -37,25 +37,25 @@ _USUAL, _REWEIGHTED = 2.0, 3
 
 
 def refined(
-    robot: Robot, found: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+    robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
 ) -> list[Amendment]:
-    """``found`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
+    """``amendments`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
     ``robot`` as it was given. By Gauss and Newton, differences taken one by one."""
     places = [
         (k, name)
-        for k, one in enumerate(found)
+        for k, one in enumerate(amendments)
         for name, value in one.parameters.items()
         if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
     ]
     if not places:
-        return list(found)
+        return list(amendments)
     nuisance, prior = _own(start)
 
     def changed(x: Floats) -> list[Amendment]:
-        values = [dict(one.parameters) for one in found]
+        values = [dict(one.parameters) for one in amendments]
         for (k, name), each in zip(places, x, strict=True):
             values[k][name] = float(each)
-        return [Amendment(one.effect, one.joint, v) for one, v in zip(found, values, strict=True)]
+        return [Amendment(one.effect, one.joint, v) for one, v in zip(amendments, values, strict=True)]
 
     def missed(x: Floats) -> Floats | None:
         try:
@@ -66,10 +66,10 @@ def refined(
         left = np.concatenate(rows) / start.sigma
         return left.reshape(-1) * np.repeat(start.rest.any(axis=1), start.n)
 
-    x = np.array([float(found[k].parameters[name]) for k, name in places])
+    x = np.array([float(amendments[k].parameters[name]) for k, name in places])
     begun, now = x, missed(x)
     if now is None:
-        return list(found)
+        return list(amendments)
     for _ in range(_ROUNDS):
         rows = now.reshape(-1, start.n)
         weight, _ = _weights(rows, nuisance, prior)
@@ -110,13 +110,13 @@ def costs(
     nuisance, prior = _own(start)
     kept = np.any(start.rest != 0, axis=1)[:, None]
     usual: Floats | None = None
-    found = []
+    residuals = []
     for model in models:
         left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
         weight, usual = _weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
-        found.append(least / 2 / start.thin)
-    return found
+        residuals.append(least / 2 / start.thin)
+    return residuals
 
 
 def _is_refined(known: Effect, name: str) -> bool:
@@ -167,8 +167,8 @@ def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, F
 def _rest(robot: Robot, c: Context) -> Floats:
     """What ``robot`` leaves of a log, filtered and thinned."""
     s, model = c.signals, Model(robot)
-    found = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
-    total = found.total
+    torque = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
+    total = torque.total
     for entry in robot.effects:
         for law in entry.definition.traits.candidates:
             if isinstance(law, Bristles) and entry.joint:  # the model has them sliding

@@ -64,11 +64,11 @@ class Model:
     @property
     def couplers(self) -> dict[int, Acting]:
         """What lies between motor and link where the encoder is on the motor, by joint (from 0)."""
-        found = {}
+        couplers = {}
         for j, drive in enumerate(self._layer.joints):
             if drive.coupler is not None and drive.coupler.values["encoder"] == "motor":
-                found[j] = drive.coupler
-        return found
+                couplers[j] = drive.coupler
+        return couplers
 
     def motion(self, q: Floats, qd: Floats, qdd: Floats) -> Motion:
         """The rigid arm's motion, over arrays of states."""
@@ -85,10 +85,10 @@ class Model:
     def evaluate(self, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None) -> Evaluated:
         """The model's torques along a motion of the links; that of the ``motors`` is the same unless it is
         given."""
-        found: dict[tuple[int, str, str], Any] = {}
+        terms: dict[tuple[int, str, str], Any] = {}
 
         def mark(value: Any, label: Label) -> Any:
-            found[label.link - 1, label.quantity, label.axis] = value
+            terms[label.link - 1, label.quantity, label.axis] = value
             return value
 
         zeros = np.zeros(len(q))
@@ -97,7 +97,7 @@ class Model:
         def vectors(quantity: str) -> Floats:
             return np.stack(
                 [
-                    np.stack([found[i, quantity, axis] + zeros for axis in "xyz"], axis=1)
+                    np.stack([terms[i, quantity, axis] + zeros for axis in "xyz"], axis=1)
                     for i in range(self.n)
                 ],
                 axis=1,
@@ -190,19 +190,19 @@ def _shift(m: float, c: Floats) -> Floats:
 
 
 def _skew(u: Floats) -> Floats:
-    found = np.zeros((len(u), 3, 3))
-    found[:, 0, 1], found[:, 0, 2] = -u[:, 2], u[:, 1]
-    found[:, 1, 0], found[:, 1, 2] = u[:, 2], -u[:, 0]
-    found[:, 2, 0], found[:, 2, 1] = -u[:, 1], u[:, 0]
-    return found
+    matrices = np.zeros((len(u), 3, 3))
+    matrices[:, 0, 1], matrices[:, 0, 2] = -u[:, 2], u[:, 1]
+    matrices[:, 1, 0], matrices[:, 1, 2] = u[:, 2], -u[:, 0]
+    matrices[:, 2, 0], matrices[:, 2, 1] = -u[:, 1], u[:, 0]
+    return matrices
 
 
 def _inertia(j: int, u: Floats) -> Floats:
     """A tensor whose entry j (xx yy zz xy xz yz) is 1, times ``u``."""
-    found = np.zeros_like(u)
+    rotated = np.zeros_like(u)
     if j < 3:
-        found[:, j] = u[:, j]
+        rotated[:, j] = u[:, j]
     else:
         a, b = ((0, 1), (0, 2), (1, 2))[j - 3]
-        found[:, a], found[:, b] = u[:, b], u[:, a]
-    return found
+        rotated[:, a], rotated[:, b] = u[:, b], u[:, a]
+    return rotated

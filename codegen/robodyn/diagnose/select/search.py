@@ -63,89 +63,89 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
 
     tell("fitting the catalogue")
     first = last = look(robot)
-    model, found, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
+    model, findings, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
     for _ in range(_PASSES):
         if not last.found:
             break
-        _take(last, found, digest)
-        _refit(robot, found, first)
-        if _levelled(found, first):
-            _refit(robot, found, first)
-        _pruned(robot, found, first)
-        keys = frozenset(found)
+        _take(last, findings, digest)
+        _refit(robot, findings, first)
+        if _levelled(findings, first):
+            _refit(robot, findings, first)
+        _pruned(robot, findings, first)
+        keys = frozenset(findings)
         if keys in seen:  # what was left out comes again
             break
         seen.add(keys)
-        model = amended(robot, _amendments(found))
+        model = amended(robot, _amendments(findings))
         tell("fitting what is left")
         last = look(model)
-    return Outcome(found, model, first, last)
+    return Outcome(findings, model, first, last)
 
 
-def _pruned(robot: Robot, found: dict[Key, Found], first: Selection) -> None:
+def _pruned(robot: Robot, findings: dict[Key, Found], first: Selection) -> None:
     """Leave out, one by one, what the others make up for."""
-    while len(found) > 1:
+    while len(findings) > 1:
         without = []
-        for key in found:
-            others = {other: one for other, one in found.items() if other != key}
-            if len(found) <= _FEW:
+        for key in findings:
+            others = {other: one for other, one in findings.items() if other != key}
+            if len(findings) <= _FEW:
                 _refit(robot, others, first)
             without.append(others)
-        models = [_amendments(found), *(_amendments(others) for others in without)]
+        models = [_amendments(findings), *(_amendments(others) for others in without)]
         whole, *less = costs(robot, models, first.contexts, first.start)
         spare = [
             cost - whole - _PRICE * enough(first.start, numbers_of(one.named.trial))
-            for cost, one in zip(less, found.values(), strict=True)
+            for cost, one in zip(less, findings.values(), strict=True)
         ]
-        laws = {(part, joint) for effect, joint in found for part in CATALOGUE[effect].traits.one_law_with}
-        for k, (effect, joint) in enumerate(found):
+        laws = {(part, joint) for effect, joint in findings for part in CATALOGUE[effect].traits.one_law_with}
+        for k, (effect, joint) in enumerate(findings):
             # Of a contact the window is left out of the costs.
             if CATALOGUE[effect].place == "outside" or (effect, joint) in laws:
                 spare[k] = np.inf
         k = int(np.argmin(spare))
         if spare[k] >= 0:
             return
-        found.clear()
-        found.update(without[k])
+        findings.clear()
+        findings.update(without[k])
 
 
-def _amendments(found: Mapping[Key, Found]) -> list[Amendment]:
-    return [Amendment(effect, joint, one.parameters) for (effect, joint), one in found.items()]
+def _amendments(findings: Mapping[Key, Found]) -> list[Amendment]:
+    return [Amendment(effect, joint, one.parameters) for (effect, joint), one in findings.items()]
 
 
-def _refit(robot: Robot, found: dict[Key, Found], begun: Selection) -> None:
+def _refit(robot: Robot, findings: dict[Key, Found], begun: Selection) -> None:
     """All that was found, fitted together to the logs as they were at first."""
-    better = refined(robot, _amendments(found), begun.contexts, begun.start)
-    for key, one in zip(list(found), better, strict=True):
-        found[key] = replace(found[key], parameters=dict(one.parameters))
+    better = refined(robot, _amendments(findings), begun.contexts, begun.start)
+    for key, one in zip(list(findings), better, strict=True):
+        findings[key] = replace(findings[key], parameters=dict(one.parameters))
 
 
-def _levelled(found: dict[Key, Found], begun: Selection) -> bool:
+def _levelled(findings: dict[Key, Found], begun: Selection) -> bool:
     """Whether an effect was no more than its limit, as a power of the speed may be a level: it is Coulomb
     friction then."""
-    limits = [(key, CATALOGUE[key[0]].traits.limit) for key in found]
-    flat = [(key, limit) for key, limit in limits if limit and limit.when(found[key].parameters)]
+    limits = [(key, CATALOGUE[key[0]].traits.limit) for key in findings]
+    flat = [(key, limit) for key, limit in limits if limit and limit.when(findings[key].parameters)]
     for key, limit in flat:
-        one, j = found.pop(key), (key[1] or 1) - 1
+        one, j = findings.pop(key), (key[1] or 1) - 1
         speed = np.abs(begun.context.signals.qd[:, j])
         usual = float(np.median(speed[speed > _STANDS * speed.max()]))
         parameters = limit.parameters(one.parameters, usual)
         plain = (limit.id, key[1])
-        if plain in found:
-            before = found[plain]
+        if plain in findings:
+            before = findings[plain]
             sums = {name: float(x) + float(before.parameters[name]) for name, x in parameters.items()}
-            found[plain] = replace(before, parameters={**before.parameters, **sums})
+            findings[plain] = replace(before, parameters={**before.parameters, **sums})
             continue
         candidate = replace(
             one.named.trial.candidate, effect=plain[0], signs=(1,), given={}, beside=(), again=None, order=1
         )
         named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
         errors = {name: one.errors[name] for name in parameters if name in one.errors}
-        found[plain] = Found(named, parameters, errors, one.first)
+        findings[plain] = Found(named, parameters, errors, one.first)
     return bool(flat)
 
 
-def _take(step: Selection, found: dict[Key, Found], digest: str) -> None:
+def _take(step: Selection, findings: dict[Key, Found], digest: str) -> None:
     """A step's findings join those of the same effect and place."""
     for named in step.found:
         candidate = named.trial.candidate
@@ -153,16 +153,16 @@ def _take(step: Selection, found: dict[Key, Found], digest: str) -> None:
         if candidate.definition.place == "outside":
             values["log"] = digest
         key = (candidate.effect, candidate.joint)
-        if key in found:
-            before = found[key]
+        if key in findings:
+            before = findings[key]
             linear = CATALOGUE[candidate.effect].linear
             joined = dict(before.parameters)
             for name, value in values.items():
                 both = isinstance(value, float) and isinstance(joined.get(name), float)
                 joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
-            found[key] = replace(before, parameters=joined)
+            findings[key] = replace(before, parameters=joined)
         else:
-            found[key] = Found(named, values, errors, step)
+            findings[key] = Found(named, values, errors, step)
 
 
 def _piece(log: Log, part: slice) -> Log:

@@ -106,8 +106,8 @@ def start_of(contexts: Sequence[Context]) -> Problem:
 def raw_noise(s: Signals) -> Floats:
     """Standard deviations [n] of the torque channel's noise, from second differences."""
     second = np.diff(s.tau, 2, axis=0)
-    found: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
-    return found
+    deviation: Floats = 1.4826 * np.median(np.abs(second - np.median(second, axis=0)), axis=0) / np.sqrt(6)
+    return deviation
 
 
 def passed_noise(s: Signals) -> Floats:
@@ -162,10 +162,10 @@ def select(
             contexts.append(context_of(context.model, more, context.hints))
     start = start_of(contexts)
     least = what_matters(context) / start.sigma
-    made = zip(*(candidates(each) for each in contexts), strict=True)
+    columns = zip(*(candidates(each) for each in contexts), strict=True)
     library = [
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
-        for each in made
+        for each in columns
     ]
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
@@ -187,9 +187,9 @@ def select(
         other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
         if other.found and _evidence(tight, other) > _evidence(start, chosen) + _SURELY:
             start, chosen = tight, other
-    now, current, found = chosen.now, chosen.current, chosen.found
+    now, current, findings = chosen.now, chosen.current, chosen.found
     first = fitted(start)
-    estimated = _estimated(now, current, found)
+    estimated = _estimated(now, current, findings)
     if touched is not None:
         estimated = (*estimated, _named_contact(touched, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
@@ -219,10 +219,10 @@ def _chosen(
 ) -> _Chosen:
     """One effect after another until none passes, or the columns of all others change."""
     now, current = start, fitted(start)
-    found: list[Named] = []
+    findings: list[Named] = []
     trials: list[Trial] = []
-    while len(found) < _MOST:
-        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in found}
+    while len(findings) < _MOST:
+        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
         tried = [
             trial(now, current, c, columns, least)
             for c, columns in library
@@ -234,7 +234,7 @@ def _chosen(
         if best is None:
             break
         one, rivals, confidence = best
-        found.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
+        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
         if one.candidate.fixed:
             now = less(now, one.candidate.rows, one.columns[:, :, 0])
         else:
@@ -244,7 +244,7 @@ def _chosen(
             progress(one.candidate.name)
         if one.candidate.definition.traits.reevaluate:
             break  # the model is to be evaluated anew before more is looked for
-    return _Chosen(found, now, current, trials)
+    return _Chosen(findings, now, current, trials)
 
 
 def _is_of_link(candidate: Candidate) -> bool:
@@ -321,13 +321,13 @@ def _named_contact(touched: Contact, first: Fit) -> Named:
     return Named(one, (), 0.9, touched.x, touched.stderr)
 
 
-def _estimated(now: Problem, last: Fit, found: Sequence[Named]) -> tuple[Named, ...]:
+def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
     """The effects with their coefficients in the fit of all together."""
     done = []
     at = now.nuisance
     spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
     spread = spread * max(float(last.held.mean()), 1e-300)
-    for one in found:
+    for one in findings:
         if one.trial.candidate.fixed:
             done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
             continue

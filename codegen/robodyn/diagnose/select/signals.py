@@ -117,8 +117,8 @@ def low_pass(x: Floats, rate: float, cutoff: float) -> Floats:
 
     if cutoff >= 0.45 * rate or len(x) < 30:
         return x
-    found: Floats = sosfiltfilt(_sections(rate, cutoff), x, axis=0)
-    return found
+    filtered: Floats = sosfiltfilt(_sections(rate, cutoff), x, axis=0)
+    return filtered
 
 
 @lru_cache(maxsize=32)

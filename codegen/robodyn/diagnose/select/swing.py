@@ -37,8 +37,8 @@ def _library() -> tuple[Any, Any]:
 
     def build(folder: Path) -> str:
         (folder / "swing.c").write_text(text, encoding="utf-8", newline="\n")
-        made = compiler.compile("swing.c", flags=C_FLAGS, folder=folder)
-        compiler.link([made], "swing.so", flags=C_FLAGS, folder=folder, extension=False)
+        library = compiler.compile("swing.c", flags=C_FLAGS, folder=folder)
+        compiler.link([library], "swing.so", flags=C_FLAGS, folder=folder, extension=False)
         return "swing.so"
 
     key = content_key(["swing", text, compiler.command, compiler.identity, *C_FLAGS])
@@ -64,11 +64,11 @@ def swung(
     """
     ffi, library = _library()
     arrays = [np.ascontiguousarray(x, np.float64) for x in (*inputs, spring[0])]
-    found = np.empty((len(arrays[0]), 3))
+    states = np.empty((len(arrays[0]), 3))
     view = [ffi.from_buffer("double[]", x) for x in arrays]
     rows = library.swing(
-        *view[:4], len(found), step, view[4], len(arrays[4]), spring[1], spring[2], damping, *begin,
-        ffi.from_buffer("double[]", found),
+        *view[:4], len(states), step, view[4], len(arrays[4]), spring[1], spring[2], damping, *begin,
+        ffi.from_buffer("double[]", states),
     )  # fmt: skip
-    found[rows:] = np.nan
-    return found
+    states[rows:] = np.nan
+    return states

@@ -7,10 +7,10 @@ import pkgutil
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
-from robodyn.emit.language import Language
+from robodyn.emit.language import Compiled, Language
 from robodyn.errors import InputError
 
-__all__ = ["LANGUAGES", "defaults", "language_named", "languages_named"]
+__all__ = ["LANGUAGES", "compiled_language", "defaults", "language_named", "languages_named"]
 
 
 @cache
@@ -59,6 +59,22 @@ def language_named(name: str) -> Language:
         expected=f"one of {', '.join(LANGUAGES)}",
         remedy=f"did you mean {close[0]!r}?" if close else None,
     )
+
+
+def compiled_language(name: str) -> tuple[Language, Compiled]:
+    """The language called ``name``, and how it is compiled and called from Python.
+
+    Raises
+    ------
+    InputError: there is no such language, or it is written and cannot be called.
+    """
+    language = language_named(name)
+    if language.compiled is None:
+        able = [one.name for one in LANGUAGES.values() if one.compiled is not None]
+        raise InputError(
+            f"{language.title} is written, and cannot be called from Python", expected=" or ".join(able)
+        )
+    return language, language.compiled
 
 
 def languages_named(names: Sequence[str]) -> tuple[Language, ...]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from robodyn.emit import misra
 from robodyn.emit.body import Lines
-from robodyn.emit.language import FunctionText, Language
+from robodyn.emit.language import Compiled, FunctionText, Language
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling
 from robodyn.emit.statements import Expression
@@ -194,4 +194,12 @@ LANGUAGE = Language(
     notes=_notes,
     features=frozenset({"batch", "parallel", "misra", "firmware"}),
     batch=_batch,
+    compiled=Compiled(
+        variable="CC",
+        commands=("cc", "gcc", "clang"),
+        flags=("-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno"),
+        install="Debian, Ubuntu: apt install gcc; Fedora: dnf install gcc; macOS: xcode-select --install",
+        symbol=lambda signature: signature.symbol,
+        header=True,
+    ),
 )

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from robodyn.emit.language import FunctionText, Language, SelfTest
+from robodyn.emit.language import Compiled, FunctionText, Language, SelfTest
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling
 from robodyn.emit.statements import Expression
@@ -80,7 +80,7 @@ def _function(text: FunctionText) -> dict[str, Any]:
     if signature.states:
         arguments += ["state", "dt"]
     return {
-        "bound": signature.fortran_symbol,
+        "bound": _bound(signature),
         "arguments": ", ".join(arguments),
         "inputs": signature.inputs,
         "outputs": signature.outputs,
@@ -90,6 +90,11 @@ def _function(text: FunctionText) -> dict[str, Any]:
         "results": lines.results,
         "unused": [f"p%{signature.parameters[0]}" if name == "p" else name for name in text.unused],
     }
+
+
+def _bound(signature: Signature) -> str:
+    """The name in the object file: that of the C with a tail, so that both can stand in one program."""
+    return f"{signature.symbol}_f"
 
 
 def _context(unit: Unit) -> dict[str, Any]:
@@ -108,6 +113,9 @@ def _selftest_types(single: bool) -> dict[str, str]:
     }
 
 
+_FLAGS = ("-std=f2018", "-O2", "-ffp-contract=off")
+
+
 LANGUAGE = Language(
     name="fortran",
     title="Fortran",
@@ -120,10 +128,18 @@ LANGUAGE = Language(
     function=_function,
     context=_context,
     features=frozenset({"firmware"}),
+    compiled=Compiled(
+        variable="FC",
+        commands=("gfortran", "flang", "flang-new"),
+        flags=_FLAGS,
+        install="Debian, Ubuntu: apt install gfortran; Fedora: dnf install gcc-gfortran;"
+        " macOS: brew install gcc",
+        symbol=_bound,
+    ),
     selftest=SelfTest(
         file="NAME_selftest.f90",
         template="selftest.f90.j2",
-        flags=("-std=f2018", "-O2", "-ffp-contract=off"),
+        flags=_FLAGS,
         types=_selftest_types,
     ),
 )

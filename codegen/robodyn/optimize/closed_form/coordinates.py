@@ -75,19 +75,19 @@ def angles(arm: Arm, summed: Sequence[bool]) -> list[JointAngle | None]:
     stays, since one addition is less than what expanding it costs.
     """
     ways = parallels(arm)
-    found: list[JointAngle | None] = []
+    joint_angles: list[JointAngle | None] = []
     for i, body in enumerate(arm.bodies):
         if not body.revolute:
-            found.append(None)
+            joint_angles.append(None)
             continue
         offset = quarter_turns(0) if body.theta.quarter is not None else body.theta
         terms: tuple[tuple[int, int], ...] = ((i, 1),)
-        before = found[i - 1] if summed[i] else None
+        before = joint_angles[i - 1] if summed[i] else None
         if before is not None:
             terms = (*((joint, ways[i] * sign) for joint, sign in before.terms), *terms)
             offset = _the_one(before.offset if ways[i] > 0 else -before.offset, offset)
-        found.append(JointAngle(terms, offset))
-    return found
+        joint_angles.append(JointAngle(terms, offset))
+    return joint_angles
 
 
 def _the_one(a: Angle, b: Angle) -> Angle:
@@ -99,14 +99,14 @@ def _the_one(a: Angle, b: Angle) -> Angle:
 def model(robot: Robot, at: Coordinates) -> Model:
     """The closed form of ``robot`` in the coordinates ``at``."""
     leaves: list[Leaf] = []
-    number: dict[Leaf, int] = {}
+    leaf_index: dict[Leaf, int] = {}
 
     def new(kind: str, of: int | str) -> int:
         leaf = (kind, of)
-        if leaf not in number:
-            number[leaf] = len(leaves)
+        if leaf not in leaf_index:
+            leaf_index[leaf] = len(leaves)
             leaves.append(leaf)
-        return number[leaf]
+        return leaf_index[leaf]
 
     plain = build_arm(robot, exact, lambda _: 1)
     ways = parallels(plain)

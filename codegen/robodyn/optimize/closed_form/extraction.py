@@ -177,7 +177,7 @@ class Extraction:
 
     def _count(self, v: int, m: Monomial, k: int, sense: int) -> None:
         """Count the factors that the term ``k m`` makes with the others of the polynomial of ``v``."""
-        sums, products, made, own = self._sums, self._products, self._made, self._own.get(v)
+        sums, products, entries, own = self._sums, self._products, self._made, self._own.get(v)
         memory = self.memory
         place = memory.place
         self.work += len(self.system.polynomials[v]) + 3
@@ -186,13 +186,13 @@ class Extraction:
             if pair != own:
                 known = sums.get(pair)
                 if known is None:
-                    known = 0 if pair in made else -memory.costs[pair]
+                    known = 0 if pair in entries else -memory.costs[pair]
                 sums[pair] = known + sense * gain
         for product in memory.products(m, k):
             if product != own:
                 sofar = products.get(product)
                 if sofar is None:
-                    sofar = 0 if product in made else -1
+                    sofar = 0 if product in entries else -1
                 products[product] = sofar + sense
 
     # -- taking out ------------------------------------------------------------------------------
@@ -227,8 +227,8 @@ class Extraction:
         self.work += len(items) * len(items) // 4
         for i, (m, k) in enumerate(items):
             for n, l in items[:i]:
-                found, common, ordered, _ = place(m, k, n, l) if m < n else place(n, l, m, k)
-                if found == pair:
+                places, common, ordered, _ = place(m, k, n, l) if m < n else place(n, l, m, k)
+                if places == pair:
                     yield m, n, common, k if ordered == (m < n) else l
 
     def _take_product(self, product: Product) -> None:
@@ -278,7 +278,7 @@ def place_of(m: Monomial, k: int, n: Monomial, l: int, numbers: Numbers) -> Plac
 
 def products_of(m: Monomial, k: int) -> tuple[Product, ...]:
     """Products of two in the term ``k m``."""
-    found: dict[Product, None] = dict.fromkeys((m[i], m[j]) for j in range(len(m)) for i in range(j))
+    products: dict[Product, None] = dict.fromkeys((m[i], m[j]) for j in range(len(m)) for i in range(j))
     if k != 1 and k != -1:
-        found.update(dict.fromkeys((-abs(k), v) for v in m))
-    return tuple(found)
+        products.update(dict.fromkeys((-abs(k), v) for v in m))
+    return tuple(products)

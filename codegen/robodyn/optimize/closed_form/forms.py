@@ -59,24 +59,24 @@ def forms_of(robot: Robot, seed: int) -> Iterator[Form]:
             for shifts in itertools.islice(_shifts(robot, plain), _SHIFTS):
                 for squares in itertools.product(*(("s", "c") if t else ("s",) for t in turning)):
                     at = Coordinates(summed, absolute, squares, shifts)
-                    made = model(robot, at)
-                    key = (summed, shifts, *(frozenset(t.items()) for t in made.torques))
-                    if key not in seen and made.size <= MOST_TERMS:
+                    lagrangian = model(robot, at)
+                    key = (summed, shifts, *(frozenset(t.items()) for t in lagrangian.torques))
+                    if key not in seen and lagrangian.size <= MOST_TERMS:
                         seen.add(key)
                         numbers = Numbers()
-                        search = Search.of(system_of(made, numbers), numbers, seed)
-                        yield Form(robot, at, made, search, leaf_operations(robot, at, made))
+                        search = Search.of(system_of(lagrangian, numbers), numbers, seed)
+                        yield Form(robot, at, lagrangian, search, leaf_operations(robot, at, lagrangian))
 
 
-def _shifts(robot: Robot, made: Model) -> Iterator[tuple[Fraction, ...]]:
+def _shifts(robot: Robot, model: Model) -> Iterator[tuple[Fraction, ...]]:
     """Shifts of the displacements that make terms vanish: none, and those that complete squares or stand
     in the most places."""
     options: list[list[Fraction]] = [[Fraction(0)] for _ in range(robot.n)]
-    for v, (kind, joint) in enumerate(made.leaves):
+    for v, (kind, joint) in enumerate(model.leaves):
         if kind != "x" or not isinstance(joint, int):
             continue
         votes: Counter[Fraction] = Counter()
-        for terms in made.torques:
+        for terms in model.torques:
             for m, k in terms.items():
                 degree = m.count(v)
                 if degree:
@@ -90,9 +90,9 @@ def _shifts(robot: Robot, made: Model) -> Iterator[tuple[Fraction, ...]]:
     yield from choices
 
 
-def system_of(made: Model, numbers: Numbers) -> System:
+def system_of(model: Model, numbers: Numbers) -> System:
     """The torques as a system: those of joints that turn about one axis add up from the tip."""
-    first = len(made.leaves)
+    first = len(model.leaves)
     polynomials: dict[int, dict[tuple[int, ...], int]] = {}
 
     def add(terms: Terms) -> int:
@@ -100,23 +100,23 @@ def system_of(made: Model, numbers: Numbers) -> System:
         polynomials[v] = {m: numbers.number(k) for m, k in terms.items()}
         return v
 
-    n = len(made.torques)
+    n = len(model.torques)
     outputs = [0] * n
     beyond = 0
     for i in reversed(range(n)):
-        terms = dict(made.torques[i])
-        if i + 1 < n and made.ways[i + 1]:
-            terms[(beyond,)] = made.ways[i + 1]
+        terms = dict(model.torques[i])
+        if i + 1 < n and model.ways[i + 1]:
+            terms[(beyond,)] = model.ways[i + 1]
         beyond = outputs[i] = add(terms)
-        if made.extras[i]:
-            outputs[i] = add({(beyond,): 1, **made.extras[i]})
+        if model.extras[i]:
+            outputs[i] = add({(beyond,): 1, **model.extras[i]})
     return System(first, polynomials, tuple(outputs))
 
 
-def leaf_operations(robot: Robot, at: Coordinates, made: Model) -> int:
+def leaf_operations(robot: Robot, at: Coordinates, model: Model) -> int:
     """Operations that the variables of the closed form take."""
     graph = Graph()
-    read = {v for terms in (*made.torques, *made.extras) for m in terms for v in m}
-    nodes = values(graph, robot, at, made.leaves)
+    read = {v for terms in (*model.torques, *model.extras) for m in terms for v in m}
+    nodes = values(graph, robot, at, model.leaves)
     wanted = [nodes[v] for v in sorted(read) if isinstance(nodes[v], Node)]
     return sum(graph.keys[p][0] in ("add", "scale", "mul") for p in needed(graph, [("leaves", wanted)]))

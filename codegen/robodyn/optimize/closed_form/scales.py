@@ -155,9 +155,9 @@ class Scaling:
             chance.shuffle(true)
             chance.shuffle(rest)
             first = 1 if chance.random() < 0.8 else 2
-            found = granted(rest[:first] + true + rest[first:])
-            if len(found) >= len(self.best):
-                self.best = found
+            scaled = granted(rest[:first] + true + rest[first:])
+            if len(scaled) >= len(self.best):
+                self.best = scaled
 
     def scales(self) -> dict[int, Fraction]:
         """The scale of each variable that has one."""

@@ -56,11 +56,11 @@ def _scaled(forms: list[Form], effort: float, seed: int) -> list[Program]:
     chance = random.Random(seed)
     best: list[tuple[Form, Scaling]] = []
     for form in forms:
-        found = sorted(form.search.found.values(), key=lambda item: item[0])
+        ranked = sorted(form.search.found.values(), key=lambda item: item[0])
         # Constants of a longer factorisation may scale better: some of those as well.
-        close = [item for item in found[_TRIED:] if item[0] <= found[0][0] + 3]
-        found = found[:_TRIED] + chance.sample(close, min(len(close), _TRIED))
-        best += [(form, Scaling.of(system, form.search.numbers)) for _, system in found]
+        close = [item for item in ranked[_TRIED:] if item[0] <= ranked[0][0] + 3]
+        ranked = ranked[:_TRIED] + chance.sample(close, min(len(close), _TRIED))
+        best += [(form, Scaling.of(system, form.search.numbers)) for _, system in ranked]
     for kept, share in ((len(best), 0.4), (100, 0.2), (36, 0.2), (_KEPT, 0.2)):
         best.sort(key=lambda item: item[0].leaves + item[1].cost)
         best = _mixed(best, kept) if kept < len(best) else best

@@ -45,36 +45,36 @@ class Expansions:
         """``value`` expanded."""
         if not isinstance(value, Node):
             return constant(Fraction(value))
-        made = self.at(value.position)
-        return made if value.sign > 0 else made.scaled(Fraction(-1))
+        expansion = self.at(value.position)
+        return expansion if value.sign > 0 else expansion.scaled(Fraction(-1))
 
     def at(self, root: int) -> Polynomial:
         """The value at position ``root`` expanded."""
         if self._terms > _REMEMBERED:
             self._forget()
-        made, keys = self._made, self.graph.keys
+        cache, keys = self._made, self.graph.keys
         stack = [root]
         while stack:
             p = stack[-1]
-            if p in made:
+            if p in cache:
                 stack.pop()
                 continue
             key = keys[p]
             read = () if key[0] in ("sin", "cos", "sign", "tanh") else children(key)
-            missing = [child for child in read if child not in made]
+            missing = [child for child in read if child not in cache]
             if missing:
                 stack.extend(missing)
             else:
-                made[p] = self._operation(p, key)
-                self._terms += len(made[p].terms)
-                if len(made[p].terms) > _MOST_TERMS:
+                cache[p] = self._operation(p, key)
+                self._terms += len(cache[p].terms)
+                if len(cache[p].terms) > _MOST_TERMS:
                     raise InputError(
                         "the arm has too many parameters for a proof of what pruning does to it",
                         found=f"more than {_MOST_TERMS} terms in one of its torques",
                         remedy="leave out --prune",
                     )
                 stack.pop()
-        return made[root]
+        return cache[root]
 
     def _forget(self) -> None:
         """Forget what was expanded of the positions that came after the first."""
@@ -138,17 +138,17 @@ class Expansions:
         return best / budget
 
     def _operation(self, p: int, key: tuple[Any, ...]) -> Polynomial:
-        made, op = self._made, key[0]
+        cache, op = self._made, key[0]
         if op == "input":
             return self._input(key[1])
         if op == "const":
             return constant(key[1])
         if op == "add":
-            return made[key[1]].plus(made[key[3]], key[2])
+            return cache[key[1]].plus(cache[key[3]], key[2])
         if op == "scale":
-            return made[key[2]].scaled(key[1])
+            return cache[key[2]].scaled(key[1])
         if op == "mul":
-            return made[key[1]].times(made[key[2]])
+            return cache[key[1]].times(cache[key[2]])
         if op in ("sin", "cos"):
             return self._circle(op, key[1])
         if op in ("sign", "tanh"):
@@ -211,9 +211,9 @@ def proven_errors(original: Program, pruned: Program, box: Box, enough: Sequence
     """
     graph = Graph()
     true: Sequence[Scalar] = graph.replay(original)
-    found: Sequence[Scalar] = graph.replay(pruned)
+    copies: Sequence[Scalar] = graph.replay(pruned)
     expansions = Expansions(graph, box)
     return [
         0.0 if one == other else expansions.bound(expansions.difference(one, other), limit)
-        for one, other, limit in zip(found, true, enough, strict=True)
+        for one, other, limit in zip(copies, true, enough, strict=True)
     ]

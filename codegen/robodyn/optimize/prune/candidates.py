@@ -30,13 +30,13 @@ class View:
         self,
         editor: Editor,
         edits: Edits,
-        made: dict[int, Scalar],
+        copies: dict[int, Scalar],
         outputs: Sequence[Scalar],
         used: Sequence[float],
     ) -> None:
         import numpy as np
 
-        self.editor, self.edits, self.made = editor, edits, made
+        self.editor, self.edits, self.made = editor, edits, copies
         keys = editor.graph.keys
         self.keys = keys
         order = needed(editor.graph, [("", outputs)])
@@ -55,13 +55,13 @@ class View:
         self.live: list[int] = []
         seen: set[int] = set()
         for p in editor.positions:
-            v = made[p]
+            v = copies[p]
             if not isinstance(v, Node) or v.position not in felt or v.position in seen:
                 continue
             seen.add(v.position)
             if p not in editor.angular:
                 self.live.append(p)
-        nodes = [made[p] for p in self.live]
+        nodes = [copies[p] for p in self.live]
         self.values = np.array([v.sign * editor.values[v.position] for v in nodes])  # type: ignore[union-attr]
         self.felt = np.array([np.abs(felt[v.position] / left).max(axis=0) for v in nodes])  # type: ignore[union-attr]
 
@@ -69,7 +69,7 @@ class View:
         """All edits that seem to fit into what is left of the budgets."""
         import numpy as np
 
-        found: list[Candidate] = []
+        candidates: list[Candidate] = []
         for i, p in enumerate(self.live):
             if p in self.edits or p in self.editor.fixed:
                 continue
@@ -77,7 +77,7 @@ class View:
             assert isinstance(here, Node)
             share = float((felt * np.abs(own)).max())
             if share <= 1 and (p, None) not in refused:
-                found.append(Candidate(p, None, self._zero(here.position), share))
+                candidates.append(Candidate(p, None, self._zero(here.position), share))
             few = slice(None, None, 8)
             for sign in (1, -1):
                 near = np.abs(self.values[:i, few] - sign * own[few]) * felt[few]
@@ -91,8 +91,8 @@ class View:
                     assert isinstance(there, Node)
                     if share <= 1 and (p, (sign, q)) not in refused:
                         gain = self._merged(here.position, there.position)
-                        found.append(Candidate(p, (sign, q), gain, share))
-        return found
+                        candidates.append(Candidate(p, (sign, q), gain, share))
+        return candidates
 
     def _merged(self, p: int, kept: int) -> int:
         """Operations that go when ``p`` is no longer read but ``kept`` is."""

@@ -50,27 +50,27 @@ class Editor:
     def _inside(self, kind: Callable[[str], bool]) -> set[int]:
         """Positions of this kind and all that they are made of."""
         keys = self.graph.keys
-        found: set[int] = set()
+        inside: set[int] = set()
         for p in reversed(self.positions):
-            if p in found or kind(keys[p][0]):
-                found.add(p)
-                found.update(children(keys[p]))
-        return found
+            if p in inside or kind(keys[p][0]):
+                inside.add(p)
+                inside.update(children(keys[p]))
+        return inside
 
     def edited(self, edits: Edits, graph: Graph | None = None) -> tuple[dict[int, Scalar], list[Scalar]]:
         """Every position's value with ``edits`` made, and the outputs; in ``graph`` if one is given."""
         target = graph or self.graph
         keys, labels = self.graph.keys, self.graph.labels
-        made: dict[int, Scalar] = {}
+        copies: dict[int, Scalar] = {}
         for p in self.positions:
             if p in edits:
                 edit = edits[p]
-                made[p] = 0 if edit is None else edit[0] * made[edit[1]]
+                copies[p] = 0 if edit is None else edit[0] * copies[edit[1]]
                 continue
-            made[p] = _copied(keys[p], target, made)
+            copies[p] = _copied(keys[p], target, copies)
             if graph is not None and p in labels:
-                graph.label(made[p], labels[p])
-        return made, [v.sign * made[v.position] if isinstance(v, Node) else v for v in self.outputs]
+                graph.label(copies[p], labels[p])
+        return copies, [v.sign * copies[v.position] if isinstance(v, Node) else v for v in self.outputs]
 
     def written(self, edits: Edits) -> Program:
         """The program with ``edits`` made, no pass run."""
@@ -86,13 +86,13 @@ class Editor:
     def shares(self, outputs: Sequence[Scalar]) -> list[float] | None:
         """Bounds of the errors of ``outputs`` as shares of the budgets, close only where that matters; None
         if one is above its budget."""
-        found: list[float] = []
+        shares: list[float] = []
         for j, (one, other) in enumerate(zip(outputs, self.outputs, strict=True)):
             share = 0.0 if one == other else self._share(j, one, other)
             if not share <= 1:
                 return None
-            found.append(share)
-        return found
+            shares.append(share)
+        return shares
 
     def _share(self, j: int, one: Scalar, other: Scalar) -> float:
         name = (j, one.position, one.sign) if isinstance(one, Node) else (j, one)
@@ -148,7 +148,7 @@ class Editor:
         return by
 
 
-def _copied(key: tuple[Any, ...], target: Graph, made: Mapping[int, Scalar]) -> Scalar:
+def _copied(key: tuple[Any, ...], target: Graph, copies: Mapping[int, Scalar]) -> Scalar:
     """The operation ``key`` on values already made."""
     op = key[0]
     if op == "input":
@@ -158,9 +158,9 @@ def _copied(key: tuple[Any, ...], target: Graph, made: Mapping[int, Scalar]) -> 
         return constant
     result: Scalar
     if op == "scale":
-        result = made[key[2]] * key[1]
+        result = copies[key[2]] * key[1]
     elif op == "add":
-        result = made[key[1]] + key[2] * made[key[3]]
+        result = copies[key[1]] + key[2] * copies[key[3]]
     else:
-        result = target.apply(op, [made[p] for p in key[1:]])
+        result = target.apply(op, [copies[p] for p in key[1:]])
     return result

@@ -29,21 +29,21 @@ class State:
     shares: list[float]
 
 
-def pruned(editor: Editor, told: Callable[[int], None]) -> State:
-    """The smallest program found within the budgets; ``told`` hears of every step how many operations are
+def pruned(editor: Editor, progress: Callable[[int], None]) -> State:
+    """The smallest program found within the budgets; ``progress`` hears of every step how many operations are
     left."""
-    made, outputs = editor.edited({})
+    nodes, outputs = editor.edited({})
     shares = [0.0] * len(outputs)
-    start = State({}, made, outputs, editor.cost(outputs), shares)
-    ends = [_Descent(editor, start, notion, told).end() for notion in _NOTIONS]
+    start = State({}, nodes, outputs, editor.cost(outputs), shares)
+    ends = [_Descent(editor, start, notion, progress).end() for notion in _NOTIONS]
     return min(ends, key=lambda state: state.cost)
 
 
 class _Descent:
     """Edit after edit from ``state``, until none fits any more."""
 
-    def __init__(self, editor: Editor, state: State, notion: float, told: Callable[[int], None]) -> None:
-        self.editor, self.state, self.notion, self.told = editor, state, notion, told
+    def __init__(self, editor: Editor, state: State, notion: float, progress: Callable[[int], None]) -> None:
+        self.editor, self.state, self.notion, self.told = editor, state, notion, progress
         self.refused: set[tuple[int, Edit]] = set()
 
     def end(self) -> State:
@@ -76,11 +76,11 @@ class _Descent:
     def _made(self, c: Candidate) -> bool:
         """Make the edit if it saves something and the errors stay within the budgets."""
         edits = {**self.state.edits, c.position: c.edit}
-        made, outputs = self.editor.edited(edits)
+        nodes, outputs = self.editor.edited(edits)
         cost = self.editor.cost(outputs)
         shares = self.editor.shares(outputs) if cost < self.state.cost else None
         if shares is None:
             self.refused.add((c.position, c.edit))
             return False
-        self.state = State(edits, made, outputs, cost, shares)
+        self.state = State(edits, nodes, outputs, cost, shares)
         return True

@@ -158,8 +158,8 @@ def peaks_of(robot: Robot) -> tuple[float, ...]:
     one, so that a share of it is the stricter tolerance."""
     box = box_of(robot)
     program = build(robot, "inverse_dynamics", Choice("newton_euler", regroup=False, chains=False))
-    found = largest(lambda states: values(program, box, states), box, seed=1)
-    return tuple(float(peak) * (1 - 1e-9) for peak in found)
+    peaks = largest(lambda states: values(program, box, states), box, seed=1)
+    return tuple(float(peak) * (1 - 1e-9) for peak in peaks)
 
 
 def prune(
@@ -202,11 +202,11 @@ def prune(
     tell(f"proving the errors of {function}")
     proven = proven_errors(program, smaller, box, budget)
     sampled = sampled_errors(program, smaller, box)
-    for bound, found, most, peak in zip(proven, sampled, allowed, peaks, strict=True):
+    for bound, sample, most, peak in zip(proven, sampled, allowed, peaks, strict=True):
         if not bound <= most:
             raise PruneError(f"a proven error of {bound} is above the tolerance of {most}{_REPORT}")
-        if not found <= bound + _ROUNDING * peak:
-            raise PruneError(f"an error of {found} is above the proven {bound}{_REPORT}")
+        if not sample <= bound + _ROUNDING * peak:
+            raise PruneError(f"an error of {sample} is above the proven {bound}{_REPORT}")
     return smaller, Pruning(
         function=function,
         tolerance=tolerance,
@@ -214,8 +214,8 @@ def prune(
         peaks=tuple(_rounded(peak, -1) for peak in peaks),
         proven=tuple(_rounded(bound, 1) for bound in proven),
         sampled=tuple(
-            _rounded(min(found, bound), 1) if found > _ROUNDING * peak else 0.0
-            for found, bound, peak in zip(sampled, proven, peaks, strict=True)
+            _rounded(min(sample, bound), 1) if sample > _ROUNDING * peak else 0.0
+            for sample, bound, peak in zip(sampled, proven, peaks, strict=True)
         ),
         states=STATES,
         before=before,

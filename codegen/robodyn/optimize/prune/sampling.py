@@ -33,8 +33,8 @@ def values(program: Program, box: Box, states: Floats) -> Floats:
     import numpy as np
 
     inputs: dict[Input, Floats] = dict(zip(box.inputs, states, strict=True))
-    found = evaluate(program, inputs, functions=functions())
-    rows = [row for elements in found.values() for row in elements]
+    outputs = evaluate(program, inputs, functions=functions())
+    rows = [row for elements in outputs.values() for row in elements]
     return np.stack([np.broadcast_to(np.asarray(row, dtype=np.float64), states.shape[1:]) for row in rows])
 
 
@@ -67,13 +67,13 @@ def largest(of: Callable[[Floats], Floats], box: Box, seed: int, first: int = _F
     import numpy as np
 
     states = draw(box, first, seed)
-    found = np.abs(of(states))
-    outputs = len(found)
+    magnitudes = np.abs(of(states))
+    outputs = len(magnitudes)
     low, high = edges(box)
-    starts = np.argsort(-found, axis=1, kind="stable")[:, :_STARTS]
+    starts = np.argsort(-magnitudes, axis=1, kind="stable")[:, :_STARTS]
     here = states[:, starts.ravel()]  # [d, outputs * starts]
     own = np.repeat(np.arange(outputs), starts.shape[1])
-    best = found[own, starts.ravel()]
+    best = magnitudes[own, starts.ravel()]
     steps = np.linspace(-1.0, 1.0, 9)
     for k in range(_ROUNDS):
         for d in range(len(low)):
@@ -91,5 +91,5 @@ def largest(of: Callable[[Floats], Floats], box: Box, seed: int, first: int = _F
             better = gain > best
             here[d] = np.where(better, tried[np.arange(len(own)), pick], here[d])
             best = np.maximum(best, gain)
-    peaks: Floats = np.maximum(found.max(axis=1), best.reshape(outputs, -1).max(axis=1))
+    peaks: Floats = np.maximum(magnitudes.max(axis=1), best.reshape(outputs, -1).max(axis=1))
     return peaks

@@ -74,8 +74,8 @@ def header(text: str) -> dict[str, str]:
     lines = text.split("\n", len(_FIELDS) + 1)
     if lines[0] != _TITLE or len(lines) < len(_FIELDS) + 1:
         return {}
-    found = dict(line.partition(" ")[::2] for line in lines[1 : len(_FIELDS) + 1])
-    return found if tuple(found) == _FIELDS else {}
+    fields = dict(line.partition(" ")[::2] for line in lines[1 : len(_FIELDS) + 1])
+    return fields if tuple(fields) == _FIELDS else {}
 
 
 def parse_record(text: str, file: str) -> Record:
@@ -97,35 +97,35 @@ def parse_record(text: str, file: str) -> Record:
     operations: list[Operation] = []
     outputs: list[tuple[str, tuple[Operand, ...]]] = []
     sizes: list[_Size] = []
-    for number, line in _numbered(lines, at + 1):
+    for line_number, line in _numbered(lines, at + 1):
         name, separator, right = line.partition(" = ")
         if not separator:
-            raise _fault(file, number, "not a line of a program", "%N = op operands, or name = operands")
+            raise _fault(file, line_number, "not a line of a program", "%N = op operands, or name = operands")
         body, colon, note = right.partition(" : ")
         words = body.split()
         if name == f"%{len(operations)}" and not outputs and words:
             op, *rest = words
             arity = 2 if op in BINARY else 1 if op in UNARY else 0
             if len(rest) != arity or not arity:
-                raise _fault(file, number, "not an operation", f"one of {', '.join((*BINARY, *UNARY))}")
-            args = tuple(_parsed(word, len(operations), file, number) for word in rest)
-            sizes.append(_size(op, args, sizes, file, number))
-            operations.append(Operation(op, args, _label(note, file, number) if colon else None))
+                raise _fault(file, line_number, "not an operation", f"one of {', '.join((*BINARY, *UNARY))}")
+            args = tuple(_parsed(word, len(operations), file, line_number) for word in rest)
+            sizes.append(_size(op, args, sizes, file, line_number))
+            operations.append(Operation(op, args, _label(note, file, line_number) if colon else None))
         elif re.fullmatch(_NAME, name) and not colon:
             if name in (known for known, _ in outputs):
-                raise _fault(file, number, f"a second output {name!r}", "each output once")
-            outputs.append((name, tuple(_parsed(word, len(operations), file, number) for word in words)))
+                raise _fault(file, line_number, f"a second output {name!r}", "each output once")
+            outputs.append((name, tuple(_parsed(word, len(operations), file, line_number) for word in words)))
         else:
-            raise _fault(file, number, "not the next line of the program", f"%{len(operations)} = ...")
+            raise _fault(file, line_number, "not the next line of the program", f"%{len(operations)} = ...")
     if not outputs:
         raise _fault(file, len(lines), "the program has no outputs", "name = operands")
     return Record(**fields, program=Program(tuple(operations), tuple(outputs)), file=file)
 
 
 def _numbered(lines: list[str], first: int) -> Iterator[tuple[int, str]]:
-    for number, line in enumerate(lines[first:], first + 1):
-        if line or number < len(lines):
-            yield number, line
+    for line_number, line in enumerate(lines[first:], first + 1):
+        if line or line_number < len(lines):
+            yield line_number, line
 
 
 def _operand(operand: Operand) -> str:
@@ -137,9 +137,9 @@ def _operand(operand: Operand) -> str:
 
 
 def _parsed(word: str, before: int, file: str, line: int) -> Operand:
-    found = _OPERAND.match(word)
-    if found:
-        position, array, index, parameter, numerator, denominator = found.groups()
+    match = _OPERAND.match(word)
+    if match:
+        position, array, index, parameter, numerator, denominator = match.groups()
         if position is not None and int(position) < before:
             return int(position)
         if array is not None:
@@ -186,10 +186,10 @@ def _size(op: str, args: tuple[Operand, ...], before: list[_Size], file: str, li
 
 
 def _label(note: str, file: str, line: int) -> Label:
-    found = _LABEL.match(note)
-    if not found:
+    match = _LABEL.match(note)
+    if not match:
         raise _fault(file, line, f"not a label: {note[:40]!r}", "link, quantity, axis")
-    link, quantity, axis, negative = found.groups()
+    link, quantity, axis, negative = match.groups()
     return Label(int(link), quantity, axis or "", negative is not None)
 
 

@@ -164,10 +164,10 @@ class _Steps:
 
     def _of_factors(self) -> list[bool]:
         """Whether a value is a product of leaves, so that its error is one of its last digits."""
-        found: list[bool] = []
+        signs: list[bool] = []
         for op, i, j in self._steps:
-            found.append(op in ("mul", "neg") and all(k < 0 or found[k] for k in (i, j)))
-        return found + [True] * len(self._leaves)
+            signs.append(op in ("mul", "neg") and all(k < 0 or signs[k] for k in (i, j)))
+        return signs + [True] * len(self._leaves)
 
     def _constant(self, size: Fraction) -> tuple[float, float]:
         """A constant as a number of the machine, and how far that is from it."""

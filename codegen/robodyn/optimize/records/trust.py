@@ -54,11 +54,13 @@ def trusted(
     known = {*recursion.inputs(), *inputs}
     try:
         if _angles_only(program) and _comparable(program, recursion, known):
-            made = unchecked(program, passes)
+            rebuilt = unchecked(program, passes)
             prime = digest(record.program)
-            if agree(made, recursion, circle_point, prime_of=prime) and _same_arguments(made, recursion):
-                if (rounding or Rounding(recursion)).allows(made):
-                    return made
+            if agree(rebuilt, recursion, circle_point, prime_of=prime) and _same_arguments(
+                rebuilt, recursion
+            ):
+                if (rounding or Rounding(recursion)).allows(rebuilt):
+                    return rebuilt
                 raise _refused(record, "a program that loses too many digits to rounding")
     except TooManyDigits:
         raise _refused(record, _LONG_PRODUCTS) from None
@@ -106,11 +108,11 @@ def _digits(program: Program) -> int:
     return bits * 3 // 10
 
 
-def _refused(record: Record, found: str) -> InputError:
+def _refused(record: Record, reason: str) -> InputError:
     return InputError(
         f"the record of {record.robot} does not compute its {record.function}",
         where=Place(record.file) if record.file is not None else None,
-        found=found,
+        found=reason,
         remedy="delete the record, or make it anew: robodyn gen --optimize full",
     )
 

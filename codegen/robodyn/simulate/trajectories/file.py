@@ -64,13 +64,13 @@ def from_file(path: str | PathLike[str], n: int | None = None) -> Trajectory:
             found=f"{len(t)}",
             expected=f"{_SAMPLES} or more, or columns qd and qdd",
         )
-    given = [kind for kind in ("q", "qd", "qdd") if kind in columns]
+    kinds = [kind for kind in ("q", "qd", "qdd") if kind in columns]
     if qd is None:
         qd, bend = least_jerk(times, q, *end_rates(times, q))
         qdd = bend if qdd is None else qdd
     elif qdd is None:
         qdd, _ = least_jerk(times, qd, *end_rates(times, qd))
-    provenance = {"kind": "file", "file": name, "columns": given, "first": float(t[0])}
+    provenance = {"kind": "file", "file": name, "columns": kinds, "first": float(t[0])}
     return Trajectory(times, q, qd, qdd, provenance, partial(hermite, times, q, qd, qdd))
 
 
@@ -121,7 +121,7 @@ def _columns(names: list[str], where: Place, n: int | None) -> dict[str, list[in
     if repeated:
         listed = ", ".join(repeated[:8])
         raise InputError("a column stands twice", where=where, found=listed[:200], expected=_HEADER)
-    joints = [int(found[1]) for name in names if (found := re.fullmatch(r"q([1-9][0-9]{0,3})", name))]
+    joints = [int(match[1]) for name in names if (match := re.fullmatch(r"q([1-9][0-9]{0,3})", name))]
     count = n or max(joints, default=1)
     there = {name: place for place, name in enumerate(names)}
     missing = [name for name in ("t", *(f"q{j + 1}" for j in range(count))) if name not in there]

@@ -58,8 +58,8 @@ def least_jerk(knots: Floats, x: Floats, first: Floats, last: Floats) -> tuple[F
         ends = np.stack([first, last]) * np.array([scale, scale**2])[None, :, None]
         jump[0] -= below[0] @ ends[0]
         jump[-1] -= above[-1] @ ends[1]
-        found = _block_tridiagonal(below, own, above, jump)
-        v[1:-1], a[1:-1] = found[:, 0] / scale, found[:, 1] / scale**2
+        derivatives = _block_tridiagonal(below, own, above, jump)
+        v[1:-1], a[1:-1] = derivatives[:, 0] / scale, derivatives[:, 1] / scale**2
     return v, a
 
 
@@ -104,9 +104,9 @@ def _block_tridiagonal(below: Floats, own: Floats, above: Floats, right: Floats)
     new_own[:after] -= own_right @ to_left
     new_right[:after] -= own_right @ known
     new_above[:after] = -own_right @ to_right
-    found = np.empty_like(right)
-    found[::2] = _block_tridiagonal(new_below, new_own, new_above, new_right)
-    found[odd] = known - to_left @ found[::2][:after]
-    reach = found[2::2]
-    found[odd][: len(reach)] -= to_right[: len(reach)] @ reach
-    return found
+    solution = np.empty_like(right)
+    solution[::2] = _block_tridiagonal(new_below, new_own, new_above, new_right)
+    solution[odd] = known - to_left @ solution[::2][:after]
+    reach = solution[2::2]
+    solution[odd][: len(reach)] -= to_right[: len(reach)] @ reach
+    return solution

@@ -50,6 +50,6 @@ def make(table_id: str, progress: Progress = lambda _: None) -> Table:
             remedy="leave it out for all of them",
         )
     build = importlib.import_module(f"robodyn.thesis.tables.{_HOMES[table_id]}").table
-    found = build(progress) if "progress" in inspect.signature(build).parameters else build()
-    assert isinstance(found, Table)
-    return found
+    table = build(progress) if "progress" in inspect.signature(build).parameters else build()
+    assert isinstance(table, Table)
+    return table

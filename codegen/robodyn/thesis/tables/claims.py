@@ -73,12 +73,12 @@ def _row(
     name: str,
     claim: str,
     printed: Mapping[str, Any],
-    found: str,
+    recomputed: str,
     ours: Mapping[str, Any],
     verdict: Verdict,
     reason: str,
 ) -> Row:
-    return Row(name, {"claim": claim, **printed}, {"found": found, **ours}, verdict, reason)
+    return Row(name, {"claim": claim, **printed}, {"found": recomputed, **ours}, verdict, reason)
 
 
 def _parallel_cost() -> Row:
@@ -235,9 +235,9 @@ def _reduction(general: TaskGraph, printed_set: TaskGraph, by_robot: TaskGraph) 
 def _friction() -> Row:
     figures = TABLE_3_3
     printed = sum(figures["joint"]["revolute"]) + sum(figures["transmission"]["linear"])
-    found = table_3_3.ours()
-    transmission = found["transmission, linear"]
-    joint = found["joint, revolute"]
+    counts = table_3_3.ours()
+    transmission = counts["transmission, linear"]
+    joint = counts["joint, revolute"]
     ours = {
         "flops": joint.mul + joint.add + transmission.mul + transmission.add,
         "without_joint_friction": transmission.mul + transmission.add,
@@ -311,6 +311,6 @@ def _least_time(printed_set: TaskGraph, by_robot: TaskGraph) -> Row:
     )
 
 
-def _agree(found: Sequence[float], printed: Sequence[float]) -> bool:
+def _agree(recomputed: Sequence[float], printed: Sequence[float]) -> bool:
     """Whether figures agree to the printed second digit, rounded or cut off."""
-    return all(abs(x - y) < 0.01 for x, y in zip(found, printed, strict=True))
+    return all(abs(x - y) < 0.01 for x, y in zip(recomputed, printed, strict=True))

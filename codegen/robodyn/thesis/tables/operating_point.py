@@ -136,8 +136,8 @@ def least_friction(robot: str, at: Places, tolerance: float) -> tuple[float, flo
     ``tolerance`` [N m] of Table 3.5; None where they nowhere are."""
     if not len(at.z):
         return None
-    found = affine(robot, at)
-    still, ahead, fast = (part[:, None, None] for part in found.tau)
+    terms = affine(robot, at)
+    still, ahead, fast = (part[:, None, None] for part in terms.tau)
     a, w = _A[:, None, None], _W[:, None]
     near = (np.abs(still + a * ahead + w * fast - printed_torques()) <= tolerance).all(axis=-1)
     if not near.any():
@@ -145,7 +145,7 @@ def least_friction(robot: str, at: Places, tolerance: float) -> tuple[float, flo
     k, i, j = np.nonzero(near)
     least = []
     for joint in (1, 2):
-        f0, fa, fw = (part[k, joint, :2] for part in found.f)
+        f0, fa, fw = (part[k, joint, :2] for part in terms.f)
         force = f0 + _A[i, None] * fa + _W[j, None] * fw
         drive = TABLE_3_4[joint]
         least.append(float(drive.mu * drive.radius) * float(np.linalg.norm(force, axis=1).min()))
@@ -159,31 +159,31 @@ def everywhere(step: float = _STEP) -> Iterator[Places]:
     for arm in (first, led_at(replace(first.kinematics.robot, name="puma560_turned"), -FOREARM)):
         for x, reach in LINES:
             for branch in BRANCHES:
-                found = places(arm, x, reach, branch, step)
-                yield found.where(found.fitting)
+                states = places(arm, x, reach, branch, step)
+                yield states.where(states.fitting)
 
 
 @cache
 def bounds(tolerance: float) -> dict[str, tuple[float, float]]:
     """:func:`least_friction` of every set over all places."""
-    found: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     for at in everywhere():
         for name in SETS:
             least = least_friction(name, at, tolerance)
             if least is not None:
-                before = found.get(name, least)
-                found[name] = (min(before[0], least[0]), min(before[1], least[1]))
-    return found
+                before = result.get(name, least)
+                result[name] = (min(before[0], least[0]), min(before[1], least[1]))
+    return result
 
 
 @cache
 def nearest() -> dict[str, float]:
     """How near the torques of every set come to Table 3.5's [N m], of all places every 2.5 mm."""
-    found: dict[str, float] = dict.fromkeys(SETS, np.inf)
+    distances: dict[str, float] = dict.fromkeys(SETS, np.inf)
     for at in everywhere(0.0025):
         for name in SETS if len(at.z) else ():
-            found[name] = min(found[name], closest(name, at)[0])
-    return found
+            distances[name] = min(distances[name], closest(name, at)[0])
+    return distances
 
 
 @cache

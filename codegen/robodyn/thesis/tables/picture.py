@@ -70,14 +70,14 @@ def _a_joint(x: int, width: int) -> dict[str, Any]:
             printed = sum(TABLE_2_9[f"{kind}_{method}"]["total"])
             ours = summed(*table_2_9.counts(method, kind == "revolute").values()).total
             figures += [(method, "printed", printed, pale, strong), (method, "ours", ours, strong, strong)]
-        for i, (method, who, number, fill, stroke) in enumerate(figures):
-            left, height = k * slot + 15 + 31 * i + 6 * (i // 2), PANEL_HEIGHT * number / top
+        for i, (method, who, figure, fill, stroke) in enumerate(figures):
+            left, height = k * slot + 15 + 31 * i + 6 * (i // 2), PANEL_HEIGHT * figure / top
             bars.append(
                 {
                     "x": _number(left), "y": _number(PANEL_HEIGHT - height), "width": 27,
-                    "height": _number(height), "fill": fill, "stroke": stroke, "label": number,
+                    "height": _number(height), "fill": fill, "stroke": stroke, "label": figure,
                     "middle": _number(left + 13.5), "label_y": _number(PANEL_HEIGHT - height - 5),
-                    "name": f"{kind}, method {method}, {who}: {number}",
+                    "name": f"{kind}, method {method}, {who}: {figure}",
                 }
             )  # fmt: skip
     legend = [
@@ -133,8 +133,8 @@ def _formulations(x: int, width: int) -> dict[str, Any]:
         run, printed = formulation(DESCRIBED[name].formulation), TABLE_1_1[name]
         ours = []
         for n in JOINTS:
-            found = general_count(run, n, dense=True)
-            ours.append(found.mul + found.add)
+            counts = general_count(run, n, dense=True)
+            ours.append(counts.mul + counts.add)
         polynomial = [float(value(printed.mul, n) + value(printed.add, n)) for n in JOINTS]
         lines.append(_line(polynomial, width, height, colour, f"{label}, printed", _DASHED))
         lines.append(_line(ours, width, height, colour, f"{label}, ours", ""))

@@ -40,9 +40,9 @@ def table(progress: Progress = lambda _: None, load_robot: Load = load_quietly) 
 
 
 def _row(robot: Robot) -> Row:
-    found = best(robot)
+    record = best(robot)
     fast = count(program(robot, "inverse_dynamics", Options(("inverse_dynamics",), optimize="fast")))
-    printed = beside(robot, "inverse_dynamics", found)
+    printed = beside(robot, "inverse_dynamics", record)
     peer = next((p for p in PEERS.get(robot.name, ()) if p.tool == OPENSYMORO), None)
     verdict: Verdict | None = None
     reason = ""
@@ -56,7 +56,7 @@ def _row(robot: Robot) -> Row:
             "joints": "".join(link.joint.kind[0].upper() for link in robot.links),
             "none": counted(plain(robot)),
             "fast": counted(fast),
-            "default": counted(found),
+            "default": counted(record),
             "opensymoro": None if peer is None else peer.total,
         },
         verdict,

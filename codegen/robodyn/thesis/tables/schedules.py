@@ -23,9 +23,11 @@ def table() -> Table:
     """All of them, one a row."""
     rows = []
     for name in SCHEDULES:
-        found = judge(printed_schedule(name))
-        printed, ours = _figures(found)
-        rows.append(Row(name, printed, ours, _verdict(found), "; ".join(words(found)) or "no fault found"))
+        judgement = judge(printed_schedule(name))
+        printed, ours = _figures(judgement)
+        rows.append(
+            Row(name, printed, ours, _verdict(judgement), "; ".join(words(judgement)) or "no fault found")
+        )
     return Table(
         "schedules",
         "the printed schedules, Tables 4.3, 4.7 and C.1 to C.15",
@@ -72,12 +74,12 @@ def one_table(name: str) -> Table:
 
         return table_4_8()
     try:
-        found = judge(printed_schedule(name))
+        judgement = judge(printed_schedule(name))
     except InputError:
         raise InputError(
             f"no printed schedule {name!r}", expected=f"one of {', '.join(THESIS)}, or all"
         ) from None
-    printed, ours = _figures(found)
+    printed, ours = _figures(judgement)
     kinds = {
         "missing": "not printed, though the rules keep it",
         "unknown": "printed, though the rules eliminate it",
@@ -89,11 +91,11 @@ def one_table(name: str) -> Table:
         _compared("tasks", printed["distinct"], ours["tasks"], ""),
     ]
     for kind, meaning in kinds.items():
-        faults = found.of(kind)
+        faults = judgement.of(kind)
         if faults:
             tasks = [fault.task for fault in faults]
             rows.append(Row(kind, {"figure": len(tasks), "tasks": tasks}, {"figure": 0}, "differs", meaning))
-    for one in found.misprints:
+    for one in judgement.misprints:
         rows.append(
             Row(
                 f"{one.printed} in level {one.level}",
@@ -103,7 +105,9 @@ def one_table(name: str) -> Table:
                 "probably a misprint: the task that is missing fits here, a digit apart",
             )
         )
-    for (task, level), group in groupby(found.of("precedence"), key=lambda fault: (fault.task, fault.level)):
+    for (task, level), group in groupby(
+        judgement.of("precedence"), key=lambda fault: (fault.task, fault.level)
+    ):
         others = [fault.other for fault in group]
         rows.append(
             Row(
@@ -114,11 +118,11 @@ def one_table(name: str) -> Table:
                 "beside or before the tasks that it reads",
             )
         )
-    if found.shared:
+    if judgement.shared:
         rows.append(
             Row(
                 "the shared slip",
-                {"figure": len(found.shared), "tasks": [fault.task for fault in found.shared]},
+                {"figure": len(judgement.shared), "tasks": [fault.task for fault in judgement.shared]},
                 {"figure": 0},
                 "differs",
                 "beside 110, which they read, as in all tables",
@@ -126,7 +130,7 @@ def one_table(name: str) -> Table:
         )
     return Table(
         name,
-        f"schedule of {_ARMS[found.printed.arm]} on {printed['processors']} processors, as printed",
+        f"schedule of {_ARMS[judgement.printed.arm]} on {printed['processors']} processors, as printed",
         (
             Column("printed", "printed", "figure"),
             Column("ours", "ours", "figure"),
@@ -141,34 +145,36 @@ def one_table(name: str) -> Table:
 _MOST: Final = 12
 
 
-def words(found: Judgement) -> list[str]:
+def words(judgement: Judgement) -> list[str]:
     """The faults of a printed schedule, the shared slip left out, a few words each."""
-    told = []
+    sentences = []
     for kind, verb in (
         ("missing", "missing"),
         ("unknown", "not by rule"),
         ("twice", "twice"),
         ("crowded", "crowded"),
     ):
-        tasks = [fault.task for fault in found.of(kind)]
+        tasks = [fault.task for fault in judgement.of(kind)]
         if tasks:
-            told.append(f"{verb}: {_spelled(tasks)}")
-    if found.misprints:
-        told.append("probably misprinted: " + ", ".join(map(str, found.misprints)))
-    order = [f"{fault.other} before {fault.task} (level {fault.level})" for fault in found.of("precedence")]
+            sentences.append(f"{verb}: {_spelled(tasks)}")
+    if judgement.misprints:
+        sentences.append("probably misprinted: " + ", ".join(map(str, judgement.misprints)))
+    order = [
+        f"{fault.other} before {fault.task} (level {fault.level})" for fault in judgement.of("precedence")
+    ]
     if order:
-        told.append(
+        sentences.append(
             "not kept: " + ", ".join(order[:12]) + (f" and {len(order) - 12} more" if order[12:] else "")
         )
-    return told
+    return sentences
 
 
 def _spelled(tasks: Sequence[int]) -> str:
     return " ".join(map(str, sorted(tasks)))
 
 
-def _figures(found: Judgement) -> tuple[dict[str, Any], dict[str, Any]]:
-    printed = found.printed
+def _figures(judgement: Judgement) -> tuple[dict[str, Any], dict[str, Any]]:
+    printed = judgement.printed
     graph = printed_graph(printed.arm)
     machine = Machine(printed.processors)
     thesis, first = solve(graph, machine, "thesis"), solve(graph, machine, "critical-path")
@@ -185,22 +191,23 @@ def _figures(found: Judgement) -> tuple[dict[str, Any], dict[str, Any]]:
             "thesis": thesis.timetable.levels,
             "critical_path_first": first.timetable.levels,
             "lower_bound": first.lower_bound,
-            "faults": [_fault(fault) for fault in found.faults],
-            "shared": [_fault(fault) for fault in found.shared],
+            "faults": [_fault(fault) for fault in judgement.faults],
+            "shared": [_fault(fault) for fault in judgement.shared],
             "misprints": [
-                {"printed": one.printed, "meant": one.meant, "level": one.level} for one in found.misprints
+                {"printed": one.printed, "meant": one.meant, "level": one.level}
+                for one in judgement.misprints
             ],
         },
     )
 
 
 def _fault(fault: Fault) -> dict[str, Any]:
-    made: dict[str, Any] = {"kind": fault.kind, "task": fault.task, "level": fault.level}
-    return made if fault.other is None else {**made, "needs": fault.other}
+    data: dict[str, Any] = {"kind": fault.kind, "task": fault.task, "level": fault.level}
+    return data if fault.other is None else {**data, "needs": fault.other}
 
 
-def _verdict(found: Judgement) -> Verdict:
-    return judged(not found.faults)
+def _verdict(judgement: Judgement) -> Verdict:
+    return judged(not judgement.faults)
 
 
 def _compared(what: str, printed: int, ours: int, reason: str) -> Row:

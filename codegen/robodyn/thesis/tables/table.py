@@ -84,10 +84,10 @@ def pair(mul: int, add: int) -> dict[str, int]:
     return {"mul": mul, "add": add, "total": mul + add}
 
 
-def counted(found: Count) -> dict[str, int]:
+def counted(count: Count) -> dict[str, int]:
     """A count as JSON holds it; divisions and square roots only where there are any."""
-    extra = {"div": found.div, "sqrt": found.sqrt}
-    return {**pair(found.mul, found.add), **{kind: number for kind, number in extra.items() if number}}
+    extra = {"div": count.div, "sqrt": count.sqrt}
+    return {**pair(count.mul, count.add), **{kind: amount for kind, amount in extra.items() if amount}}
 
 
 def summed(*counts: Count) -> Count:

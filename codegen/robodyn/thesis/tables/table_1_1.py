@@ -118,8 +118,8 @@ UNLISTED: Final = {
 
 def formulation(name: str) -> Formulation:
     """The recursion of that name; module and function share it."""
-    found = getattr(importlib.import_module(f"robodyn.dynamics.{name}"), name)
-    return lambda arm, motion, mark: list(found(arm, motion, mark))
+    function = getattr(importlib.import_module(f"robodyn.dynamics.{name}"), name)
+    return lambda arm, motion, mark: list(function(arm, motion, mark))
 
 
 def table(progress: Progress = lambda _: None) -> Table:
@@ -163,14 +163,14 @@ def _rows(name: str, printed: PrintedCost, described: Described) -> list[Row]:
         ("add", printed.add, printed.add_6, described.add),
     ):
         ours = {n: getattr(counts[n], kind) for n in counts}
-        found = fitted({n: ours[n] for n in sizes}, described.degree)
+        polynomial = fitted({n: ours[n] for n in sizes}, described.degree)
         rows.append(
             Row(
                 f"{name}, {kind}",
                 _printed(coefficients, at_6),
-                {"polynomial": None if found is None else spelled(found), "n6": ours[JOINTS]},
-                judged(found == coefficients and ours[JOINTS] == at_6),
-                _reason(coefficients, at_6, found, known, words),
+                {"polynomial": None if polynomial is None else spelled(polynomial), "n6": ours[JOINTS]},
+                judged(polynomial == coefficients and ours[JOINTS] == at_6),
+                _reason(coefficients, at_6, polynomial, known, words),
                 _by_steps(kind) if name == "newton_euler" else (),
             )
         )
@@ -211,7 +211,9 @@ def _unlisted(name: str, degree: int, words: str, newton_euler: Count) -> Row:
             "mul_6": at_6.mul,
             "add_6": at_6.add,
             "polynomial": " and ".join(
-                f"{spelled(found)} {kind}" for kind, found in polynomials.items() if found is not None
+                f"{spelled(polynomial)} {kind}"
+                for kind, polynomial in polynomials.items()
+                if polynomial is not None
             ),
         },
         None,
@@ -233,7 +235,7 @@ def _number(x: Fraction) -> int | str:
 
 
 def _reason(
-    coefficients: Sequence[Fraction], at_6: int, found: Polynomial | None, known: str, words: str
+    coefficients: Sequence[Fraction], at_6: int, polynomial: Polynomial | None, known: str, words: str
 ) -> str:
     slip = ""
     if value(coefficients, JOINTS) != at_6:
@@ -241,11 +243,11 @@ def _reason(
             f"the printed polynomial gives {value(coefficients, JOINTS)} for six joints, "
             f"{abs(value(coefficients, JOINTS) - at_6)} from the {at_6} printed beside it; "
         )
-    if found is None:
+    if polynomial is None:
         return slip + "our counts are no polynomial of that degree"
-    if found == coefficients:
+    if polynomial == coefficients:
         return slip + "the same polynomial"
-    apart = spelled(difference(coefficients, found))
+    apart = spelled(difference(coefficients, polynomial))
     explained = words if apart == known else "this difference is not the one that is explained"
     return f"{slip}printed less ours is {apart}: {explained}"
 
@@ -253,17 +255,17 @@ def _reason(
 def _parts_row(kind: str, coefficients: Sequence[Fraction], at_6: int) -> Row:
     which = ("mul", "add").index(kind)
     sizes = range(1, 8)
-    found = fitted({n: uicker_kahn_by_parts(n)[which] for n in sizes}, 4)
+    polynomial = fitted({n: uicker_kahn_by_parts(n)[which] for n in sizes}, 4)
     at_polynomial = value(coefficients, JOINTS)
-    same = found == tuple(coefficients)
+    same = polynomial == tuple(coefficients)
     reason = (
         "the convention: traces, 4x4 products and gravity shares, all full, each as often as the printed "
         "polynomial has it: for every i, j, k <= p, half of i <= j <= p, n^2 - 2 and i <= j <= p, i <= p"
     )
     if same:
         reason += "; reproduces the printed polynomial exactly"
-    elif found is not None:
-        reason += f"; the printed polynomial has {spelled(difference(coefficients, found))} more"
+    elif polynomial is not None:
+        reason += f"; the printed polynomial has {spelled(difference(coefficients, polynomial))} more"
         reason += ", where joining the three sums of a torque would take 2 n" if kind == "add" else ""
     ours_at_6 = uicker_kahn_by_parts(JOINTS)[which]
     if same and at_polynomial != at_6:
@@ -271,7 +273,7 @@ def _parts_row(kind: str, coefficients: Sequence[Fraction], at_6: int) -> Row:
     return Row(
         f"uicker_kahn, {kind}, by parts",
         _printed(coefficients, at_6),
-        {"polynomial": None if found is None else spelled(found), "n6": _number(ours_at_6)},
+        {"polynomial": None if polynomial is None else spelled(polynomial), "n6": _number(ours_at_6)},
         judged(same),
         reason,
     )

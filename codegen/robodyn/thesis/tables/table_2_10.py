@@ -75,7 +75,7 @@ def table(progress: Progress = lambda _: None, load_robot: Load = load_quietly) 
             "book has it, default what robodyn gen writes. Ours by the method is none for I, for IV fast, "
             "which begins with the base parameters of Gautier and Khalil, and for VI Balafoutis's recursion, "
             "not optimised. Methods: "
-            + ", ".join(f"{number} {who}" for number, who in METHODS.items())
+            + ", ".join(f"{amount} {who}" for amount, who in METHODS.items())
             + ".",
         ),
     )

@@ -79,22 +79,22 @@ def table() -> Table:
 
 
 def _rows(heading: str, printed: dict[str, Pair]) -> list[Row]:
-    kind, _, number = heading.partition("_")
-    method: Method = "I" if number == "I" else "II"
+    kind, _, column = heading.partition("_")
+    method: Method = "I" if column == "I" else "II"
     revolute = kind == "revolute"
     ours = counts(method, revolute)
     ours["total"] = summed(*ours.values())
     rows = []
     for step, figure in printed.items():
-        found = ours[step]
-        same = figure == (found.mul, found.add)
+        count = ours[step]
+        same = figure == (count.mul, count.add)
         beside = _beside(method, revolute) if step == "total" else ()
-        reason = _agreement(method, revolute, step) if same else _reason(heading, step, figure, found)
+        reason = _agreement(method, revolute, step) if same else _reason(heading, step, figure, count)
         rows.append(
             Row(
                 f"{kind} {method}, {step}",
                 {"operations": pair(*figure)},
-                {"operations": counted(found)},
+                {"operations": counted(count)},
                 judged(same),
                 reason,
                 beside,
@@ -111,8 +111,8 @@ def _agreement(method: Method, revolute: bool, step: str) -> str:
     return f"the step, carried out, takes as many with R {'full' if step in FULL_R[method] else 'free'}"
 
 
-def _reason(heading: str, step: str, printed: Pair, found: Count) -> str:
-    ours = (found.mul, found.add)
+def _reason(heading: str, step: str, printed: Pair, count: Count) -> str:
+    ours = (count.mul, count.add)
     known = WHY.get((heading, step, ours[0] - printed[0], ours[1] - printed[1]), "not explained")
     return f"{apart(printed, ours)}: {known}"
 

@@ -73,21 +73,21 @@ def ours() -> dict[str, Count]:
     """All rows of the table, ours."""
     cubic = transmission(friction.cubic_efficiency_in_pairs)
     straight = transmission(friction.linear_efficiency)
-    found = {}
+    counts = {}
     for kind, joint in (("revolute", journal()), ("prismatic", linear())):
         rigid = summed(*table_2_9.counts("I", kind == "revolute").values())
-        found[f"frictionless, {kind}"] = rigid
-        found[f"joint, {kind}"] = joint
-        found[f"total_cubic, {kind}"] = summed(rigid, joint, cubic)
-        found[f"total_linear, {kind}"] = summed(rigid, joint, straight)
-    return {**found, "transmission, cubic_spline": cubic, "transmission, linear": straight}
+        counts[f"frictionless, {kind}"] = rigid
+        counts[f"joint, {kind}"] = joint
+        counts[f"total_cubic, {kind}"] = summed(rigid, joint, cubic)
+        counts[f"total_linear, {kind}"] = summed(rigid, joint, straight)
+    return {**counts, "transmission, cubic_spline": cubic, "transmission, linear": straight}
 
 
 def table() -> Table:
     """Printed and recomputed operations of friction in joints and transmissions."""
-    found = ours()
+    counts = ours()
     rows = tuple(
-        _row(f"{name}, {kind}", printed, found[f"{name}, {kind}"])
+        _row(f"{name}, {kind}", printed, counts[f"{name}, {kind}"])
         for name, figures in TABLE_3_3.items()
         for kind, printed in figures.items()
     )
@@ -105,15 +105,15 @@ def table() -> Table:
     )
 
 
-def _row(name: str, printed: Pair, found: Count) -> Row:
-    operations = (found.mul, found.add)
+def _row(name: str, printed: Pair, count: Count) -> Row:
+    operations = (count.mul, count.add)
     same = operations == printed
     more = (operations[0] - printed[0], operations[1] - printed[1])
     reason = AGREE.get(name, "the sum of the rows above")
     if not same:
         reason = f"{apart(printed, operations)}: {WHY.get((name, *more), 'not explained')}"
     return Row(
-        name, {"operations": pair(*printed)}, {"operations": counted(found)}, judged(same), reason,
+        name, {"operations": pair(*printed)}, {"operations": counted(count)}, judged(same), reason,
         _beside(name),
     )  # fmt: skip
 

@@ -46,17 +46,17 @@ def table() -> Table:
 
 def _sum(link: int, row: PrintedTorques, column: str) -> Row:
     if column == "joint_total":
-        printed, found = row.joint_total, row.dynamic + row.joint_friction
+        printed, total = row.joint_total, row.dynamic + row.joint_friction
         what = "dynamic and joint friction, each with its sign"
     else:
-        printed, found = row.input, row.joint_total + row.transmission
+        printed, total = row.input, row.joint_total + row.transmission
         what = "joint total and transmission, each with its sign"
-    same = abs(found - printed) <= EXACT
-    reason = f"the sum of {what}{', to the last digit but one' if found != printed and same else ''}"
+    same = abs(total - printed) <= EXACT
+    reason = f"the sum of {what}{', to the last digit but one' if total != printed and same else ''}"
     return Row(
         f"link {link}, {column.replace('_', ' ')}",
         {"torque": _plain(printed)},
-        {"torque": _plain(found)},
+        {"torque": _plain(total)},
         judged(same),
         reason if same else f"not {reason}",
     )
@@ -82,18 +82,18 @@ def _efficiency(link: int, row: PrintedTorques, drive: PrintedDrive) -> Row:
     eta, load = round(point.efficiency, _DIGITS), round(point.load, _DIGITS)
     direction = 1 if row.joint_friction > 0 else -1
     case = friction.driving if point.drives else friction.braking
-    found = case(row.joint_total, eta, drive.breakaway, direction)
+    efficiency = case(row.joint_total, eta, drive.breakaway, direction)
     possible = 0 < eta <= 1 and _rises()
     return Row(
         f"link {link}, efficiency",
         {"torque": _plain(row.input)},
         {
-            "torque": _plain(round(found, _DIGITS)),
+            "torque": _plain(round(efficiency, _DIGITS)),
             "efficiency": _plain(eta),
             "load_fraction": _plain(load),
             "case": "drives" if point.drives else "brakes",
         },
-        judged(possible and abs(found - row.input) <= 20 * EXACT),
+        judged(possible and abs(efficiency - row.input) <= 20 * EXACT),
         f"Table 3.2 gives it with the efficiency {_plain(eta)} at {_plain(load)} of the largest torque, "
         f"where the motor {'drives' if point.drives else 'brakes'}; the three points rise with the load, and "
         "are all that can be recovered of the curve"
@@ -145,11 +145,11 @@ def _free_friction() -> Row:
 def _bounded() -> tuple[Row, Row]:
     from robodyn.thesis.tables.operating_point import SETS, bounds
 
-    found = bounds(NEAR)
+    limits = bounds(NEAR)
     rows = []
     for k, link in enumerate((2, 3)):
         printed = abs(TABLE_3_5[link - 1].joint_friction)
-        by_set = {name: round(found[name][k], 2) for name in SETS if name in found}
+        by_set = {name: round(limits[name][k], 2) for name in SETS if name in limits}
         least = min(by_set.values())
         against = [name for name, bound in by_set.items() if bound > printed]
         holds = "all four sets of parameters" if len(against) == len(SETS) else ", ".join(against)

@@ -35,9 +35,9 @@ def idle_tasks() -> dict[str, frozenset[int]]:
 
     def idle(flops: dict[int, int], link: int) -> frozenset[int]:
         return frozenset(
-            number
-            for at, number in map(link_and_number, flops)
-            if at == link and not flops[100 * at + number]
+            task_number
+            for at, task_number in map(link_and_number, flops)
+            if at == link and not flops[100 * at + task_number]
         )
 
     return {
@@ -49,10 +49,10 @@ def idle_tasks() -> dict[str, frozenset[int]]:
 
 def table() -> Table:
     """Printed lists beside the tasks that turn out to do nothing."""
-    found = idle_tasks()
+    idle = idle_tasks()
     rows = []
     for name, (printed, total) in TABLE_4_2.items():
-        ours = found[name]
+        ours = idle[name]
         rows.append(
             Row(
                 name,

@@ -12,18 +12,18 @@ ROBOT = "stanford"
 
 def table(load_robot: Load = load_quietly) -> Table:
     """Printed components beside those of the bundled robot."""
-    found = sparsity(load_robot(ROBOT))
+    sparse = sparsity(load_robot(ROBOT))
     rows = []
-    for link, (printed, ours) in enumerate(zip(_vectors(TABLE_4_4), _vectors(found), strict=False), 1):
+    for link, (printed, ours) in enumerate(zip(_vectors(TABLE_4_4), _vectors(sparse), strict=False), 1):
         wrong = [name for name in ("s", "p") if printed[name] != ours[name]]
         rows.append(
             Row(f"link {link}", printed, ours, judged(not wrong), _reason(link, wrong, printed, ours))
         )
     zeros, of = TABLE_4_4_ZEROS
-    ours_zeros = {"zeros": found.zeros, "of": 6 * len(found.s)}
+    ours_zeros = {"zeros": sparse.zeros, "of": 6 * len(sparse.s)}
     reason = "the printed lists have as many" if TABLE_4_4.zeros == zeros else "not what the lists add up to"
-    if found.zeros != zeros:
-        reason += f"; ours has {abs(found.zeros - zeros)} {'more' if found.zeros > zeros else 'fewer'}"
+    if sparse.zeros != zeros:
+        reason += f"; ours has {abs(sparse.zeros - zeros)} {'more' if sparse.zeros > zeros else 'fewer'}"
         reason += ", of the rows that differ"
     same = ours_zeros == {"zeros": zeros, "of": of}
     rows.append(Row("zeros", {"zeros": zeros, "of": of}, ours_zeros, judged(same), reason))

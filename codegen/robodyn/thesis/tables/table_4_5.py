@@ -18,8 +18,8 @@ _AXES: Final = {1: "yz", 2: "z", 3: ""}
 def flops(tasks: tuple[int, ...], zeros: int) -> int:
     """The operations of a link's ``tasks`` where both its vectors have so many zeros."""
     axes = _AXES[zeros]
-    found = flops_of_tasks(_LINK + 1, s=axes, p=axes)
-    return sum(found[task_id(_LINK, number)] for number in tasks)
+    by_task = flops_of_tasks(_LINK + 1, s=axes, p=axes)
+    return sum(by_task[task_id(_LINK, task_number)] for task_number in tasks)
 
 
 def table() -> Table:
@@ -64,5 +64,5 @@ def table() -> Table:
 
 def flops_without(tasks: tuple[int, ...]) -> int:
     """The operations of a link's ``tasks`` where nothing is zero."""
-    found = flops_of_tasks(_LINK + 1)
-    return sum(found[task_id(_LINK, number)] for number in tasks)
+    by_task = flops_of_tasks(_LINK + 1)
+    return sum(by_task[task_id(_LINK, task_number)] for task_number in tasks)

@@ -23,18 +23,18 @@ def table(load_robot: Load = load_quietly) -> Table:
         ours = {
             "s_zeros": 3 - len(pattern.s[link - 1]),
             "p_zeros": 3 - len(pattern.p[link - 1]),
-            "tasks": [task_id(link, number) for number in sorted(by_rule)],
+            "tasks": [task_id(link, task_number) for task_number in sorted(by_rule)],
             "total": len(by_rule),
         }
         printed = {
             "s_zeros": s_zeros,
             "p_zeros": p_zeros,
-            "tasks": [task_id(link, number) for number in sorted(numbers)],
+            "tasks": [task_id(link, task_number) for task_number in sorted(numbers)],
             "total": total,
         }
         beside: tuple[dict[str, Any], ...] = ()
         if physical != by_rule:
-            tasks = [task_id(link, number) for number in sorted(physical)]
+            tasks = [task_id(link, task_number) for task_number in sorted(physical)]
             beside = ({"what": "step 3 by p of the link before", "total": len(tasks), "tasks": tasks},)
         rows.append(
             Row(f"link {link}", printed, ours, judged(printed == ours), _reason(link, printed, ours), beside)

@@ -30,14 +30,14 @@ def table() -> Table:
     printed, by_rule = printed_graph("stanford"), rule_graph("stanford")
     rows = []
     for p, ms in TIMES_STANFORD.items():
-        found = {
+        recomputed = {
             "levels": LEVELS_STANFORD[p],
             "ms": round(LEVELS_STANFORD[p] * TASK_TIME, 3),
         }
         first, ruled = (solve(graph, Machine(p), "critical-path") for graph in (printed, by_rule))
         thesis = solve(printed, Machine(p), "thesis")
         ours: dict[str, Any] = {
-            **found,
+            **recomputed,
             "list_levels": thesis.timetable.levels,
             "shorter_levels": first.timetable.levels,
             "shorter_ms": round(first.timetable.levels * TASK_TIME, 3),
@@ -51,7 +51,7 @@ def table() -> Table:
                 f"p = {p}",
                 {"ms": ms},
                 ours,
-                judged(abs(found["ms"] - ms) < 0.01),
+                judged(abs(recomputed["ms"] - ms) < 0.01),
                 _reason(ours),
                 tuple(
                     {"what": who, "ms": times[p]} for who, times in TIMES_OTHERS.items() if p in times
@@ -110,17 +110,17 @@ def _rival(who: str, p: int, ms: float) -> Row:
             "quoted: one processor a joint, and which joint a task belongs to is not known",
         )  # fmt: skip
     solved = solve(graph, Machine(p, synchronised=False), _RIVALS[who], seconds=1e6, nodes=_NODES)
-    found, bound = (round(units * UNIT_MS, 2) for units in (solved.timetable.span, solved.lower_bound))
+    time, bound = (round(units * UNIT_MS, 2) for units in (solved.timetable.span, solved.lower_bound))
     if ms < bound:
         reason = f"printed is less than any schedule of these tasks can take: the longest chain is {bound} ms"
-    elif found < ms:
-        reason = f"a schedule {round(ms - found, 2)} ms shorter exists"
-    elif found > ms:
-        reason = f"{round(found - ms, 2)} ms longer, where the search gave up; nothing below {bound} ms"
+    elif time < ms:
+        reason = f"a schedule {round(ms - time, 2)} ms shorter exists"
+    elif time > ms:
+        reason = f"{round(time - ms, 2)} ms longer, where the search gave up; nothing below {bound} ms"
     else:
         reason = "the same length"
     reason += ", proven to be the shortest" if solved.optimal and ms >= bound else ""
-    return Row(name, {"ms": ms}, {"ms": found, "bound_ms": bound}, judged(found == ms), reason)
+    return Row(name, {"ms": ms}, {"ms": time, "bound_ms": bound}, judged(time == ms), reason)
 
 
 def _reason(ours: Mapping[str, Any]) -> str:

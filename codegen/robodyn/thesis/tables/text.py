@@ -35,8 +35,8 @@ def to_text(table: Table) -> str:
         if row.beside:
             lines += _wrapped("beside: ", "; ".join(map(_beside, row.beside)), "    ")
     lines.append("")
-    for reason, number in remarks.items():
-        lines += _wrapped(f"[{number}] ", reason, "")
+    for reason, reference in remarks.items():
+        lines += _wrapped(f"[{reference}] ", reason, "")
     for note in table.notes:
         lines += _wrapped("", note, "")
     return "\n".join(lines).rstrip() + "\n"

@@ -22,9 +22,9 @@ def laws(c: Context, effect: Effect, law: Law, j: int) -> Iterator[Candidate]:
     if law.kind not in ("any", kind) or (law.rubbing and not rubs(c, j)):
         return
     top = max(float(c.hints.top[j]), 1e-9)
-    for given in law.grid:
-        if law.suits(given, top):
-            yield _fitted(c, effect, law, j, given)
+    for values in law.grid:
+        if law.suits(values, top):
+            yield _fitted(c, effect, law, j, values)
 
 
 def _fitted(c: Context, effect: Effect, law: Law, j: int, given: Given) -> Candidate:
@@ -71,9 +71,9 @@ def bent(q: Floats, bend: float) -> Floats:
     way = np.diff(q, prepend=q[0]) / bend
     left = np.exp(-np.abs(way)).tolist()
     gone = (np.sign(way) * -np.expm1(-np.abs(way))).tolist()
-    found = []
+    columns = []
     z = 0.0
     for kept, new in zip(left, gone, strict=True):
         z = z * kept + new
-        found.append(z)
-    return np.array(found)
+        columns.append(z)
+    return np.array(columns)

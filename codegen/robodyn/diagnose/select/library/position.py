@@ -58,10 +58,10 @@ def cycles_in(c: Context, j: int, count: int = 4) -> list[float]:
     power = np.abs(np.fft.rfft(sums, size)) ** 2
     tried = 2 * np.pi * np.arange(len(power)) / (size * step)
     power[(tried < lowest) | (tried > highest)] = 0.0
-    found: list[float] = []
+    cycles: list[float] = []
     for k in np.argsort(power)[::-1]:
-        if all(abs(tried[k] - other) > 4 / span for other in found):
-            found.append(float(tried[k]))
-        if len(found) == count:
+        if all(abs(tried[k] - other) > 4 / span for other in cycles):
+            cycles.append(float(tried[k]))
+        if len(cycles) == count:
             break
-    return found
+    return cycles

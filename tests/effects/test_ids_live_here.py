@@ -1,0 +1,65 @@
+"""An effect is known by its definition: its id stands in no code outside effects/, save the references."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+from robodyn.effects.catalogue import CATALOGUE
+
+ROOT = Path(__file__).parents[2]
+HOME = ROOT / "codegen" / "robodyn" / "effects"
+#: References that are written by hand on purpose, effect by effect. They refuse what they do not know
+#: (tests/verify/test_declared.py).
+BY_HAND = tuple(
+    ROOT / "codegen" / "robodyn" / "verify" / name
+    for name in ("effects.py", "memories.py", "reference.py", "stepping.py")
+)
+SOURCES = sorted(
+    path
+    for folder in ("codegen", "cli")
+    for path in (ROOT / folder).rglob("*.py")
+    if HOME not in path.parents
+)
+
+
+def ids_in(source: str) -> list[tuple[int, str]]:
+    """Lines and ids of the strings in ``source`` that are an effect's id; docstrings are words."""
+    tree = ast.parse(source)
+    words = {
+        node.body[0].value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef)
+        and node.body
+        and isinstance(node.body[0], ast.Expr)
+    }
+    return sorted(
+        (node.lineno, node.value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and node not in words and node.value in CATALOGUE
+    )
+
+
+def test_no_code_knows_an_effect_by_name() -> None:
+    known = [
+        f"{path.relative_to(ROOT)}:{line}: {id!r}: ask for a trait of its definition (effects/traits.py)"
+        for path in SOURCES
+        if path not in BY_HAND
+        for line, id in ids_in(path.read_text(encoding="utf-8"))
+    ]
+    assert not known, "\n".join(known)
+
+
+@pytest.mark.parametrize("path", BY_HAND, ids=lambda path: path.name)
+def test_what_may_still_needs_it(path: Path) -> None:
+    assert ids_in(path.read_text(encoding="utf-8")), f"{path.name} needs no exemption any more"
+
+
+def test_what_an_id_in_code_is() -> None:
+    id = next(iter(CATALOGUE))
+    assert ids_in(f'"""{id}"""\n\ndef f():\n    "{id}"\n    return 1\n') == []
+    assert ids_in(f'x = 1\nif x == "{id}":\n    y = {{"{id}": 2}}\n') == [(2, id), (3, id)]
+    assert ids_in(f'x = f"{{x}} {id}"\ny = "no {id}"\n') == []
+    assert len(SOURCES) > 300
