@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from robodyn_testing import representative, require_module, require_tool, wanted
+from robodyn_testing import covering, representative, require_module, require_tool, sampled, wanted
 
 TESTS = Path(__file__).parent
 HIDING = """
@@ -141,10 +141,24 @@ def test_all_cases_but_a_few_are_thorough() -> None:
 
 
 def test_a_case_may_be_chosen_as_a_whole() -> None:
-    cases = representative([("ur5", 1), ("ur5", 2)], ("ur5", 2), ids=["one", "two"])
+    cases = representative([("ur5", 1), ("ur5", 2)], ("ur5", 2))
     assert [[mark.name for mark in case.marks] for case in cases] == [["thorough"], []]
-    assert [case.id for case in cases] == ["one", "two"]
     assert [bool(case.marks) for case in representative(range(4), 0, 3)] == [False, True, True, False]
+
+
+def test_one_of_so_many_stays() -> None:
+    cases = sampled([("a", 1), "b", "c", pytest.param("d", marks=pytest.mark.slow)], every=2)
+    assert [case.values for case in cases] == [("a", 1), ("b",), ("c",), ("d",)]
+    names = [[mark.name for mark in case.marks] for case in cases]
+    assert names == [[], ["thorough"], [], ["slow", "thorough"]]
+
+
+def test_the_few_of_a_product_have_every_value() -> None:
+    cases = covering(representative("abcd", "a", "b", "d"), [1, 2], [("x", "y")])
+    assert [case.values for case in cases] == [(a, b, "x", "y") for a in "abcd" for b in (1, 2)]
+    few = {case.values[:2] for case in cases if not case.marks}
+    assert few == {("a", 1), ("b", 2), ("d", 1)}
+    assert {mark.name for case in cases for mark in case.marks} == {"thorough"}
 
 
 def test_a_case_that_is_not_there_is_refused() -> None:

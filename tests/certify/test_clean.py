@@ -13,7 +13,7 @@ import pytest
 from certify.harness import harness
 from robodyn.kernels.generate import TRIGONOMETRY, Generated, Options, generate
 from robodyn.robot import load
-from robodyn_testing import require_module, require_tool
+from robodyn_testing import covering, require_module, require_tool
 
 SANITIZERS = "-fsanitize=address,undefined,float-cast-overflow"
 FIRM = ("-std=c99", "-g", "-O1", "-fno-sanitize-recover=all")
@@ -39,8 +39,7 @@ def said(command: list[str], folder: Path, seconds: float = 300.0) -> str:
     return done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("trig", TRIGONOMETRY)
-@pytest.mark.parametrize("scalar", ["float", "double"])
+@pytest.mark.parametrize(("scalar", "trig"), covering(["float", "double"], TRIGONOMETRY))
 def test_sanitizers_find_nothing_on_random_bytes(tmp_path: Path, trig: str, scalar: str) -> None:
     gcc = require_tool("gcc")
     written(tmp_path, "puma560", trig, scalar)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
 import shutil
 from dataclasses import replace
@@ -19,7 +20,7 @@ from robodyn.certify.tools import Done, run
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 from robodyn_cli.main import main
-from robodyn_testing import require_tool
+from robodyn_testing import covering, representative, require_tool
 from robodyn_testing.effect_arms import TEXTS
 
 PUMA = load("puma560", warn=lambda _: None)
@@ -42,8 +43,10 @@ def with_c(made: Subject, old: str, new: str) -> Subject:
     return Subject(made.robot, made.made, {**made.files, "puma560.c": text.replace(old, new)}, made.plain)
 
 
-@pytest.mark.parametrize("trig", ["builtin", "given", "libm"])
-@pytest.mark.parametrize("scalar", ["float", "double"])
+@pytest.mark.parametrize(
+    ("scalar", "trig"),
+    covering(["float", "double"], representative(["builtin", "given", "libm"], "builtin", "libm")),
+)
 def test_eva_finds_no_alarm(tmp_path: Path, trig: str, scalar: str) -> None:
     require_tool("frama-c")
     made = subject(PUMA, PUMA, Options(scalar=scalar, trig=trig))  # type: ignore[arg-type]
@@ -118,8 +121,14 @@ def test_the_stack_sees_calls_of_libm(tmp_path: Path) -> None:
     assert "cosf, sinf" in found.lines[0]
 
 
-@pytest.mark.parametrize("trig", ["builtin", "given", "libm"])
-@pytest.mark.parametrize("name", ["puma560", "stanford_full", "rubbing"])
+@pytest.mark.parametrize(
+    ("name", "trig"),
+    representative(
+        itertools.product(["puma560", "stanford_full", "rubbing"], ["builtin", "given", "libm"]),
+        ("rubbing", "libm"),
+        ("puma560", "given"),
+    ),
+)
 def test_misra_findings_are_explained(tmp_path: Path, name: str, trig: str) -> None:
     require_tool("cppcheck")
     robot = load(name, warn=lambda _: None) if name != "rubbing" else _arm("rubbing")

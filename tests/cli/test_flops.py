@@ -12,6 +12,7 @@ from robodyn.kernels.generate import generate
 from robodyn.optimize.programs import FORMULATIONS
 from robodyn.robot import bundled_names, load
 from robodyn_cli.main import main
+from robodyn_testing import sampled
 
 KEYS = {
     "robot", "function", "formulation", "mul", "add", "div", "sqrt", "neg", "sincos", "total", "thesis",
@@ -35,7 +36,7 @@ def flops_json(capsys: Capture, *arguments: str, code: int = 0) -> Any:
 # --- figures ----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("robot", bundled_names())
+@pytest.mark.parametrize("robot", sampled(bundled_names(), every=5))
 def test_the_counts_are_those_of_what_gen_writes(robot: str, capsys: Capture) -> None:
     found = flops_json(capsys, robot, "--function", "all")
     made = generate(load(robot, warn=lambda _: None))

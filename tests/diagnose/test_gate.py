@@ -21,6 +21,7 @@ from robodyn.simulate.sensors import Sensors, measure, resolution_of
 from robodyn.simulate.simulation import Follow, simulate
 from robodyn.simulate.trajectories import fourier
 from robodyn.verify.reference import Reference
+from robodyn_testing import representative
 
 Floats = NDArray[np.float64]
 Rng = np.random.Generator
@@ -413,7 +414,11 @@ def sound(name: str, seed: int) -> tuple[Robot, Log]:
 
 @pytest.mark.parametrize(
     ("name", "logs"),
-    [("puma560_3dof", 20), ("puma560", 12), ("stanford", 6), ("ur10", 10), ("tx40", 10), ("panda", 2)],
+    representative(
+        [("puma560_3dof", 20), ("puma560", 12), ("stanford", 6), ("ur10", 10), ("tx40", 10), ("panda", 2)],
+        "puma560_3dof",
+        "stanford",
+    ),
 )
 def test_sound_logs_pass_without_a_word(name: str, logs: int) -> None:
     for seed in range(logs):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from diagnose.hidden.cases import Case
 from robodyn.diagnose.result import Diagnosis
@@ -30,6 +31,7 @@ def test_friction_and_bias_are_rivals_where_a_joint_goes_one_way() -> None:
     assert "one direction" in str(found.record)
 
 
+@pytest.mark.thorough
 def test_noise_of_the_encoders_is_no_elastic_joint() -> None:
     found = diagnosed(Case("puma560_3dof", (("viscous_friction", 2),), 2, 3.485, motion="narrow"))
     assert {(f.effect, f.joint) for f in found.findings} == {("viscous_friction", 2)}
@@ -40,6 +42,7 @@ def test_a_joint_that_sets_out_is_not_touched() -> None:
     assert "external_contact" not in {f.effect for f in found.findings}
 
 
+@pytest.mark.thorough
 def test_errors_within_the_stated_confidence_are_no_finding() -> None:
     made = Case("stanford", (), 23, 1.0, friction=True, inertia_error=0.03).make()
     assert select(made.given, made.train).found == ()

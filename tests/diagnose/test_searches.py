@@ -13,6 +13,7 @@ from robodyn.diagnose.select.selection import select
 from robodyn.diagnose.select.signals import smoothed_motion
 from robodyn.robot import load
 from robodyn.simulate.log import Log, read_log
+from robodyn_testing import representative, sampled
 
 TX40 = Path(__file__).parents[2] / "examples" / "tx40"
 
@@ -23,7 +24,7 @@ PAIRS = (
 )
 
 
-@pytest.mark.parametrize(("hidden", "ratio"), PAIRS, ids=lambda x: str(x))
+@pytest.mark.parametrize(("hidden", "ratio"), sampled(PAIRS, every=2), ids=lambda x: str(x))
 def test_two_effects_are_both_named(hidden: tuple[tuple[str, int | None], ...], ratio: float) -> None:
     made = Case("puma560_3dof", hidden, 1, ratio).make()
     found = diagnose(made.given, [made.train], made.validate)
@@ -31,7 +32,9 @@ def test_two_effects_are_both_named(hidden: tuple[tuple[str, int | None], ...], 
     assert np.all(found.gap.validate_after < 1.3 * made.truth.noise)
 
 
-@pytest.mark.parametrize("effect", ["random_offset", "acceleration_friction"])
+@pytest.mark.parametrize(
+    "effect", representative(["random_offset", "acceleration_friction"], "random_offset")
+)
 def test_what_is_in_no_catalogue_is_not_named(effect: str) -> None:
     made = Case("puma560_3dof", ((effect, 1),), 1, 6.0).make()
     found = diagnose(made.given, [made.train], made.validate)
@@ -39,6 +42,7 @@ def test_what_is_in_no_catalogue_is_not_named(effect: str) -> None:
     assert not [f for f in found.findings if f.confidence >= 0.5]
 
 
+@pytest.mark.thorough
 def test_a_real_arm_lacks_friction_and_the_coupling_of_its_wrist() -> None:
     """Staubli TX40, from its CAD model: what the figaroh-plus repository identified."""
     first = select(load(str(TX40 / "tx40.yaml")), read_log(TX40 / "tx40.csv", 6))
@@ -67,6 +71,7 @@ def test_ends_of_a_motion_keep_their_acceleration() -> None:
     assert np.abs(second - exact)[3:-3].max() < 0.15 * np.abs(exact).max()
 
 
+@pytest.mark.thorough
 def test_pieces_of_a_log_count() -> None:
     made = Case("puma560_3dof", (("viscous_friction", 2),), 1, 5.0).make()
     log = made.train

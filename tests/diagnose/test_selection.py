@@ -10,6 +10,7 @@ from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.selection import select
 from robodyn.verify import Reference
+from robodyn_testing import sampled
 from robodyn_testing.effect_arms import arm
 
 #: Arm, effect, joint, seed, gap over noise.
@@ -36,7 +37,7 @@ def test_the_model_on_arrays_is_the_reference(name: str, values: dict[str, float
     np.testing.assert_allclose(rigid, found.rigid, rtol=0, atol=1e-12 * np.abs(rigid).max())
 
 
-@pytest.mark.parametrize(("arm_name", "effect", "joint", "seed", "ratio"), CLEAR)
+@pytest.mark.parametrize(("arm_name", "effect", "joint", "seed", "ratio"), sampled(CLEAR, every=2))
 def test_what_is_hidden_is_named_first(
     arm_name: str, effect: str, joint: int | None, seed: int, ratio: float
 ) -> None:

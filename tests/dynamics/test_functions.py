@@ -14,6 +14,7 @@ from robodyn.dynamics.mass_matrix import solve_symmetric
 from robodyn.ir import Graph, Input
 from robodyn.kernels.generate import SingularArm, generate
 from robodyn.robot import Robot, read_text
+from robodyn_testing import sampled
 
 ARMS = [
     replace(exact_arm(seed, joints=1 + seed % 7, motors=1), torque_side="motor") for seed in range(20, 32)
@@ -40,7 +41,9 @@ def values(
     return found
 
 
-@pytest.mark.parametrize("robot", [*ARMS, *map(bundled, BUNDLED)], ids=lambda robot: robot.name)
+@pytest.mark.parametrize(
+    "robot", sampled([*ARMS, *map(bundled, BUNDLED)], every=4), ids=lambda robot: robot.name
+)
 def test_kernels_hang_together(robot: Robot) -> None:
     n, at, zero = robot.n, Point(7), [Fraction(0)] * robot.n
     gravity = values(robot, "gravity", at)

@@ -22,6 +22,7 @@ from robodyn.optimize.programs import Choice
 from robodyn.robot import Robot
 from robodyn.robot import read_text as read
 from robodyn.robot.values import circle_point
+from robodyn_testing import representative, sampled
 
 CHOICES = (Choice(regroup=False, chains=False), Choice(), Choice("newton_euler", regroup=False, chains=False))
 
@@ -80,7 +81,7 @@ def arms() -> list[Robot]:
     return [*found, replace(few, name="named"), bundled("stanford_3dof"), bundled("puma560_3dof")]
 
 
-@pytest.mark.parametrize("robot", arms(), ids=lambda robot: robot.name)
+@pytest.mark.parametrize("robot", sampled(arms(), every=3), ids=lambda robot: robot.name)
 def test_symbolic_models_are_the_graphs_programs(robot: Robot) -> None:
     at = Point(6)
     functions = [f for f in FUNCTIONS if f in generate(robot).counts]
@@ -138,7 +139,13 @@ def test_functions_and_formulations_must_be_known() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["puma560", "puma560_3dof", "stanford", "ur5", "stanford_3dof", "named", "sliding"]
+    "name",
+    representative(
+        ["puma560", "puma560_3dof", "stanford", "ur5", "stanford_3dof", "named", "sliding"],
+        "stanford_3dof",
+        "named",
+        "sliding",
+    ),
 )
 def test_through_sympy_comes_the_same_program(name: str) -> None:
     if name == "named":

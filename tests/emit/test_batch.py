@@ -14,7 +14,7 @@ import pytest
 from emit.kernels import STRICT, STRICT_CPP, complaints, in_single, made, robots, together, write
 from robodyn.emit.batch import batch_files
 from robodyn.errors import InputError
-from robodyn_testing import require_tool
+from robodyn_testing import covering, representative, require_tool
 
 #: Inputs that nothing reads, parameters with the names of other things, every operation that is a call.
 SOME = ("puma560", "ghosts", "lift", "tool", "confusing", "effects_rubbing", "effects_sliding", "smooth")
@@ -32,15 +32,17 @@ def folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     return path
 
 
-@pytest.mark.parametrize("width", [64, 0])
 @pytest.mark.parametrize(
-    ("compiler", "flags"),
-    [
-        ("gcc", ("-x", "c", *STRICT)),
-        ("clang", ("-x", "c", *STRICT)),
-        ("g++", STRICT_CPP),
-        ("clang++", STRICT_CPP),
-    ],
+    ("compiler", "flags", "width"),
+    covering(
+        [
+            ("gcc", ("-x", "c", *STRICT)),
+            ("clang", ("-x", "c", *STRICT)),
+            ("g++", STRICT_CPP),
+            ("clang++", STRICT_CPP),
+        ],
+        [64, 0],
+    ),
 )
 def test_clean(compiler: str, flags: tuple[str, ...], width: int, folder: Path) -> None:
     """All in one program, too: no two robots get in each other's way."""
@@ -50,9 +52,12 @@ def test_clean(compiler: str, flags: tuple[str, ...], width: int, folder: Path) 
     assert complaints(require_tool(compiler), (*flags, "-O0", *widths), [file], folder) == ""
 
 
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
 @pytest.mark.parametrize(
-    "more", [(), ("-fopenmp", "-Wno-unknown-pragmas"), ("-mavx2",), ("-mavx512f", "-mavx512dq")]
+    ("compiler", "more"),
+    covering(
+        ["gcc", "clang"],
+        [((),), (("-fopenmp", "-Wno-unknown-pragmas"),), (("-mavx2",),), (("-mavx512f", "-mavx512dq"),)],
+    ),
 )
 def test_clean_optimised(compiler: str, more: tuple[str, ...], tmp_path: Path) -> None:
     if "-fopenmp" in more and compiler == "clang":
@@ -157,8 +162,9 @@ int main(void)
 """
 
 
-@pytest.mark.parametrize("width", [16, 32, 64])
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize(
+    ("scalar", "width"), covering(["double", "float"], representative([16, 32, 64], 16, 64))
+)
 def test_sanitizers_find_nothing(scalar: str, width: int, tmp_path: Path) -> None:
     """Any count reads and writes its own states only; nothing is undefined."""
     generated = made("puma560", "builtin")

@@ -23,7 +23,7 @@ from emit.kernels import (
     together,
     write,
 )
-from robodyn_testing import require_tool
+from robodyn_testing import covering, representative, require_tool
 
 #: A choice for what every robot need not be tried in.
 SOME = (*ODD, "puma560", "stanford", *RANDOM[3:7])
@@ -171,8 +171,10 @@ def expected(name: str, float_: bool) -> set[str]:
     return {f + "f" * float_ for f in ops & {"sin", "cos", "tanh", "sqrt", "exp", "pow"}}
 
 
-@pytest.mark.parametrize("level", ["-O0", "-O1", "-O2", "-Os", "-O3"])
-@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize(
+    ("compiler", "level"),
+    covering(["gcc", "clang"], representative(["-O0", "-O1", "-O2", "-Os", "-O3"], "-O0", "-O2")),
+)
 def test_nothing_is_missing_but_sine_and_cosine(
     compiler: str, level: str, double: Path, single: Path, tmp_path: Path
 ) -> None:

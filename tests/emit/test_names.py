@@ -12,7 +12,7 @@ import pytest
 from emit.names import CLEAN, INCLUDED, STANDARD, WAYS, arm, complaints, including, words, written
 from robodyn.errors import InputError
 from robodyn.robot.names import robot_name_fault
-from robodyn_testing import require_tool
+from robodyn_testing import require_tool, sampled
 
 NAME = "zq"
 
@@ -50,7 +50,7 @@ ROBOTS = ("main", "startup", "Semihosting", "test", "found", "gravity", "LANES",
           "Python", "INFINITY", "M_PI", "linux")  # fmt: skip
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("name", sampled(ROBOTS, every=3))
 def test_robots_of_any_name_compile(name: str, tmp_path: Path) -> None:
     for way, standard in (("kernels", "-std=c99"), ("firmware", "-std=gnu17"), ("schedule", "-std=gnu17")):
         files = WAYS[way](arm(name))

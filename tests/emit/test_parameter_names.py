@@ -12,7 +12,7 @@ from emit.names import CLEAN, INCLUDED, STANDARD, WAYS, arm, complaints, includi
 from robodyn.errors import InputError
 from robodyn.robot import read_text
 from robodyn.robot.names import parameter_clash, parameter_name_fault
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 
 DIALECTS = [
     ("gcc", "-std=c99"),
@@ -99,7 +99,7 @@ def test_macros_from_elsewhere_are_refused_at_their_place() -> None:
             read_text(text, "arm.yaml")
 
 
-@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("way", representative(WAYS, "kernels", "schedule"))
 def test_names_that_are_accepted_compile(way: str, tmp_path: Path) -> None:
     """With every header of the standard before the emitted ones."""
     files = WAYS[way](arm("zq", GOOD))

@@ -13,6 +13,7 @@ from pycparser import c_ast, c_parser  # type: ignore[import-untyped]
 from emit.kernels import ODD, RANDOM, in_single, made, robots
 from robodyn.counts import Count
 from robodyn.kernels.generate import Generated
+from robodyn_testing import sampled
 
 CALLS = {
     "sin": "sincos", "cos": "sincos", "tanh": "other", "sqrt": "sqrt", "fabs": "other", "exp": "other",
@@ -134,12 +135,15 @@ def structure(files: dict[str, str]) -> str:
 
 @pytest.mark.parametrize(
     ("name", "trig"),
-    [
-        (name, trig)
-        for name in robots()
-        for trig in ("libm", "given")
-        if not (name in RANDOM and trig == "given")
-    ],
+    sampled(
+        [
+            (name, trig)
+            for name in robots()
+            for trig in ("libm", "given")
+            if not (name in RANDOM and trig == "given")
+        ],
+        every=5,
+    ),
 )
 def test_the_text_has_the_operations_that_are_counted(name: str, trig: str) -> None:
     generated = made(name, trig)

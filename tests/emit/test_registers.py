@@ -18,7 +18,7 @@ from robodyn.kernels.kernel import load as compiled
 from robodyn.passes.registers import registers
 from robodyn.robot import load
 from robodyn.robot.values import circle_point
-from robodyn_testing import require_tool
+from robodyn_testing import covering, require_tool, sampled
 
 ROBOTS = ("puma560", "stanford", "puma560_3dof")
 
@@ -36,9 +36,9 @@ def test_the_pass_changes_nothing_but_the_order(robot: str, available: int) -> N
         assert fingerprint(ordered, 1, circle_point) == fingerprint(program, 1, circle_point)
 
 
-@pytest.mark.parametrize("robot", ROBOTS)
-@pytest.mark.parametrize("language", ["c", "fortran"])
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize(
+    ("robot", "language", "scalar"), covering(ROBOTS, ["c", "fortran"], ["float", "double"])
+)
 def test_both_orders_give_the_same_bits(robot: str, language: str, scalar: str) -> None:
     require_tool("gfortran" if language == "fortran" else "cc")
     kernels = [
@@ -103,8 +103,7 @@ def _strange(name: str, **options: Any) -> Generated:
     return generate(robots()[name], Options(trig="builtin", **options))
 
 
-@pytest.mark.parametrize("name", ODD)
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize(("name", "scalar"), covering(sampled(ODD, every=3), ["double", "float"]))
 def test_compilers_have_nothing_to_say(name: str, scalar: str, tmp_path: Path) -> None:
     if (name, scalar) == ("huge_and_tiny", "float"):
         return  # not for float
@@ -125,7 +124,7 @@ def test_compilers_have_nothing_to_say(name: str, scalar: str, tmp_path: Path) -
         assert done.stderr == ""
 
 
-@pytest.mark.parametrize("name", ODD)
+@pytest.mark.parametrize("name", sampled(ODD, every=5))
 def test_sines_of_what_is_remembered_and_of_positions_agree_with_libm(name: str) -> None:
     require_tool("gfortran")
     found = [_strange(name), _strange(name), generate(robots()[name])]

@@ -17,7 +17,7 @@ from robodyn.firmware import firmware, firmware_options, measure, targets_named
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load, read_text
 from robodyn.targets import TARGETS
-from robodyn_testing import require_tool
+from robodyn_testing import covering, require_tool
 
 ALL = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 _PRINT = """
@@ -48,8 +48,7 @@ def test_the_kernel_is_the_one_that_gen_writes() -> None:
     assert {name: files[name] for name in plain} == plain
 
 
-@pytest.mark.parametrize("scalar", SCALARS)
-@pytest.mark.parametrize(("name", "functions"), [("puma560", ()), ("tool", ALL)])
+@pytest.mark.parametrize(("name", "functions", "scalar"), covering([("puma560", ()), ("tool", ALL)], SCALARS))
 def test_compilers_are_content(name: str, functions: tuple[str, ...], scalar: str, tmp_path: Path) -> None:
     write(tmp_path, folder(name, scalar, functions).files)
     selftest = [f"{name}.c", f"{name}_selftest.c"]

@@ -16,14 +16,20 @@ from robodyn.firmware.sine import kernel_sine
 from robodyn.firmware.states import draw, ranges, vector_states
 from robodyn.firmware.vectors import Unconfirmed, vectors
 from robodyn.ir.program import Input, Program
-from robodyn_testing import require_module, require_tool
+from robodyn_testing import representative, require_module, require_tool
 
 ALL = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 VECTOR, DIGEST, GUARD = 1, 2, 4
 
 
-@pytest.mark.parametrize("scalar", SCALARS)
-@pytest.mark.parametrize(("name", "functions"), [("puma560", ()), ("stanford", ALL), ("tool", ALL)])
+@pytest.mark.parametrize(
+    ("name", "functions", "scalar"),
+    representative(
+        [(*arm, scalar) for arm in (("puma560", ()), ("stanford", ALL), ("tool", ALL)) for scalar in SCALARS],
+        ("puma560", (), "float"),
+        ("tool", ALL, "double"),
+    ),
+)
 def test_c_and_fortran_pass_with_the_digest_of_numpy(
     name: str, functions: tuple[str, ...], scalar: str, tmp_path: Path
 ) -> None:

@@ -21,7 +21,7 @@ from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
 from robodyn.toolchain.compiler import C_FLAGS
-from robodyn_testing import require_module, require_tool
+from robodyn_testing import covering, require_module, require_tool
 from robodyn_testing.random_robots import random_states
 
 Array = NDArray[Any]
@@ -71,9 +71,7 @@ def assert_same_bits(found: Array, wanted: Array) -> None:
     assert np.ascontiguousarray(found)[~nan].tobytes() == np.ascontiguousarray(wanted)[~nan].tobytes()
 
 
-@pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("scalar", ["double", "float"])
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize(("name", "scalar", "width"), covering(ROBOTS, ["double", "float"], WIDTHS))
 def test_bits_are_those_of_the_scalar_kernel(name: str, scalar: str, width: int) -> None:
     scalars, made = kernel(name, scalar), kernel(name, scalar, width)
     for function in scalars.functions if (name, scalar) in EVERY else ("inverse_dynamics",):

@@ -27,6 +27,7 @@ from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
+from robodyn_testing import sampled
 
 #: Enough for equality; the figures of the documentation take effort 1.
 LITTLE = 0.02
@@ -66,7 +67,7 @@ def test_the_arms_have_both_kinds_of_joints_parallel_axes_and_all_that_sits_in_a
     assert any(link.joint.motor_inertia and link.joint.viscous and link.joint.coulomb for link in links)
 
 
-@pytest.mark.parametrize("number", range(len(ARMS)))
+@pytest.mark.parametrize("number", sampled(range(len(ARMS)), every=4))
 def test_torques_are_the_plain_recursions_fractions(number: int) -> None:
     robot, programs = ARMS[number], forms_of_arm(number)
     assert programs

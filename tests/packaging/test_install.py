@@ -97,6 +97,7 @@ def test_sdist_holds_what_the_tests_need(built: Path) -> None:
     assert {"pyproject.toml", "README.md", "LICENSE", "NOTICE", "Makefile", "tests/conftest.py"} <= names
 
 
+@pytest.mark.thorough
 def test_wheel_installs_and_works(built: Path, environment: Path, tmp_path: Path) -> None:
     pip_install(environment, f"{wheel_of(built)}[all]")
     package = use(environment, tmp_path / "elsewhere")

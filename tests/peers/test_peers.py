@@ -31,7 +31,7 @@ import robodyn.robot
 from peers.numbers import Array
 from robodyn.robot.model import Inertia, Link, Robot
 from robodyn.robot.values import angle
-from robodyn_testing import require_module
+from robodyn_testing import representative, require_module, sampled
 from robodyn_testing.random_robots import States, random_robot, random_states
 
 pytestmark = pytest.mark.filterwarnings("ignore:Please update your 'hppfcl'")  # Pinocchio 3.3, on import
@@ -199,7 +199,7 @@ def test_peers_agree_with_each_other(chunk: int) -> None:
     assert [text for text in found if text is not None] == []
 
 
-@pytest.mark.parametrize("name", robodyn.robot.bundled_names())
+@pytest.mark.parametrize("name", representative(robodyn.robot.bundled_names(), "puma560", "stanford", "tx40"))
 def test_bundled_robot(name: str) -> None:
     robot = robodyn.robot.load(name, warn=print)
     refs = references(robot)
@@ -213,7 +213,7 @@ def test_bundled_robot(name: str) -> None:
     assert found == []
 
 
-@pytest.mark.parametrize("chunk", range(RANDOM_ROBOTS // CHUNK))
+@pytest.mark.parametrize("chunk", sampled(range(RANDOM_ROBOTS // CHUNK), every=10))
 def test_random_robots(chunk: int) -> None:
     """Torques of every robot in double and float; by turns the other functions, and without regrouping.
 
@@ -232,7 +232,7 @@ def test_random_robots(chunk: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("chunk", range(RANDOM_ROBOTS // CHUNK))
+@pytest.mark.parametrize("chunk", sampled(range(RANDOM_ROBOTS // CHUNK), every=10))
 def test_random_robots_in_full(chunk: int) -> None:
     """Every function of every robot, regrouped and not, optimised as shipped; in float no accelerations."""
     found = []

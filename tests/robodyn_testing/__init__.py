@@ -14,11 +14,13 @@ Of a test over all robots, effects, functions ... a few cases stay in ``make tes
 ``thorough``, and run in ``make test-all`` as well::
 
     @pytest.mark.parametrize("name", representative(bundled_names(), "puma560", "stanford"))
+    @pytest.mark.parametrize(("name", "scalar"), covering(["puma560", "stanford"], ["double", "float"]))
+    @pytest.mark.parametrize("seed", sampled(range(200), every=20))
 """
 
 from __future__ import annotations
 
-from robodyn_testing.cases import representative
+from robodyn_testing.cases import covering, representative, sampled
 from robodyn_testing.wanted import require_module, require_tool
 
-__all__ = ["representative", "require_module", "require_tool"]
+__all__ = ["covering", "representative", "require_module", "require_tool", "sampled"]

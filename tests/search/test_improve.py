@@ -22,6 +22,7 @@ from robodyn.robot import Robot
 from robodyn.search import improve as improving
 from robodyn.search.improve import Told, cost, improved, kept_folder, write_record
 from robodyn.search.walk import library
+from robodyn_testing import representative, sampled
 from search.arms import SPECIAL, bundled
 from search.moment import search_for_a_moment
 
@@ -85,21 +86,23 @@ def test_other_functions(function: str) -> None:
     check(quick(function=function, level="full" if function == "bias" else "search"), function=function)
 
 
-@pytest.mark.parametrize("objective", ["mul", "fma", "depth", "sincos", "weighted:cortex-m3"])
+@pytest.mark.parametrize(
+    "objective", representative(["mul", "fma", "depth", "sincos", "weighted:cortex-m3"], "depth")
+)
 def test_objectives(objective: str, cache: Path) -> None:
     check(quick(objective=parse_objective(objective)))
     (path,) = (cache / FOLDER).iterdir()
     assert f"\nobjective {objective}\n" in path.read_text()
 
 
-@pytest.mark.parametrize("name", SPECIAL)
+@pytest.mark.parametrize("name", sampled(SPECIAL, every=4))
 def test_special_arms(name: str) -> None:
     for function in ("inverse_dynamics", "gravity"):
         check(quick(SPECIAL[name], function=function), SPECIAL[name], function)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", SPECIAL)
+@pytest.mark.parametrize("name", sampled(SPECIAL, every=4))
 def test_special_arms_walked_from(name: str) -> None:
     for function in ("inverse_dynamics", "gravity"):
         check(quick(SPECIAL[name], function=function, level="full", seconds=2), SPECIAL[name], function)
@@ -168,7 +171,7 @@ def damaged(kind: str) -> str:
     return good.text()[: len(good.text()) // 2]
 
 
-@pytest.mark.parametrize("kind", ["text", "program", "zero", "half"])
+@pytest.mark.parametrize("kind", representative(["text", "program", "zero", "half"], "program"))
 def test_a_damaged_record_in_the_cache_is_passed_over(kind: str, cache: Path) -> None:
     path = cache / FOLDER / NAME
     path.parent.mkdir(parents=True)
@@ -185,7 +188,10 @@ def test_robots_of_one_name_do_not_lose_each_others_records(cache: Path) -> None
     assert sorted(path.read_text() for path in (cache / FOLDER).iterdir()) == sorted([one.text(), two.text()])
 
 
-@pytest.mark.parametrize("where", ["/dev/null", "/proc/nowhere", "file", "~nobody-there/x"])
+@pytest.mark.parametrize(
+    "where",
+    representative(["/dev/null", "/proc/nowhere", "file", "~nobody-there/x"], "/proc/nowhere", "file"),
+)
 def test_a_cache_that_cannot_be_written_is_none(
     where: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -8,21 +8,21 @@ from dataclasses import asdict
 
 from robodyn.counts.count import Count, count
 from robodyn.diagnose.gate.gate import Gate
+from robodyn.diagnose.limits import MOST_TRIED
 from robodyn.diagnose.result import Finding, Tried, Window
-from robodyn.diagnose.select.choice import LOSS, Trial
+from robodyn.diagnose.select.choice import Trial
+from robodyn.diagnose.select.limits import TIE_LOSS
 from robodyn.diagnose.select.selection import Selection
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 
 #: Flags of motions that show little.
 _POOR = frozenset({"motionless", "one_way", "narrow", "few_reversals"})
-#: The best so many of what was not named.
-_TRIED = 8
 
 
 def why_not(other: Trial, named: Trial) -> str:
     """Why ``other`` is not the name that ``named`` is."""
-    if other.gain < (1 - LOSS) * named.gain:
+    if other.gain < (1 - TIE_LOSS) * named.gain:
         return "explains less on parts of the log that were not fitted"
     if other.candidate.order > named.candidate.order:
         return "explains no more, with more numbers"
@@ -44,7 +44,7 @@ def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
             else "not there in enough parts of the log"
         )
         candidates.append(Tried(*key, one.gain, float(one.t), reason))
-        if len(candidates) == _TRIED:
+        if len(candidates) == MOST_TRIED:
             break
     return tuple(candidates)
 

@@ -15,6 +15,16 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.limits import (
+    CORRELATION_RIDGE,
+    EXCITE_NOISE,
+    EXCITE_QUIET,
+    EXCITE_SAMPLES,
+    EXCITE_SHARE,
+    NO_TORQUE,
+    RIPPLE_WAVES,
+    SAME_SPACE,
+)
 from robodyn.diagnose.select.library import Candidate, Hints, candidates, context_of
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.signals import Signals
@@ -27,16 +37,6 @@ from robodyn.simulate.trajectories.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 
-#: Samples of a trajectory that is judged, noise of the torques as a share of their RMS, a joint's at least as
-#: loud as with this share of the largest.
-_SAMPLES, _NOISE, _QUIET = 400, 0.01, 0.05
-#: Torques of an effect smaller than so many noise floors, at parameters of a likely size, are no torques.
-_NOTHING = 1e-9
-#: Cosines nearer to 1 are of spaces that share a direction by their nature.
-_SAME = 1e-8
-_WAVES = 30.0  # of a ripple, a radian
-_RIDGE = 1e-4
-_SHARE = 0.95
 
 #: An effect at a joint (from 1; None: all joints where it can be, or the whole robot).
 Told = tuple[str, int | None]
@@ -93,7 +93,7 @@ def design(
         periods = 1 + k % max(1, min(4, round(duration / 2.5)))
         one = int(np.random.SeedSequence(seed, spawn_key=(k,)).generate_state(1)[0])
         motion = fourier(
-            limited, periods / duration, harmonics, one, periods=periods, share=_SHARE, period=period
+            limited, periods / duration, harmonics, one, periods=periods, share=EXCITE_SHARE, period=period
         )
         value, pair = separation(robot, motion, pairs) if pairs else (independence(robot, motion), None)
         motions.append((value, pair, motion))
@@ -138,16 +138,16 @@ class _Columns:
     """All candidates along a motion, in standard deviations of the noise, and the metric of a fit."""
 
     def __init__(self, robot: Robot, motion: Trajectory) -> None:
-        step = max(1, len(motion) // _SAMPLES)
+        step = max(1, len(motion) // EXCITE_SAMPLES)
         t, q, qd, qdd = (x[::step] for x in (motion.t, motion.q, motion.qd, motion.qdd))
         model = Model(robot)
         tau = model.torque(q, qd, qdd)
         top = np.abs(qd).max(axis=0)
         # Exact rates: a cutoff above the band is no filter.
         signals = Signals(t, q, qd, qdd, tau, 0.5 / float(t[1] - t[0]), 1, 0)
-        self.context = context_of(model, signals, Hints(top, ((_WAVES,),) * robot.n))
+        self.context = context_of(model, signals, Hints(top, ((RIPPLE_WAVES,),) * robot.n))
         size = np.sqrt(np.mean(tau**2, axis=0))
-        self.sigma = _NOISE * np.maximum(size, _QUIET * max(float(size.max()), 1e-9))
+        self.sigma = EXCITE_NOISE * np.maximum(size, EXCITE_QUIET * max(float(size.max()), 1e-9))
         scale = np.stack([np.abs(row) for row in model.standard_parameters()])
         confidence = np.array([float(link.confidence) for link in robot.links])
         Y = model.regressor(q, qd, qdd) * (scale * confidence[:, None])
@@ -164,7 +164,7 @@ class _Columns:
         wide[:, rows] = candidate.columns / self.sigma[rows][:, None]
         flat = wide.reshape(K * n, -1)
         size = np.linalg.norm(flat, axis=0)
-        there = size > _NOTHING
+        there = size > NO_TORQUE
         return np.asarray(flat[:, there] / size[there])
 
     def metric(self, A: Floats, B: Floats) -> Floats:
@@ -234,7 +234,7 @@ def _sine(columns: _Columns, A: Floats, B: Floats) -> tuple[float, int]:
         return 0.0, 0
     _, cosines, _ = np.linalg.svd(a.T @ columns.metric(A, B) @ b)
     cosines = np.minimum(cosines, 1.0)
-    shared = int(np.sum(cosines > 1 - _SAME))
+    shared = int(np.sum(cosines > 1 - SAME_SPACE))
     if shared < min(a.shape[1], b.shape[1]):
         return float(np.sqrt(1 - cosines[shared] ** 2)), 0
     if a.shape[1] == b.shape[1]:
@@ -242,7 +242,7 @@ def _sine(columns: _Columns, A: Floats, B: Floats) -> tuple[float, int]:
     wide, narrow, base, way = (B, A, a, -1) if b.shape[1] > a.shape[1] else (A, B, b, 1)
     cross = base.T @ columns.metric(narrow, wide)
     left = 1 - np.sum(cross**2, axis=0) / np.maximum(np.diag(columns.metric(wide, wide)), 1e-300)
-    beyond = left[left > _SAME]
+    beyond = left[left > SAME_SPACE]
     return (float(np.sqrt(min(beyond.min(), 1.0))), way) if len(beyond) else (0.0, way)
 
 
@@ -265,5 +265,5 @@ def independence(robot: Robot, motion: Trajectory) -> float:
     X = np.concatenate([columns.seen(each) for each in middle], axis=1)
     gram = columns.metric(X, X)
     size = np.sqrt(np.maximum(np.diag(gram), 1e-12))
-    correlations = gram / np.outer(size, size) + _RIDGE * np.eye(len(gram))
+    correlations = gram / np.outer(size, size) + CORRELATION_RIDGE * np.eye(len(gram))
     return float(math.exp(np.mean(np.log(np.maximum(np.linalg.eigvalsh(correlations), 1e-12)))))

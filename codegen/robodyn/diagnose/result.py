@@ -13,8 +13,6 @@ from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
 Verdict = Literal["missing_effect", "consistent", "unexplained"]
-#: A finding of this confidence is a claim.
-CLAIM = 0.5
 
 
 @dataclass(frozen=True, slots=True)

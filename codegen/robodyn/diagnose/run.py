@@ -21,6 +21,15 @@ from robodyn.diagnose.evidence import (
     windows,
 )
 from robodyn.diagnose.gate.gate import Gate, inspect
+from robodyn.diagnose.limits import (
+    CONFIRMED_SHARE,
+    DRAWN_POINTS,
+    END_SHARE,
+    LEAST_EXPLAINED,
+    STANDS_OUT_LEFT,
+    UNSEEN,
+    WITHDRAWN,
+)
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.predict import agreement, lacking, signals_seen
@@ -32,15 +41,6 @@ from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
-
-#: Share of a joint's mean square that its findings must explain, where what is left stands out of the noise.
-_EXPLAINED, _STANDS_OUT = 0.8, 3.0
-_END = 0.02
-#: The confidence of names taken back.
-_WITHDRAWN = 0.3
-#: In squares over the noise: what does not show in a log; and what share of its own an effect must take away.
-_UNSEEN, _AS_MUCH = 0.02, 0.3
-_DRAWN = 3000
 
 
 def diagnose(
@@ -83,7 +83,7 @@ def diagnose(
     gap = _gap(lacks, robot, model if verdict == "missing_effect" else robot, gates, seen)
     if verdict == "missing_effect" and not _holds(lacks, gap, findings, robot, model, seen):  # is taken back
         verdict = "unexplained"
-        findings = tuple(replace(f, confidence=_WITHDRAWN) for f in findings)
+        findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
         gap = _gap(lacks, robot, robot, gates, seen)
     if verdict != "missing_effect":
         model = robot
@@ -136,7 +136,7 @@ def _doubted(one: Found, first: Selection, last: Selection) -> tuple[Found, bool
     share, stands_out = _share(first, last, one.named.trial.candidate.rows)
     left = _left(last)
     rows = list(one.named.trial.candidate.rows)
-    return one, not (share < _EXPLAINED and stands_out > _STANDS_OUT and left[rows].max() > 1)
+    return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
 
 
 def _left(last: Selection) -> Floats:
@@ -171,13 +171,13 @@ def _holds(
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
     change = _inner(lacks(robot, seen) - lacks(model, seen))
     shown = float(np.mean((change / floor) ** 2))
-    return bool(shown < _UNSEEN or before - after > _AS_MUCH * shown * robot.n)
+    return bool(shown < UNSEEN or before - after > CONFIRMED_SHARE * shown * robot.n)
 
 
 def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verdict:
     if any(f.confidence >= 0.5 for f in findings):
         return "missing_effect"
-    stands_out = last.residue > _STANDS_OUT
+    stands_out = last.residue > STANDS_OUT_LEFT
     return "unexplained" if findings or bool(np.any(stands_out & (left > 1.5))) else "consistent"
 
 
@@ -203,7 +203,7 @@ def _finding(one: Found, sure: bool) -> Finding:
         Rival(t.candidate.effect, t.candidate.joint, t.gain, tuple(map(float, t.per_part)), why_not(t, trial))
         for t in _strongest(one.named, candidate)
     )
-    confidence = one.named.confidence if sure else _WITHDRAWN
+    confidence = one.named.confidence if sure else WITHDRAWN
     return Finding(
         candidate.effect, candidate.joint, parameters, round(confidence, 2), one.named.rivals, where,
         experiment, trial.gain, trial.t, rivals, tuple(map(float, trial.per_part)),
@@ -243,7 +243,7 @@ def _words(verdict: Verdict, findings: Sequence[Finding], last: Selection) -> tu
 
 def _inner(x: Floats) -> Floats:
     """``x`` [K, n] without its ends."""
-    edge = int(_END * len(x))
+    edge = int(END_SHARE * len(x))
     return x[edge : len(x) - edge]
 
 
@@ -263,6 +263,6 @@ def _series(lacks: _Lacking, name: str, robot: Robot, model: Robot, gate: Gate) 
     s = signals_seen(gate)
     before, after = (lacks(r, gate) for r in (robot, model))
     load = Model(robot).evaluate(s.q, s.qd, s.qdd).rigid if robot.n else s.q
-    step = max(1, len(gate.log.t) // _DRAWN)
+    step = max(1, len(gate.log.t) // DRAWN_POINTS)
     parts = (gate.log.t, s.q, s.qd, s.qdd, load, gate.log.tau, before, after)
     return Series(name, *(x[::step] for x in parts))

@@ -13,7 +13,7 @@ from robodyn.errors import InputError
 if TYPE_CHECKING:
     from robodyn.emit.body import Lines
     from robodyn.emit.unit import Unit
-    from robodyn.ir.signature import Signature
+    from robodyn.ir.signature import ScalarType, Signature
 
 #: What not every language can do.
 Feature = Literal["batch", "parallel", "misra", "firmware"]
@@ -76,7 +76,7 @@ class Language:
     """Numbers and operators of ``double``, or of ``float`` (True)."""
     syntax: Callable[[Signature, Unit], Syntax]
     function: Callable[[FunctionText], dict[str, Any]]
-    context: Callable[[Unit], dict[str, Any]]
+    context: Callable[[Unit], dict[str, Any]] = lambda unit: {}
     aliases: tuple[str, ...] = ()
     #: Whether ``gen`` writes it unless told otherwise.
     default: bool = False
@@ -90,6 +90,9 @@ class Language:
     trig: Literal["libm", "builtin"] = "libm"
     #: Templates of tests with vectors, by the file that each makes (:mod:`robodyn.firmware.language_tests`).
     tests: Mapping[str, str] = field(default_factory=dict)
+    scalars: tuple[ScalarType, ...] = ("double", "float")
+    #: Whose sines and cosines it can have; our own ask for ``syntax`` with ``sines``.
+    trigonometry: tuple[str, ...] = ("libm", "builtin", "given")
     #: What it can do beyond plain kernels.
     features: frozenset[Feature] = frozenset()
     #: Files of batches, by name.
@@ -98,6 +101,16 @@ class Language:
     compiled: Compiled | None = None
     #: What a firmware folder has of it beside the kernel; that of C is the folder itself.
     selftest: SelfTest | None = None
+
+    def check(self, scalar: str, trig: str) -> None:
+        """:class:`InputError` where it has no such numbers, or no such sines and cosines."""
+        options = (("--scalar", scalar, self.scalars), ("--trig", trig, self.trigonometry))
+        for option, value, able in options:
+            if value not in able:
+                raise InputError(
+                    f"{self.title} is not written with {option} {value}",
+                    expected=f"{option} {' or '.join(able)}",
+                )
 
 
 def require(feature: Feature, languages: Sequence[Language]) -> None:

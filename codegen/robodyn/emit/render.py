@@ -88,7 +88,7 @@ def _context(unit: Unit, functions: list[dict[str, Any]], language: Language) ->
         "functions": functions,
         "head": head_lines(unit, language),
         **own,
-        "trig": own["trig"] if has_sines(unit) else None,
+        "trig": own.get("trig") if has_sines(unit) else None,
     }
 
 

@@ -89,6 +89,8 @@ class Generated:
         InputError: there is no such language, or none of them has what is asked for.
         """
         chosen = languages_named(defaults() if languages is None else languages)
+        for language in chosen:
+            language.check(self.options.scalar, self.options.trig)
         if self.unit.misra:
             require("misra", chosen)
         if batch:

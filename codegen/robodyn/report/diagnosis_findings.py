@@ -8,7 +8,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.diagnose.result import CLAIM, Diagnosis, Estimate, Finding, Rival, Series
+from robodyn.diagnose.limits import CLAIM
+from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
 from robodyn.report.diagnosis_charts import Across, over, over_time
 from robodyn.report.diagnosis_frames import Chart, percent
 from robodyn.report.diagnosis_gap import units_at

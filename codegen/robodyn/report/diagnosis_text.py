@@ -9,7 +9,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.result import CLAIM, Diagnosis, Estimate, Finding
+from robodyn.diagnose.limits import CLAIM
+from robodyn.diagnose.result import Diagnosis, Estimate, Finding
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.traits import Traits
 

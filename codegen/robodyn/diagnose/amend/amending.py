@@ -7,16 +7,9 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.diagnose.amend.combined import (
-    COMBINED,
-    WORKED_OUT,
-    Body,
-    joined,
-    significant,
-    total,
-    waves,
-)
+from robodyn.diagnose.amend.combined import COMBINED, Body, joined, significant, total, waves
 from robodyn.diagnose.amend.settings import checked, read_settings, summed
+from robodyn.diagnose.limits import WORKED_OUT
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError

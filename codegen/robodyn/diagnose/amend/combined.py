@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from robodyn.diagnose.limits import AMENDED_DIGITS, WORKED_OUT
 from robodyn.effects.traits import Combination
 from robodyn.robot import numbers
 from robodyn.robot.model import AXES, Inertia, Vector
@@ -16,11 +17,8 @@ from robodyn.robot.values import Value
 
 Settings = Mapping[str, Any]
 
-#: Digits of an amendment, and of what is worked out from it.
-DIGITS, WORKED_OUT = 6, 9
 
-
-def significant(x: float, digits: int = DIGITS) -> Fraction:
+def significant(x: float, digits: int = AMENDED_DIGITS) -> Fraction:
     """``x`` rounded to so many significant digits.
 
     Raises

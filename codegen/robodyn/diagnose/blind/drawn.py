@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment
+from robodyn.diagnose.blind.limits import DRAWN_SAMPLES, LOADED_SHARE
 from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
@@ -25,10 +26,6 @@ from robodyn.simulate.trajectories.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 Parameters = dict[str, float | str]
-
-#: What carries something has this share of the largest RMS torque.
-_LOADED = 0.2
-_SAMPLES = 1000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,7 +59,7 @@ class Usual:
 
 def usual(robot: Robot, motion: Trajectory) -> Usual:
     """What is usual of ``robot`` on ``motion``."""
-    step = max(1, len(motion) // _SAMPLES)
+    step = max(1, len(motion) // DRAWN_SAMPLES)
     q, qd, qdd = (x[::step] for x in (motion.q, motion.qd, motion.qdd))
     model = Model(robot)
     tau = model.torque(q, qd, qdd)
@@ -92,9 +89,9 @@ def places(id: str, u: Usual) -> list[int | None]:
         return [None]
     joints: list[int | None] = []
     for j, link in enumerate(u.robot.links):
-        if hidden.needs and u.tau[j] < _LOADED * u.tau.max():
+        if hidden.needs and u.tau[j] < LOADED_SHARE * u.tau.max():
             continue
-        if hidden.needs == "gravity" and u.held[j] <= _LOADED * u.held.max():
+        if hidden.needs == "gravity" and u.held[j] <= LOADED_SHARE * u.held.max():
             continue
         if known.coupler is not None and link.joint.motor_inertia == 0:
             continue

@@ -17,6 +17,16 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.blind.drawn import draw, form, places, settings, usual
+from robodyn.diagnose.blind.limits import (
+    BASE_FREQUENCY,
+    DRAWS,
+    HARMONICS,
+    LEAST_SIZE,
+    LIMITS_SHARE,
+    QUIET_SHARE,
+    SIZE_TOLERANCE,
+    SIZE_TRIALS,
+)
 from robodyn.diagnose.blind.seal import seal
 from robodyn.diagnose.blind.true_arm import Arm, lacking, measured, rms
 from robodyn.diagnose.select.rigid import Model
@@ -32,14 +42,6 @@ from robodyn.simulate.trajectories.fourier import fourier
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
-
-#: A torque channel is no quieter than that of a joint with this share of the largest RMS torque.
-_QUIET = 0.05
-_BASE, _HARMONICS, _SHARE = 0.1, 5, 0.9
-#: How near to the wanted size is near enough, in how many trials; draws until there is one that can be.
-_NEAR, _TRIALS, _DRAWS = 0.05, 5, 20
-#: What is wanted of a drawn effect at least, as a share of the wanted size.
-_ENOUGH = 0.7
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,7 +171,7 @@ class _Bench:
         self.motion = motion
         self.t, self.q, self.qd, self.qdd = (x[::step] for x in (motion.t, motion.q, motion.qd, motion.qdd))
         size = rms(Model(robot).torque(self.q, self.qd, self.qdd))
-        self.noise = how.noise * np.maximum(size, _QUIET * max(float(size.max()), 1e-6))
+        self.noise = how.noise * np.maximum(size, QUIET_SHARE * max(float(size.max()), 1e-6))
         self.usual = usual(robot, motion)
 
     def chosen(self, wanted: Sequence[Amendment], random: int) -> tuple[Amendment, ...]:
@@ -178,10 +180,10 @@ class _Bench:
         named = tuple(self._placed(one, rng) for one in wanted)
         amendments = [self._sized(one, rng)[0] for one in named]
         missing = random
-        for _ in range(_DRAWS):
+        for _ in range(DRAWS):
             for one in draw(self.usual, missing, rng, amendments):
                 sized, ratio = self._sized(one, rng)
-                if ratio > _ENOUGH * self.how.ratio:
+                if ratio > LEAST_SIZE * self.how.ratio:
                     amendments.append(sized)
                     missing -= 1
             if not missing:
@@ -216,7 +218,7 @@ class _Bench:
         drawn = form(one.effect, one.joint, self.usual, rng)
         x, best = drawn.start, None
         tried: list[tuple[float, float]] = []
-        for _ in range(_TRIALS):
+        for _ in range(SIZE_TRIALS):
             x = min(max(x, drawn.least), drawn.most)
             amendment = replace(one, parameters=settings(drawn.build(x), one.parameters))
             ratio = self._shows(amendment)
@@ -228,7 +230,7 @@ class _Bench:
                 power = float(np.log(ratio / tried[-2][1]) / np.log(x / tried[-2][0]))
             following = x * (self.how.ratio / ratio) ** (1 / min(max(power, 0.3), 4.0))
             following = min(max(following, drawn.least), drawn.most)
-            if abs(ratio / self.how.ratio - 1) < _NEAR or following == x or abs(power) < 1e-3:
+            if abs(ratio / self.how.ratio - 1) < SIZE_TOLERANCE or following == x or abs(power) < 1e-3:
                 break
             x = following
         assert best is not None
@@ -275,11 +277,11 @@ def _motions(robot: Robot, how: Setup, own: Sequence[Trajectory]) -> tuple[Traje
     if any(motion.n != robot.n for motion in motions):
         raise InputError(f"the trajectory does not fit {robot.name}", expected=f"{robot.n} joints")
     limited, _ = with_limits(robot)
-    periods = max(1, round(_BASE * how.duration))
+    periods = max(1, round(BASE_FREQUENCY * how.duration))
     while len(motions) < 2:
         seed = _stream(how.seed, 1, len(motions))
         motions.append(
-            fourier(limited, periods / how.duration, _HARMONICS, seed, periods=periods, share=_SHARE)
+            fourier(limited, periods / how.duration, HARMONICS, seed, periods=periods, share=LIMITS_SHARE)
         )
     return motions[0], motions[1]
 

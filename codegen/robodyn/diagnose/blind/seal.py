@@ -16,15 +16,13 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from robodyn.diagnose.blind.json_part import Part
-from robodyn.diagnose.result import CLAIM
+from robodyn.diagnose.blind.limits import LEAST_GAP, LONGEST_ANSWER
+from robodyn.diagnose.limits import CLAIM
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError, Place
 from robodyn.files import parsed_json
 
 _FIRST = "robodyn sealed answer 1"
-_MOST = 8_000_000  # characters of an answer
-#: A gap of less than so many noise floors is none to speak of.
-_GAP = 0.2
 _REMEDY = "take the answer.sealed that robodyn hide has written"
 _VERDICTS = ("missing_effect", "consistent", "unexplained")
 
@@ -53,7 +51,7 @@ def open_seal(text: str, file: str = "answer.sealed") -> dict[str, Any]:
         try:
             packed = base64.b64decode("".join(lines[len(head) :]), validate=True)
             unpacking = zlib.decompressobj()
-            data = unpacking.decompress(packed, _MOST)
+            data = unpacking.decompress(packed, LONGEST_ANSWER)
             if unpacking.eof and not unpacking.unused_data:
                 return _answer(Part(parsed_json(data), file, "a sealed answer", _REMEDY))
             fault = "a part of one, or more than one"
@@ -264,7 +262,7 @@ def _closed(answer: Mapping[str, Any], diagnosis: Part) -> float | None:
         return math.hypot(*(x / of for x, of in zip(rms, noise, strict=True))) / math.sqrt(len(noise)) - 1
 
     lacking, left = excess(before), excess(after)
-    share = 1 - left / lacking if lacking > _GAP else None
+    share = 1 - left / lacking if lacking > LEAST_GAP else None
     return share if share is not None and math.isfinite(share) else None
 
 

@@ -11,23 +11,25 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.gate.flag import Flag, Floats, Rows, named
 from robodyn.diagnose.gate.grid import Grid
+from robodyn.diagnose.gate.limits import (
+    FEW_REVERSALS,
+    LOAD_STATES,
+    NARROW_ANGLE,
+    NARROW_WAY,
+    ONE_WAY_SHARE,
+    PILE_FACTOR,
+    PILED_SAMPLES,
+    PILED_SHARE,
+    RESOLUTION_SAMPLES,
+    STANDSTILL,
+    STILL_SPEED,
+)
 from robodyn.diagnose.gate.rates import moving_joints
 from robodyn.diagnose.gate.smooth import Smooth
 from robodyn.robot.model import Robot
 from robodyn.verify.reference import Reference
 
 Mask = NDArray[np.bool_]
-
-#: A joint goes one way if it goes the other by less than this share; it is narrow below these [rad], [m].
-ONE_WAY, NARROW_ANGLE, NARROW_WAY = 0.02, 0.35, 0.05
-FEW_REVERSALS = 4
-#: A torque that is cut off is at its extreme in this share of the moving samples at least, and in this many.
-PILED_SHARE, PILED = 5e-4, 10
-_PILE = 8.0
-#: Standstill: slower than this share of the joint's top speed; and the shortest that is listed [s].
-_STILL, _STANDSTILL = 0.01, 1.0
-_SAMPLE = 20_000
-_LOADS = 2000
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +85,7 @@ def content(
     moving = set(moving_joints(smooth, noise[0]))
     velocity = np.where(inside[:, None], smooth.qd, 0.0)
     top = np.quantile(np.abs(velocity[inside]), 0.99, axis=0) if inside.any() else np.zeros(n)
-    goes = np.abs(velocity) > _STILL * np.where(top > 0, top, np.inf)
+    goes = np.abs(velocity) > STILL_SPEED * np.where(top > 0, top, np.inf)
     goes[:, [j for j in range(n) if j not in moving]] = False
     loads, drives, brakes = _quadrants(smooth, goes, robot, parameters)
     cut = np.zeros(log.q.shape, dtype=bool)
@@ -124,8 +126,8 @@ def steps_of(x: Floats) -> Floats:
     """The steps [n] in which the columns of ``x`` [K, n] change from sample to sample; 0: none."""
     result = np.zeros(x.shape[1])
     for j in range(x.shape[1]):
-        change = np.abs(np.diff(x[:_SAMPLE, j]))
-        change = change[change > 1e-9 * max(float(np.abs(x[:_SAMPLE, j]).max()), 1e-9)]
+        change = np.abs(np.diff(x[:RESOLUTION_SAMPLES, j]))
+        change = change[change > 1e-9 * max(float(np.abs(x[:RESOLUTION_SAMPLES, j]).max()), 1e-9)]
         if len(change) < 20:
             continue
         step = float(change.min())
@@ -146,7 +148,7 @@ def _quadrants(
     rows = np.flatnonzero(smooth.inside)
     if not len(rows):
         return np.zeros((1, robot.n)), [0.0] * robot.n, [0.0] * robot.n
-    rows = rows[np.linspace(0, len(rows) - 1, min(_LOADS, len(rows))).astype(int)]
+    rows = rows[np.linspace(0, len(rows) - 1, min(LOAD_STATES, len(rows))).astype(int)]
     torque = Reference(robot, parameters).inverse_dynamics(smooth.q[rows], smooth.qd[rows], smooth.qdd[rows])
     power = torque * smooth.qd[rows]
     drive, brake = [], []
@@ -161,7 +163,7 @@ def _cut_off(tau: Floats, goes: Mask, step: float) -> tuple[float, Mask]:
     """Where samples pile up at an extreme value of ``tau`` [K]: the value, and a mask [K]."""
     none = np.zeros(len(tau), dtype=bool)
     moving = tau[goes]
-    if len(moving) < 10 * PILED:
+    if len(moving) < 10 * PILED_SAMPLES:
         return math.inf, none
     limit, at = math.inf, none
     for sign in (1.0, -1.0):
@@ -170,7 +172,7 @@ def _cut_off(tau: Floats, goes: Mask, step: float) -> tuple[float, Mask]:
         depth = end - sign * moving
         piled = int(np.count_nonzero(depth <= near))
         beside = np.count_nonzero((depth > near) & (depth <= 6 * near)) / 5
-        if piled >= max(PILED, PILED_SHARE * len(moving)) and piled > _PILE * max(beside, 1):
+        if piled >= max(PILED_SAMPLES, PILED_SHARE * len(moving)) and piled > PILE_FACTOR * max(beside, 1):
             limit = min(limit, abs(end))
             at = at | (end - sign * tau <= near)
     return limit, at
@@ -188,7 +190,7 @@ def _say(
     prismatic = [link.joint.kind == "prismatic" for link in robot.links]
     moving = [one for one in contents if one.moves]
     tell("motionless", "does not move", "q", [one.joint for one in contents if not one.moves])
-    one_way = [one.joint for one in moving if not ONE_WAY < one.forward < 1 - ONE_WAY]
+    one_way = [one.joint for one in moving if not ONE_WAY_SHARE < one.forward < 1 - ONE_WAY_SHARE]
     tell("one_way", "moves in one direction only", "q", one_way)
     narrow = [
         one.joint
@@ -220,7 +222,7 @@ def _say(
                 text = f"{one.low:.4g} to {one.high:.4g} is beyond the limits {low:.4g} to {high:.4g}"
                 flags.append(Flag("beyond_limits", f"q{one.joint}", grid.spans(beyond), text, (one.joint,)))
     idle = np.flatnonzero(~goes.any(axis=1))
-    rest = [run for run in _runs(idle) if len(run) * grid.period >= _STANDSTILL]
+    rest = [run for run in _runs(idle) if len(run) * grid.period >= STANDSTILL]
     if rest:
         rows = np.concatenate(rest)
         text = f"no joint moves in {len(rows) / len(goes):.0%} of the samples"

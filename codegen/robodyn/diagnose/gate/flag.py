@@ -9,14 +9,11 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.gate.limits import CHUNK, MOST_SPANS
 from robodyn.errors import InputError, Place
 
 Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]
-
-#: More spans than these are counted and not listed.
-MOST_SPANS = 100
-_CHUNK = 1 << 18
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,5 +91,5 @@ def count(amount: int, thing: str = "row") -> str:
 
 def chunks(samples: int) -> Iterator[slice]:
     """``samples`` rows in pieces, so that what is made of one is small beside a log."""
-    for start in range(0, samples, _CHUNK):
-        yield slice(start, min(start + _CHUNK, samples))
+    for start in range(0, samples, CHUNK):
+        yield slice(start, min(start + CHUNK, samples))

@@ -15,20 +15,16 @@ from numpy.typing import NDArray
 from robodyn.diagnose.gate.content import JointContent, content, steps_of
 from robodyn.diagnose.gate.flag import Flag, Floats, Span, count, refuse
 from robodyn.diagnose.gate.grid import on_grid
+from robodyn.diagnose.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_REACH
 from robodyn.diagnose.gate.model import check_model
 from robodyn.diagnose.gate.rates import check_rates
 from robodyn.diagnose.gate.rows import usable
-from robodyn.diagnose.gate.smooth import REACH, noise_of, smoothed
+from robodyn.diagnose.gate.smooth import noise_of, smoothed
 from robodyn.diagnose.gate.stuck import check_stuck
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 
 __all__ = ["MOST_SAMPLES", "Flag", "Gate", "JointContent", "Span", "inspect"]
-
-#: As many samples are used at most.
-MOST_SAMPLES = 200_000
-#: A log below this rate [Hz], or shorter than this [s], is told of.
-_SLOW, _SHORT = 50.0, 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,7 +109,7 @@ def inspect(
         refuse(
             source,
             "the log is in pieces that are too short",
-            found=f"{count(len(grid.segments), 'piece')}, none of them of {2 * REACH:g} s",
+            found=f"{count(len(grid.segments), 'piece')}, none of them of {2 * SMOOTHING_REACH:g} s",
             expected="some seconds of motion without gaps",
             remedy="record a longer motion, without gaps",
         )
@@ -127,11 +123,11 @@ def inspect(
             remedy="record a motion; robodyn excite designs one",
         )
     length = sum(part.stop - part.start for part in grid.segments) * grid.period
-    if 1 / grid.period < _SLOW:
+    if 1 / grid.period < SLOW_RATE:
         text = (
             f"{1 / grid.period:.4g} samples a second: too few for effects at reversals, delay and elasticity"
         )
         flags.append(Flag("slow_sampling", "t", (), text))
-    if length < _SHORT:
+    if length < SHORT_LOG:
         flags.append(Flag("short", "t", (), f"{length:.3g} s of motion: too little to be sure of much"))
     return Gate(used, grid.segments, grid.period, grid.rows(), saturated, joints, tuple(flags))

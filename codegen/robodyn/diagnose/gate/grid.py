@@ -8,13 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from robodyn.diagnose.gate.flag import Flag, Floats, Rows, Span, span, spans_of
+from robodyn.diagnose.gate.limits import FAST_RATE, MOVING_SHARE, WINDOWS
 from robodyn.diagnose.gate.rows import Usable
 from robodyn.simulate.log import Log
-
-#: Windows that a long log is cut down to, and what share of the largest motion a window must show.
-WINDOWS, MOVING = 20, 0.1
-#: A log of more rows than are used, sampled faster than this [Hz], is averaged down to half of it at least.
-FAST = 2000.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,8 +47,8 @@ def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
     parts = rows.parts
     total = sum(b - a for a, b in parts)
     if total > most:
-        if rows.even and 1 / period > FAST:
-            stride = min(int(2 / (FAST * period)), total // most)
+        if rows.even and 1 / period > FAST_RATE:
+            stride = min(int(2 / (FAST_RATE * period)), total // most)
         parts = _windows(log, rows, most * stride)
         kept = sum(b - a for a, b in parts)
         spans = tuple(span(int(index[a]), int(index[b - 1]), log.t) for a, b in parts)
@@ -107,7 +103,7 @@ def _windows(log: Log, rows: Usable, most: int) -> tuple[tuple[int, int], ...]:
         reach.append(some.max(axis=0) - some.min(axis=0))
     largest = np.max(reach, axis=0)
     share = (np.array(reach) / np.where(largest > 0, largest, 1)).max(axis=1)
-    moving = [w for w, s in zip(windows, share.tolist(), strict=True) if s >= MOVING * share.max()]
+    moving = [w for w, s in zip(windows, share.tolist(), strict=True) if s >= MOVING_SHARE * share.max()]
     lengths = [b - a for a, b in moving]
     if sum(lengths) <= most:
         return tuple(moving)

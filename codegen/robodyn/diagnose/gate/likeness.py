@@ -8,11 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from robodyn.diagnose.gate.flag import Floats
-
-#: What multiple of the model's torque a log's is taken to be at most and at least.
-LEAST, MOST = 0.4, 2.5
-#: Less than this share of the variance is not told apart; and where the model's torque is taken as it is.
-_FLOOR, _EXACT_FLOOR = 0.01, 0.001
+from robodyn.diagnose.gate.limits import EXACT_FLOOR, LEAST, LIKENESS_FLOOR, MOST
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -115,8 +111,8 @@ def gain_of(before: Likeness, after: Likeness) -> float:
     as often as fits or as it is, whichever gains more."""
     best = 0.0
     for was, now, floor in (
-        (before.unexplained, after.unexplained, _FLOOR),
-        (before.apart, after.apart, _EXACT_FLOOR),
+        (before.unexplained, after.unexplained, LIKENESS_FLOOR),
+        (before.apart, after.apart, EXACT_FLOOR),
     ):
         ratio = np.maximum(was, floor) / np.maximum(now, floor)
         ratio = ratio[np.isfinite(ratio)]

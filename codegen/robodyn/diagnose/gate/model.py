@@ -15,35 +15,33 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.gate.flag import Flag, Floats, named, refuse
 from robodyn.diagnose.gate.likeness import Likeness, Trial, gain_of, likeness
+from robodyn.diagnose.gate.limits import (
+    ALIKE_GAIN,
+    COMPARED_STATES,
+    DRIVING_SHARE,
+    FLAGGED_GAIN,
+    KNOWN_UNIT,
+    LEAST_SCALE,
+    LIKE,
+    MOST_SCALE,
+    NEARER,
+    NEARER_EXACT,
+    REFUSED_GAIN,
+    SLIGHT,
+    SLIGHT_EXACT,
+    SPRUNG_FACTOR,
+    SURE_GAIN,
+    UNLIKE,
+    WORSE,
+    WORSE_EXACT,
+    WORSE_FACTOR,
+)
 from robodyn.diagnose.gate.readings import Change, signs_and_order, units
 from robodyn.diagnose.gate.smooth import Smooth
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.sensors import measured_position
 from robodyn.verify.reference import Reference
-
-#: States that are compared.
-STATES = 600
-#: A joint is unlike the model from this unexplained share of its torque on, and like it below this one.
-UNLIKE, LIKE = 0.7, 0.3
-#: What a change must gain to refuse the log, and to be told: factors of what is left unexplained.
-REFUSED, TOLD = 8.0, 3.0
-#: Gaining so much, two joints are in each other's place even if an effect hides one of them.
-SURELY = 100.0
-#: Torques are of another unit beyond these multiples of the model's; a known one within this share of it.
-LEAST_SCALE, MOST_SCALE, KNOWN = 0.2, 5.0, 0.2
-#: The share of a torque's variance that friction which drives must make up to show a flipped sign.
-DRIVING = 0.05
-#: Changes that gain this share of the best one's factor are told with it.
-ALIKE = 0.5
-#: From this unexplained share on, another reading that leaves so many times less at a joint is nearer to it;
-#: it is not if it leaves more than this share, and so many times more, at another joint.
-SLIGHT, NEARER = 0.05, 8.0
-#: The same where the model's torque is taken as it is: columns of joints that are much alike.
-SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT = 0.002, 6.0, 0.001
-WORSE, TIMES = 0.01, 3.0
-#: So many times less is left beside a spring, where a flipped sign is none.
-SPRUNG = 4.0
 
 
 def check_model(
@@ -63,7 +61,7 @@ def check_model(
     rows = np.flatnonzero(smooth.inside)
     if len(rows) < 50:
         return None
-    rows = rows[np.linspace(0, len(rows) - 1, min(STATES, len(rows))).astype(int)]
+    rows = rows[np.linspace(0, len(rows) - 1, min(COMPARED_STATES, len(rows))).astype(int)]
     offset = measured_position(np.zeros((1, robot.n)), robot.effects, parameters)
     trial = Trial(smooth.q[rows] - offset, smooth.qd[rows], smooth.qdd[rows], smooth.tau[rows])
     model = Reference(_frictionless(robot), parameters).inverse_dynamics
@@ -102,7 +100,7 @@ def _tell(
     first."""
     likely, sure = [], []
     for gain, change, after in read:
-        if gain < TOLD or gain < ALIKE * read[0][0]:
+        if gain < FLAGGED_GAIN or gain < ALIKE_GAIN * read[0][0]:
             break
         # The joints that the change makes like the model, among those that tell anything.
         became = _nearer(before, after, change)
@@ -115,15 +113,15 @@ def _tell(
         if change.kind == "sign" and became.sum() == 1:
             clear = bool(
                 (before.twisted[became] < -0.5)
-                | (before.driving[became] > DRIVING)
-                | (before.sprung[became] > SPRUNG * after.sprung[became])
+                | (before.driving[became] > DRIVING_SHARE)
+                | (before.sprung[became] > SPRUNG_FACTOR * after.sprung[became])
                 | _elsewhere(before, after, change)
             )
         elif change.kind == "order":
-            clear = gain > SURELY or all(after.unexplained[j - 1] < 0.5 for j in change.joints)
+            clear = gain > SURE_GAIN or all(after.unexplained[j - 1] < 0.5 for j in change.joints)
         else:
             clear = True
-        if gain > REFUSED and clear:
+        if gain > REFUSED_GAIN and clear:
             sure.append(change)
     if not likely:
         return
@@ -163,7 +161,7 @@ def _nearer(before: Likeness, after: Likeness, change: Change) -> NDArray[np.boo
         (before.apart, after.apart, SLIGHT_EXACT, NEARER_EXACT, WORSE_EXACT),
     ):
         near = (was > slight) & (was > times * now)
-        if near.any() and near[own].all() and not (now > np.maximum(TIMES * was, worse)).any():
+        if near.any() and near[own].all() and not (now > np.maximum(WORSE_FACTOR * was, worse)).any():
             return near
     return None
 
@@ -199,7 +197,7 @@ def _scales(fit: Likeness, source: str | None) -> None:
     low, high = (float(f(fit.factor[off])) for f in (np.min, np.max))
     remedy = "write N m (N) at the joint: a motor's current times its torque constant and the gear ratio"
     for factor, what in ((1e3, "divide by 1000: N mm or mN m for N m"), (1e-3, "multiply by 1000: kN m")):
-        if abs(low / factor - 1) < KNOWN and abs(high / factor - 1) < KNOWN:
+        if abs(low / factor - 1) < KNOWN_UNIT and abs(high / factor - 1) < KNOWN_UNIT:
             remedy = what
     refuse(
         source,

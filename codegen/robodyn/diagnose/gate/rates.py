@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 
 from robodyn.diagnose.gate.flag import Flag, Floats, named, refuse
+from robodyn.diagnose.gate.limits import (
+    KNOWN_RATE_SCALE,
+    LONGEST_LAG,
+    NO_CORRELATION,
+    RATE_SCALE,
+    SURE_CORRELATION,
+)
 from robodyn.diagnose.gate.smooth import Smooth
 from robodyn.robot.model import Robot
-
-#: Correlations from which a rate is surely that of a position, and below which it is not.
-SURE, NOT = 0.95, 0.5
-#: How far a scale may be off before it is said; within how much of a known one it is that one.
-SCALE, KNOWN = 0.25, 0.05
-#: The longest lag sought [s].
-LONGEST = 0.1
 
 
 def check_rates(
@@ -81,9 +81,9 @@ def _check(
     unlike = []
     for j in np.flatnonzero(moving).tolist():
         column = f"{group}{j + 1}"
-        if own[j] > SURE:
+        if own[j] > SURE_CORRELATION:
             for factor, what, remedy in known[j]:
-                if abs(scale[j] / factor - 1) < KNOWN:
+                if abs(scale[j] / factor - 1) < KNOWN_RATE_SCALE:
                     refuse(
                         source,
                         f"{column} does not fit q{j + 1}: {what}",
@@ -91,11 +91,11 @@ def _check(
                         expected=f"{column} = {slope}",
                         remedy=remedy.format(group=group, j=j + 1),
                     )
-            if abs(scale[j] - 1) > SCALE:
+            if abs(scale[j] - 1) > RATE_SCALE:
                 text = f"{scale[j]:.3g} times {slope}"
                 flags.append(Flag("rate_scale", column, (), text, (j + 1,)))
                 unlike.append(j + 1)
-        elif own[j] < NOT and group == "qd":
+        elif own[j] < NO_CORRELATION and group == "qd":
             unlike.append(j + 1)
             text = f"does not follow {slope} (correlation {match[j, j]:.2f})"
             flags.append(Flag("rate_mismatch", column, (), text, (j + 1,)))
@@ -130,7 +130,7 @@ def _swapped(group: str, match: Floats, moving: Any, source: str | None) -> None
         for j in range(i):
             crossed = min(abs(match[i, j]), abs(match[j, i]))
             straight = max(abs(match[i, i]), abs(match[j, j]))
-            if moving[i] and moving[j] and crossed > SURE and straight < 0.9 * crossed:
+            if moving[i] and moving[j] and crossed > SURE_CORRELATION and straight < 0.9 * crossed:
                 refuse(
                     source,
                     f"columns of joints {j + 1} and {i + 1} are swapped",
@@ -145,7 +145,7 @@ def _lags(smooth: Smooth, period: float) -> Floats:
     """How much later the logged velocity is than the slope of the position [n], s."""
     assert smooth.logged_qd is not None
     rows = np.flatnonzero(smooth.inside)
-    reach = max(2, round(LONGEST / period))
+    reach = max(2, round(LONGEST_LAG / period))
     runs = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
     longest = max(runs, key=len)[:50_000]
     result = np.full(smooth.q.shape[1], math.nan)

@@ -10,11 +10,9 @@ import numpy as np
 
 from robodyn.diagnose.gate.flag import Floats, named
 from robodyn.diagnose.gate.likeness import Likeness, Trial
+from robodyn.diagnose.gate.limits import BEYOND_LIMITS, FAR, TURNS
 from robodyn.diagnose.gate.smooth import Smooth
 from robodyn.robot.model import Robot
-
-#: Positions are too large beyond this multiple of the limits; of these [rad], [m] where there are none.
-BEYOND, TURNS, FAR = 1.3, 9.0, 5.0
 
 Model = Callable[[Floats, Floats, Floats], Floats]
 
@@ -72,7 +70,7 @@ def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
         for j in joints:
             limits = robot.links[j].joint.limits.position
             end = max(abs(float(x)) for x in limits) if limits else usual
-            if largest[j] > BEYOND * end:
+            if largest[j] > BEYOND_LIMITS * end:
                 beyond.append(j)
         # All that are of the kind, or one that is beyond alone.
         for some in {tuple(joints), *((j,) for j in beyond)} if beyond else ():

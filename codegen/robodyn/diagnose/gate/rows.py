@@ -12,19 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.gate.flag import Flag, Floats, Rows, chunks, count, refuse, span, spans_of
+from robodyn.diagnose.gate.limits import (
+    BOUNDS,
+    FEWEST_ROWS,
+    FILLED_ROWS,
+    FILLED_TIME,
+    FRAGMENT_ROWS,
+    GARBAGE_SHARE,
+    REPEATED_SHARE,
+    SLOWEST_PERIOD,
+)
 from robodyn.diagnose.gate.spikes import without_held, without_spikes
 from robodyn.simulate.log import Log
-
-#: Beyond these a number of a log is garbage, whatever the robot: s; rad or m, and per s; N m or N.
-BOUNDS = {"t": 1e15, "q": 1e3, "qd": 1e4, "qdd": 1e7, "tau": 1e6}
-#: The largest share of the rows that may be garbage, or may repeat a time.
-GARBAGE, REPEATED = 0.03, 0.05
-#: Fewer rows cannot be diagnosed; shorter fragments between gaps are left out.
-FEWEST, FRAGMENT = 100, 20
-#: A longer period between samples [s] shows no dynamics.
-SLOWEST = 0.2
-#: As many missing rows in a row are filled in, or as many as last [s].
-FILLED_ROWS, FILLED_TIME = 3, 0.005
 
 Mask = NDArray[np.bool_]
 
@@ -49,12 +48,12 @@ def usable(log: Log, source: str | None, flags: list[Flag]) -> Usable:
     ------
     InputError: too many rows are garbage, times run backwards or repeat, or too few samples are left.
     """
-    if log.samples < FEWEST:
+    if log.samples < FEWEST_ROWS:
         refuse(
             source,
             "the log is too short to diagnose",
             found=f"{log.samples} rows",
-            expected=f"{FEWEST} rows or more, some seconds of motion",
+            expected=f"{FEWEST_ROWS} rows or more, some seconds of motion",
             remedy="record a longer motion",
         )
     bad, rates, accelerations = _garbage(log, source, flags)
@@ -84,7 +83,7 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
             counts += wrong.sum(axis=0)
             garbage[rows] = wrong.any(axis=1)
         share = counts.max() / log.samples
-        if share > GARBAGE:
+        if share > GARBAGE_SHARE:
             j = int(counts.argmax())
             column = name if name == "t" else f"{name}{j + 1}"
             if name in usable_rates:
@@ -99,7 +98,7 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
                 f"{column} cannot be used",
                 found=f"no number or one beyond {BOUNDS[name]:g} in {share:.1%} of the rows, first "
                 f"{table[first, j]:g} in {span(first, first, log.t)}",
-                expected=f"numbers in {unit}, at most {GARBAGE:.0%} of the rows broken",
+                expected=f"numbers in {unit}, at most {GARBAGE_SHARE:.0%} of the rows broken",
                 remedy="record it again, or convert its unit",
             )
         if garbage.any():
@@ -110,13 +109,13 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
             joints = () if name == "t" else tuple(int(j) + 1 for j in np.flatnonzero(counts))
             flags.append(Flag("garbage", where, spans_of(np.flatnonzero(garbage), log.t), text, joints))
         bad |= garbage
-    if bad.mean() > GARBAGE:
+    if bad.mean() > GARBAGE_SHARE:
         first = int(np.argmax(bad))
         refuse(
             source,
             "too many rows are garbage",
             found=f"{bad.mean():.1%} of the rows, first {span(first, first, log.t)}",
-            expected=f"at most {GARBAGE:.0%}",
+            expected=f"at most {GARBAGE_SHARE:.0%}",
             remedy="record it again, or take a part that is sound",
         )
     return bad, usable_rates["qd"], usable_rates["qdd"]
@@ -134,7 +133,7 @@ def _ordered(log: Log, index: Rows, source: str | None, flags: list[Flag]) -> Ro
     rows, before = index[again], index[again - 1]
     same = (log.q[rows] == log.q[before]).all(axis=1) & (log.tau[rows] == log.tau[before]).all(axis=1)
     other = rows[~same]
-    if len(other) > REPEATED * len(index):
+    if len(other) > REPEATED_SHARE * len(index):
         first = int(other[0])
         refuse(
             source,
@@ -155,7 +154,7 @@ def _ordered(log: Log, index: Rows, source: str | None, flags: list[Flag]) -> Ro
 def _without_strays(log: Log, index: Rows, source: str | None, flags: list[Flag]) -> Rows:
     """``index`` without rows whose time is out of order between others that are in order."""
     strays: list[int] = []
-    most = GARBAGE * len(index)
+    most = GARBAGE_SHARE * len(index)
     while True:
         t = log.t[index]
         back = np.flatnonzero(np.diff(t) < 0) + 1
@@ -204,12 +203,12 @@ def _parts(
     t = log.t[index]
     steps = np.diff(t)
     middle = float(np.median(steps)) if len(steps) else np.inf
-    if not middle <= SLOWEST:
+    if not middle <= SLOWEST_PERIOD:
         refuse(
             source,
             "the samples are too far apart to show dynamics",
             found=f"{middle:.6g} s from row to row",
-            expected=f"t in s, a row each {SLOWEST:g} s or oftener",
+            expected=f"t in s, a row each {SLOWEST_PERIOD:g} s or oftener",
             remedy="write t in seconds, or record faster",
         )
     regular = np.abs(steps / middle - 1) < 0.5
@@ -231,17 +230,17 @@ def _parts(
     cuts = sorted({*(gaps[~filled] + 1).tolist(), *np.searchsorted(index, sorted(jumps)).tolist()})
     edges = [0, *cuts, len(index)]
     all_parts = [(a, b) for a, b in itertools.pairwise(edges) if b > a]
-    parts = tuple((a, b) for a, b in all_parts if b - a >= FRAGMENT)
-    short = [span(int(index[a]), int(index[b - 1]), log.t) for a, b in all_parts if b - a < FRAGMENT]
+    parts = tuple((a, b) for a, b in all_parts if b - a >= FRAGMENT_ROWS)
+    short = [span(int(index[a]), int(index[b - 1]), log.t) for a, b in all_parts if b - a < FRAGMENT_ROWS]
     if short:
         flags.append(Flag("fragment", "t", tuple(short[:100]), "too short between gaps, left out"))
     left = sum(b - a for a, b in parts)
-    if left < FEWEST:
+    if left < FEWEST_ROWS:
         refuse(
             source,
             "too little of the log can be used",
-            found=f"{left} of {log.samples} rows in pieces of {FRAGMENT} or more",
-            expected=f"{FEWEST} rows or more",
+            found=f"{left} of {log.samples} rows in pieces of {FRAGMENT_ROWS} or more",
+            expected=f"{FEWEST_ROWS} rows or more",
             remedy="record a longer motion, without gaps",
         )
     even = not (len(gaps) and filled.any()) and _even(t, period, parts)

@@ -9,10 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.gate.flag import Floats
+from robodyn.diagnose.gate.limits import SMOOTHING_LEAST, SMOOTHING_REACH
 from robodyn.simulate.log import Log
-
-#: How long the smoothing reaches [s], and the fewest samples it takes.
-REACH, LEAST = 0.08, 7
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,8 +28,8 @@ class Smooth:
 
 
 def smoothed(log: Log, segments: Sequence[slice], period: float) -> Smooth:
-    """The signals of ``log``, through the same local parabola over :data:`REACH`."""
-    window = max(LEAST, 2 * round(REACH / (2 * period)) + 1)
+    """The signals of ``log``, through the same local parabola over :data:`SMOOTHING_REACH`."""
+    window = max(SMOOTHING_LEAST, 2 * round(SMOOTHING_REACH / (2 * period)) + 1)
     q, qd, qdd, tau = (np.zeros_like(log.q) for _ in range(4))
     rate = None if log.qd is None else np.zeros_like(log.q)
     second = None if log.qdd is None else np.zeros_like(log.q)

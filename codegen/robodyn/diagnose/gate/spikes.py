@@ -5,17 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from robodyn.diagnose.gate.flag import Flag, Floats, Rows, chunks, count, span, spans_of
+from robodyn.diagnose.gate.limits import (
+    FASTEST,
+    FEWEST_CHANGES,
+    JUMP_FACTOR,
+    LARGEST_ACCELERATION,
+    LONGEST_DROPOUT,
+    LONGEST_SPIKE,
+    MOST_JUMPS,
+)
 from robodyn.simulate.log import Log
-
-#: Above this share of the rows, what looks like jumps is how the signal is.
-MOST_JUMPS = 0.03
-#: No arm brings about more [rad/s^2 or m/s^2]; and how far above its 99th percentile a change is a jump.
-_ACCELERATION, _TIMES = 2000.0, 20.0
-#: A position that changes faster [rad/s or m/s] jumps, however often it does.
-_FASTEST = 120.0
-#: The longest spike of a torque and the longest dropout of a position, in rows.
-_SPIKE, _DROPOUT = 3, 100
-_CHANGES = 100
 
 
 def without_spikes(log: Log, index: Rows, flags: list[Flag]) -> Rows:
@@ -23,7 +22,7 @@ def without_spikes(log: Log, index: Rows, flags: list[Flag]) -> Rows:
     some = np.diff(log.t[index[: min(len(index), 100_000)]])
     period = float(np.median(some)) if len(some) else 0.0
     drop: dict[int, None] = {}
-    for name, longest in (("q", _DROPOUT), ("tau", _SPIKE)):
+    for name, longest in (("q", LONGEST_DROPOUT), ("tau", LONGEST_SPIKE)):
         array: Floats = getattr(log, name)
         for j in range(log.n):
             spikes, jumps = _jumps(array[:, j], log.t, index, period, longest, position=name == "q")
@@ -46,13 +45,13 @@ def _jumps(
     stride = max(1, len(index) // 50_000)
     pairs = index[:-1][::stride], index[1:][::stride]
     usual = np.quantile(np.abs(x[pairs[1]] - x[pairs[0]]), 0.99)
-    least = _ACCELERATION * period**2
+    least = LARGEST_ACCELERATION * period**2
     if not position:
         low, high = np.quantile(x[pairs[0]], [0.01, 0.99])
         least = float(high - low)
-    limit = max(_TIMES * float(usual), least)
+    limit = max(JUMP_FACTOR * float(usual), least)
     if position:
-        limit = min(limit, max(_FASTEST * period, least))
+        limit = min(limit, max(FASTEST * period, least))
     if limit <= 0:
         return [], []
     kept: list[int] = []
@@ -83,9 +82,9 @@ def _jumps(
             k = home + 1
             continue
         # A torque may well jump where the arm starts and stops.
-        if position and a + 1 > len(index) - 1 - _SPIKE:
+        if position and a + 1 > len(index) - 1 - LONGEST_SPIKE:
             spikes += range(a + 1, len(index))
-        elif position and a < _SPIKE:
+        elif position and a < LONGEST_SPIKE:
             spikes += range(a + 1)
         else:
             jumps.append(a + 1)
@@ -98,7 +97,7 @@ def without_held(log: Log, index: Rows, flags: list[Flag]) -> Rows:
     some = index[:50_000]
     same = (np.diff(log.q[some], axis=0) == 0).all(axis=1) & (np.diff(log.tau[some], axis=0) == 0).all(axis=1)
     changes = np.flatnonzero(~same) + 1
-    if len(changes) < _CHANGES or same.mean() < 0.3:
+    if len(changes) < FEWEST_CHANGES or same.mean() < 0.3:
         return index
     runs = np.diff(changes)
     m = int(np.median(runs))

@@ -6,13 +6,7 @@ import numpy as np
 
 from robodyn.diagnose.gate.flag import Flag, Floats, Rows, refuse
 from robodyn.diagnose.gate.grid import Grid
-
-#: The shortest stay that counts [samples], [s]; how much of the top speed a joint has that does not stop so.
-_STAY, _STAY_TIME, _SPEED = 40, 0.05, 0.15
-#: Before the stay the speed is taken over as many samples.
-_BEFORE = 10
-#: The largest share of the samples.
-_MOST = 0.03
+from robodyn.diagnose.gate.limits import BEFORE_STAY, STAY_ROWS, STAY_TIME, STUCK_SHARE, STUCK_SPEED
 
 
 def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:
@@ -23,14 +17,14 @@ def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:
     InputError: they do so in too many samples.
     """
     log = grid.log
-    stay = max(_STAY, round(_STAY_TIME / grid.period))
+    stay = max(STAY_ROWS, round(STAY_TIME / grid.period))
     for j in range(log.n):
         rows = [part.start + row for part in grid.segments for row in _stuck(log.q[part, j], stay)]
         if not rows:
             continue
         spans = grid.spans(np.array(rows, dtype=np.intp))
         share = len(rows) / log.samples
-        if share > _MOST:
+        if share > STUCK_SHARE:
             refuse(
                 source,
                 f"q{j + 1} stops dead and stays on one number while the joint moves",
@@ -44,15 +38,15 @@ def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:
 
 def _stuck(q: Floats, stay: int) -> list[int]:
     """The samples at which ``q`` [K] has stopped dead for ``stay`` samples or more."""
-    if len(q) < stay + _BEFORE + 1:
+    if len(q) < stay + BEFORE_STAY + 1:
         return []
     step = np.diff(q)
-    top = float(np.quantile(np.abs(q[_BEFORE:] - q[:-_BEFORE]), 0.99)) / _BEFORE
+    top = float(np.quantile(np.abs(q[BEFORE_STAY:] - q[:-BEFORE_STAY]), 0.99)) / BEFORE_STAY
     edges: Rows = np.flatnonzero(np.diff(np.r_[0, (step == 0).astype(np.int8), 0]))
     rows: list[int] = []
     for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        if b - a < stay or a < _BEFORE:
+        if b - a < stay or a < BEFORE_STAY:
             continue
-        if top > 0 and abs(float(q[a] - q[a - _BEFORE])) > _SPEED * top * _BEFORE:
+        if top > 0 and abs(float(q[a] - q[a - BEFORE_STAY])) > STUCK_SPEED * top * BEFORE_STAY:
             rows += range(a + 1, b + 1)
     return rows

@@ -13,11 +13,9 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.limits import CEILING_RIDGE, STANDS_OUT
 
 Floats = NDArray[np.float64]
-
-#: Ridge of columns of size 1, as a share of the number of samples; what stands out of the noise.
-_RIDGE, STANDS_OUT = 1e-3, 2.0
 
 
 def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floats:
@@ -39,7 +37,7 @@ def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floa
         grams = np.stack([X[part].T @ X[part] for part in p.parts])
         rights = np.stack([X[part].T @ b[part] for part in p.parts])
         G, g = grams.sum(axis=0), rights.sum(axis=0)
-        ridge = _RIDGE * len(b) * np.eye(len(G))
+        ridge = CEILING_RIDGE * len(b) * np.eye(len(G))
         left = np.empty(len(b))
         for k, part in enumerate(p.parts):
             x = np.linalg.solve(G - grams[k] + ridge, g - rights[k])

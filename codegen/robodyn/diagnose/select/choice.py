@@ -8,36 +8,32 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.content import ONE_WAY
-from robodyn.diagnose.select.fit import BLOCKS, Fit, Problem, fitted, less
+from robodyn.diagnose.gate.limits import ONE_WAY_SHARE
+from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
+from robodyn.diagnose.select.limits import (
+    BLOCKS,
+    BODY_NUMBERS,
+    CLOSE,
+    LEAST_T,
+    MANY_POWER,
+    NEARLY,
+    REFINING_ROUNDS,
+    RELIEF,
+    ROUGH,
+    ROUGH_T,
+    SWING_DIRECTIONS,
+    SWING_FARTHEST,
+    SWING_GAIN,
+    SWING_STARTS,
+    TIE,
+    TIE_LOSS,
+)
 from robodyn.diagnose.select.predict import delays
 from robodyn.effects.catalogue import CATALOGUE
 
 Floats = NDArray[np.float64]
 
-#: Least paired t over the parts of the log.
-_T = 3.0
-#: How far beyond their confidence the arm's own numbers would have to be, in units of log-likelihood.
-_RELIEF = 20.0
-#: Of the ten numbers of a body about four are seen in most motions.
-_BODY = 4
-#: Rivals: within so many standard errors of the best, or so small a share of its gain.
-_TIE, LOSS = 2.0, 0.02
-#: Or so near in log-likelihood, of those that explain so nearly the same.
-_CLOSE, _NEARLY = 5.0, 0.9
-#: More than noise, in mean squares of the noise.
-_ROUGH = 3.0
-#: A t over the parts of such a log that is enough with twice the gain.
-_ROUGHLY = 1.3
-#: By what power of the number of its numbers a candidate must then explain more.
-_MANY = 0.25
-#: Rounds of refining what is not linear.
-_ROUNDS = 12
-#: What swings: so many of the best of a grid are refined, if they gain this share of the most, by steps in so
-#: many directions, at first as long as this (of logarithms), never farther than by this factor.
-_STARTS, _SOME = 2, 0.1
-_DIRECTIONS, _FARTHEST = 16, 8.0
 #: What is the same in a joint that moves in one direction only.
 _LEVELS = [id for id, known in CATALOGUE.items() if known.traits.one_way == "level"]
 
@@ -73,8 +69,8 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
     explained = np.sqrt(np.mean((columns @ fit.x) ** 2, axis=0)) / now.sigma[rows]
     matters = float(np.max(explained / least[rows]))
     t = float(per_part.mean()) / error
-    if relief > max(0.5 * gain, _RELIEF):
-        t = max(t, _T)  # the residual is small either way: the arm's numbers would be wrong
+    if relief > max(0.5 * gain, RELIEF):
+        t = max(t, LEAST_T)  # the residual is small either way: the arm's numbers would be wrong
     return Trial(candidate, columns, fit, gain, t, matters, per_part)
 
 
@@ -111,10 +107,10 @@ def best_of(
         ):  # smoother than the motor, a link takes noise of the encoders away
             wanted += now.independent / 2 * float(np.sum((now.shaken / now.sigma) ** 2))
         better = int(np.sum(one.per_part > 0))
-        steady = one.t >= _T or (one.t >= _T / 2 and better >= BLOCKS - 1)
-        steady = steady or (one.t >= _T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
+        steady = one.t >= LEAST_T or (one.t >= LEAST_T / 2 and better >= BLOCKS - 1)
+        steady = steady or (one.t >= LEAST_T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
         if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
-            steady = steady or (one.t >= _ROUGHLY and one.gain > 2 * wanted)
+            steady = steady or (one.t >= ROUGH_T and one.gain > 2 * wanted)
         if c.local:
             steady = one.t >= 1 and one.gain > 3 * wanted
         return bool(
@@ -141,8 +137,8 @@ def best_of(
             best[key] = _refined(now, current, one, least, contexts)
     most = max(best.values(), key=lambda one: one.gain)
     left = np.median(most.fit.held[:, list(most.candidate.rows)], axis=0).max()
-    if rough or left > _ROUGH:  # nothing explains all there is: many numbers must bring that much more
-        ranked = sorted(best.values(), key=lambda one: -one.gain / numbers_of(one) ** _MANY)
+    if rough or left > ROUGH:  # nothing explains all there is: many numbers must bring that much more
+        ranked = sorted(best.values(), key=lambda one: -one.gain / numbers_of(one) ** MANY_POWER)
     else:
         ranked = sorted(best.values(), key=lambda one: -one.gain)
     winner = ranked[0]
@@ -161,12 +157,12 @@ def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
     """Which joints [n] move in one direction only."""
     forth = sum(np.maximum(c.signals.qd, 0).sum(axis=0) for c in contexts)
     back = sum(np.maximum(-c.signals.qd, 0).sum(axis=0) for c in contexts)
-    return np.asarray(np.minimum(forth, back) < ONE_WAY * np.maximum(forth, back))
+    return np.asarray(np.minimum(forth, back) < ONE_WAY_SHARE * np.maximum(forth, back))
 
 
 def numbers_of(one: Trial) -> int:
     """How many free numbers a candidate has, as far as most motions show them."""
-    return min(len(one.candidate.signs), _BODY) + len(one.candidate.given)
+    return min(len(one.candidate.signs), BODY_NUMBERS) + len(one.candidate.given)
 
 
 def enough(now: Problem, numbers: int) -> float:
@@ -180,13 +176,13 @@ def nearest(
     """The trials, best first, and for what swings the best of its grid refined: a swing a little off is in
     step for a while and then worse than none."""
     kept, count = list(tried), dict[tuple[str, int | None], int]()
-    least_gain = max(_SOME * max((one.gain for one in tried), default=0.0), enough(now, 3))
+    least_gain = max(SWING_GAIN * max((one.gain for one in tried), default=0.0), enough(now, 3))
     for one in tried:
         key = (one.candidate.effect, one.candidate.joint)
         if not one.candidate.reach or one.gain < least_gain:
             continue
         count[key] = count.get(key, 0) + 1
-        if count[key] <= _STARTS and sum(count.values()) <= 2 * _STARTS:
+        if count[key] <= SWING_STARTS and sum(count.values()) <= 2 * SWING_STARTS:
             kept.append(_refined(now, current, one, least, contexts))
     return sorted(kept, key=lambda one: -one.gain)
 
@@ -201,16 +197,16 @@ def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
     """Whether ``other`` explains what ``winner`` does, as far as the log can tell."""
     if not set(winner.candidate.rows) & set(other.candidate.rows) or other.gain < 0.5 * winner.gain:
         return False
-    if other.gain > (1 - LOSS) * winner.gain:
+    if other.gain > (1 - TIE_LOSS) * winner.gain:
         return True
     # Where nearly all is explained, a small share of the gain may be much more than noise, or no more.
     left = np.maximum(winner.fit.held.mean(axis=0), 1.0)
     apart = float(((other.fit.held - winner.fit.held) / left).sum()) * now.independent / BLOCKS / 2
-    if apart < _CLOSE and other.gain > _NEARLY * winner.gain:
+    if apart < CLOSE and other.gain > NEARLY * winner.gain:
         return True
     worse = winner.per_part - other.per_part
     error = float(worse.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
-    return bool(winner.gain - other.gain < _TIE * error * BLOCKS)
+    return bool(winner.gain - other.gain < TIE * error * BLOCKS)
 
 
 def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
@@ -227,7 +223,7 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
     if one.candidate.reach:
         return _wandered(one, at)
     spread, fine = one.candidate.spread
-    for _ in range(_ROUNDS):
+    for _ in range(REFINING_ROUNDS):
         better = one
         start = dict(one.candidate.given)
         for name, value in start.items():
@@ -252,13 +248,13 @@ def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
     """The best of steps in random directions, shorter and shorter."""
     rng, start = np.random.default_rng(0), one.candidate.given
     size = np.array([one.candidate.reach[name] for name in start])
-    for _ in range(_ROUNDS):
+    for _ in range(REFINING_ROUNDS):
         settings = one.candidate.given
-        steps = np.exp(size * rng.standard_normal((_DIRECTIONS, len(size))))
+        steps = np.exp(size * rng.standard_normal((SWING_DIRECTIONS, len(size))))
         tried = []
         for row in steps:
             values = {name: settings[name] * float(f) for name, f in zip(settings, row, strict=True)}
-            if all(1 / _FARTHEST < x / start[name] < _FARTHEST for name, x in values.items()):
+            if all(1 / SWING_FARTHEST < x / start[name] < SWING_FARTHEST for name, x in values.items()):
                 tried.append(at(values))
         if not tried:
             continue

@@ -12,17 +12,19 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Candidate, Context
+from robodyn.diagnose.select.limits import (
+    BURST_EXPLAINED,
+    BURST_FACTOR,
+    BURST_GAP,
+    BURST_LENGTH,
+    BURST_SHARE,
+    START_SPEED,
+    START_TIME,
+)
 from robodyn.dynamics.kinematics import frames, jacobian
 from robodyn.effects.rigid import CONTACT
 
 Floats = NDArray[np.float64]
-
-#: A burst: so many times the middle energy; at most this share of the log; at least this share of all that
-#: stands out; and so much of it explained by a force.
-_TIMES, _LONGEST, _MOST, _EXPLAINED = 9.0, 0.25, 0.6, 0.6
-_GAP = 0.15  # s between two bursts that are one
-#: So near the ends of a log [s] joints that are slower than this share of their top speed may stick.
-_SETTING_OUT, _SLOW = 0.5, 0.03
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +73,7 @@ def contact_in(c: Context, start: Problem) -> Contact | None:
         masked = columns * mask[:, None, None]
         error: Floats = np.sqrt(np.diag(spread)).astype(np.float64)
         best = Contact(mask, candidate, masked, x.astype(np.float64), error, explained)
-    return best if best is not None and best.explained > _EXPLAINED else None
+    return best if best is not None and best.explained > BURST_EXPLAINED else None
 
 
 def _window(c: Context, start: Problem) -> tuple[NDArray[np.bool_], float, float] | None:
@@ -83,15 +85,15 @@ def _window(c: Context, start: Problem) -> tuple[NDArray[np.bool_], float, float
     wide = max(1, int(0.1 / step))
     smooth = np.convolve(energy, np.ones(wide) / wide, mode="same")
     middle = float(np.median(smooth))
-    loud = np.nonzero(smooth > _TIMES * max(middle, start.n))[0]
+    loud = np.nonzero(smooth > BURST_FACTOR * max(middle, start.n))[0]
     if not len(loud):
         return None
-    cuts = np.nonzero(np.diff(loud) > _GAP / step)[0]
+    cuts = np.nonzero(np.diff(loud) > BURST_GAP / step)[0]
     bursts = np.split(loud, cuts + 1)
     burst = max(bursts, key=lambda rows: float(energy[rows].sum()))
     first, last = int(burst[0]), int(burst[-1])
     excess = np.maximum(energy - 2 * middle, 0.0)
-    if (last - first) > _LONGEST * len(t) or excess[first : last + 1].sum() < _MOST * excess.sum():
+    if (last - first) > BURST_LENGTH * len(t) or excess[first : last + 1].sum() < BURST_SHARE * excess.sum():
         return None
     if _sticks(c, start, t, slice(first, last + 1)):
         return None
@@ -102,9 +104,9 @@ def _window(c: Context, start: Problem) -> tuple[NDArray[np.bool_], float, float
 
 def _sticks(c: Context, start: Problem, t: Floats, burst: slice) -> bool:
     """Whether a burst is of joints that set out or come to rest: friction holds them with any torque."""
-    if t[burst][-1] > t[0] + _SETTING_OUT and t[burst][0] < t[-1] - _SETTING_OUT:
+    if t[burst][-1] > t[0] + START_TIME and t[burst][0] < t[-1] - START_TIME:
         return False
     speed = np.abs(c.slow.thinned(c.slow.qd))
-    slow = speed[burst] < _SLOW * speed.max(axis=0)
+    slow = speed[burst] < START_SPEED * speed.max(axis=0)
     squares = start.rest[burst] ** 2
     return bool(squares[slow].sum() > squares.sum() / 2)

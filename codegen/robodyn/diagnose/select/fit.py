@@ -12,10 +12,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION
 
-BLOCKS = 10
-_FREE = 1e-9  # prior precision of what may be anything
+Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,7 +53,7 @@ class Problem:
         wide[:, list(rows)] = columns / self.sigma[list(rows)][None, :, None]
         A = np.concatenate([self.A, wide], axis=2)
         grams, rights = _grams(A, self.rest, self.parts)
-        prior = np.concatenate([self.prior, np.full(columns.shape[2], _FREE)])
+        prior = np.concatenate([self.prior, np.full(columns.shape[2], FREE_PRECISION)])
         return replace(self, A=A, prior=prior, grams=grams, rights=rights)
 
 
@@ -145,7 +144,7 @@ def fitted(
             grams[k, P:, :P] = x.T @ y
             grams[k, :P, P:] = grams[k, P:, :P].T
             rights[k, P:] = x.T @ p.rest[part][:, at].reshape(-1)
-    prior = np.concatenate([p.prior, np.full(c, _FREE)])
+    prior = np.concatenate([p.prior, np.full(c, FREE_PRECISION)])
     G, g = grams.sum(axis=0), rights.sum(axis=0)
     systems = np.concatenate([(G - grams) + np.diag(prior), (G + np.diag(prior))[None]])
     right = np.concatenate([g - rights, g[None]])

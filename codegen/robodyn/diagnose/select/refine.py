@@ -15,6 +15,14 @@ from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
 from robodyn.diagnose.select.library.laws import bent
+from robodyn.diagnose.select.limits import (
+    HUBER,
+    HUBER_ROUNDS,
+    REFINE_FARTHEST,
+    REFINE_ROUNDS,
+    REFINE_STEP,
+    REFINE_WORTH,
+)
 from robodyn.diagnose.select.predict import given_torque, offsets
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.twist import behind_motors
@@ -26,14 +34,6 @@ from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_torque
 
 Floats = NDArray[np.float64]
-
-_ROUNDS, _STEP = 4, 1e-3
-#: What a round must gain to be followed by another, as a share of the sum of squares.
-_WORTH = 1e-3
-#: So many times larger than it began, a number is lost.
-_FARTHEST = 5.0
-#: From here on, in middle residuals, an error counts by its size and no more by its square.
-_USUAL, _REWEIGHTED = 2.0, 3
 
 
 def refined(
@@ -70,22 +70,22 @@ def refined(
     begun, now = x, missed(x)
     if now is None:
         return list(amendments)
-    for _ in range(_ROUNDS):
+    for _ in range(REFINE_ROUNDS):
         rows = now.reshape(-1, start.n)
         weight, _ = _weights(rows, nuisance, prior)
         best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
         columns = []
         for i in range(len(x)):
             moved = x.copy()
-            moved[i] *= 1 + _STEP
+            moved[i] *= 1 + REFINE_STEP
             other = missed(moved)
-            columns.append(np.zeros_like(now) if other is None else (other - now) / (_STEP * x[i]))
+            columns.append(np.zeros_like(now) if other is None else (other - now) / (REFINE_STEP * x[i]))
         J = np.stack(columns, axis=1)
         all_of_it = weight[:, None] * np.concatenate([J, nuisance], axis=1)
         _, step = _least(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
             tried = x - share * step[: len(x)]
-            within = np.all(tried * x > 0) and np.all(np.abs(tried) < _FARTHEST * np.abs(begun))
+            within = np.all(tried * x > 0) and np.all(np.abs(tried) < REFINE_FARTHEST * np.abs(begun))
             other = missed(tried) if within else None
             if other is None:
                 continue
@@ -95,7 +95,7 @@ def refined(
         else:
             break
         assert other is not None
-        worth = best - sum_of_squares > _WORTH * best
+        worth = best - sum_of_squares > REFINE_WORTH * best
         x, now = tried, other
         if not worth:
             break
@@ -145,11 +145,11 @@ def _weights(
     1964), as factors of rows, and the middle sizes [n]; by what the nuisance too leaves of ``left``
     [N, n]."""
     weight, size = np.ones(left.size), np.ones(left.shape[1])
-    for _ in range(_REWEIGHTED):
+    for _ in range(HUBER_ROUNDS):
         x = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[1]
         rest = left - (nuisance @ x).reshape(left.shape)
         size = _usual(rest) if usual is None else usual
-        weight = np.sqrt(np.minimum(1.0, _USUAL * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
+        weight = np.sqrt(np.minimum(1.0, HUBER * size / np.maximum(np.abs(rest), 1e-300))).reshape(-1)
     return weight, size
 
 

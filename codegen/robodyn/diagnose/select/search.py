@@ -12,6 +12,7 @@ from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.select.choice import enough, numbers_of
 from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.rigid import Model, physical
 from robodyn.diagnose.select.selection import Named, Selection, select
@@ -21,15 +22,6 @@ from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
 Key = tuple[str, int | None]
-
-#: After each pass the model is amended and looked at again.
-_PASSES = 10
-#: What must be lost by leaving an effect out, in what it had to gain to be taken.
-_PRICE = 0.3
-#: Of more than so many the others are left as they are where one is left out: that takes too long.
-_FEW = 6
-#: Below this share of its top speed a joint stands.
-_STANDS = 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,7 +56,7 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
     tell("fitting the catalogue")
     first = last = look(robot)
     model, findings, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
-    for _ in range(_PASSES):
+    for _ in range(PASSES):
         if not last.found:
             break
         _take(last, findings, digest)
@@ -88,13 +80,13 @@ def _pruned(robot: Robot, findings: dict[Key, Found], first: Selection) -> None:
         without = []
         for key in findings:
             others = {other: one for other, one in findings.items() if other != key}
-            if len(findings) <= _FEW:
+            if len(findings) <= FEW:
                 _refit(robot, others, first)
             without.append(others)
         models = [_amendments(findings), *(_amendments(others) for others in without)]
         whole, *less = costs(robot, models, first.contexts, first.start)
         spare = [
-            cost - whole - _PRICE * enough(first.start, numbers_of(one.named.trial))
+            cost - whole - PRICE * enough(first.start, numbers_of(one.named.trial))
             for cost, one in zip(less, findings.values(), strict=True)
         ]
         laws = {(part, joint) for effect, joint in findings for part in CATALOGUE[effect].traits.one_law_with}
@@ -128,7 +120,7 @@ def _levelled(findings: dict[Key, Found], begun: Selection) -> bool:
     for key, limit in flat:
         one, j = findings.pop(key), (key[1] or 1) - 1
         speed = np.abs(begun.context.signals.qd[:, j])
-        usual = float(np.median(speed[speed > _STANDS * speed.max()]))
+        usual = float(np.median(speed[speed > STANDING * speed.max()]))
         parameters = limit.parameters(one.parameters, usual)
         plain = (limit.id, key[1])
         if plain in findings:

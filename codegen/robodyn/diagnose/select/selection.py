@@ -17,34 +17,31 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.ceiling import STANDS_OUT, unexplained
+from robodyn.diagnose.select.ceiling import unexplained
 from robodyn.diagnose.select.choice import Trial, best_of, enough, nearest, numbers_of, prepared, trial
 from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import BLOCKS, Fit, Problem, coarser, fitted, less, problem, tighter, without
+from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, less, problem, tighter, without
 from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
+from robodyn.diagnose.select.limits import (
+    BLOCKS,
+    CLIPPED_MARGIN,
+    DIVERGED,
+    MOST_EFFECTS,
+    OF_ENCODER_NOISE,
+    OF_NOISE,
+    OF_TORQUE,
+    POSES,
+    SHORTEST_PIECE,
+    STANDS_OUT,
+    TIGHT,
+    TIGHT_EVIDENCE,
+)
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.signals import Signals, signals_of
 from robodyn.robot.model import Robot
 from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
-
-#: Most effects in one look.
-_MOST = 6
-#: What an effect must explain at some joint: shares of the raw noise, of the torque (RMS), and of what the
-#: encoders' noise makes of it.
-_OF_NOISE, _OF_TORQUE, _OF_SHAKEN = 0.3, 0.004, 2.0
-#: A limit has one number and a force three: so much less it may explain.
-_CLIPPED = 0.15
-#: How much better the arm's numbers may be than they are said to be, and how much better the evidence for
-#: it must be.
-_TIGHT, _SURELY = 0.1, 5.0
-#: Poses at which inertias are looked at.
-_POSES = 50
-#: The shortest part of a log that is used, in periods of the filter's cutoff.
-_SHORTEST = 6.0
-#: So many times larger in the fit of all than when it was found, a coefficient means nothing.
-_FLOWN = 30.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -123,7 +120,7 @@ def shaken(c: Context) -> Floats:
     s = c.signals
     if s.shaken is None:
         return np.zeros(c.n)
-    q = s.q[:: max(1, len(s.q) // _POSES)]
+    q = s.q[:: max(1, len(s.q) // POSES)]
     zeros = np.zeros_like(q)
     still = c.model.torque(q, zeros, zeros)
     squares = np.zeros(c.n)
@@ -137,9 +134,9 @@ def shaken(c: Context) -> Floats:
 def what_matters(c: Context) -> Floats:
     """RMS [n] that an effect must explain at a joint to be worth a name."""
     s = c.signals
-    large = np.maximum(_OF_NOISE * raw_noise(s), _OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
+    large = np.maximum(OF_NOISE * raw_noise(s), OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
     # What swings behind its motor looks like a smoother motion, and so takes noise of the encoders away.
-    return np.asarray(np.maximum(large, _OF_SHAKEN * shaken(c)))
+    return np.asarray(np.maximum(large, OF_ENCODER_NOISE * shaken(c)))
 
 
 def select(
@@ -157,7 +154,7 @@ def select(
     context = context_of(Model(robot), seen)
     contexts = [context]
     for log in pieces[1:]:
-        if log.samples * seen.period > _SHORTEST / seen.cutoff:
+        if log.samples * seen.period > SHORTEST_PIECE / seen.cutoff:
             more = signals_of(log, cutoff=seen.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
     start = start_of(contexts)
@@ -181,11 +178,11 @@ def select(
     chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
     if not chosen.found:
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
-        tight = tighter(start, _TIGHT)
+        tight = tighter(start, TIGHT)
         # Not their errors, which are within what is said of them.
         others = [pair for pair in library if not _is_of_link(pair[0])]
         other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
-        if other.found and _evidence(tight, other) > _evidence(start, chosen) + _SURELY:
+        if other.found and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = tight, other
     now, current, findings = chosen.now, chosen.current, chosen.found
     first = fitted(start)
@@ -221,7 +218,7 @@ def _chosen(
     now, current = start, fitted(start)
     findings: list[Named] = []
     trials: list[Trial] = []
-    while len(findings) < _MOST:
+    while len(findings) < MOST_EFFECTS:
         taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
         tried = [
             trial(now, current, c, columns, least)
@@ -308,7 +305,7 @@ def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Can
             left = b.copy()
             rows = list(candidate.rows)
             left[:, rows] -= columns[touched.mask][:, :, 0] / start.sigma[rows]
-            if 1 - float(np.sum(left**2) / np.sum(b**2)) > touched.explained - _CLIPPED:
+            if 1 - float(np.sum(left**2) / np.sum(b**2)) > touched.explained - CLIPPED_MARGIN:
                 return True
     return False
 
@@ -334,7 +331,7 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
         wide = one.trial.columns.shape[2]
         x = last.known[at : at + wide]
         signs = np.array(one.trial.candidate.signs)
-        if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > _FLOWN * np.abs(one.trial.fit.x).max():
+        if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # all together they cannot be told apart
         error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
         done.append(Named(one.trial, one.rivals, one.confidence, x, error, one.beside))

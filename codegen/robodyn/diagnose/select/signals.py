@@ -11,17 +11,16 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.select.limits import (
+    CONTINUED,
+    ENOUGH_CUTOFF,
+    FILTER_ORDER,
+    HIGHEST_CUTOFF,
+    LOWEST_CUTOFF,
+)
 from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
-
-#: Lowest and highest cutoff [Hz], the latter as a share of the sampling rate.
-_LOWEST, _HIGHEST = 6.0, 0.2
-#: No higher than this [Hz]: steps of friction reach far up, and what is worth naming shows below.
-_ENOUGH = 15.0
-_ORDER = 4
-#: How far the ends of a motion are continued, in periods of the cutoff.
-_CONTINUED = 1.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,14 +90,14 @@ def _shaking(cutoff: float, rate: float) -> float:
     """The acceleration [1/s^2] by white noise of size 1 in positions, as two passes of :func:`low_pass` leave
     it."""
     f = np.linspace(0.0, min(3 * cutoff, rate / 2), 500)
-    passed = 1 / (1 + (f / cutoff) ** (2 * _ORDER)) ** 2
+    passed = 1 / (1 + (f / cutoff) ** (2 * FILTER_ORDER)) ** 2
     return float(np.sqrt(2 / rate * np.sum(((2 * np.pi * f) ** 2 * passed) ** 2) * (f[1] - f[0])))
 
 
 def smoothed_motion(q: Floats, rate: float, cutoff: float) -> Floats:
     """Positions [K, n] through the low-pass, both ends continued by the cubic that fits them best: mirrored,
     as filters do it, an end turns its acceleration round."""
-    reach = round(_CONTINUED * rate / cutoff)
+    reach = round(CONTINUED * rate / cutoff)
     if reach < 8 or len(q) < 2 * reach:
         return low_pass(q, rate, cutoff)
     ends = []
@@ -125,12 +124,12 @@ def low_pass(x: Floats, rate: float, cutoff: float) -> Floats:
 def _sections(rate: float, cutoff: float) -> Floats:
     from scipy.signal import butter
 
-    return np.asarray(butter(_ORDER, cutoff, fs=rate, output="sos"))
+    return np.asarray(butter(FILTER_ORDER, cutoff, fs=rate, output="sos"))
 
 
 def knee(q: Floats, rate: float) -> float:
     """Cutoff [Hz] above what moves: three times the highest frequency that stands out of the noise."""
-    highest = _LOWEST
+    highest = LOWEST_CUTOFF
     window = np.hanning(len(q))
     frequencies = np.fft.rfftfreq(len(q), 1 / rate)
     for x in q.T:
@@ -144,4 +143,4 @@ def knee(q: Floats, rate: float) -> float:
             if share[-1] > 0:
                 carried = frequencies[1:][np.searchsorted(share, 0.99 * share[-1])]
                 highest = max(highest, min(float(frequencies[above[-1]]), 3 * float(carried)))
-    return float(min(max(_LOWEST, 2.5 * highest), _ENOUGH, _HIGHEST * rate))
+    return float(min(max(LOWEST_CUTOFF, 2.5 * highest), ENOUGH_CUTOFF, HIGHEST_CUTOFF * rate))

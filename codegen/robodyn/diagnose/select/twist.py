@@ -14,22 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.select.limits import LAG_BEGIN, LAG_PIECE, LAG_TRIES, SWEEPS, TWIST_BEYOND, TWIST_PLACES
 from robodyn.diagnose.select.rigid import Evaluated, Model
 from robodyn.diagnose.select.swing import swung
 from robodyn.effects.catalogue import CATALOGUE
 
 Floats = NDArray[np.float64]
-
-#: Places at which a spring is tabulated.
-_PLACES = 4001
-#: How much further than under the largest torque of the log the spring is tabulated.
-_BEYOND = 4.0
-#: How often joints that lag together are gone through.
-_SWEEPS = 2
-#: How the lag begins is sought over this time [s], in so many steps.
-_BEGIN, _TRIES = 1.0, 2
-#: In pieces that are shorter [s] it begins at rest.
-_LONG = 4.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,7 +67,7 @@ def lag_of(
     spring = _Spring.of(effect, values, float(np.abs(torque).max()))
     inputs = (torque, *felt)
     begin = np.array([spring.at_rest(float(torque[0])), 0.0])
-    if passed is not None and len(passed) * period > _LONG:  # two numbers more for each piece of a log
+    if passed is not None and len(passed) * period > LAG_PIECE:  # two numbers more for each piece of a log
         begin = _begun(spring, inputs, period, begin, passed)
     return spring.swung(inputs, period, begin)
 
@@ -86,7 +76,7 @@ def _begun(
     spring: _Spring, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats, passed: Floats
 ) -> Floats:
     """Place and rate at first with which the torque of the ``spring`` is nearest to ``passed`` [K]."""
-    count = min(max(8, round(_BEGIN / step)), len(passed))
+    count = min(max(8, round(LAG_BEGIN / step)), len(passed))
     load, mass, rub, stiff = (x[:count] for x in inputs)
     quick = np.sqrt(spring.stiffest / max(float(mass[0]), 1e-9))
     sizes = spring.width * np.array([1.0, quick])
@@ -96,7 +86,7 @@ def _begun(
         return np.asarray(spring.torque(lag[:, 0]) + spring.damping * lag[:, 1] - passed[:count])
 
     left = missed(begin)
-    for _ in range(_TRIES):
+    for _ in range(LAG_TRIES):
         slopes = np.stack([missed(begin + one) - left for one in np.diag(sizes)], axis=1)
         if not np.isfinite(slopes).all():
             break
@@ -121,8 +111,8 @@ class _Spring:
     def of(cls, effect: str, values: Mapping[str, Any], most: float) -> _Spring:
         coupler = CATALOGUE[effect].coupler
         assert coupler is not None
-        reach = abs(float(coupler.twist(values, _BEYOND * most + 1e-9)))
-        places = np.linspace(-reach, reach, _PLACES)
+        reach = abs(float(coupler.twist(values, TWIST_BEYOND * most + 1e-9)))
+        places = np.linspace(-reach, reach, TWIST_PLACES)
         force = np.asarray(coupler.torque(values, places, 0.0), dtype=np.float64)
         return cls(-reach, float(places[1] - places[0]), force, float(values["damping"]))
 
@@ -160,7 +150,7 @@ def behind_motors(
         return seen
     slopes = {j: slopes_of(model, q, qd, qdd, seen.rigid, j) for j in couplers}
     lags = {j: np.zeros((len(q), 3)) for j in couplers}
-    for _ in range(_SWEEPS if len(couplers) > 1 else 1):
+    for _ in range(SWEEPS if len(couplers) > 1 else 1):
         for j, coupler in couplers.items():
             others = sum((slopes[k].of(lags[k])[:, j] for k in couplers if k != j), np.zeros(len(q)))
             load = seen.passed[:, j] + others

@@ -8,17 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
+from robodyn.diagnose.select.limits import DAMPED, SWING_RATE, TWIST_CUTOFF
 from robodyn.diagnose.select.signals import low_pass
 from robodyn.diagnose.select.twist import lag_of, slopes_of
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Twist
 
 Floats = NDArray[np.float64]
-
-#: How much a swing is damped, as a share of what would stop it.
-_DAMPED = 0.05
-#: Cutoff [Hz] of what is differentiated twice; fewest steps a second of a swing.
-_TWIST, _STEPS = 6.0, 300.0
 
 
 def twists(c: Context, effect: Effect, twist: Twist, j: int) -> Iterator[Candidate]:
@@ -43,7 +39,7 @@ class Swing:
         self.slow = slopes_of(c.model, c.slow.q, c.slow.qd, c.slow.qdd, c.plain, j)
         coarse = max(1, c.signals.every // 2)
         fine = [d for d in range(1, coarse + 1) if coarse % d == 0]
-        step = max((d for d in fine if 1 / (c.signals.period * d) >= _STEPS), default=1)
+        step = max((d for d in fine if 1 / (c.signals.period * d) >= SWING_RATE), default=1)
         self.every, self.period = coarse // step, c.signals.period * step
         self.torque = c.at.passed[::step, j]
         self.passed = (c.signals.tau - c.at.total + c.at.passed)[::step, j]
@@ -60,7 +56,7 @@ class Swing:
     def springs(self, hertz: float) -> dict[str, float]:
         """A spring on which the link swings so often a second, lightly damped."""
         rate = 2 * np.pi * hertz
-        return {"stiffness": self.inertia * rate**2, "damping": 2 * _DAMPED * self.inertia * rate}
+        return {"stiffness": self.inertia * rate**2, "damping": 2 * DAMPED * self.inertia * rate}
 
     def column(self, effect: str, values: Mapping[str, float]) -> Floats:
         """What the torques [K, n] of coarse signals change by."""
@@ -95,7 +91,7 @@ def _ahead(c: Context, effect: Effect, twist: Twist, j: int) -> Iterator[Candida
         return
     for values in twist.ahead:
         lead = np.asarray(coupler.twist(values, c.at_slow.passed[:, j]))
-        slow = low_pass(lead, 1 / s.period, min(_TWIST, s.cutoff))
+        slow = low_pass(lead, 1 / s.period, min(TWIST_CUTOFF, s.cutoff))
         acceleration = np.gradient(np.gradient(slow, s.period), s.period)
 
         def read(x: Floats, values: Mapping[str, float] = values) -> dict[str, float | str]:

@@ -8,21 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context, single
+from robodyn.diagnose.select.limits import (
+    DRIVE_LIMITS,
+    ENCODER_OFF,
+    LIMIT_EXPLAINED,
+    LIMIT_SHARE,
+    SENSOR_PILED,
+)
 from robodyn.diagnose.select.twist import slopes_of
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Channel, Shown
 
 Floats = NDArray[np.float64]
-
-#: Limits of a drive as shares of the largest torque, and the share of samples that pile up at a sensor's.
-_LIMITS = (0.5, 0.65, 0.8, 0.9, 0.96)
-_PILED = 0.003
-#: A drive that is at its limit for more of a log than this leaves nothing to compare.
-_CLIPPED = 0.3
-#: What a limit must explain of the squares where it clips.
-_RIGHT = 0.4
-#: An encoder is off by less [rad or m].
-_OFF = 0.25
 
 
 def channels(c: Context, effect: Effect, shown: Shown, j: int) -> Iterator[Candidate]:
@@ -40,7 +37,7 @@ def channels(c: Context, effect: Effect, shown: Shown, j: int) -> Iterator[Candi
         column = -slopes_of(c.model, c.slow.q, c.slow.qd, c.slow.qdd, c.plain, j).place
         yield Candidate(
             effect.id, j + 1, tuple(range(c.n)), column[:, :, None], (0,), read, shown.order, coarse=True,
-            feasible=lambda x: bool(abs(x[0]) < _OFF),
+            feasible=lambda x: bool(abs(x[0]) < ENCODER_OFF),
         )  # fmt: skip
     elif channel.acts == "delay":
         late = -np.gradient(c.signals.filtered(total), c.signals.period)
@@ -66,10 +63,10 @@ def _saturation(c: Context, effect: Effect, channel: Channel, shown: Shown, j: i
     """Beyond a limit the drive gives no more than that, and the log has the command; or the log stops
     there."""
     tau = c.signals.tau[:, j]
-    for share in _LIMITS:
+    for share in DRIVE_LIMITS:
         yield _clipped(c, effect, channel, shown, j, {"limit": share * float(np.abs(tau).max())})
     top, total = float(np.abs(tau).max()), c.at.total[:, j]
-    if np.mean(np.abs(tau) > (1 - 1e-9) * top) > _PILED:
+    if np.mean(np.abs(tau) > (1 - 1e-9) * top) > SENSOR_PILED:
         beyond = -np.sign(total) * np.maximum(np.abs(total) - top, 0.0)
         yield single(
             effect.id, j, [beyond], (1,), lambda x: {channel.parameter: top, channel.who: "sensor"},
@@ -86,8 +83,8 @@ def _clipped(
     # It must be right where it clips: cutting peaks off makes every torque smaller.
     at = beyond != 0
     rest = (tau - c.at.total[:, j])[at]
-    right = np.sum((rest - beyond[at]) ** 2) < (1 - _RIGHT) * np.sum(rest**2)
-    if np.mean(at) > _CLIPPED or not right:
+    right = np.sum((rest - beyond[at]) ** 2) < (1 - LIMIT_EXPLAINED) * np.sum(rest**2)
+    if np.mean(at) > LIMIT_SHARE or not right:
         beyond = np.zeros_like(tau)
     return single(
         effect.id, j, [beyond], (1,), lambda x: {channel.parameter: limit, channel.who: "drive"}, shown.order,

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
+from robodyn.diagnose.select.limits import LOAD_REACH, PAIR_RATIOS, TILT
 from robodyn.diagnose.select.rigid import PARAMETERS, Model, physical
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Shown
@@ -18,17 +19,11 @@ from robodyn.robot.model import AXES
 Floats = NDArray[np.float64]
 
 
-#: What the motor of a pair turns by a turn of its other joint.
-_RATIOS = (1.0, -1.0)
-#: The centre of a load is not farther from the last link's frame than this [m], a base not more tilted [rad].
-_REACH, _TILTED = 0.7, 0.3
-
-
 def pairs(c: Context, effect: Effect, shown: Shown, j: int, k: int) -> Iterator[Candidate]:
     """A motor of joint ``j`` that turns with ``k``, further in: on both joints."""
     s, equation = c.signals, effect.equation
     assert equation is not None
-    for ratio in _RATIOS:
+    for ratio in PAIR_RATIOS:
         u, rate = s.qd[:, j] + ratio * s.qd[:, k], s.qdd[:, j] + ratio * s.qdd[:, k]
         site = Site(True, qd=u, qdd=rate, direction=np.sign(u))
         parts = [
@@ -76,7 +71,7 @@ def _body(c: Context, effect: Effect, shown: Shown) -> Candidate:
 
     return Candidate(
         effect.id, None, tuple(range(c.n)), _regressor(c)[:, :, -1], (1, *(0,) * 9), read, shown.order,
-        coarse=True, feasible=lambda x: bool(x[0] > 0 and np.linalg.norm(x[1:4]) < _REACH * x[0]),
+        coarse=True, feasible=lambda x: bool(x[0] > 0 and np.linalg.norm(x[1:4]) < LOAD_REACH * x[0]),
     )  # fmt: skip
 
 
@@ -87,7 +82,7 @@ def _tilt(c: Context, effect: Effect, shown: Shown) -> Candidate:
     return Candidate(
         effect.id, None, tuple(range(c.n)), np.stack(tilts, axis=2), (0, 0),
         lambda x: {"tilt_x": float(x[0]), "tilt_y": float(x[1])}, shown.order, coarse=True,
-        feasible=lambda x: bool(np.abs(x).max() < _TILTED),
+        feasible=lambda x: bool(np.abs(x).max() < TILT),
     )  # fmt: skip
 
 

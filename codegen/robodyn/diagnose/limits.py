@@ -1,0 +1,77 @@
+"""The numbers of a diagnosis as a whole; those of its parts stand in the `limits` of their folders.
+
+Below each stand its unit and what it decides. Where no source is given, the value is a choice: the blind
+tests (docs/diagnose.md) bear it out, and it was not derived. Numbers of a diagnosis stand in no other kind of
+module (tests/diagnose/test_limits.py).
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+# --- result --------------------
+
+CLAIM: Final = 0.5
+"""[probability] A finding of this confidence is a claim. Part of the file format."""
+
+# --- evidence --------------------
+
+MOST_TRIED: Final = 8
+"""[candidates] As many of the best that were not named are listed."""
+
+# --- excite --------------------
+
+EXCITE_SAMPLES: Final = 400
+"""[samples] A motion is judged at as many."""
+
+EXCITE_NOISE: Final = 0.01
+"""[share of RMS torque] The noise of the torques that is expected in the log."""
+
+EXCITE_QUIET: Final = 0.05
+"""[share of the largest RMS torque] No joint's noise is less than that of a joint with as much."""
+
+NO_TORQUE: Final = 1e-9
+"""[noise floors] An effect of likely size that shows less shows nothing."""
+
+SAME_SPACE: Final = 1e-8
+"""[1 - cosine] Nearer directions are shared by the nature of the effects, not by the motion."""
+
+RIPPLE_WAVES: Final = 30.0
+"""[1/rad] The waves of a ripple for which a motion is judged."""
+
+CORRELATION_RIDGE: Final = 1e-4
+"""[-] Added to the diagonal of correlations, so that they can be inverted."""
+
+EXCITE_SHARE: Final = 0.95
+"""[share of the joint's limits] The motion goes as far and as fast."""
+
+# --- run --------------------
+
+LEAST_EXPLAINED: Final = 0.8
+"""[share of mean square] Findings that explain less of what a joint lacks are withdrawn,"""
+
+STANDS_OUT_LEFT: Final = 3.0
+"""[-] if what is left stands out of the noise by more than this."""
+
+END_SHARE: Final = 0.02
+"""[share of samples] Left out at either end of a log when gaps are measured. Part of the file format."""
+
+WITHDRAWN: Final = 0.3
+"""[probability] The confidence of names that are taken back: below `CLAIM`."""
+
+UNSEEN: Final = 0.02
+"""[squares over the noise] An effect that is smaller does not show in another log;"""
+
+CONFIRMED_SHARE: Final = 0.3
+"""[share of its own squares] one that shows must take away as much there."""
+
+DRAWN_POINTS: Final = 3000
+"""[points] A series in the report has as many."""
+
+# --- combined --------------------
+
+AMENDED_DIGITS: Final = 6
+"""[digits] Of a number of an amendment,"""
+
+WORKED_OUT: Final = 9
+"""[digits] and of one that is worked out from it and what the model had."""

@@ -1,0 +1,239 @@
+"""Every number by which effects are tried, chosen, refined and named.
+
+Below each stand its unit and what it decides. Where no source is given, the value is a choice: the blind
+tests (docs/diagnose.md) bear it out, and it was not derived. Numbers of a diagnosis stand in no other kind of
+module (tests/diagnose/test_limits.py).
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+# --- signals --------------------
+
+LOWEST_CUTOFF: Final = 6.0
+"""[Hz] The filter through which all signals are seen cuts off no lower,"""
+
+HIGHEST_CUTOFF: Final = 0.2
+"""[share of the sampling rate] no higher than this,"""
+
+ENOUGH_CUTOFF: Final = 15.0
+"""[Hz] and no higher than this: steps of friction reach far up, and what is worth naming shows below
+(docs/decisions/0012)."""
+
+FILTER_ORDER: Final = 4
+"""[-] Order of that filter (Butterworth, forth and back)."""
+
+CONTINUED: Final = 1.5
+"""[periods of the cutoff] The ends of a motion are continued so far before it is filtered."""
+
+# --- fit --------------------
+
+BLOCKS: Final = 10
+"""[parts] A log is cut into as many; each is judged by a fit to the others."""
+
+FREE_PRECISION: Final = 1e-9
+"""[1/variance] The prior of a coefficient that may be anything."""
+
+# --- ceiling --------------------
+
+CEILING_RIDGE: Final = 1e-3
+"""[share of the samples] Ridge of columns of size 1, when all linear candidates are fitted together."""
+
+STANDS_OUT: Final = 2.0
+"""[noise floors] What is left beyond stands out of the noise."""
+
+# --- choice --------------------
+
+LEAST_T: Final = 3.0
+"""[standard errors] The least paired t over the parts of a log with which a candidate is taken."""
+
+RELIEF: Final = 20.0
+"""[log-likelihood] With more, the arm's own numbers would be too far beyond their confidence without it."""
+
+BODY_NUMBERS: Final = 4
+"""[numbers] Of the ten of a body as many are seen in most motions."""
+
+TIE: Final = 2.0
+"""[standard errors] Candidates within so many of the best are its rivals,"""
+
+TIE_LOSS: Final = 0.02
+"""[share of the gain] and those that lose no more of its gain,"""
+
+CLOSE: Final = 5.0
+"""[log-likelihood] and those as near,"""
+
+NEARLY: Final = 0.9
+"""[share of the gain] if they gain as much."""
+
+ROUGH: Final = 3.0
+"""[mean squares of the noise] If no candidate leaves less, the log has what is not in the catalogue."""
+
+ROUGH_T: Final = 1.3
+"""[standard errors] In such a log this t is enough with twice the evidence."""
+
+MANY_POWER: Final = 0.25
+"""[exponent of the number of numbers] There a candidate of several must explain more by this power."""
+
+REFINING_ROUNDS: Final = 12
+"""[rounds] of refining what is not linear in a candidate."""
+
+SWING_STARTS: Final = 2
+"""[places] As many of the best on a grid of springs are refined,"""
+
+SWING_GAIN: Final = 0.1
+"""[share of the largest gain] if they gain as much,"""
+
+SWING_DIRECTIONS: Final = 16
+"""[directions] by steps in as many,"""
+
+SWING_FARTHEST: Final = 8.0
+"""[-] never farther than by this factor."""
+
+# --- contact --------------------
+
+BURST_FACTOR: Final = 9.0
+"""[median energies] A contact is a burst of so many,"""
+
+BURST_LENGTH: Final = 0.25
+"""[share of the log] no longer than this,"""
+
+BURST_SHARE: Final = 0.6
+"""[share of all that stands out] with at least this much,"""
+
+BURST_EXPLAINED: Final = 0.6
+"""[share of its squares] of which a force at one link explains as much."""
+
+BURST_GAP: Final = 0.15
+"""[s] Bursts that are nearer are one."""
+
+START_TIME: Final = 0.5
+"""[s] As near to the ends of a log the start of a motion is not mistaken for contact:"""
+
+START_SPEED: Final = 0.03
+"""[share of top speed] joints that are slower may stick there."""
+
+# --- elastic --------------------
+
+DAMPED: Final = 0.05
+"""[share of critical damping] How much a spring is damped when it is first tried."""
+
+TWIST_CUTOFF: Final = 6.0
+"""[Hz] Cutoff of what is differentiated twice: at 15 Hz that was noise (docs/decisions/0012)."""
+
+SWING_RATE: Final = 300.0
+"""[steps/s] The fewest in which the motion of a spring is integrated."""
+
+# --- sensors --------------------
+
+DRIVE_LIMITS: Final = (0.5, 0.65, 0.8, 0.9, 0.96)
+"""[shares of the largest torque] Limits of a drive that are tried."""
+
+SENSOR_PILED: Final = 0.003
+"""[share of samples] A sensor that clips has as many at its extreme."""
+
+LIMIT_SHARE: Final = 0.3
+"""[share of samples] A drive at its limit for more leaves nothing to compare."""
+
+LIMIT_EXPLAINED: Final = 0.4
+"""[share of squares] What a limit must explain where it clips."""
+
+ENCODER_OFF: Final = 0.25
+"""[rad or m] An encoder is off by less."""
+
+# --- several --------------------
+
+PAIR_RATIOS: Final = (1.0, -1.0)
+"""[-] What the motor of a pair turns by a turn of its other joint: those that are tried."""
+
+LOAD_REACH: Final = 0.7
+"""[m] The centre of a load is no farther from the last link's frame."""
+
+TILT: Final = 0.3
+"""[rad] No base is more tilted."""
+
+# --- refine --------------------
+
+REFINE_ROUNDS: Final = 4
+"""[rounds] of Gauss and Newton over all that was found,"""
+
+REFINE_STEP: Final = 1e-3
+"""[share] with differences over so much of each number."""
+
+REFINE_WORTH: Final = 1e-3
+"""[share of the sum of squares] What a round must gain for another."""
+
+REFINE_FARTHEST: Final = 5.0
+"""[-] A number that is so many times larger than it began is lost."""
+
+HUBER: Final = 2.0
+"""[median residuals] From here on an error counts by its size and no more by its square (Huber)."""
+
+HUBER_ROUNDS: Final = 3
+"""[rounds] of such weights."""
+
+# --- search --------------------
+
+PASSES: Final = 10
+"""[passes] After each the model is amended and looked at again."""
+
+PRICE: Final = 0.3
+"""[share of the evidence threshold] An effect stays if leaving it out loses more."""
+
+FEW: Final = 6
+"""[effects] Of more the others are not refitted where one is left out: that takes too long."""
+
+STANDING: Final = 0.05
+"""[share of top speed] A joint that is slower stands."""
+
+# --- selection --------------------
+
+MOST_EFFECTS: Final = 6
+"""[effects] named in one look at most."""
+
+OF_NOISE: Final = 0.3
+"""[share of the raw noise] What an effect must explain at a joint to be worth a name,"""
+
+OF_TORQUE: Final = 0.004
+"""[share of the RMS torque] and of this,"""
+
+OF_ENCODER_NOISE: Final = 2.0
+"""[-] and of what the encoders' noise makes of the torque."""
+
+CLIPPED_MARGIN: Final = 0.15
+"""[share of squares] A limit, with one number, may explain so much less than a contact, with three."""
+
+TIGHT: Final = 0.1
+"""[-] How much better the arm's numbers may be than they are said to be (docs/decisions/0012),"""
+
+TIGHT_EVIDENCE: Final = 5.0
+"""[log-likelihood] and how much better the evidence for it must be."""
+
+POSES: Final = 50
+"""[poses] at which inertias are looked at."""
+
+SHORTEST_PIECE: Final = 6.0
+"""[periods of the cutoff] Shorter pieces of a log are left out."""
+
+DIVERGED: Final = 30.0
+"""[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
+
+# --- twist --------------------
+
+TWIST_PLACES: Final = 4001
+"""[places] at which a spring is tabulated,"""
+
+TWIST_BEYOND: Final = 4.0
+"""[multiples of the log's largest torque] up to so much."""
+
+SWEEPS: Final = 2
+"""[sweeps] over joints that lag together."""
+
+LAG_BEGIN: Final = 1.0
+"""[s] How the lag begins is sought over this time,"""
+
+LAG_TRIES: Final = 2
+"""[steps] in so many."""
+
+LAG_PIECE: Final = 4.0
+"""[s] In shorter pieces of a log it begins at rest: two numbers more would be too many."""
