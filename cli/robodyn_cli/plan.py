@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
-from robodyn_cli.options import function_option
+from robodyn_cli.options import functions_option, one_function
 from robodyn_cli.targets import TargetOption
 
 
@@ -25,7 +25,7 @@ from robodyn_cli.targets import TargetOption
     help="Target; repeat for several: {planned}, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
-@function_option("Function to plan.")
+@functions_option("inverse_dynamics", "Function to plan.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
@@ -33,7 +33,7 @@ def command(
     processors: int,
     deadline: str,
     targets: tuple[str, ...],
-    function: str,
+    functions: str,
     strict: bool,
     as_json: bool,
 ) -> None:
@@ -58,6 +58,7 @@ def command(
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
+    function = one_function(functions)
     function_named(function)
     asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
     described = load_robot(robot, strict=strict)

@@ -259,7 +259,7 @@ def _how(robot: Robot, plan: Plan) -> str:
     return (
         f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
         f"{plan.cut}{waits}{switches} "
-        "--emit DIR"
+        "-o DIR"
     )
 
 
