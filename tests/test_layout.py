@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 import ast
+import importlib
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).parents[1] / "codegen"
-ROOMS = """
-    errors version process resources files ir effects robot targets dynamics drives passes counts optimize
-    schedule emit draw toolchain kernels verify firmware certify search simulate diagnose thesis bench report
-""".split()  # noqa: SIM905 (it reads as the list that it is)
+
+
+def rooms() -> list[str]:
+    """The rooms in their order, which stands in one place: the table of docs/architecture.md."""
+    text = (ROOT.parent / "docs" / "architecture.md").read_text(encoding="utf-8")
+    table = text.partition("\n## Rooms\n")[2].partition("\n## ")[0]
+    return re.findall(r"(?m)^\| `(\w+)` \|", table)
+
+
+ROOMS = rooms()
 LATE = {"sympy", "numpy", "scipy", "matplotlib"}
 LEAN = {"ir", "robot", "dynamics", "passes", "counts", "optimize", "emit"}
 FACADE = {"__init__", "__main__"}
@@ -46,12 +54,31 @@ def at_module_level(node: ast.AST) -> Iterator[ast.AST]:
             yield from at_module_level(child)
 
 
+def test_the_table_of_rooms_is_the_package() -> None:
+    package = ROOT / "robodyn"
+    there = {
+        path.stem for path in package.iterdir() if path.suffix == ".py" or (path / "__init__.py").is_file()
+    }
+    assert len(ROOMS) == len(set(ROOMS))
+    assert set(ROOMS) == there - FACADE
+
+
+def test_what_the_map_names_is_there() -> None:
+    """Folders, modules and types in docs/architecture.md."""
+    text = (ROOT.parent / "docs" / "architecture.md").read_text(encoding="utf-8")
+    for path in re.findall(r"(?<![\w/])(?:docs|tests|benchmarks|cli)/[\w/.-]*[\w]", text):
+        assert (ROOT.parent / path).exists(), path
+    types = text.partition("\n## Key types\n")[2].partition("\n## ")[0]
+    for module, name in re.findall(r"`(\w+\.\w+)\.(\w+)`", types):
+        assert hasattr(importlib.import_module(f"robodyn.{module}"), name), f"{module}.{name}"
+
+
 @pytest.mark.parametrize("file", FILES, ids=str)
 def test_imports_only_rooms_above(file: Path) -> None:
     tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
     room = room_of(file)
     if room not in FACADE:
-        assert room in ROOMS, f"{file}: {room} is not in the list of rooms (docs/decisions, this test)"
+        assert room in ROOMS, f"{file}: {room} is not in the table of docs/architecture.md"
         names = {name for statement in ast.walk(tree) for name in imported(statement, file)}
         for parts in (name.split(".") for name in sorted(names)):
             assert parts[0] != "robodyn_cli", f"{file} imports the command line"

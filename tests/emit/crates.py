@@ -29,9 +29,9 @@ def write_crate(generated: Generated, folder: Path) -> Path:
     return folder
 
 
-def rustc(*arguments: str, folder: Path) -> None:
+def rustc(*arguments: str, folder: Path, compiler: str = "rustc") -> None:
     """Run rustc, which must have nothing to say."""
-    command = [require_tool("rustc"), *STRICT, *arguments]
+    command = [require_tool(compiler), *STRICT, *arguments]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120)
     assert (done.returncode, done.stderr) == (0, ""), done.stderr
 

@@ -13,7 +13,8 @@ from emit.kernels import ODD, in_single, made, robots
 from emit.test_bits import DT, arrays, own_cache, parameters, run, same_bits
 from robodyn import compile as compile_robot
 from robodyn.emit.languages.rust import uses_libm
-from robodyn.kernels.generate import Generated
+from robodyn.kernels.generate import Generated, Options, generate
+from robodyn.robot import read_text
 from robodyn_testing import require_tool
 
 __all__ = ["own_cache"]
@@ -39,8 +40,15 @@ def test_rust_gives_the_bits_of_the_c(name: str, scalar: str, tmp_path: Path) ->
         assert same_bits(found.reshape(expected.shape).astype(expected.dtype), expected), function
 
 
-@pytest.mark.parametrize("trig", ["builtin", "libm", "given"])
-@pytest.mark.parametrize("name", [*ODD, "puma560", "iiwa"])
+TRIG = ("builtin", "libm", "given")
+CASES = [
+    pytest.param(name, trig, marks=() if k % 3 == turn else pytest.mark.thorough)
+    for k, name in enumerate((*ODD, "puma560", "iiwa"))
+    for turn, trig in enumerate(TRIG)
+]
+
+
+@pytest.mark.parametrize(("name", "trig"), CASES)
 def test_no_warning_and_nothing_to_format(name: str, trig: str, tmp_path: Path) -> None:
     """What rustc and rustfmt say; the functions of libm are those of a crate of that name."""
     rustfmt = require_tool("rustfmt")
@@ -64,6 +72,18 @@ def test_no_warning_and_nothing_to_format(name: str, trig: str, tmp_path: Path) 
     command = [rustfmt, "--check", "--edition", "2021", "src/lib.rs"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (0, "")
+
+
+@pytest.mark.parametrize("name", ["core", "std", "Arm", "crate", "move"])
+def test_names_that_rust_has_itself(name: str, tmp_path: Path) -> None:
+    """Of the robot, whose crate is called otherwise then, and of run-time parameters."""
+    link = "{joint: revolute, mass: match, com: [r_x, sign, 0], friction: {coulomb: q}}"
+    generated = generate(read_text(f"name: {name}\nlinks: [{link}]"), Options(trig="builtin"))
+    crate = Crate(generated, tmp_path)
+    parameters = dict.fromkeys(generated.signatures[0].parameters, 0.5)
+    torques = crate.run("inverse_dynamics", {a: np.ones((1, 1)) for a in ("q", "qd", "qdd")}, parameters, DT)
+    friction, inertia = 0.5, 0.5 * (0.5**2 + 0.5**2)
+    np.testing.assert_allclose(torques, [[friction + inertia]])
 
 
 def test_no_std_and_no_unsafe() -> None:

@@ -112,7 +112,7 @@ def test_a_parameter_that_rust_keeps_for_itself_is_refused() -> None:
         generate(robot, Options(trig="builtin")).files(("rust",))
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("scalar", ["double", "float"])
 def test_a_crate_is_compiled_for_a_cortex_m(scalar: str, cortex_m: Path, tmp_path: Path) -> None:
     """With the core library for it, compiled from Debian's source: nothing but arithmetic is called."""
@@ -121,7 +121,8 @@ def test_a_crate_is_compiled_for_a_cortex_m(scalar: str, cortex_m: Path, tmp_pat
     folder = write_tested(generated, tmp_path)
     options = ("--crate-type", "rlib", "--crate-name", "puma560", "-C", "opt-level=2", "-C", "panic=abort")
     found = ("--extern", f"core={cortex_m / 'libcore.rlib'}", "-L", str(cortex_m))
-    rustc("--target", TARGET, *options, *found, "--emit", "obj", "-o", "arm.o", "src/lib.rs", folder=folder)
+    arguments = ("--target", TARGET, *options, *found, "--emit", "obj", "-o", "arm.o", "src/lib.rs")
+    rustc(*arguments, folder=folder, compiler=DEBIANS)
     command = [require_tool("arm-none-eabi-nm"), "arm.o"]
     symbols = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True).stdout
     for function in generated.counts:
@@ -132,14 +133,15 @@ def test_a_crate_is_compiled_for_a_cortex_m(scalar: str, cortex_m: Path, tmp_pat
 
 
 TARGET = "thumbv7em-none-eabihf"
+#: The compiler whose source rust-src is; another may come before it on the PATH.
+DEBIANS = "/usr/bin/rustc"
 
 
 @pytest.fixture(scope="module")
 def cortex_m(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The core library for a Cortex-M4F, compiled from rust-src, whose version must be the compiler's."""
-    compiler = "/usr/bin/rustc"  # Debian's, and so its source
     core = sorted(Path("/usr/src").glob("rustc-*/library/core/src/lib.rs"))
-    if not core or not Path(compiler).exists():
+    if not core or not Path(DEBIANS).exists():
         require_tool("rust-src")
     folder = tmp_path_factory.mktemp("core")
     (folder / "none.rs").write_text(
@@ -147,7 +149,7 @@ def cortex_m(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     environment = {**os.environ, "RUSTC_BOOTSTRAP": "1"}
     for name, source in (("compiler_builtins", folder / "none.rs"), ("core", core[-1])):
-        command = [compiler, "--edition", "2021", "--crate-type", "rlib", "--crate-name", name]
+        command = [DEBIANS, "--edition", "2021", "--crate-type", "rlib", "--crate-name", name]
         command += ["--target", TARGET, "-O", "-A", "warnings", str(source)]
         subprocess.run(command, cwd=folder, env=environment, check=True, capture_output=True, timeout=600)
     return folder

@@ -168,7 +168,7 @@ def test_assumptions_change_what_they_should() -> None:
         (("--payload", "-1"), "not a mass"),
         (("--span", "0"), "not a length"),
         (("--arm", "left"), "no such arm"),
-        (("-o", ""), "empty name"),
+        (("-o", ""), "is empty"),
     ],
 )
 def test_what_is_refused(arguments: tuple[str, ...], words: str, capsys: Capture) -> None:

@@ -83,7 +83,7 @@ class Language:
     #: Notes for the head of the file.
     notes: Callable[[Unit], tuple[str, ...]] = lambda unit: ()
     #: Notes on compiling and calling, likewise.
-    advice: Callable[[Unit], tuple[str, ...]] = lambda unit: unit.advice
+    advice: Callable[[Unit], tuple[str, ...]] = lambda unit: ()
     #: What the struct of a robot's ``params`` or ``state`` is called.
     type_name: Callable[[str, str], str] = lambda robot, kind: f"{robot}_{kind}"
     #: Whose sines and cosines its kernels have unless told otherwise.

@@ -17,9 +17,8 @@ class Unit:
     ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
     are lines for the head of the file; ``misra``: C with products within sums in parentheses.
     ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
-    written as soon as they are there. ``contraction``, on or off, stands in a pragma; ``advice`` is for the
-    head too, with flags of compilers; ``options`` are those it was written with, as on the
-    command line.
+    written as soon as they are there. ``contraction``, on or off, stands in a pragma; ``target`` is a
+    note on the processor; ``options`` are those it was written with, as on the command line.
     """
 
     robot: Robot
@@ -31,7 +30,7 @@ class Unit:
     lanes: int = 4
     soon: bool = False
     contraction: str | None = None
-    advice: tuple[str, ...] = ()
+    target: str | None = None
     options: str = ""
 
 

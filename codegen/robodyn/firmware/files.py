@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.emit.language import Language
-from robodyn.emit.languages import defaults, languages_named
+from robodyn.emit.languages import LANGUAGES, defaults, languages_named
 from robodyn.emit.languages.c import c_spelling
 from robodyn.emit.lines import head_of
 from robodyn.emit.markdown import Markdown, markdown_environment
@@ -108,12 +108,13 @@ def firmware(
     names = [language.name for language in chosen]
     unable = [language.title for language in chosen if "firmware" not in language.features]
     if "c" not in names or unable:
+        beside = ", ".join(one.name for one in LANGUAGES.values() if one.selftest is not None)
         raise InputError(
             f"a firmware folder is not written in {' and '.join(unable)}"
             if unable
             else "a firmware folder is for C",
             found=", ".join(names),
-            expected="c, or c,fortran",
+            expected=f"c, alone or with {beside}",
         )
     others = [language for language in chosen if language.selftest is not None]
     context = _context(generated, targets, others)

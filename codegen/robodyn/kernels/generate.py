@@ -153,7 +153,7 @@ def generate(
         + (() if isinstance(builder, Drafts) else builder.notes)
         + _pruned(drafts)
         + (("sc is not read: there is no angle.",) if no_angle else ()),
-        advice=_told(options),
+        target=_target_note(options),
         options=options.text,
         misra=options.misra,
         builtin=options.trig == "builtin",
@@ -231,29 +231,13 @@ def _notes(drafts: Drafts) -> tuple[str, ...]:
     )
 
 
-def _told(options: Options) -> tuple[str, ...]:
-    """What the head of the files says of the target, of bits and of arrays."""
-    notes: tuple[str, ...] = ()
+def _target_note(options: Options) -> str | None:
+    """What the head of the files says of the target."""
     target = options.profile
-    contraction = options.contraction or "off"
-    if target is not None:
-        notes += (f"Target: {target.name} ({target.why}); compile C with {target.compiled(contraction)}.",)
-    if options.trig == "builtin":
-        notes += (
-            "Sine and cosine are built in: no libm. "
-            + (
-                "Products and sums may be fused (-ffp-contract=fast): bits depend on the compiler."
-                if contraction == "on"
-                else "The same bits on every machine with IEEE arithmetic, in C and in Fortran, where "
-                "products and sums are not fused: -ffp-contract=off (gcc -std=c99 implies it)."
-            ),
-        )
-    if options.by_registers:
-        notes += (
-            "Results are written early: they may take the place of q, qd or qdd (the very same array), and "
-            "must not overlap them otherwise.",
-        )
-    return notes
+    if target is None:
+        return None
+    flags = target.compiled(options.contraction or "off")
+    return f"Target: {target.name} ({target.why}); compile C with {flags}."
 
 
 def _method(choice: Choice) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from robodyn.emit import misra
+from robodyn.emit.advice import advice
 from robodyn.emit.body import Lines
 from robodyn.emit.language import Compiled, FunctionText, Language
 from robodyn.emit.sines import ANGLES, COSINES, SINES
@@ -191,6 +192,7 @@ LANGUAGE = Language(
     syntax=_syntax,
     function=_function,
     context=_context,
+    advice=advice,
     notes=_notes,
     features=frozenset({"batch", "parallel", "misra", "firmware"}),
     batch=_batch,

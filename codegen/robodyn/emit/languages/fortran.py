@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+from robodyn.emit.advice import advice
 from robodyn.emit.language import Compiled, FunctionText, Language, SelfTest
 from robodyn.emit.sines import ANGLES, COSINES, SINES
 from robodyn.emit.spelling import WIDTH, Spelling
@@ -127,6 +128,7 @@ LANGUAGE = Language(
     syntax=_syntax,
     function=_function,
     context=_context,
+    advice=advice,
     features=frozenset({"firmware"}),
     compiled=Compiled(
         variable="FC",

@@ -1,0 +1,73 @@
+"""Languages are found in their folder and named nowhere else."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+from emit.kernels import in_single, made
+from robodyn.emit.languages import LANGUAGES, compiled_language, defaults, language_named, languages_named
+from robodyn.errors import InputError
+
+TOP = Path(__file__).parents[2]
+FILES = sorted(
+    path.relative_to(TOP)
+    for folder in ("codegen", "cli")
+    for path in (TOP / folder).rglob("*.py")
+    if "emit/languages/" not in path.as_posix()
+)
+NAMES = {
+    word
+    for language in LANGUAGES.values()
+    for word in (language.name, *language.aliases, *language.suffixes)
+    if language.name != "c"
+}
+
+
+def test_the_table() -> None:
+    assert list(LANGUAGES) == ["c", "fortran", "rust"]
+    assert defaults() == ("c", "fortran")
+    assert language_named("f90") is LANGUAGES["fortran"]
+    assert language_named("rs") is LANGUAGES["rust"]
+    assert {"rust", "rs", ".rs", "fortran", "f90", ".f90", ".f"} == NAMES
+
+
+@pytest.mark.parametrize("file", FILES, ids=str)
+def test_no_other_file_names_a_language(file: Path) -> None:
+    """C is the language of firmware, threads and calls from Python; the others stand in their own files."""
+    tree = ast.parse((TOP / file).read_text(encoding="utf-8"))
+    words = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)}
+    assert not NAMES & {word for word in words if isinstance(word, str)}
+
+
+@pytest.mark.parametrize(
+    ("names", "message"),
+    [
+        (["c", "fortran", "f90"], "a language is asked for twice"),
+        (["rost"], "did you mean 'rust'?"),
+        (["cobol"], "expected one of c, fortran, rust"),
+    ],
+)
+def test_what_is_no_choice_of_languages(names: list[str], message: str) -> None:
+    with pytest.raises(InputError) as error:
+        languages_named(names)
+    assert message in str(error.value)
+
+
+def test_what_cannot_be_called_is_refused() -> None:
+    with pytest.raises(
+        InputError, match="Rust is written, and cannot be called from Python; expected c or fo"
+    ):
+        compiled_language("rust")
+
+
+@pytest.mark.parametrize("name", LANGUAGES)
+def test_every_language_writes_every_kind_of_kernel(name: str) -> None:
+    """Each function is there, and float is not double."""
+    for trig in ("libm", "builtin", "given"):
+        double = made("tool", trig)
+        text = "".join(double.files((name,)).values())
+        assert all(signature.symbol in text for signature in double.signatures)
+        assert text != "".join(in_single(double).files((name,)).values())
