@@ -40,7 +40,7 @@ from robodyn_cli.common import echo_json, json_option, output_folder, printable,
     metavar="ARM",
     default="programs",
     show_default=True,
-    help="Arm: programs (joint angles of D.1.3, dynamics of D.1.2) or consistent (the arm of D.1.2 for both).",
+    help="Arm: programs (angles of D.1.3, dynamics of D.1.2) or consistent (the arm of D.1.2 for both).",
 )
 @json_option
 def command(

@@ -123,9 +123,9 @@ def command(
     check: bool,
     as_json: bool,
 ) -> None:
-    """Write the kernels of a robot, in C and Fortran or other languages, and print the operation counts.
+    """Write the kernels of a robot, and print the operation counts.
 
-    DIR gets NAME.h, NAME.c and NAME.f90 (a crate with --lang rust) with the functions of --functions. The
+    They are in C and Fortran unless --lang says otherwise: DIR gets NAME.h, NAME.c and NAME.f90 (a crate with --lang rust) with the functions of --functions. The
     same input gives the same bytes on any machine.
     """
     from robodyn.dynamics.functions import by_default
