@@ -26,12 +26,13 @@ _HARMONICS = 5
 
 @dataclass(frozen=True, slots=True)
 class Driven:
-    """A compiled robot with its input and duration [s]; ``said`` describes the input for the provenance."""
+    """A compiled robot with its input and duration [s]; ``description`` describes the input for the
+    provenance."""
 
     plant: Plant
     drive: Drive | None
     duration: float
-    said: dict[str, Any] = field(default_factory=dict)
+    description: dict[str, Any] = field(default_factory=dict)
 
     @property
     def reference(self) -> Trajectory | None:

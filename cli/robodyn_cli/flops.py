@@ -6,8 +6,13 @@ import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
+<<<<<<< HEAD
 from robodyn_cli.options import functions_option, listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
+=======
+from robodyn_cli.options import function_option, load, model_options, search_options
+from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
+>>>>>>> main
 from robodyn_cli.searching import Search
 
 
@@ -65,7 +70,7 @@ def command(
     counts: list[tuple[str, str, Count]] = []
     prunings: dict[tuple[str, str], Pruning] = {}
     rigid: dict[tuple[str, str], Count | None] = {}
-    with told() as tell:
+    with pruning_progress() as tell:
         for f, form, one in choices:
             programs = maker(described, one, tell)
             try:

@@ -26,7 +26,7 @@ from robodyn_cli.counted import effect_lines, lines, record, with_rigid
 from robodyn_cli.firmware import firmware_option, for_firmware, write_firmware
 from robodyn_cli.languages import chosen_languages, language_option, tests_of, trig_for
 from robodyn_cli.options import functions_option, listed, load, model_options, search_options
-from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
+from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
 from robodyn_cli.searching import Search
 from robodyn_cli.targets import TargetOption
 
@@ -125,8 +125,8 @@ def command(
 ) -> None:
     """Write the kernels of a robot, and print the operation counts.
 
-    They are in C and Fortran unless --lang says otherwise: DIR gets NAME.h, NAME.c and NAME.f90 (a crate with --lang rust) with the functions of --functions. The
-    same input gives the same bytes on any machine.
+    They are in C and Fortran unless --lang says otherwise: DIR gets NAME.h, NAME.c and NAME.f90 (a crate with
+    --lang rust) with the functions of --functions. The same input gives the same bytes on any machine.
     """
     from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError
@@ -161,7 +161,7 @@ def command(
     options = Search(budget_seconds, seed, options.objective, keep).applied(
         described, options, options.functions or by_default()
     )
-    with told() as tell:
+    with pruning_progress() as tell:
         generated = generate(described, options, progress=_told(described), pruning=tell)
     for function, reason in generated.left_out.items():
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")

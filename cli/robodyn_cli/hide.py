@@ -197,7 +197,7 @@ def _parsed(text: str) -> Amendment:
     from robodyn.diagnose.amend.amend import Amendment
     from robodyn.effects.catalogue import effect
     from robodyn.errors import InputError
-    from robodyn.robot.numbers import number
+    from robodyn.robot.numbers import parse_number
 
     place, _, rest = text.partition(":")
     id, joint = placed(place)
@@ -210,7 +210,7 @@ def _parsed(text: str) -> Amendment:
             raise InputError(
                 f"--effect {id}: {part.strip()!r} is not a new key=value", expected="for instance level=2.5"
             )
-        values[name] = value if name in words else float(number(value))
+        values[name] = value if name in words else float(parse_number(value))
     return Amendment(id, joint, values)
 
 
@@ -234,7 +234,7 @@ def _tell(blind: Blind, folder: Path, files: list[str], named: list[str], *, as_
     if as_json:
         echo_json(
             {
-                "robot": blind.given.name,
+                "robot": blind.model.name,
                 "folder": str(folder),
                 "files": files,
                 "hidden": len(blind.effects),
@@ -245,7 +245,7 @@ def _tell(blind: Blind, folder: Path, files: list[str], named: list[str], *, as_
         at = printable(folder)
         count = len(blind.effects)
         what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
-        click.echo(f"{blind.given.name}: {what} hidden in {at}: {', '.join(files)}")
+        click.echo(f"{blind.model.name}: {what} hidden in {at}: {', '.join(files)}")
         click.echo(
             f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv -o {at}/found"
         )

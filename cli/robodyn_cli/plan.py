@@ -80,7 +80,7 @@ def command(
             }
         )
     else:
-        click.echo(plan_text(described, candidates, wanted, limit), nl=False)
+        click.echo(plan_text(described, candidates, wanted, limit, function), nl=False)
     if best is None:
         raise CheckError(
             f"nothing meets {spelled(limit)}",

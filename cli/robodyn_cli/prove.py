@@ -141,13 +141,13 @@ def _ranged(described: Robot, ranges: str | None, *, needed: bool) -> Robot:
 def _share(text: str | None) -> Fraction | None:
     """``--tolerance`` as a share."""
     from robodyn.errors import InputError
-    from robodyn.robot.numbers import NumberError, number
+    from robodyn.robot.numbers import NumberError, parse_number
 
     if text is None:
         return None
     plain = text.strip()
     try:
-        share = number(plain.removesuffix("%")) / (100 if plain.endswith("%") else 1)
+        share = parse_number(plain.removesuffix("%")) / (100 if plain.endswith("%") else 1)
     except NumberError:
         share = Fraction(0)
     if not 0 < share < 1:

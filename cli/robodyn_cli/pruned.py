@@ -35,7 +35,7 @@ def tolerance(prune: str | None) -> Fraction | None:
 
 
 @contextmanager
-def told() -> Iterator[Callable[[str], None]]:
+def pruning_progress() -> Iterator[Callable[[str], None]]:
     """Progress of the pruning: a line on a terminal, nothing in a pipe."""
     from robodyn_cli.progress import line
 

@@ -177,7 +177,7 @@ def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
                 "robot": source.name,
                 "tasks": len(source.graph),
                 "critical_path": fewest.span,
-                "processors": fewest.found,
+                "processors": fewest.processors,
                 "at_least": fewest.at_least,
                 "proven": fewest.proven,
                 "slots": [list(row) for row in fewest.timetable.slots],
@@ -186,7 +186,7 @@ def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
         return
     least = "fewer" if fewest.proven else f"fewer than {fewest.at_least}"
     click.echo(f"{source.name}: {len(source.graph)} {source.tasks}, critical path {fewest.span}")
-    click.echo(f"{fewest.found} processors reach it in {fewest.span} levels; {least} are proven not to")
+    click.echo(f"{fewest.processors} processors reach it in {fewest.span} levels; {least} are proven not to")
 
 
 def _emitted(

@@ -248,9 +248,11 @@ def _with_form(asked: Asked) -> Asked:
 
 def _kernel(options: dict[str, Any]) -> bool:
     """Whether an option selects a kernel."""
+    from robodyn.dynamics.functions import function_named
+
     usual = {"formulation": "modified_newton_euler", "optimize": "record", "engine": "graph"}
     changed = any(options[name] != value for name, value in usual.items())
-    return changed or options["no_regroup"] or options["function"] != "inverse_dynamics"
+    return changed or options["no_regroup"] or not function_named(options["function"]).is_recursion
 
 
 def _operations(text: str) -> int:

@@ -236,7 +236,7 @@ def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: st
 
     robot = run.plant.robot
     options: dict[str, Any] = {
-        "drive": what.said,
+        "drive": what.description,
         "from": run.q[0],
         "speed": run.qd[0],
         "duration": what.duration,
@@ -275,7 +275,7 @@ def _summary(run: Simulation, log: Log, asked: Asked, what: Driven, files: list[
         "duration": what.duration,
         "samples": log.samples,
         "rate": asked.rate,
-        "drive": {key: value for key, value in what.said.items() if key != "trajectory"},
+        "drive": {key: value for key, value in what.description.items() if key != "trajectory"},
         "solver": {"method": asked.solver, **run.record.counters},
         "energy": run.balance().to_dict(),
         "joints": joint_rows(run, what.reference),

@@ -32,13 +32,13 @@ class Numbers(_Type):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         from robodyn.errors import InputError
-        from robodyn.robot.numbers import number
+        from robodyn.robot.numbers import parse_number
 
         if not isinstance(value, str):  # a default
             return value
         parts = [value] if self.single else value.split(",")
         try:
-            values = tuple(float(number(part)) for part in parts)
+            values = tuple(float(parse_number(part)) for part in parts)
         except InputError as error:
             self.fail(str(error), param, ctx)
         for x in values:

@@ -40,7 +40,9 @@ def with_c(made: Subject, old: str, new: str) -> Subject:
     """``made`` with a change in its C."""
     text = made.files["puma560.c"]
     assert text.count(old) == 1
-    return Subject(made.robot, made.made, {**made.files, "puma560.c": text.replace(old, new)}, made.plain)
+    return Subject(
+        made.robot, made.generated, {**made.files, "puma560.c": text.replace(old, new)}, made.plain
+    )
 
 
 @pytest.mark.parametrize(
@@ -135,7 +137,7 @@ def test_misra_findings_are_explained(tmp_path: Path, name: str, trig: str) -> N
     made = subject(robot, robot, Options(scalar="float", trig=trig))  # type: ignore[arg-type]
     found = finding(parts.prove_misra, made, tmp_path)
     assert found.status == "proved", found.lines
-    text = made.files[f"{made.made.unit.robot.name}.c"]
+    text = made.files[f"{made.generated.unit.robot.name}.c"]
     for rule in found.data["rules"]:
         assert f" * {rule}: " in text
 
@@ -228,7 +230,7 @@ def test_the_command_writes_a_proof(tmp_path: Path, capsys: pytest.CaptureFixtur
     for proof in filed["proofs"]:  # whoever audits runs these
         for command in proof["commands"][:2]:
             done = run(["sh", "-c", command], folder, 200)
-            assert done.code == 0, done.said
+            assert done.code == 0, done.output
     assert main(["prove", *given, "--only", "gappa", "--tolerance", "1e-9"]) == 1
     assert "above the tolerance" in capsys.readouterr().out
 

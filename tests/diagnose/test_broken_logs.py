@@ -144,9 +144,9 @@ def test_order_line_ends_and_format_change_nothing(log: Log, lines: list[str], t
 
 
 def test_columns_that_are_not_read_are_told(arm: Robot, log: Log) -> None:
-    (flag,) = inspect(replace(log, ignored=("q3", "tau3", "load")), arm).told("ignored")
+    (flag,) = inspect(replace(log, ignored=("q3", "tau3", "load")), arm).flags_of("ignored")
     assert str(flag) == "q3, tau3, load: 3 columns not read: arm has 2 joints"
-    assert not inspect(log, arm).told("ignored")
+    assert not inspect(log, arm).flags_of("ignored")
 
 
 @pytest.mark.slow
@@ -169,7 +169,7 @@ def test_a_long_log_takes_little_memory_beside_its_own(arm: Robot) -> None:
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert gate.log.samples == 200_000
-    assert [span.first for flag in gate.told("garbage") for span in flag.spans] == [700_001, 300_001]
+    assert [span.first for flag in gate.flags_of("garbage") for span in flag.spans] == [700_001, 300_001]
     assert peak < 100 * samples, peak
 
 

@@ -94,7 +94,7 @@ def swapped(log: Log, i: int, j: int, *groups: str) -> Log:
 
 
 def flag_of(gate: Gate, kind: str) -> Flag:
-    (flag,) = gate.told(kind)
+    (flag,) = gate.flags_of(kind)
     return flag
 
 
@@ -146,9 +146,9 @@ def rows_of(gate: Gate, kind: str) -> list[tuple[int, int]]:
 )
 def test_a_broken_row_is_left_out_and_filled_in(log: Log, kind: str, spoil: Callable[[Log], Log]) -> None:
     gate = inspect(spoil(log), GIVEN)
-    for flag in gate.told(kind):
+    for flag in gate.flags_of(kind):
         assert [(span.first, span.last) for span in flag.spans] == [(501, 501)]
-    assert gate.told(kind)
+    assert gate.flags_of(kind)
     assert flag_of(gate, "missing").spans[0].first == 500
     assert gate.log.samples == log.samples
     np.testing.assert_allclose(gate.log.q[500], log.q[500], atol=2e-4)
@@ -187,7 +187,7 @@ def test_uneven_times_are_resampled(log: Log) -> None:
     t = log.t + rng.uniform(-2e-4, 2e-4, log.samples)
     course = np.stack([np.interp(t, log.t, log.q[:, j]) for j in range(3)], axis=1)
     gate = inspect(replace(log, t=t, q=course), GIVEN)
-    assert gate.told("jitter")
+    assert gate.flags_of("jitter")
     np.testing.assert_allclose(np.diff(gate.log.t), gate.period, rtol=1e-6)
     within = np.stack([np.interp(gate.log.t, log.t, log.q[:, j]) for j in range(3)], axis=1)
     np.testing.assert_allclose(gate.log.q[2:-2], within[2:-2], atol=1e-4)
@@ -196,14 +196,14 @@ def test_uneven_times_are_resampled(log: Log) -> None:
 def test_times_with_few_digits_are_even(log: Log) -> None:
     thin = at(log, np.arange(0, log.samples, 4))
     gate = inspect(replace(thin, t=np.round(thin.t, 3)), GIVEN)
-    assert not gate.told("jitter")
+    assert not gate.flags_of("jitter")
     assert gate.log.q is thin.q
 
 
 def test_a_slower_source_is_seen(log: Log) -> None:
     held = np.arange(log.samples) // 8 * 8
     gate = inspect(replace(log, q=log.q[held], qd=None, tau=log.tau[held]), GIVEN)
-    assert gate.told("held")
+    assert gate.flags_of("held")
     assert gate.period == pytest.approx(8e-3)
     np.testing.assert_array_equal(gate.log.q, log.q[::8])
 
@@ -264,13 +264,13 @@ def test_velocities_that_are_late(log: Log) -> None:
     late = np.roll(log.qd, 12, axis=0)  # type: ignore[arg-type]
     gate = inspect(replace(log, qd=late), GIVEN)
     np.testing.assert_allclose([one.lag for one in gate.joints], 12.5e-3, atol=0.5e-3)
-    assert gate.told("velocity_lag")
+    assert gate.flags_of("velocity_lag")
 
 
 @pytest.mark.parametrize("value", [0.0, np.nan])
 def test_velocities_that_are_none(log: Log, value: float) -> None:
     gate = inspect(put(log, "qd", np.s_[:], value), GIVEN)
-    assert gate.told("rates_unusable")
+    assert gate.flags_of("rates_unusable")
     assert gate.log.qd is None
     assert gate.log.samples == log.samples
 
@@ -346,7 +346,7 @@ def test_a_long_log_is_cut_down_to_windows_of_its_motion(log: Log) -> None:
     long = replace(long, t=1e-3 * np.arange(long.samples))
     gate = inspect(long, GIVEN, most=5000)
     assert gate.log.samples <= 5000
-    assert gate.told("cut_down")
+    assert gate.flags_of("cut_down")
     assert len(gate.segments) > 5
     np.testing.assert_array_equal(gate.log.tau, long.tau[gate.rows])
     assert np.ptp(gate.log.q, axis=0) == pytest.approx(np.ptp(log.q, axis=0), rel=0.1)

@@ -107,7 +107,7 @@ def test_what_is_given_is_kept_and_the_answer_is_what_a_diagnosis_would_add(pend
     made = hide(friction, [wanted], setup=Setup(duration=2.0, rate=500.0))
     assert made.effects == (wanted,)
     assert made.true == amended(friction, [wanted])
-    assert made.given == friction
+    assert made.model == friction
     assert made.train.samples == 1001
 
 

@@ -45,7 +45,7 @@ def test_a_joint_that_sets_out_is_not_touched() -> None:
 @pytest.mark.thorough
 def test_errors_within_the_stated_confidence_are_no_finding() -> None:
     made = Case("stanford", (), 23, 1.0, friction=True, inertia_error=0.03).make()
-    assert select(made.given, made.train).found == ()
+    assert select(made.given, made.train).findings == ()
 
 
 def test_what_noise_of_the_encoders_makes_of_torques() -> None:

@@ -46,7 +46,7 @@ def test_what_is_in_no_catalogue_is_not_named(effect: str) -> None:
 def test_a_real_arm_lacks_friction_and_the_coupling_of_its_wrist() -> None:
     """Staubli TX40, from its CAD model: what the figaroh-plus repository identified."""
     first = select(load(str(TX40 / "tx40.yaml")), read_log(TX40 / "tx40.csv", 6))
-    found = [(one.trial.candidate.effect, one.trial.candidate.joint) for one in first.found]
+    found = [(one.trial.candidate.effect, one.trial.candidate.joint) for one in first.findings]
     assert ("motor_coupling", 6) in found
     assert {joint for effect, joint in found if effect == "viscous_friction"} >= {1, 2, 3, 4}
 

@@ -42,13 +42,13 @@ def test_what_is_hidden_is_named_first(
     arm_name: str, effect: str, joint: int | None, seed: int, ratio: float
 ) -> None:
     hidden = Case(arm_name, ((effect, joint),), seed, ratio).make()
-    found = select(hidden.given, hidden.train).found
+    found = select(hidden.given, hidden.train).findings
     assert [(one.trial.candidate.effect, one.trial.candidate.joint) for one in found] == [(effect, joint)]
 
 
 def test_nothing_is_named_where_nothing_is_hidden() -> None:
     hidden = Case("puma560_3dof", (), 3, 1.0, friction=True).make()
-    assert select(hidden.given, hidden.train).found == ()
+    assert select(hidden.given, hidden.train).findings == ()
 
 
 def test_a_diagnosis_closes_the_gap_and_then_says_consistent() -> None:

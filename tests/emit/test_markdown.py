@@ -118,8 +118,10 @@ def readme(text: str) -> str:
 def proof(text: str) -> str:
     """PROOF.md, with ``text`` for a title and for what tools said."""
     _, made = made_for()
-    titled = replace(made.made.unit.robot, title=text)
-    whole = replace(made, robot=titled, made=replace(made.made, unit=replace(made.made.unit, robot=titled)))
+    titled = replace(made.generated.unit.robot, title=text)
+    whole = replace(
+        made, robot=titled, generated=replace(made.generated, unit=replace(made.generated.unit, robot=titled))
+    )
     found = Finding("gappa", "failed", text, (text, text), {}, (text,), (text,))
     return Proof(whole, (found,)).files()["PROOF.md"]
 

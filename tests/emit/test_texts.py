@@ -159,7 +159,7 @@ def test_how_a_record_was_found_stays_in_its_comment(text: str) -> None:
     plain, hostile = (
         generate(
             load("stanford_3dof"),
-            Options(("inverse_dynamics",), records=(replace(RECORD, found=found),)),
+            Options(("inverse_dynamics",), records=(replace(RECORD, origin=found),)),
         ).files()
         for found in ("plain", text)
     )

@@ -70,11 +70,11 @@ def all_gone(folder: Path) -> bool:
 def test_what_is_said(script: Callable[[str], str], tmp_path: Path) -> None:
     tool = script("echo out; echo err >&2; pwd; echo $LC_ALL; exit 3")
     done = run([tool], folder=tmp_path)
-    assert (done.code, sorted(done.said.split())) == (3, sorted(["out", "err", str(tmp_path), "C"]))
-    assert "err" not in run([tool], listen="stdout").said
-    assert run([tool], listen="stderr").said == "err\n"
+    assert (done.code, sorted(done.output.split())) == (3, sorted(["out", "err", str(tmp_path), "C"]))
+    assert "err" not in run([tool], listen="stdout").output
+    assert run([tool], listen="stderr").output == "err\n"
     assert run([script("kill -9 $$")]).code == -9
-    assert run([script("cat")]).said == ""  # stdin is empty
+    assert run([script("cat")]).output == ""  # stdin is empty
     with pytest.raises(OSError, match="no such tool"):
         run([str(tmp_path / "no such tool")])
 
@@ -82,7 +82,7 @@ def test_what_is_said(script: Callable[[str], str], tmp_path: Path) -> None:
 @pytest.mark.usefixtures("over")
 def test_a_program_that_does_not_end(script: Callable[[str], str], tmp_path: Path) -> None:
     done = run([script(f"echo begun; {HANGS}")])
-    assert (done.code, done.said) == (None, "begun\n")
+    assert (done.code, done.output) == (None, "begun\n")
     assert all_gone(tmp_path)
 
 
@@ -101,8 +101,8 @@ def test_a_program_that_talks_without_end(
     more = "head -c 200000 /dev/zero | tr '\\0' y"
     done = run([script(f"echo first; {more}; echo $$ $$ >> HERE/ids; exec yes")])
     assert done.code is None
-    assert done.said.startswith("first\ny")
-    assert len(done.said) == 1000
+    assert done.output.startswith("first\ny")
+    assert len(done.output) == 1000
 
 
 def test_who_stays_behind_is_not_waited_for(
@@ -110,7 +110,7 @@ def test_who_stays_behind_is_not_waited_for(
 ) -> None:
     monkeypatch.setattr(running, "_LAST", 0.1)
     done = run([script("sleep 1000 & echo $! > HERE/ids; echo done")])
-    assert (done.code, done.said) == (0, "done\n")
+    assert (done.code, done.output) == (0, "done\n")
     for process in alive(tmp_path):
         os.kill(process, signal.SIGKILL)
 

@@ -37,7 +37,7 @@ def test_a_tally_says_the_same() -> None:
     x, y = tally.input("qd", 0), tally.input("qd", 1)
 
     def cost(*outputs: Any) -> int:
-        return len([p for p in tally.needed(outputs) if tally.made[p][1]])
+        return len([p for p in tally.needed(outputs) if tally.entries[p][1]])
 
     assert cost(x * y + x * x) == 3
     assert (x * y - y * x, x - x, x * 0) == (0, 0, 0)

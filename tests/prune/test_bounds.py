@@ -20,7 +20,7 @@ from robodyn.optimize.prune.bounds import Expansions, proven_errors
 from robodyn.optimize.prune.box import Box, box_of
 from robodyn.optimize.prune.polynomial import MOST, Polynomial, constant
 from robodyn.optimize.prune.sampling import draw, largest, values
-from robodyn.optimize.prune.supremum import Terms, _share, found, proven, waves_of
+from robodyn.optimize.prune.supremum import Terms, _share, lower_estimate, proven, waves_of
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
 
@@ -184,9 +184,9 @@ def test_the_largest_sum_lies_between_what_is_found_and_what_is_proven(seed: int
     waves = waves_of(terms, kept)
     upper = proven(waves)
     assert totals.max() <= upper * (1 + 1e-12)
-    assert found(waves) <= upper
+    assert lower_estimate(waves) <= upper
     if kept > 1:
-        assert found(waves) >= 0.97 * totals.max()
+        assert lower_estimate(waves) >= 0.97 * totals.max()
         assert upper <= 1.03 * totals.max()
 
 

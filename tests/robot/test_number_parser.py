@@ -49,11 +49,11 @@ from robodyn_testing.clocks import calls_of
     ],
 )
 def test_arithmetic_is_exact(text: str, value: Fraction) -> None:
-    assert numbers.number(text) == value
+    assert numbers.parse_number(text) == value
 
 
 def test_pi_is_rounded_outside_of_angles_and_exact_in_them() -> None:
-    assert numbers.number("-pi/2") == Fraction(repr(-math.pi / 2))
+    assert numbers.parse_number("-pi/2") == Fraction(repr(-math.pi / 2))
     read = numbers.parse("-pi/2")
     assert read.has_pi
     assert read.value == -PI / 2
@@ -234,13 +234,13 @@ def _expressions(draw: st.DrawFn, depth: int = 3) -> tuple[str, Fraction]:
 def test_arithmetic_agrees_with_fractions(expression: tuple[str, Fraction]) -> None:
     text, value = expression
     if len(text) <= numbers.LENGTH:
-        assert numbers.number(text) == value
+        assert numbers.parse_number(text) == value
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
 def test_every_double_reads_back(x: float) -> None:
-    assert float(numbers.number(repr(x))) == x
-    assert numbers.shortest(x) == numbers.number(repr(x))
+    assert float(numbers.parse_number(repr(x))) == x
+    assert numbers.shortest(x) == numbers.parse_number(repr(x))
 
 
 @given(st.text(max_size=60) | st.text("0123456789.eE+-*/() pi_m", max_size=60))

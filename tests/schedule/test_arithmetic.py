@@ -87,7 +87,7 @@ SOLID = exact_arm(
 )
 
 
-@pytest.mark.parametrize("number", [task.number for task in TASKS])
+@pytest.mark.parametrize("number", [task.row for task in TASKS])
 def test_a_task_that_is_carried_out_too_early_spoils_the_torques(number: int) -> None:
     moved = 300 + number
     order = one_after_another(State(SOLID, Point(5)).arm)
@@ -107,7 +107,7 @@ def test_tasks_run_in_an_order_that_the_graph_allows() -> None:
 def test_every_task_of_a_link_between_takes_three_operations() -> None:
     flops = flops_of_tasks(6)
     for link in (3, 4, 5):
-        assert {flops[100 * link + task.number] for task in TASKS} == {FLOPS_PER_TASK}
+        assert {flops[100 * link + task.row] for task in TASKS} == {FLOPS_PER_TASK}
 
 
 def test_zeros_are_seen() -> None:

@@ -66,7 +66,7 @@ def test_the_pumas_kernel_in_single_operations_needs_ten_processors_for_its_crit
     proven by the work that must fall into a window of time."""
     graph = cut(puma(), 1).graph
     found = fewest_for_critical_path(graph)
-    assert (len(graph), found.span, found.at_least, found.found) == (262, 28, 10, 10)
+    assert (len(graph), found.span, found.at_least, found.processors) == (262, 28, 10, 10)
     assert solve(graph, Machine(9)).timetable.levels > 28 == solve(graph, Machine(10)).timetable.levels
 
 

@@ -35,7 +35,7 @@ def spread(text: str) -> set[int]:
 
 
 def test_tasks_are_numbered_in_order_and_wait_for_earlier_layers() -> None:
-    assert [task.number for task in TASKS] == list(range(1, 44))
+    assert [task.row for task in TASKS] == list(range(1, 44))
     assert [task.forward for task in TASKS] == [True] * 25 + [False] * 18
     for task in TASKS:
         for place, number in task.after:

@@ -210,7 +210,7 @@ def test_the_optimiser_stops_with_a_valid_schedule_and_a_gap() -> None:
 
 def test_the_fewest_processors_for_the_critical_path() -> None:
     found = fewest_for_critical_path(SIX)
-    assert (found.span, found.at_least, found.found, found.proven) == (27, 10, 10, True)
+    assert (found.span, found.at_least, found.processors, found.proven) == (27, 10, 10, True)
     assert found.timetable.levels == 27
 
 

@@ -70,7 +70,7 @@ def check(record: Record, robot: Robot = ROBOT, function: str = "inverse_dynamic
 def test_a_short_search_is_exact_and_no_worse(level: Any) -> None:
     record = quick(level=level, seed=3, seconds=0.5)
     check(record)
-    assert record.found == f"robodyn --optimize {level}, seed 3"
+    assert record.origin == f"robodyn --optimize {level}, seed 3"
     assert count(record.program).total < count(fast(ROBOT)).total
 
 
@@ -134,7 +134,7 @@ def test_what_was_found_is_kept_and_gone_on_from(cache: Path) -> None:
         again = quick(level=level, seconds=1e-6, seed=9)
         assert count(again.program).total <= count(first.program).total
         if again.program.operations == first.program.operations:
-            assert again.found == first.found, "who found it first is told"
+            assert again.origin == first.origin, "who found it first is told"
 
 
 def test_from_nothing_without_resume(cache: Path) -> None:

@@ -465,13 +465,13 @@ def test_claims(tables: dict[str, Table]) -> None:
 
 def test_claims_follow_the_graphs_edges(monkeypatch: Patch) -> None:
     """Nothing handed back from the tip: the chain grows shorter. a besides waiting for lambda: longer."""
-    fewer = tuple(replace(task, after=()) if task.number in (30, 31, 39, 40) else task for task in TASKS)
+    fewer = tuple(replace(task, after=()) if task.row in (30, 31, 39, 40) else task for task in TASKS)
     monkeypatch.setattr(graph, "TASKS", fewer)
     loose = claims.table().row("parallel cost")
     more = tuple(
-        replace(task, after=(*task.after, (0, 11))) if task.number == 1 + 17 else task for task in TASKS
+        replace(task, after=(*task.after, (0, 11))) if task.row == 1 + 17 else task for task in TASKS
     )
-    more = tuple(replace(task, after=(*task.after, (-1, 18))) if task.number == 4 else task for task in more)
+    more = tuple(replace(task, after=(*task.after, (-1, 18))) if task.row == 4 else task for task in more)
     monkeypatch.setattr(graph, "TASKS", more)
     tight = claims.table()
     assert loose.verdict == tight.row("parallel cost").verdict == "differs"

@@ -224,7 +224,7 @@ def _said(command: Sequence[str]) -> str:
         raise CheckError("the race in C fails", found=f"exit code {done.code}")
     if done.code is None:
         raise ToolError("the race in C does not come to an end", expected="120 s at most")
-    return done.said
+    return done.output
 
 
 def _instructions(path: Path, keys: Sequence[str], absent: dict[str, str]) -> dict[str, float]:
@@ -239,7 +239,7 @@ def _instructions(path: Path, keys: Sequence[str], absent: dict[str, str]) -> di
         for passes in (1, 3):  # the difference is free of starting and ending
             command = [valgrind, "--tool=callgrind", "--callgrind-out-file=/dev/null", str(path)]
             command += ["0", str(passes), str(k)]
-            output = run(command, listen="stderr").said
+            output = run(command, listen="stderr").output
             total = re.search(r"refs:\s+([\d,]+)", output)
             if total is None:
                 absent["instructions"] = f"valgrind fails: {(output.strip().splitlines() or ['?'])[-1]}"

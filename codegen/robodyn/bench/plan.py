@@ -218,7 +218,13 @@ def chosen(candidates: Sequence[Plan], deadline_ns: float) -> Plan | None:
     return min(meeting, key=lambda plan: (plan.processors, plan.time_ns), default=None)
 
 
-def plan_text(robot: Robot, candidates: Sequence[Plan], targets: Sequence[Target], deadline_ns: float) -> str:
+def plan_text(
+    robot: Robot,
+    candidates: Sequence[Plan],
+    targets: Sequence[Target],
+    deadline_ns: float,
+    function: str = "inverse_dynamics",
+) -> str:
     """All plans for a person, those that meet the deadline marked."""
     best = chosen(candidates, deadline_ns)
     lines = [f"{robot.name}: deadline {spelled(deadline_ns)}", ""]
@@ -237,7 +243,7 @@ def plan_text(robot: Robot, candidates: Sequence[Plan], targets: Sequence[Target
     if best is None:
         lines.append(f"nothing meets it; the shortest is {spelled(candidates[0].time_ns)}")
     else:
-        lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best)}")
+        lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best, function)}")
     lines += [
         f"{target.name}: {chip.cores} cores, {chip.mhz:.4g} MHz; {chip.source}"
         for target, chip in ((target, _chip(target)) for target in targets)
@@ -248,14 +254,17 @@ def plan_text(robot: Robot, candidates: Sequence[Plan], targets: Sequence[Target
     return "\n".join(lines) + "\n"
 
 
-def _how(robot: Robot, plan: Plan) -> str:
+def _how(robot: Robot, plan: Plan, function: str) -> str:
+    known = function_named(function)
     options = FORMULATIONS[plan.formulation]
     switches = "".join(
         f" --{name} {value}" for name, value in options.items() if (name, value) != ("optimize", "record")
     )
     if plan.cut is None:
-        return f"one core: robodyn gen {robot.name}{switches}"
+        named = "" if known.by_default else f" --functions {function}"
+        return f"one core: robodyn gen {robot.name}{named}{switches}"
     waits = "" if plan.levels else " --no-levels"
+    waits += "" if known.is_recursion else f" --function {function}"
     return (
         f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
         f"{plan.cut}{waits}{switches} "

@@ -36,7 +36,7 @@ def prove_bounds(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fi
         return _failed(f"no function of this kernel gives torques: ask for some of {torques}")
     try:
         scripts = {s.function: _scripts(subject, s, p) for s, p in functions}
-        source = subject.files[f"{subject.made.unit.robot.name}.c"]
+        source = subject.files[f"{subject.generated.unit.robot.name}.c"]
         for signature, program in functions:
             check_read_back(source, signature, program)
     except (InputError, CheckError) as error:
@@ -77,7 +77,7 @@ def _scripts(subject: Subject, signature: Signature, program: Program) -> dict[s
     ------
     InputError: there is no bound.
     """
-    known = claim(subject.made.options.trig, subject.scalar)
+    known = claim(subject.generated.options.trig, subject.scalar)
     ranges = ranges_of(subject.box(signature))
     forward = Forward(program, ranges, subject.scalar, known.ulps, known.limit)
     scripts = Scripts(program, forward)
@@ -107,7 +107,7 @@ def _rows(
     tell(f"searching for the worst error of {signature.function}")
     largest = peaks(subject.plain_program(signature), _plain_box(subject, signature))
     try:
-        kernel = load(subject.made.signatures, subject.files)
+        kernel = load(subject.generated.signatures, subject.files)
         worst = worst_errors(program, kernel, signature, subject.box(signature))
     except ToolError:  # no compiler
         worst = None
@@ -159,7 +159,7 @@ def _finding(subject: Subject, rows: list[dict[str, Any]], files: dict[str, str]
         shown = [("-" if x is None else f"{x:.2e}") for x in cells]
         text = f"{name:24} {shown[0]:>9} {shown[1]:>9} {shown[2]:>9} {shown[3]:>11} {shown[4]:>9}"
         lines.append(text + (f"  {row['reason']}" if row["reason"] else ""))
-    known = claim(subject.made.options.trig, subject.scalar)
+    known = claim(subject.generated.options.trig, subject.scalar)
     return Finding(
         "gappa",
         "failed" if any(row["reason"] for row in rows) else "proved",

@@ -42,7 +42,7 @@ class Analysis:
     """Eva's answer. ``alarms`` None: there is no summary to read; ``reason`` says why it is not a proof."""
 
     alarms: int | None
-    said: tuple[str, ...]
+    messages: tuple[str, ...]
     functions: tuple[int, int]
     statements: tuple[int, int]
     seconds: float
@@ -83,7 +83,7 @@ def read(done: Done, seconds: float) -> Analysis:
     """Eva's words, read with suspicion: what is not plainly a proof is none."""
     if done.code is None:
         return Analysis(None, (), (0, 0), (0, 0), done.seconds, f"not finished after {seconds:g} s")
-    output = done.said
+    output = done.output
     summary = _ALARMS.search(output)
     alarms = None if summary is None else (0 if summary[1] == "No" else int(summary[1]))
     functions, reached = _pair(_FUNCTIONS, output), _pair(_STATEMENTS, output)

@@ -42,10 +42,10 @@ def read(done: Done) -> Check:
     ToolError: cppcheck failed.
     """
     if done.code != 0:
-        raise ToolError("cppcheck does not come to an end", found=last_lines(done.said))
+        raise ToolError("cppcheck does not come to an end", found=last_lines(done.output))
     rules: Counter[str] = Counter()
     others: list[str] = []
-    for line in done.said.splitlines():
+    for line in done.output.splitlines():
         match = _LINE.match(line)
         if match is None:
             if line.strip():
@@ -70,7 +70,7 @@ def check_control(done: Done) -> None:
     if missed:
         raise ToolError(
             "cppcheck's MISRA addon does not see what is wrong in a control file",
-            found=last_lines(done.said),
+            found=last_lines(done.output),
             expected=f"rules {', '.join(sorted(_CONTROL_RULES))}",
             remedy="install the addons of cppcheck and Python",
         )

@@ -21,8 +21,8 @@ def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Findi
     frama_c = FRAMA_C.path()
     if frama_c is None:
         return not_run("eva", FRAMA_C.remedy)
-    name = subject.made.unit.robot.name
-    context = eva.driver_context(name, subject.made.signatures)
+    name = subject.generated.unit.robot.name
+    context = eva.driver_context(name, subject.generated.signatures)
     driver = f"{name}_eva.c"
     text = environment().get_template("prove/eva_driver.c.j2").render(context)
     (folder / driver).write_text(text, encoding="utf-8", newline="\n")
@@ -30,7 +30,7 @@ def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Findi
     tell("Frama-C Eva")
     done = run([frama_c, *arguments], folder, PATIENCE)
     analysis = eva.read(done, PATIENCE)
-    functions = ", ".join(s.function for s in subject.made.signatures)
+    functions = ", ".join(s.function for s in subject.generated.signatures)
     return Finding(
         "eva",
         "proved" if analysis.proved else "failed",
@@ -42,14 +42,14 @@ def prove_eva(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Findi
         ),
         {
             "alarms": analysis.alarms,
-            "said": list(analysis.said),
+            "said": list(analysis.messages),
             "functions": list(analysis.functions),
             "statements": list(analysis.statements),
             "reason": analysis.reason,
         },
         (f"Frama-C {FRAMA_C.version()}",),
         (" ".join(["frama-c", *arguments]),),
-        {driver: text, "eva.txt": done.said},
+        {driver: text, "eva.txt": done.output},
     )
 
 
@@ -58,8 +58,8 @@ def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
     machines = stack.machines()
     if all(machine.tool.path() is None for machine in machines):
         return not_run("stack", GCC.remedy)
-    source = f"{subject.made.unit.robot.name}.c"
-    symbols = [s.symbol for s in subject.made.signatures]
+    source = f"{subject.generated.unit.robot.name}.c"
+    symbols = [s.symbol for s in subject.generated.signatures]
     lines: list[str] = []
     rows: list[dict[str, Any]] = []
     tools: dict[str, None] = {}
@@ -116,14 +116,14 @@ def prove_misra(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
     cppcheck = CPPCHECK.path()
     if cppcheck is None:
         return not_run("misra", CPPCHECK.remedy)
-    source = f"{subject.made.unit.robot.name}.c"
+    source = f"{subject.generated.unit.robot.name}.c"
     tell("MISRA C:2012")
-    control = folder / f"{subject.made.unit.robot.name}_control.c"
+    control = folder / f"{subject.generated.unit.robot.name}_control.c"
     control.write_text(misra.CONTROL, encoding="utf-8", newline="\n")
     misra.check_control(run([cppcheck, *misra.OPTIONS, control.name], folder, PATIENCE))
     done = run([cppcheck, *misra.OPTIONS, source], folder, PATIENCE)
     report = misra.read(done)
-    explained = deviations(subject.made.options.trig)
+    explained = deviations(subject.generated.options.trig)
     open_ = sorted(set(report.rules) - set(explained))
     lines = [
         f"rule {rule}, {count} times: "
@@ -140,5 +140,5 @@ def prove_misra(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
         {"rules": report.rules, "explained": explained, "unexplained": open_, "others": list(report.others)},
         (CPPCHECK.version(),),
         (" ".join(["cppcheck", *(f"'{o}'" if "|" in o else o for o in misra.OPTIONS), source]),),
-        {"misra.txt": done.said},
+        {"misra.txt": done.output},
     )

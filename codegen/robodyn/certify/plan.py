@@ -42,7 +42,7 @@ class Subject:
     """A kernel with its files, and the ranges that bounds hold in; ``robot`` has them as its limits."""
 
     robot: Robot
-    made: Generated
+    generated: Generated
     files: dict[str, str]
     #: The same programs on angles, where sines and cosines are given.
     plain: Generated
@@ -50,16 +50,16 @@ class Subject:
     @property
     def scalar(self) -> str:
         """``float`` or ``double``."""
-        return self.made.options.scalar
+        return self.generated.options.scalar
 
     def bounded(self) -> list[tuple[Signature, Program]]:
         """Functions whose rounding errors are bounded."""
-        return [(s, p) for s, p in self.made.unit.functions if function_named(s.function).gives_torques]
+        return [(s, p) for s, p in self.generated.unit.functions if function_named(s.function).gives_torques]
 
     def box(self, signature: Signature) -> Box:
         """Where the inputs of a function are."""
         box = box_of(self.robot, [name for name, _ in self.plain_signature(signature).inputs])
-        if self.made.options.trig != "given":
+        if self.generated.options.trig != "given":
             return box
         ranges: dict[Input, Range] = {}
         layout = given_layout([program for _, program in self.plain.unit.functions])

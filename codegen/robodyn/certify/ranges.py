@@ -11,7 +11,7 @@ from robodyn.errors import InputError, Place
 from robodyn.robot import document
 from robodyn.robot.model import Limits, Robot
 from robodyn.robot.names import shown
-from robodyn.robot.numbers import NumberError, number
+from robodyn.robot.numbers import NumberError, parse_number
 
 Range = tuple[Fraction, Fraction]
 
@@ -128,8 +128,8 @@ def _key(text: str, place: Place | None) -> tuple[str, int | None]:
 def _range(text: str, place: Place | None) -> Range:
     low, colon, high = text.partition(":")
     try:
-        first = number(low)
-        pair = (first, number(high)) if colon else (-first, first)
+        first = parse_number(low)
+        pair = (first, parse_number(high)) if colon else (-first, first)
     except NumberError as error:
         raise InputError(
             f"a range cannot be read: {error.what}", where=place, found=shown(text), expected=_EXPECTED

@@ -64,12 +64,12 @@ def read(done: Done, seconds: float) -> Proven:
     """Gappa's answer, read."""
     if done.code is None:
         return Proven(None, None, None, done.seconds, f"not finished after {seconds:g} s")
-    value = re.search(rf"^\s*result in {_ENCLOSURE}", done.said, re.M)
-    error = re.search(rf"^\s*result - E_result in {_ENCLOSURE}", done.said, re.M)
+    value = re.search(rf"^\s*result in {_ENCLOSURE}", done.output, re.M)
+    error = re.search(rf"^\s*result - E_result in {_ENCLOSURE}", done.output, re.M)
     # What is exact is told as a single number.
-    none = re.search(r"^\s*result - E_result in \[0, 0\]", done.said, re.M)
+    none = re.search(r"^\s*result - E_result in \[0, 0\]", done.output, re.M)
     if done.code != 0 or value is None or (error is None and none is None):
-        return Proven(None, None, None, done.seconds, f"no bound found: {last_lines(done.said)}")
+        return Proven(None, None, None, done.seconds, f"no bound found: {last_lines(done.output)}")
     low, high = (_number(text) for text in value.groups())
     sizes = [abs(_number(text)) for text in error.groups()] if error else [Fraction(0)]
     return Proven(_outward(low, -1), _outward(high, 1), _outward(max(sizes), 1), done.seconds)

@@ -40,7 +40,7 @@ class Proof:
 
     def to_dict(self) -> dict[str, Any]:
         """For JSON."""
-        generated = self.subject.made
+        generated = self.subject.generated
         return {
             "robot": generated.unit.robot.name,
             "scalar": self.subject.scalar,

@@ -97,7 +97,7 @@ def measure(machine: Machine, source: str, functions: Iterable[str], folder: Pat
     graph = folder / "stack.ci"
     if done.code != 0 or not graph.is_file():
         return (
-            last_lines(done.said, 1)
+            last_lines(done.output, 1)
             if done.code
             else "the compiler wrote no call graph (gcc 10 or newer does)"
         )

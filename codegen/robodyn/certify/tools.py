@@ -42,7 +42,7 @@ class Tool:
 
     def version(self) -> str:
         """The first line that it says about itself."""
-        output = run([self.needed(), *self.version_arguments], Path.cwd(), 60).said.strip()
+        output = run([self.needed(), *self.version_arguments], Path.cwd(), 60).output.strip()
         return output.splitlines()[0].strip() if output else "(says no version)"
 
 
@@ -60,10 +60,11 @@ GCC = Tool("gcc", ("--version",), "needs apt-get install gcc (a real gcc: clang 
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """How a program ended: ``code`` None where its time was over; ``said`` is stdout and stderr together."""
+    """How a program ended: ``code`` None where its time was over; ``output`` is stdout and stderr
+    together."""
 
     code: int | None
-    said: str
+    output: str
     seconds: float
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robodyn.emit.trig import DOUBLE, FLOAT, told
+from robodyn.emit.trig import DOUBLE, FLOAT, accuracy_notes
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,5 +31,5 @@ def claim(trig: str, scalar: str) -> Claim:
     return Claim(
         1.0,
         numbers.exact,
-        "Stated of the kernel's sine and cosine: " + " ".join(told(single=scalar == "float")),
+        "Stated of the kernel's sine and cosine: " + " ".join(accuracy_notes(single=scalar == "float")),
     )

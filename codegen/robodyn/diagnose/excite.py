@@ -260,7 +260,7 @@ def independence(robot: Robot, motion: Trajectory) -> float:
     columns = _Columns(robot, motion)
     groups: dict[tuple[str, int | None, str], list[Candidate]] = {}
     for each in columns.every:
-        groups.setdefault((each.effect, each.joint, ",".join(each.given)), []).append(each)
+        groups.setdefault((each.effect, each.joint, ",".join(each.values)), []).append(each)
     middle = [group[len(group) // 2] for group in groups.values()]
     X = np.concatenate([columns.seen(each) for each in middle], axis=1)
     gram = columns.metric(X, X)

@@ -71,7 +71,7 @@ def diagnose(
     gates = [inspect(log, robot, source=_name(names, k)) for k, log in enumerate(logs)]
     seen = inspect(validate, robot, source=_name(names, len(logs))) if validate is not None else gates[-1]
     outcome = search(robot, gates, tell, hashes[0] if hashes else "log")
-    model, accepted, last, first = outcome.model, outcome.found, outcome.last, outcome.first
+    model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("proving it")
     checked = [_doubted(one, first, last) for one in accepted.values()]
     if doubtful(gates):

@@ -44,7 +44,7 @@ _RANGE = 1 << 32
 class _State:
     """Where an arm is, in scalars of one kind: ``inputs`` by name; ``circle`` (cos, sin) by joint."""
 
-    number: Callable[[Fraction], Any]
+    constant: Callable[[Fraction], Any]
     inputs: Mapping[Input, Any]
     circle: Sequence[Point]
     run: Callable[[Program], Sequence[Any]]
@@ -126,7 +126,7 @@ def _rational_state(robot: Robot, chance: random.Random) -> _State:
 
 def _equal(robot: Robot, function: str, program: Program, state: _State) -> bool:
     record = function_named(function)
-    arm = build_arm(robot, state.number, lambda name: state.inputs[Input(name, None)])
+    arm = build_arm(robot, state.constant, lambda name: state.inputs[Input(name, None)])
     plain = _Plain(arm, state)
     one, other = record.compared(plain, list(state.run(program)), plain.inputs["qdd"])
     return list(one) == list(other)
@@ -157,10 +157,10 @@ class _Plain:
 
 def _motion(arm: Arm, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any], state: _State) -> Motion:
     def trigonometry(angle: JointAngle) -> Point:
-        total: Point = (state.number(angle.offset.cos), state.number(angle.offset.sin))
+        total: Point = (state.constant(angle.offset.cos), state.constant(angle.offset.sin))
         for joint, sign in angle.terms:
             c, s = state.circle[joint]
             total = turn(total, (c, sign * s))
         return total
 
-    return build_motion(arm, q, qd, qdd, trigonometry, state.number)
+    return build_motion(arm, q, qd, qdd, trigonometry, state.constant)

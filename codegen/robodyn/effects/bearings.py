@@ -78,8 +78,8 @@ _EFFICIENCIES = (0.3, 0.45, 0.6, 0.7, 0.8, 0.88, 0.94)
 def _pressed(bearing: str, name: str, kind: Literal["any", "revolute", "prismatic"], spans: bool) -> Law:
     """A bearing of which the parameter ``name`` is to be found, with or without a span."""
     return Law(
-        lambda given, at: (_bearing({"bearing": bearing, name: 1.0, **given}, at),), (1,),
-        lambda x, given: {"bearing": bearing, name: float(x[0]), **given}, 2,
+        lambda values, at: (_bearing({"bearing": bearing, name: 1.0, **values}, at),), (1,),
+        lambda x, values: {"bearing": bearing, name: float(x[0]), **values}, 2,
         grid=tuple({"span": span} for span in _SPANS) if spans else ({},), kind=kind,
     )  # fmt: skip
 

@@ -22,7 +22,7 @@ def level(name: str, doc: str, symbol: str, **more: Any) -> Parameter:
     return Parameter(name, doc, TORQUE, FORCE, sign="nonnegative", symbol=symbol, **{"names": True, **more})
 
 
-_COEFFICIENT = Law(lambda given, at: (at.qd,), (1,), lambda x, given: {"coefficient": float(x[0])}, 1)
+_COEFFICIENT = Law(lambda values, at: (at.qd,), (1,), lambda x, values: {"coefficient": float(x[0])}, 1)
 
 VISCOUS = Effect(
     id="viscous_friction",
@@ -128,8 +128,8 @@ POWER_LAW = Effect(
         candidates=(
             # What viscous and dry friction leave is bent; before they are found, it is a rival of everything.
             Law(
-                lambda given, at: (_power_law({"level": 1.0, "velocity": 1.0, **given}, at),), (1,),
-                lambda x, given: {"level": float(x[0]), **given}, 6,
+                lambda values, at: (_power_law({"level": 1.0, "velocity": 1.0, **values}, at),), (1,),
+                lambda x, values: {"level": float(x[0]), **values}, 6,
                 grid=tuple({"exponent": a} for a in (0.4, 0.6, 1.6, 2.0)),
                 beside=("viscous_friction", "coulomb_friction"), feasible=lambda x: bool(x[0] > 0),
                 rubbing=True, rough=True,
@@ -163,7 +163,7 @@ COULOMB = Effect(
         one_way="level",
         fold=Fold("joint", "coulomb", "level", "friction"),
         candidates=(
-            Law(lambda given, at: (at.direction,), (1,), lambda x, given: {"level": float(x[0])}, 1),
+            Law(lambda values, at: (at.direction,), (1,), lambda x, values: {"level": float(x[0])}, 1),
         ),
         hidden=Hidden(lambda u, way, rng: Form(lambda x: {"level": x}, SHARE * u.tau)),
         over="velocity",
@@ -208,8 +208,8 @@ ASYMMETRIC = Effect(
         one_way="nearly",
         candidates=(
             Law(
-                lambda given, at: (at.direction, magnitude(at.direction)), (1, 0),
-                lambda x, given: {"positive": float(x[0] + x[1]), "negative": float(x[0] - x[1])}, 3,
+                lambda values, at: (at.direction, magnitude(at.direction)), (1, 0),
+                lambda x, values: {"positive": float(x[0] + x[1]), "negative": float(x[0] - x[1])}, 3,
                 feasible=lambda x: bool(abs(x[1]) <= x[0]),
             ),
         ),
@@ -285,9 +285,9 @@ STRIBECK = Effect(
         candidates=(
             Law(
                 _stribeck_columns, (1, 1),
-                lambda x, given: {"level": float(x[0]), "static": float(x[0] + x[1]), **given}, 4,
+                lambda x, values: {"level": float(x[0]), "static": float(x[0] + x[1]), **values}, 4,
                 grid=tuple({"velocity": v} for v in (0.01, 0.02, 0.04, 0.08, 0.15, 0.3)),
-                suits=lambda given, top: given["velocity"] < 0.6 * top,
+                suits=lambda values, top: values["velocity"] < 0.6 * top,
             ),
         ),
         contains=("coulomb_friction",),

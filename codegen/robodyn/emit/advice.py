@@ -18,7 +18,7 @@ def advice(unit: Unit) -> tuple[str, ...]:
                 "products and sums are not fused: -ffp-contract=off (gcc -std=c99 implies it)."
             ),
         )
-    if unit.soon:
+    if unit.early_writes:
         notes += (
             "Results are written early: they may take the place of q, qd or qdd (the very same array), and "
             "must not overlap them otherwise.",

@@ -21,7 +21,7 @@ def function_text(
 ) -> dict[str, Any]:
     """``body`` as ``language``'s templates place it."""
     syntax = language.syntax(signature, unit)
-    lines = body_lines(body, syntax, builtin=unit.builtin, lanes=unit.lanes, early_writes=unit.soon)
+    lines = body_lines(body, syntax, builtin=unit.builtin, lanes=unit.lanes, early_writes=unit.early_writes)
     read = arrays_read(body)
     unused = [array for array, _ in signature.inputs if array not in read]
     if signature.parameters and not reads_parameters(body):

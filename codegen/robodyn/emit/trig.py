@@ -120,7 +120,7 @@ def trig_context(syntax: Syntax) -> dict[str, Any]:
         "quarter": number(0.25),
         "three_quarters": number(0.75),
         "sign": f"0x8{'0' * (of.bits // 4 - 1)}u",
-        "told": told(single=spelling.single),
+        "told": accuracy_notes(single=spelling.single),
     }
 
 
@@ -133,7 +133,7 @@ def _polynomial(terms: list[str]) -> str:
     return text[1:-1]
 
 
-def told(*, single: bool) -> tuple[str, ...]:
+def accuracy_notes(*, single: bool) -> tuple[str, ...]:
     """Range and accuracy, in lines for a comment."""
     if single:
         return (

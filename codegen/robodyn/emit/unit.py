@@ -14,11 +14,11 @@ from robodyn.robot.model import Robot
 class Unit:
     """What goes into one header and one source: a robot's functions with their programs.
 
-    ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes``
-    are lines for the head of the file; ``misra``: C with products within sums in parentheses.
-    ``builtin``: with our own sine and cosine, those of ``lanes`` angles at a time. ``soon``: results are
-    written as soon as they are there. ``contraction``, on or off, stands in a pragma; ``target`` is a
-    note on the processor; ``options`` are those it was written with, as on the command line.
+    ``sc`` describes the elements of the array of given sines and cosines, if there is one; ``notes`` are
+    lines for the head of the file; ``misra``: C with products within sums in parentheses. ``builtin``: with
+    our own sine and cosine, those of ``lanes`` angles at a time. ``early_writes``: results are written as
+    soon as they are there. ``contraction``, on or off, stands in a pragma; ``target`` is a note on the
+    processor; ``options`` are those it was written with, as on the command line.
     """
 
     robot: Robot
@@ -28,7 +28,7 @@ class Unit:
     misra: bool = False
     builtin: bool = False
     lanes: int = 4
-    soon: bool = False
+    early_writes: bool = False
     contraction: str | None = None
     target: str | None = None
     options: str = ""

@@ -132,10 +132,10 @@ def _run(command: Sequence[str], folder: Path, codes: Sequence[int] = (0,)) -> s
         ended = f"exit status {done.code}" if done.code is not None else f"no end after {_SECONDS:g} s"
         raise ToolError(
             f"{command[0]} failed",
-            found=first_lines(done.said) or ended,
+            found=first_lines(done.output) or ended,
             remedy=f"the command was: {' '.join(command)}",
         )
-    return done.said
+    return done.output
 
 
 def _built(name: str, target: Target, folder: Path) -> tuple[str, dict[str, int]]:

@@ -25,7 +25,7 @@ from robodyn.ir.signature import ScalarType
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Value
 from robodyn.verify.exact import exact_mass_matrix, exact_torque
-from robodyn.verify.numbers import number, real
+from robodyn.verify.numbers import exact_value, real
 
 _DIGITS = 40
 #: Digits of a tolerance, which is rounded up.
@@ -179,7 +179,7 @@ def _largest_term(
     """No term of a torque is larger, but for a small factor: masses, lengths and motions in one product."""
 
     def total(values: Iterable[Value]) -> Fraction:
-        return sum((abs(number(value, parameters)) for value in values), Fraction(0))
+        return sum((abs(exact_value(value, parameters)) for value in values), Fraction(0))
 
     length = 1 + total(x for link in robot.links for x in (link.joint.a, link.joint.d, *link.com))
     inertias = ((i.xx, i.yy, i.zz, i.xy, i.xz, i.yz) for i in (link.inertia for link in robot.links))

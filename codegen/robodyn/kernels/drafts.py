@@ -153,7 +153,7 @@ class Drafts:
             program = trusted(program, self.draft(function), record, passes, inputs, self._rounding(source))
             if best is None or self._cost(program) < self._cost(best):
                 best = program
-                self.taken[function] = record.found
+                self.taken[function] = record.origin
         return best
 
     def _rounding(self, function: str) -> Rounding:

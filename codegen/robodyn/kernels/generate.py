@@ -157,7 +157,7 @@ def generate(
         options=options.text,
         misra=options.misra,
         builtin=options.trig == "builtin",
-        soon=options.by_registers,
+        early_writes=options.by_registers,
         contraction=options.contraction or ("off" if options.trig == "builtin" else None),
         lanes=4 if options.profile is None else options.profile.lanes,
     )

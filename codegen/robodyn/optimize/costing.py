@@ -59,7 +59,7 @@ class Costing:
         """About as many as are left after the passes; None is the recursion as in the book."""
         tally, outputs = self._book() if writing is None else self.run(writing)
         wanted = tally.needed(outputs)
-        return operations(tally, wanted) - saved(tally.made, wanted)
+        return operations(tally, wanted) - saved(tally.entries, wanted)
 
     def _book(self) -> tuple[Tally, list[Any]]:
         tally = Tally(self.circle)
@@ -120,7 +120,7 @@ class Costing:
 
 def operations(tally: Tally, wanted: Collection[int]) -> int:
     """How many of ``wanted`` are multiplications and additions."""
-    entries = tally.made
+    entries = tally.entries
     return sum([entries[position][0] <= SCALE for position in wanted])
 
 

@@ -111,7 +111,7 @@ class Value:
             if value >= PRIME:
                 value -= PRIME
             position = value if value <= _HALF else PRIME - value
-            if position in graph.made:
+            if position in graph.entries:
                 return Value(graph, value) if position > 1 else graph.number(value)
             return graph.summed(self.value, other.value, value)
         if not other:
@@ -127,7 +127,7 @@ class Value:
             if value < 0:
                 value += PRIME
             position = value if value <= _HALF else PRIME - value
-            if position in graph.made:
+            if position in graph.entries:
                 return Value(graph, value) if position > 1 else graph.number(value)
             return graph.summed(self.value, PRIME - other.value, value)
         if not other:
@@ -145,9 +145,9 @@ class Value:
             u, v = self.value, other.value
             value = u * v % PRIME
             position = value if value <= _HALF else PRIME - value
-            if position not in graph.made:
+            if position not in graph.entries:
                 one, two = u if u <= _HALF else PRIME - u, v if v <= _HALF else PRIME - v
-                graph.made[position] = (MUL, (one, two), None)
+                graph.entries[position] = (MUL, (one, two), None)
             elif position <= 1:
                 return graph.number(value)
             return Value(graph, value)
@@ -173,7 +173,7 @@ class Tally:
     """The values that a recursion has come by, and how."""
 
     def __init__(self, circle: Circle) -> None:
-        self.made: dict[int, Entry] = {0: (NUMBER, (), None), 1: (NUMBER, (), None)}
+        self.entries: dict[int, Entry] = {0: (NUMBER, (), None), 1: (NUMBER, (), None)}
         self.circle = circle
 
     # -- leaves -----------------------------------------------------------------------------------
@@ -220,23 +220,23 @@ class Tally:
         k = k % PRIME if k.__class__ is int else residue(k)
         value = (u + k) % PRIME
         position = value if value <= _HALF else PRIME - value
-        if position in self.made:
+        if position in self.entries:
             return Value(self, value) if position > 1 else self.number(value)
         if not k:
             return Value(self, u)
         own = u if u <= _HALF else PRIME - u
-        kind, _, more = self.made[own]
+        kind, _, more = self.entries[own]
         if kind == OFFSET:
             rest, more_k = more if own == u else (PRIME - more[0], PRIME - more[1])
             return self.offset(rest, more_k + k)
         if value != position:
             u, k = PRIME - u, PRIME - k
-        self.made[position] = (OFFSET, (own,), (u, k))
+        self.entries[position] = (OFFSET, (own,), (u, k))
         return Value(self, value)
 
     def summed(self, u: int, v: int, value: int) -> Any:
         """``u + v``, which is ``value``."""
-        entries = self.made
+        entries = self.entries
         one, two = u if u <= _HALF else PRIME - u, v if v <= _HALF else PRIME - v
         if one == two:
             return self.scaled(u, 2)
@@ -259,15 +259,15 @@ class Tally:
         k = k % PRIME if k.__class__ is int else residue(k)
         value = u * k % PRIME
         position = value if value <= _HALF else PRIME - value
-        if position in self.made:
+        if position in self.entries:
             return Value(self, value) if position > 1 else self.number(value)
         own = u if u <= _HALF else PRIME - u
         if own != u:
             k = -k
-        kind, reads, more = self.made[own]
+        kind, reads, more = self.entries[own]
         if kind == SCALE:
             own, k = reads[0], k * more
-        self.made[position] = (SCALE, (own,), (k if value == position else -k) % PRIME)
+        self.entries[position] = (SCALE, (own,), (k if value == position else -k) % PRIME)
         return Value(self, value)
 
     def divided(self, u: int, v: int) -> Value:
@@ -275,17 +275,17 @@ class Tally:
         return self._at(
             u * pow(v, -1, PRIME) % PRIME,
             CALL,
-            tuple(_position(x) for x in (u, v) if _position(x) in self.made),
+            tuple(_position(x) for x in (u, v) if _position(x) in self.entries),
         )
 
     def _at(self, value: int, kind: int, reads: tuple[int, ...]) -> Value:
-        self.made.setdefault(_position(value), (kind, reads, None))
+        self.entries.setdefault(_position(value), (kind, reads, None))
         return Value(self, value)
 
     # -- counting ---------------------------------------------------------------------------------
     def needed(self, outputs: Iterable[Any]) -> set[int]:
         """The positions that ``outputs`` need."""
-        entries = self.made
+        entries = self.entries
         stack = [_position(value.value) for value in outputs if value.__class__ is Value]
         wanted: set[int] = set()
         while stack:

@@ -61,7 +61,7 @@ class _Orders:
     """Orders of a program's operations, and what they cost."""
 
     def __init__(self, program: Program, available: int) -> None:
-        self.given = of_positions(program)
+        self.positions = of_positions(program)
         self.operations = [self._reading(operation) for operation in program.operations]
         self.results = program.results()
         self.available = available
@@ -79,7 +79,9 @@ class _Orders:
 
     def _reading(self, operation: Operation) -> Operation:
         """``operation`` with the sines and cosines of positions as inputs: they are there before all else."""
-        args = tuple(Input("sc", x) if isinstance(x, int) and x in self.given else x for x in operation.args)
+        args = tuple(
+            Input("sc", x) if isinstance(x, int) and x in self.positions else x for x in operation.args
+        )
         return operation._replace(args=args)
 
     def order(self, results: Sequence[int]) -> list[int]:
@@ -89,7 +91,7 @@ class _Orders:
     def whole(self, results: Sequence[int]) -> list[int]:
         """:meth:`order` after the sines and cosines of positions, and what these need."""
         first: set[int] = set()
-        stack = list(self.given)
+        stack = list(self.positions)
         while stack:
             i = stack.pop()
             if i not in first:

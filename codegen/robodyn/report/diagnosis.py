@@ -15,10 +15,10 @@ from robodyn.report.diagnosis_gap import ladder, tables, units_at
 from robodyn.report.diagnosis_glance import advice, tiles, told_about
 from robodyn.report.diagnosis_text import (
     VERDICTS,
+    formatted,
     headline,
     is_contact,
     is_touched_only,
-    number,
     place_of,
     title_of,
     units_of,
@@ -111,7 +111,7 @@ def _place(place: Localised) -> dict[str, Any]:
         "width": part(place.share),
         "cells": cells,
         "best": place.best,
-        "left": number(place.left),
+        "left": formatted(place.left),
         "is_left": place.left > 1,
     }
 
@@ -166,8 +166,8 @@ def _tried(one: Any) -> dict[str, str]:
     return {
         "title": title_of(one.effect),
         "place": place_of(one.joint),
-        "gain": number(one.gain),
-        "t": number(one.t),
+        "gain": formatted(one.gain),
+        "t": formatted(one.t),
         "reason": one.reason,
     }
 
@@ -215,16 +215,16 @@ def _travel(diagnosis: Diagnosis, travel: Travel) -> dict[str, Any]:
     seen = diagnosis.detectable
     return {
         "joint": travel.joint,
-        "q": f"{number(travel.low)} to {number(travel.high)} {units['q']}",
+        "q": f"{formatted(travel.low)} to {formatted(travel.high)} {units['q']}",
         "has_limits": travel.limits is not None,
         "at": part((travel.low - low) / wide),
         "width": part((travel.high - travel.low) / wide),
-        "speed": f"{number(travel.speed)} {units['qd']}",
+        "speed": f"{formatted(travel.speed)} {units['qd']}",
         "of_top": f"{100 * travel.speed / travel.top:.0f} %" if travel.top else "",
         "reversals": travel.reversals,
-        "load": f"{number(travel.load[0])} to {number(travel.load[1])} {units['tau']}",
+        "load": f"{formatted(travel.load[0])} to {formatted(travel.load[1])} {units['tau']}",
         "wants": travel.wants,
-        "seen": f"{number(seen[travel.joint - 1])} {units['tau']}" if seen is not None else "",
+        "seen": f"{formatted(seen[travel.joint - 1])} {units['tau']}" if seen is not None else "",
     }
 
 

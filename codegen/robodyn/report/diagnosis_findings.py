@@ -14,10 +14,10 @@ from robodyn.report.diagnosis_charts import Across, over, over_time
 from robodyn.report.diagnosis_frames import Chart, percent
 from robodyn.report.diagnosis_gap import units_at
 from robodyn.report.diagnosis_text import (
+    formatted,
     is_contact,
     is_unseen,
     named,
-    number,
     place_of,
     title_of,
     traits_of,
@@ -65,7 +65,7 @@ def cards(diagnosis: Diagnosis, places: Sequence[Localised], windows: Any) -> li
             "unseen": [name for name, p in f.parameters.items() if is_unseen(p)],
             "evidence": _evidence(f),
             "parts": _parts(f),
-            "t": number(f.t),
+            "t": formatted(f.t),
             "picture": _picture(diagnosis, f, places, windows) if k < _PICTURES else None,
         }
         for k, f in enumerate(ordered[:MOST_CARDS])
@@ -134,7 +134,7 @@ def _evidence(finding: Finding) -> list[dict[str, Any]]:
         {
             "title": title_of(row.effect),
             "place": "" if row.joint == finding.joint else place_of(row.joint),
-            "gain": number(row.gain),
+            "gain": formatted(row.gain),
             "width": part(row.gain / top if top > 0 else 0.0),
             "share": f"{100 * row.gain / top:.0f} %" if top > 0 and math.isfinite(row.gain) else "n/a",
             "is_named": k == 0,

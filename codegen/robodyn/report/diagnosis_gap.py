@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.result import Diagnosis
 from robodyn.report.diagnosis_frames import percent
-from robodyn.report.diagnosis_text import chosen, claims, named, number
+from robodyn.report.diagnosis_text import chosen, claims, formatted, named
 
 Floats = NDArray[np.float64]
 
@@ -67,9 +67,9 @@ def ladder(diagnosis: Diagnosis, validated: bool) -> dict[str, Any]:
                 "joint": j + 1,
                 "effects": _effects(diagnosis, j + 1),
                 "drawn": drawn,
-                "before": number(before[j]),
-                "after": number(after[j]),
-                "floor": number(gap.noise_floor[j]),
+                "before": formatted(before[j]),
+                "after": formatted(after[j]),
+                "floor": formatted(gap.noise_floor[j]),
                 "times": _times(after[j], gap.noise_floor[j]),
                 "unit": units_at(diagnosis, j)["tau"],
                 "change": change(before[j], after[j]),
@@ -91,7 +91,7 @@ def _effects(diagnosis: Diagnosis, joint: int) -> str:
 
 
 def _times(value: float, floor: float) -> str:
-    return number(value / floor) if floor > 0 else "n/a"
+    return formatted(value / floor) if floor > 0 else "n/a"
 
 
 def change(before: float, after: float) -> str:
@@ -115,9 +115,9 @@ def _rows(before: Floats, after: Floats, floor: Floats) -> Sequence[dict[str, An
     return [
         {
             "joint": j + 1,
-            "before": number(b),
-            "after": number(a),
-            "floor": number(f),
+            "before": formatted(b),
+            "after": formatted(a),
+            "floor": formatted(f),
             "change": change(b, a),
         }
         for j, (b, a, f) in enumerate(zip(before.tolist(), after.tolist(), floor.tolist(), strict=True))

@@ -15,11 +15,11 @@ from robodyn.report.diagnosis_text import (
     chosen,
     claims,
     closed,
+    formatted,
     is_touched_only,
     joints_of,
     listed,
     named,
-    number,
     still,
     title_of,
     touched_at,
@@ -114,7 +114,7 @@ def _where(diagnosis: Diagnosis, places: Sequence[Localised]) -> tuple[str, str,
         return "Where and when", where[:1].upper() + where[1:], when or share
     if diagnosis.verdict == "unexplained":
         if math.isfinite(top.left) and top.left > 1:
-            share = f"{number(top.left)} times what would matter is left there"
+            share = f"{formatted(top.left)} times what would matter is left there"
         return "At which joint", f"Joint {top.joint}", f"{share}; {over}"
     joints = sorted({f.joint for f in claims(diagnosis) if f.joint is not None})
     whole = ["the whole robot"] if any(f.joint is None for f in claims(diagnosis)) else []
@@ -144,7 +144,7 @@ def _sure(diagnosis: Diagnosis) -> tuple[str, str, str]:
         return question, "No name", some or "no name reaches 50 %"
     if diagnosis.detectable is not None and np.isfinite(diagnosis.detectable).any():
         j = int(np.nanargmax(diagnosis.detectable))
-        size = f"{number(diagnosis.detectable[j])} {units_at(diagnosis, j)['tau']}"
+        size = f"{formatted(diagnosis.detectable[j])} {units_at(diagnosis, j)['tau']}"
         return question, f"down to {size}", f"RMS at joint {j + 1}: anything larger would be worth a name"
     return question, "As far as the motion goes", "what it does not excite it cannot show: see below"
 
@@ -154,16 +154,16 @@ def _better(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) 
     before, after = chosen(diagnosis, validated)
     j = _worst(diagnosis, validated, places) - 1
     unit, floor = units_at(diagnosis, j)["tau"], diagnosis.gap.noise_floor[j]
-    noise = f"noise floor {number(floor)}"
+    noise = f"noise floor {formatted(floor)}"
     if diagnosis.verdict != "missing_effect" or is_touched_only(diagnosis):
         times = before[j] / floor if floor > 0 else math.nan
-        stays = f"RMS at joint {j + 1}, {number(times)} times its noise"
+        stays = f"RMS at joint {j + 1}, {formatted(times)} times its noise"
         touched = "; contact is not added to a model" if diagnosis.verdict == "missing_effect" else ""
-        return "How much is left", f"{number(before[j])} {unit}", stays + touched
+        return "How much is left", f"{formatted(before[j])} {unit}", stays + touched
     share = closed(before, after, diagnosis.gap.noise_floor)
     gone = f"{100 * share:.0f} % of what can be removed is gone; " if share is not None else ""
     where = f"RMS at joint {j + 1}{', on a log that was not fitted' if validated else ''}; {noise}"
-    return question, f"{number(before[j])} → {number(after[j])} {unit}", gone + where
+    return question, f"{formatted(before[j])} → {formatted(after[j])} {unit}", gone + where
 
 
 def _next(diagnosis: Diagnosis) -> tuple[str, str, str]:

@@ -51,7 +51,7 @@ def place_of(joint: int | None) -> str:
     return "the whole robot" if joint is None else f"joint {joint}"
 
 
-def number(value: float) -> str:
+def formatted(value: float) -> str:
     """A figure of three digits, if there is one."""
     if not math.isfinite(value):
         return "n/a"
@@ -70,7 +70,7 @@ def with_error(estimate: Estimate, sign: str = "+-") -> str:
     if is_unseen(estimate):
         return "not seen by this motion"
     if not (math.isfinite(error) and error > 0 and math.isfinite(value)):
-        return f"{number(value)} {sign} {number(error)}{unit}"
+        return f"{formatted(value)} {sign} {formatted(error)}{unit}"
     tens = math.floor(math.log10(error))
     if not -5 < max(tens, math.floor(math.log10(abs(value) or error))) < 6:
         return f"{value:.3e} {sign} {error:.1e}{unit}"
@@ -215,11 +215,11 @@ def _gap(diagnosis: Diagnosis, validated: bool) -> list[str]:
     shown = sorted(sorted(range(diagnosis.robot.n), key=lambda j: (-float(size[j]), j))[:_JOINTS])
     rows: list[tuple[str, Sequence[str]]] = [
         ("joint", [str(j + 1) for j in shown]),
-        ("gap before" if changed else "gap", [number(before[j]) for j in shown]),
-        ("noise floor", [number(gap.noise_floor[j]) for j in shown]),
+        ("gap before" if changed else "gap", [formatted(before[j]) for j in shown]),
+        ("noise floor", [formatted(gap.noise_floor[j]) for j in shown]),
     ]
     if changed:
-        rows.insert(2, ("gap after", [number(after[j]) for j in shown]))
+        rows.insert(2, ("gap after", [formatted(after[j]) for j in shown]))
     widths = [max(len(cells[k]) for _, cells in rows) for k in range(len(shown))]
     lines = [
         f"{name.ljust(11)}  "

@@ -121,7 +121,7 @@ def parse(text: str, *, names: bool = False) -> Number:
     return value
 
 
-def number(text: str) -> Fraction:
+def parse_number(text: str) -> Fraction:
     """The exact rational that ``text`` says; with ``pi`` in it, the shortest decimal of its double.
 
     Raises

@@ -223,7 +223,7 @@ def _at_rest(section: Section) -> tuple[Fraction | None, Fraction | None]:
     if node is None or (isinstance(node, Scalar) and node.text == "exact"):
         return None, None
     path = section.path(key.name)
-    velocity = numbers.number(REST_VELOCITY)
+    velocity = numbers.parse_number(REST_VELOCITY)
     rule = node.text if isinstance(node, Scalar) else ""
     if isinstance(node, Mapping):
         rules = [name.text for name, _ in node.entries]

@@ -230,7 +230,7 @@ _DO: Final[dict[int, Callable[[Place], None]]] = {
     3: _joint_rate,
     **{4 + i: partial(_turn_alpha, i) for i in (0, 1)},
     6: _add_joint,
-    **{number: partial(_lambda, number) for number in range(7, 12)},
+    **{row: partial(_lambda, row) for row in range(7, 12)},
     **{12 + i: partial(_products, i, of_parent=True) for i in range(3)},
     **{15 + i: partial(_move, i) for i in range(3)},
     **{18 + i: partial(_turn_a, i) for i in (0, 1)},
@@ -282,7 +282,7 @@ def one_after_another(arm: Arm) -> list[TaskId]:
     T6 of a prismatic joint adds to what T18 and T19 give, which Table 4.1, made for revolute joints, does not
     ask for.
     """
-    forward = [task.number for task in TASKS if task.forward]
+    forward = [task.row for task in TASKS if task.forward]
     sliding = [task_number for task_number in forward if task_number != 6]
     sliding.insert(sliding.index(20), 6)
     links = range(1, len(arm.bodies) + 1)
@@ -291,5 +291,5 @@ def one_after_another(arm: Arm) -> list[TaskId]:
         for link in links
         for task_number in (forward if arm.bodies[link - 1].revolute else sliding)
     ]
-    back = [task_id(link, task.number) for link in reversed(links) for task in TASKS if not task.forward]
+    back = [task_id(link, task.row) for link in reversed(links) for task in TASKS if not task.forward]
     return there + back

@@ -161,12 +161,12 @@ def arm_graph(
                 for place, task_number in task.after
                 if 1 <= link + place <= n
             }
-            if own_products and task.number in OWN_PRODUCT:
-                other = set(OWN_PRODUCT.values()) - {OWN_PRODUCT[task.number]}
+            if own_products and task.row in OWN_PRODUCT:
+                other = set(OWN_PRODUCT.values()) - {OWN_PRODUCT[task.row]}
                 predecessors -= {task_id(link, task_number) for task_number in other}
-            if link in prismatic and task.number in (9, 10, 11) and task_id(link, task.number) in out:
-                predecessors = {task_id(link - 1, task.number)} if link > 1 else set()
-            waits[task_id(link, task.number)] = predecessors
+            if link in prismatic and task.row in (9, 10, 11) and task_id(link, task.row) in out:
+                predecessors = {task_id(link - 1, task.row)} if link > 1 else set()
+            waits[task_id(link, task.row)] = predecessors
     for one in TopologicalSorter(waits).static_order():  # earlier ones first: theirs is settled when read
         earlier = waits[one]
         waits[one] = (earlier - out).union(*(waits[gone] for gone in earlier & out))

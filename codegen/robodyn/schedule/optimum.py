@@ -203,17 +203,18 @@ def _interval_processors(graph: TaskGraph, p: int, when: dict[TaskId, int]) -> d
 
 @dataclass(frozen=True, slots=True)
 class Fewest:
-    """Processors on which ``graph`` is done within ``span``: ``found`` by a schedule, ``at_least`` proven."""
+    """Processors on which ``graph`` is done within ``span``: ``processors`` by a schedule, ``at_least``
+    proven."""
 
     span: int
     at_least: int
-    found: int
+    processors: int
     timetable: Timetable
 
     @property
     def proven(self) -> bool:
         """Whether nothing is left between the two."""
-        return self.at_least == self.found
+        return self.at_least == self.processors
 
 
 def fewest_for_critical_path(

@@ -17,8 +17,8 @@ def flops_of_tasks(
     n: int, prismatic: Collection[int] = (), *, s: str = "xyz", p: str = "xyz"
 ) -> dict[TaskId, int]:
     """Multiplications and additions of each task, together; see :func:`operations_of_tasks`."""
-    found = operations_of_tasks(n, prismatic, s=s, p=p)
-    return {task: sum(kinds.values()) for task, kinds in found.items()}
+    by_task = operations_of_tasks(n, prismatic, s=s, p=p)
+    return {task: sum(kinds.values()) for task, kinds in by_task.items()}
 
 
 def operations_of_tasks(
@@ -31,7 +31,7 @@ def operations_of_tasks(
     and of the origins that ``s`` and ``p`` do not name.
     """
     ledger: dict[str, int] = {}
-    found: dict[TaskId, dict[str, int]] = {}
+    by_task: dict[TaskId, dict[str, int]] = {}
 
     def fixed() -> Any:
         return Tally(ledger, True)
@@ -58,11 +58,11 @@ def operations_of_tasks(
 
     def book(task: TaskId) -> None:
         if current:
-            found[current.pop()] = dict(ledger)
+            by_task[current.pop()] = dict(ledger)
         ledger.clear()
         current.append(task)
 
     arm = Arm(bodies, (0, 0, fixed()), rest_velocity=None)
     run_tasks(arm, motion, book, origins=[vector(p) for _ in bodies])
     book(0)
-    return dict(sorted(found.items()))
+    return dict(sorted(by_task.items()))

@@ -22,11 +22,11 @@ Place = Literal[-1, 0, 1]
 class Task:
     """A task of Table 4.1.
 
-    ``after``: the tasks whose results it needs, ``(place, number)``. ``layer``: its layer among those of its
+    ``after``: the tasks whose results it needs, ``(place, row)``. ``layer``: its layer among those of its
     own link, 1 to 6 in the forward pass, 1 to 3 in the backward pass.
     """
 
-    number: int
+    row: int
     step: str
     forward: bool
     layer: int
@@ -106,7 +106,7 @@ TASKS: Final[tuple[Task, ...]] = (
     _backward(42, "8", 3, "n, y", _own(*_MOMENT)),
     _backward(43, "8", 3, "n, z", _own(*_MOMENT)),
 )
-"""Table 4.1, ``TASKS[number - 1]``."""
+"""Table 4.1, ``TASKS[row - 1]``."""
 
 FORWARD_LAYERS: Final = 6
 BACKWARD_LAYERS: Final = 3

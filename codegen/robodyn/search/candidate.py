@@ -68,7 +68,7 @@ class Candidates:
         wanted = tally.needed(outputs)
         sketch = tuple(nsmallest(_SKETCH, wanted))
         if self.objective.name == "total":
-            return float(operations(tally, wanted) - saved(tally.made, wanted)), sketch
+            return float(operations(tally, wanted) - saved(tally.entries, wanted)), sketch
         return self.objective.cost(operations_in(tally, wanted, outputs)), sketch
 
 
@@ -77,7 +77,7 @@ def operations_in(tally: Tally, wanted: set[int], outputs: list[Any]) -> Operati
     place: dict[int, int] = {}
     kinds: list[str] = []
     reads: list[tuple[int, ...]] = []
-    for position, (kind, read, _) in tally.made.items():
+    for position, (kind, read, _) in tally.entries.items():
         if position not in wanted or kind in (INPUT, NUMBER):
             continue
         place[position] = len(kinds)

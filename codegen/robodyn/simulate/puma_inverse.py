@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
 from robodyn.robot.model import Joint, Robot
-from robodyn.verify.numbers import Parameters, filled, number, real
+from robodyn.verify.numbers import Parameters, exact_value, filled, real
 
 Floats = NDArray[np.float64]
 #: Signs of u (+1 and -1: the two shoulders) and of psi (the two elbows).
@@ -82,7 +82,7 @@ class PumaArm:
         values = filled(robot, parameters)
 
         def length(joint: Joint, name: str) -> float:
-            return real(number(getattr(joint, name), values))
+            return real(exact_value(getattr(joint, name), values))
 
         joints = [link.joint for link in robot.links]
         if (

@@ -72,7 +72,7 @@ def printed_graph(arm: ArmName) -> TaskGraph:
 
 def graph_of(arm: ArmName, tasks: Iterable[TaskId], *, own_products: bool = False) -> TaskGraph:
     """The graph of just these ``tasks`` of ``arm``, those between them passing their inputs through."""
-    every = {task_id(link, task.number) for link in range(1, JOINTS + 1) for task in TASKS}
+    every = {task_id(link, task.row) for link in range(1, JOINTS + 1) for task in TASKS}
     return arm_graph(JOINTS, every - set(tasks), _PRISMATIC[arm], own_products=own_products)
 
 

@@ -181,8 +181,8 @@ def _execute(command: Sequence[str], folder: Path | None, seconds: float) -> tup
     if done.code is None:
         raise ToolError(
             f"{command[0]} does not come to an end",
-            found=first_lines(done.said) or "no message",
+            found=first_lines(done.output) or "no message",
             expected=f"{seconds:g} s at most",
             remedy=f"the command was: {shlex.join(command)}",
         )
-    return done.code, done.said
+    return done.code, done.output

@@ -65,7 +65,7 @@ def _run(command: Sequence[str], seconds: float) -> tuple[int, str]:
         raise ToolError("the compiled program cannot be started", found=error.strerror) from None
     if done.code is None:
         raise ToolError("the compiled program does not come to an end", expected=f"{seconds:g} s at most")
-    return done.code, done.said
+    return done.code, done.output
 
 
 def cores() -> int:

@@ -27,10 +27,10 @@ _LAST: Final = 2.0
 @dataclass(frozen=True, slots=True)
 class Finished:
     """How a program ended: its exit ``code``, negative where a signal ended it, None where its time was over;
-    and what it ``said``, the beginning of it if that was very much."""
+    and what it ``output``, the beginning of it if that was very much."""
 
     code: int | None
-    said: str
+    output: str
 
 
 def run(

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import Affine
 from robodyn.verify.declared import declared_place, declared_torque
-from robodyn.verify.numbers import Parameters, number, real
+from robodyn.verify.numbers import Parameters, exact_value, real
 
 Floats = NDArray[np.float64]
 #: Parameters of an effect by name: floats, words, knots, numbers of joints.
@@ -63,7 +63,7 @@ def settings(entry: EffectEntry, parameters: Parameters) -> dict[str, Any]:
 
     def plain(value: Any) -> Any:
         if isinstance(value, (Fraction, Affine)):
-            return real(number(value, parameters))
+            return real(exact_value(value, parameters))
         return tuple(plain(x) for x in value) if isinstance(value, tuple) else value
 
     return {name: plain(value) for name, value in entry.settings}
@@ -256,7 +256,7 @@ class Drives:
         ]
         joints = [link.joint for link in robot.links]
         self._rotor, self._viscous, self._coulomb = (
-            np.array([real(number(getattr(joint, name), parameters)) for joint in joints])
+            np.array([real(exact_value(getattr(joint, name), parameters)) for joint in joints])
             for name in ("motor_inertia", "viscous", "coulomb")
         )
 

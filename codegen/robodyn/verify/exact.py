@@ -19,7 +19,7 @@ from fractions import Fraction
 
 from robodyn.robot.model import Link, Robot
 from robodyn.robot.values import ZERO, circle_point
-from robodyn.verify.numbers import Parameters, filled, number
+from robodyn.verify.numbers import Parameters, exact_value, filled
 
 Matrix = list[list[Fraction]]
 Number = int | float | Fraction
@@ -80,9 +80,9 @@ def exact_torque(
         tau[j] = work - sum((g * x for g, x in zip(gravity, moved, strict=True)), ZERO)
         if robot.torque_side == "motor":
             joint = link.joint
-            tau[j] += number(joint.motor_inertia, values) * rates[j]
-            tau[j] += number(joint.viscous, values) * speeds[j]
-            tau[j] += number(joint.coulomb, values) * _way(speeds[j], robot.rest_velocity)
+            tau[j] += exact_value(joint.motor_inertia, values) * rates[j]
+            tau[j] += exact_value(joint.viscous, values) * speeds[j]
+            tau[j] += exact_value(joint.coulomb, values) * _way(speeds[j], robot.rest_velocity)
         D = _mul(steps[j], D)
         c = [sum((x * y for x, y in zip(row, c, strict=True)), ZERO) for row in steps[j]]
     return tau
@@ -107,7 +107,7 @@ def _step(link: Link, q: Fraction, values: Parameters) -> tuple[Matrix, Matrix, 
     joint = link.joint
     ca, sa = _grain(joint.alpha.cos), _grain(joint.alpha.sin)
     ct, st = _grain(joint.theta.cos), _grain(joint.theta.sin)
-    a, d = number(joint.a, values), number(joint.d, values)
+    a, d = exact_value(joint.a, values), exact_value(joint.d, values)
     tilt = [[_ONE, ZERO, ZERO, a], [ZERO, ca, -sa, ZERO], [ZERO, sa, ca, ZERO], [ZERO, ZERO, ZERO, _ONE]]
     if joint.kind == "prismatic":
         slide = [[ct, -st, ZERO, ZERO], [st, ct, ZERO, ZERO], [ZERO, ZERO, _ONE, d + q], [ZERO] * 3 + [_ONE]]
@@ -124,11 +124,11 @@ def _step(link: Link, q: Fraction, values: Parameters) -> tuple[Matrix, Matrix, 
 def _pseudo_inertia(link: Link, values: Parameters) -> tuple[Matrix, list[Fraction]]:
     """J_i [4, 4] about the frame's origin and its last column, the first moments and the mass."""
     i = link.inertia
-    xx, yy, zz = (number(x, values) for x in (i.xx, i.yy, i.zz))
-    xy, xz, yz = (number(x, values) for x in (i.xy, i.xz, i.yz))
+    xx, yy, zz = (exact_value(x, values) for x in (i.xx, i.yy, i.zz))
+    xy, xz, yz = (exact_value(x, values) for x in (i.xy, i.xz, i.yz))
     half = (xx + yy + zz) / 2
     spread = [[half - xx, -xy, -xz], [-xy, half - yy, -yz], [-xz, -yz, half - zz]]
-    m, com = number(link.mass, values), [number(x, values) for x in link.com]
+    m, com = exact_value(link.mass, values), [exact_value(x, values) for x in link.com]
     first = [m * x for x in com]
     J = [[spread[r][k] + first[r] * com[k] for k in range(3)] + [first[r]] for r in range(3)]
     return [*J, [*first, m]], [*first, m]

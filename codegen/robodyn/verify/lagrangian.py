@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Joint, Robot
 from robodyn.robot.values import Value
-from robodyn.verify.numbers import Parameters, filled, number, real
+from robodyn.verify.numbers import Parameters, exact_value, filled, real
 
 #: Joints up to which the oracle is quick whatever the angles: at most a second or two. Twists that are
 #: multiples of pi/2 are easy (six joints: some seconds), general ones are not (four joints: half a minute).
@@ -152,7 +152,7 @@ class _Energies:
         return self.ring.domain_new(value.numerator) / self.ring.domain_new(value.denominator) * self.ring.one
 
     def at(self, value: Value) -> Any:
-        return self.real(number(value, self.values))
+        return self.real(exact_value(value, self.values))
 
 
 def _mul(A: Matrix, B: Matrix) -> Matrix:
@@ -171,8 +171,8 @@ def _terms(polynomial: Any) -> tuple[NDArray[np.intp], Floats]:
 
 
 def _callable(robot: Robot, values: Parameters, torques: Sequence[tuple[NDArray[np.intp], Floats]]) -> Torque:
-    viscous = np.array([real(number(link.joint.viscous, values)) for link in robot.links])
-    coulomb = np.array([real(number(link.joint.coulomb, values)) for link in robot.links])
+    viscous = np.array([real(exact_value(link.joint.viscous, values)) for link in robot.links])
+    coulomb = np.array([real(exact_value(link.joint.coulomb, values)) for link in robot.links])
     rest = None if robot.rest_velocity is None else float(robot.rest_velocity)
 
     def torque(q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> Floats:

@@ -14,7 +14,7 @@ from robodyn.robot.values import Affine, Value
 Parameters = Mapping[str, float]
 
 
-def number(value: Value, parameters: Parameters) -> Fraction:
+def exact_value(value: Value, parameters: Parameters) -> Fraction:
     """``value`` with the parameters filled in, exactly (a double is a rational)."""
     if isinstance(value, Affine):
         terms = (coefficient * Fraction(float(parameters[name])) for name, coefficient in value.terms)

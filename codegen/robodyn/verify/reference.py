@@ -22,7 +22,7 @@ from robodyn.errors import InputError
 from robodyn.robot.model import EffectEntry, Inertia, Link, Robot
 from robodyn.verify.effects import Drives, Reactions
 from robodyn.verify.effects import Floats as Floats
-from robodyn.verify.numbers import Parameters, filled, number
+from robodyn.verify.numbers import Parameters, exact_value, filled
 from robodyn.verify.numbers import real as rounded
 
 #: Newton's rounds for accelerations under friction that depends on them, and halvings of a step.
@@ -263,7 +263,7 @@ def _solve(matrix: Floats, vector: Floats) -> Floats:
 
 def _solid(mass: Any, com: Any, i: Inertia, parameters: Parameters) -> _Solid:
     def real(value: Any) -> float:
-        return rounded(number(value, parameters))
+        return rounded(exact_value(value, parameters))
 
     tensor = [[i.xx, i.xy, i.xz], [i.xy, i.yy, i.yz], [i.xz, i.yz, i.zz]]
     return _Solid(
@@ -284,8 +284,8 @@ def _body(link: Link, loads: list[_Solid], parameters: Parameters) -> _Body:
         prismatic=joint.kind == "prismatic",
         ca=float(joint.alpha.cos),
         sa=float(joint.alpha.sin),
-        a=rounded(number(joint.a, parameters)),
-        d=rounded(number(joint.d, parameters)),
+        a=rounded(exact_value(joint.a, parameters)),
+        d=rounded(exact_value(joint.d, parameters)),
         ct=float(joint.theta.cos),
         st=float(joint.theta.sin),
         solids=(_solid(link.mass, link.com, link.inertia, parameters), *loads),

@@ -60,11 +60,11 @@ class Setup:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Blind:
-    """A blind test: the ``given`` model and its ``text``, logs, and the answer: the ``effects`` that are
+    """A blind test: the ``model`` and its ``text``, logs, and the answer: the ``effects`` that are
     hidden, the ``true`` robot; RMS [n] of the torques' ``noise`` and of what the model lacks (``gap``), in
     the training log."""
 
-    given: Robot
+    model: Robot
     text: str
     true: Robot
     effects: tuple[Amendment, ...]
@@ -91,7 +91,7 @@ class Blind:
     def answer(self, logs: Mapping[str, str] | None = None) -> dict[str, Any]:
         """What is hidden, ready for JSON; ``logs``: hashes of the logs by name."""
         return {
-            "robot": self.given.name,
+            "robot": self.model.name,
             "effects": [
                 {"effect": one.effect, "joint": one.joint, "parameters": dict(one.parameters)}
                 for one in self.effects

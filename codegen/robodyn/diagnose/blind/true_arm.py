@@ -26,13 +26,13 @@ class Arm:
     """The true arm, compiled, under a controller that takes it for the given one."""
 
     def __init__(self, model: Robot, true: Robot, motion: Trajectory, cache: Path | None) -> None:
-        self.given, self.true = model, true
+        self.model, self.true = model, true
         self.plant = build_plant(true, model=model, energy=False, cache=cache)
         self.gains = default_gains(self.plant.system, motion, "pd", 1e-3, {})
 
     def log(self, motion: Trajectory, rate: float) -> Log:
         """What perfect sensors show of the arm on ``motion``."""
-        follow = Follow(motion, "pd", *self.gains, model=self.given)
+        follow = Follow(motion, "pd", *self.gains, model=self.model)
         run = simulate(
             self.true, follow, sample_period=1 / rate, method="adaptive", step=1e-2, plant=self.plant
         )

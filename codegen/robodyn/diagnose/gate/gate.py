@@ -46,7 +46,7 @@ class Gate:
     joints: tuple[JointContent, ...]
     flags: tuple[Flag, ...]
 
-    def told(self, kind: str) -> tuple[Flag, ...]:
+    def flags_of(self, kind: str) -> tuple[Flag, ...]:
         """The flags of that ``kind``."""
         return tuple(flag for flag in self.flags if flag.kind == kind)
 

@@ -16,29 +16,29 @@ from robodyn.simulate.log import Log
 @dataclass(frozen=True, slots=True, eq=False)
 class Grid:
     """``log`` on an even grid, where ``segments`` are unbroken; ``parts`` are the rows (from 0) of the
-    ``given`` log that each of them comes of. One sample is ``stride`` rows there."""
+    ``raw`` log that each of them comes of. One sample is ``stride`` rows there."""
 
     log: Log
-    given: Log
+    raw: Log
     segments: tuple[slice, ...]
     parts: tuple[Rows, ...]
     period: float
     stride: int
 
     def rows(self) -> Rows:
-        """About which row (from 0) of the given log each sample is [K]."""
+        """About which row (from 0) of the raw log each sample is [K]."""
         rows = []
         for segment, part in zip(self.segments, self.parts, strict=True):
             if self.stride > 1:
                 rows.append(part[:: self.stride][: segment.stop - segment.start])
                 continue
-            near = np.searchsorted(self.given.t[part], self.log.t[segment] - 0.5 * self.period)
+            near = np.searchsorted(self.raw.t[part], self.log.t[segment] - 0.5 * self.period)
             rows.append(part[np.minimum(near, len(part) - 1)])
         return np.concatenate(rows)
 
     def spans(self, samples: Rows) -> tuple[Span, ...]:
-        """Where the ``samples`` (rising) are in the given log, runs of them as one span."""
-        return spans_of(self.rows()[samples], self.given.t)
+        """Where the ``samples`` (rising) are in the raw log, runs of them as one span."""
+        return spans_of(self.rows()[samples], self.raw.t)
 
 
 def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:

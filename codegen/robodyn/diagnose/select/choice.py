@@ -133,7 +133,7 @@ def best_of(
         best.setdefault((one.candidate.effect, one.candidate.joint), one)
     top = max(one.gain for one in best.values())
     for key, one in best.items():
-        if one.candidate.given and one.gain > 0.5 * top:
+        if one.candidate.values and one.gain > 0.5 * top:
             best[key] = _refined(now, current, one, least, contexts)
     most = max(best.values(), key=lambda one: one.gain)
     left = np.median(most.fit.held[:, list(most.candidate.rows)], axis=0).max()
@@ -162,7 +162,7 @@ def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
 
 def numbers_of(one: Trial) -> int:
     """How many free numbers a candidate has, as far as most motions show them."""
-    return min(len(one.candidate.signs), BODY_NUMBERS) + len(one.candidate.given)
+    return min(len(one.candidate.signs), BODY_NUMBERS) + len(one.candidate.values)
 
 
 def enough(now: Problem, numbers: int) -> float:
@@ -225,7 +225,7 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
     spread, fine = one.candidate.spread
     for _ in range(REFINING_ROUNDS):
         better = one
-        start = dict(one.candidate.given)
+        start = dict(one.candidate.values)
         for name, value in start.items():
             for factor in (1 / spread, spread):
                 other = value * factor
@@ -246,10 +246,10 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
 
 def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
     """The best of steps in random directions, shorter and shorter."""
-    rng, start = np.random.default_rng(0), one.candidate.given
+    rng, start = np.random.default_rng(0), one.candidate.values
     size = np.array([one.candidate.reach[name] for name in start])
     for _ in range(REFINING_ROUNDS):
-        settings = one.candidate.given
+        settings = one.candidate.values
         steps = np.exp(size * rng.standard_normal((SWING_DIRECTIONS, len(size))))
         tried = []
         for row in steps:

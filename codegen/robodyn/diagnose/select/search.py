@@ -39,7 +39,7 @@ class Outcome:
     """What was found by effect and joint, the ``model`` with it, the ``first`` look at the logs and the
     ``last``."""
 
-    found: dict[Key, Found]
+    findings: dict[Key, Found]
     model: Robot
     first: Selection
     last: Selection
@@ -57,7 +57,7 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
     first = last = look(robot)
     model, findings, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
     for _ in range(PASSES):
-        if not last.found:
+        if not last.findings:
             break
         _take(last, findings, digest)
         _refit(robot, findings, first)
@@ -129,7 +129,7 @@ def _levelled(findings: dict[Key, Found], begun: Selection) -> bool:
             findings[plain] = replace(before, parameters={**before.parameters, **sums})
             continue
         candidate = replace(
-            one.named.trial.candidate, effect=plain[0], signs=(1,), given={}, beside=(), again=None, order=1
+            one.named.trial.candidate, effect=plain[0], signs=(1,), values={}, beside=(), again=None, order=1
         )
         named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
         errors = {name: one.errors[name] for name in parameters if name in one.errors}
@@ -139,7 +139,7 @@ def _levelled(findings: dict[Key, Found], begun: Selection) -> bool:
 
 def _take(step: Selection, findings: dict[Key, Found], digest: str) -> None:
     """A step's findings join those of the same effect and place."""
-    for named in step.found:
+    for named in step.findings:
         candidate = named.trial.candidate
         values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
         if candidate.definition.place == "outside":

@@ -64,7 +64,7 @@ class Selection:
 
     contexts: tuple[Context, ...]
     start: Problem
-    found: tuple[Named, ...]
+    findings: tuple[Named, ...]
     first: Fit
     last: Fit
     trials: tuple[Trial, ...]
@@ -176,15 +176,15 @@ def select(
         start = without(start, touched.mask)
     rough = bool(np.any(factor > 1))
     chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
-    if not chosen.found:
+    if not chosen.findings:
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, TIGHT)
         # Not their errors, which are within what is said of them.
         others = [pair for pair in library if not _is_of_link(pair[0])]
         other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
-        if other.found and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
+        if other.findings and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = tight, other
-    now, current, findings = chosen.now, chosen.current, chosen.found
+    now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
     if touched is not None:
@@ -199,7 +199,7 @@ class _Chosen:
     """What was chosen, one after another; the problem with all of it, its fit, the trials of the first
     step."""
 
-    found: list[Named]
+    findings: list[Named]
     now: Problem
     current: Fit
     trials: list[Trial]
@@ -264,7 +264,9 @@ def _evidence(start: Problem, chosen: _Chosen) -> float:
     )
     width = float(np.linalg.slogdet(np.eye(len(gram)) + gram)[1]) / 2
     spread = float(np.sum(np.log(floor))) * len(left) / p.thin / 2
-    return -misfit - spread - strain - width - sum(enough(start, numbers_of(f.trial)) for f in chosen.found)
+    return (
+        -misfit - spread - strain - width - sum(enough(start, numbers_of(f.trial)) for f in chosen.findings)
+    )
 
 
 def _factor(

@@ -25,13 +25,13 @@ _PATIENCE = 150
 
 @dataclass(slots=True)
 class Search:
-    """A search over one system; ``found`` are distinct results by what was taken, with their costs."""
+    """A search over one system; ``systems`` are distinct results by what was taken, with their costs."""
 
     system: System
     numbers: Numbers
     chance: random.Random
     memory: Memory
-    found: dict[frozenset[Factor], tuple[int, System]]
+    systems: dict[frozenset[Factor], tuple[int, System]]
     current: tuple[int, list[Factor]] | None = None
     idle: int = 0
 
@@ -43,12 +43,12 @@ class Search:
     @property
     def cost(self) -> int:
         """Operations of the best found."""
-        return min(cost for cost, _ in self.found.values())
+        return min(cost for cost, _ in self.systems.values())
 
     def run(self, work: int) -> int:
         """At least one extraction, and more until so much ``work`` is done; the work done."""
         done = 0
-        while done < work or not self.found:
+        while done < work or not self.systems:
             done += self._extract()
         return done
 
@@ -60,10 +60,10 @@ class Search:
             for factor in self.current[1]:
                 weights[factor] = _DROPPED if chance.random() < part else _KEPT
         taste = Taste(chance.choice((1, 2, 3)), chance.choice((0, 1, 2, 4, -1)), chance.choice((0, -1, -3)))
-        extraction = Extraction(self.system.copy(), taste if self.found else Taste(), chance, self.memory)
+        extraction = Extraction(self.system.copy(), taste if self.systems else Taste(), chance, self.memory)
         system = extraction.run()
         cost = system.cost()
-        self.found.setdefault(frozenset(extraction.taken), (cost, system))
+        self.systems.setdefault(frozenset(extraction.taken), (cost, system))
         self.idle += 1
         if self.current is None or cost <= self.current[0] + (chance.random() < _WORSE):
             if self.current is None or cost < self.current[0]:

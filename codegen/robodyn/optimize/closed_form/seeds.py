@@ -42,7 +42,7 @@ def closed_forms(robot: Robot, *, effort: float = 1.0, seed: int = 0) -> list[Pr
     for form in forms:
         if work < _LOOKING * effort:
             work += form.search.run(int(_START * effort))
-    forms = [form for form in forms if form.search.found]
+    forms = [form for form in forms if form.search.systems]
     for share in (0.3, 0.3, 0.4):
         forms.sort(key=lambda form: form.cost)
         forms = forms[: min(_BEST, max(2, len(forms) // 2))]
@@ -56,7 +56,7 @@ def _scaled(forms: list[Form], effort: float, seed: int) -> list[Program]:
     chance = random.Random(seed)
     best: list[tuple[Form, Scaling]] = []
     for form in forms:
-        ranked = sorted(form.search.found.values(), key=lambda item: item[0])
+        ranked = sorted(form.search.systems.values(), key=lambda item: item[0])
         # Constants of a longer factorisation may scale better: some of those as well.
         close = [item for item in ranked[_TRIED:] if item[0] <= ranked[0][0] + 3]
         ranked = ranked[:_TRIED] + chance.sample(close, min(len(close), _TRIED))

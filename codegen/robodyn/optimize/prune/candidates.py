@@ -36,7 +36,7 @@ class View:
     ) -> None:
         import numpy as np
 
-        self.editor, self.edits, self.made = editor, edits, copies
+        self.editor, self.edits, self.nodes = editor, edits, copies
         keys = editor.graph.keys
         self.keys = keys
         order = needed(editor.graph, [("", outputs)])
@@ -73,7 +73,7 @@ class View:
         for i, p in enumerate(self.live):
             if p in self.edits or p in self.editor.fixed:
                 continue
-            own, felt, here = self.values[i], self.felt[i], self.made[p]
+            own, felt, here = self.values[i], self.felt[i], self.nodes[p]
             assert isinstance(here, Node)
             share = float((felt * np.abs(own)).max())
             if share <= 1 and (p, None) not in refused:
@@ -87,7 +87,7 @@ class View:
                 shares = (np.abs(self.values[close] - sign * own) * felt).max(axis=1)
                 for k in np.argsort(shares, kind="stable")[:_NEAREST]:
                     q, share = self.live[close[k]], float(shares[k])
-                    there = self.made[q]
+                    there = self.nodes[q]
                     assert isinstance(there, Node)
                     if share <= 1 and (p, (sign, q)) not in refused:
                         gain = self._merged(here.position, there.position)

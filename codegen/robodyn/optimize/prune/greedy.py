@@ -23,7 +23,7 @@ class State:
     """The program with ``edits``: its positions' values, its outputs, their operations and errors."""
 
     edits: dict[int, Edit]
-    made: dict[int, Scalar]
+    nodes: dict[int, Scalar]
     outputs: list[Scalar]
     cost: int
     shares: list[float]
@@ -43,19 +43,19 @@ class _Descent:
     """Edit after edit from ``state``, until none fits any more."""
 
     def __init__(self, editor: Editor, state: State, notion: float, progress: Callable[[int], None]) -> None:
-        self.editor, self.state, self.notion, self.told = editor, state, notion, progress
+        self.editor, self.state, self.notion, self.progress = editor, state, notion, progress
         self.refused: set[tuple[int, Edit]] = set()
 
     def end(self) -> State:
         """The last state."""
         while self._round():
-            self.told(self.state.cost)
+            self.progress(self.state.cost)
         return self.state
 
     def _round(self) -> bool:
         """Make a few of the best edits; False if there is none."""
         state = self.state
-        view = View(self.editor, state.edits, state.made, state.outputs, state.shares)
+        view = View(self.editor, state.edits, state.nodes, state.outputs, state.shares)
         candidates = [c for c in view.candidates(self.refused) if c.gain > 0]
         done, room = 0, 1.0
         for c in sorted(candidates, key=self._rank):

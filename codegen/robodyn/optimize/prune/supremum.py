@@ -157,7 +157,7 @@ def _halved(centres: Floats, half: list[float], degree: tuple[int, ...]) -> tupl
     return centres, [h / 2 if d else h for h, d in zip(half, degree, strict=True)]
 
 
-def found(waves: Waves, levels: int = 2) -> float:
+def lower_estimate(waves: Waves, levels: int = 2) -> float:
     """A lower bound of the largest F, mostly within a few per cent."""
     import numpy as np
 

@@ -28,7 +28,14 @@ from robodyn.errors import InputError, Place
 from robodyn.ir.program import BINARY, UNARY, Input, Label, Operand, Operation, Program
 
 _TITLE = "robodyn record 1"
-_FIELDS = ("robot", "identity", "function", "objective", "found")
+#: The fields of the header, and the attributes that hold them.
+_FIELDS = {
+    "robot": "robot",
+    "identity": "identity",
+    "function": "function",
+    "objective": "objective",
+    "found": "origin",
+}
 #: Far above what any arm needs; a file with more is not a record.
 _MOST_LINES, _LONGEST_LINE = 100_000, 20_000
 #: So many digits has a constant's numerator or denominator at the most; so many factors a product; so many
@@ -44,20 +51,25 @@ _LABEL = re.compile(r"(\d{1,4}) ([A-Za-z][A-Za-z0-9]{0,15})(?: ([A-Za-z0-9_]{0,9
 class Record:
     """The best program known of a function of the robot with this ``identity``.
 
-    ``objective`` says best at what; ``found`` is one line on how it was found; ``file`` is where it was read.
+    ``objective`` says best at what; ``origin`` is one line on how it was found; ``file`` is where it was
+    read.
     """
 
     robot: str
     identity: str
     function: str
     objective: str
-    found: str
+    origin: str
     program: Program
     file: str | None = field(default=None, compare=False)
 
     def text(self) -> str:
         """The record as it is kept in a file."""
-        lines = [_TITLE, *(f"{name} {getattr(self, name)}" for name in _FIELDS), "program"]
+        lines = [
+            _TITLE,
+            *(f"{name} {getattr(self, attribute)}" for name, attribute in _FIELDS.items()),
+            "program",
+        ]
         for i, (op, args, label) in enumerate(self.program.operations):
             line = f"%{i} = {op} {' '.join(map(_operand, args))}"
             if label is not None:
@@ -75,7 +87,7 @@ def header(text: str) -> dict[str, str]:
     if lines[0] != _TITLE or len(lines) < len(_FIELDS) + 1:
         return {}
     fields = dict(line.partition(" ")[::2] for line in lines[1 : len(_FIELDS) + 1])
-    return fields if tuple(fields) == _FIELDS else {}
+    return fields if tuple(fields) == tuple(_FIELDS) else {}
 
 
 def parse_record(text: str, file: str) -> Record:
@@ -119,7 +131,11 @@ def parse_record(text: str, file: str) -> Record:
             raise _fault(file, line_number, "not the next line of the program", f"%{len(operations)} = ...")
     if not outputs:
         raise _fault(file, len(lines), "the program has no outputs", "name = operands")
-    return Record(**fields, program=Program(tuple(operations), tuple(outputs)), file=file)
+    return Record(
+        **{_FIELDS[name]: value for name, value in fields.items()},
+        program=Program(tuple(operations), tuple(outputs)),
+        file=file,
+    )
 
 
 def _numbered(lines: list[str], first: int) -> Iterator[tuple[int, str]]:

@@ -26,7 +26,7 @@ class Candidate:
     ``columns`` [K, rows, c]: torques by the linear parameters, at the joints ``rows`` (from 0); ``signs``
     [c]: +1 for what must not be negative, 0 for what may be anything; ``read`` makes the catalogue's
     parameters of the coefficients, ``feasible`` whether physics allows them. ``coarse``: the columns are of
-    coarse signals. ``order`` says which of two that explain alike is the simpler. ``given``: the values of
+    coarse signals. ``order`` says which of two that explain alike is the simpler. ``values``: the values of
     what is not linear, by name."""
 
     effect: str
@@ -51,7 +51,7 @@ class Candidate:
     spread: tuple[float, float] = (1.5, 1.03)
     reach: Mapping[str, float] = field(default_factory=dict)
     feasible: Callable[[Floats], bool] = anything
-    given: Mapping[str, float] = field(default_factory=dict)
+    values: Mapping[str, float] = field(default_factory=dict)
     #: Makes the same in a context, with other values of what is not linear.
     again: Callable[[Context, Mapping[str, float]], Candidate] | None = None
 

@@ -72,14 +72,14 @@ def _swing(c: Context, j: int) -> Swing:
     return swing
 
 
-def _behind(c: Context, effect: Effect, twist: Twist, j: int, given: Mapping[str, float]) -> Candidate:
-    """A link behind its motor, with all of the spring or the play as it is ``given``."""
-    values = {**given, **twist.fixed}
+def _behind(c: Context, effect: Effect, twist: Twist, j: int, settings: Mapping[str, float]) -> Candidate:
+    """A link behind its motor, with all of the spring or the play as it is ``settings``."""
+    values = {**settings, **twist.fixed}
     column = _swing(c, j).column(effect.id, values)
     return Candidate(
         effect.id, j + 1, tuple(range(c.n)), column[:, :, None], (1,),
         lambda x: {**values, "encoder": "motor"}, twist.order, coarse=True, fixed=True, reach=twist.reach,
-        given=given, again=lambda c, values: _behind(c, effect, twist, j, values),
+        values=settings, again=lambda c, values: _behind(c, effect, twist, j, values),
     )  # fmt: skip
 
 

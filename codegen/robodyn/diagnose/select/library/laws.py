@@ -27,15 +27,16 @@ def laws(c: Context, effect: Effect, law: Law, j: int) -> Iterator[Candidate]:
             yield _fitted(c, effect, law, j, values)
 
 
-def _fitted(c: Context, effect: Effect, law: Law, j: int, given: Given) -> Candidate:
+def _fitted(c: Context, effect: Effect, law: Law, j: int, settings: Given) -> Candidate:
     at = site(c, j)
     if effect.place == "gear":  # behind the bearings
         at = Site(at.revolute, at.q, at.qd, at.qdd, at.direction, c.at.passed[:, j])
-    columns = [np.asarray(x + np.zeros_like(at.qd)) for x in law.columns(given, at)]
+    columns = [np.asarray(x + np.zeros_like(at.qd)) for x in law.columns(settings, at)]
     columns += [unit_column(CATALOGUE[id], at) for id in law.beside]
     return single(
-        effect.id, j, columns, (*law.signs, *(0 for _ in law.beside)), lambda x: law.read(x, given),
-        law.order, given=given, beside=law.beside, spread=law.spread, rough=law.rough, feasible=law.feasible,
+        effect.id, j, columns, (*law.signs, *(0 for _ in law.beside)), lambda x: law.read(x, settings),
+        law.order, values=settings, beside=law.beside, spread=law.spread, rough=law.rough,
+        feasible=law.feasible,
         again=lambda c, values: _fitted(c, effect, law, j, values),
     )  # fmt: skip
 
@@ -58,10 +59,10 @@ def bristles(c: Context, effect: Effect, law: Bristles, j: int) -> Iterator[Cand
             yield _bristles(c, effect, law, j, {"bend": bend})
 
 
-def _bristles(c: Context, effect: Effect, law: Bristles, j: int, given: Given) -> Candidate:
-    column = bent(c.signals.q[:, j], given["bend"])
+def _bristles(c: Context, effect: Effect, law: Bristles, j: int, settings: Given) -> Candidate:
+    column = bent(c.signals.q[:, j], settings["bend"])
     return single(
-        effect.id, j, [column], (1,), lambda x: law.read(x, given), law.order, given=given,
+        effect.id, j, [column], (1,), lambda x: law.read(x, settings), law.order, values=settings,
         again=lambda c, values: _bristles(c, effect, law, j, values),
     )  # fmt: skip
 

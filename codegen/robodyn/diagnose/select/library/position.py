@@ -28,11 +28,11 @@ def waves(c: Context, effect: Effect, wave: Wave, j: int) -> Iterator[Candidate]
         yield _wave(c, effect, wave, j, {"cycles": cycles})
 
 
-def _wave(c: Context, effect: Effect, wave: Wave, j: int, given: Mapping[str, float]) -> Candidate:
-    angle = given["cycles"] * c.signals.q[:, j]
+def _wave(c: Context, effect: Effect, wave: Wave, j: int, settings: Mapping[str, float]) -> Candidate:
+    angle = settings["cycles"] * c.signals.q[:, j]
     return single(
-        effect.id, j, [np.sin(angle), np.cos(angle)], (0, 0), lambda x: wave.read(x, given), wave.order,
-        given=given, spread=wave.spread, again=lambda c, values: _wave(c, effect, wave, j, values),
+        effect.id, j, [np.sin(angle), np.cos(angle)], (0, 0), lambda x: wave.read(x, settings), wave.order,
+        values=settings, spread=wave.spread, again=lambda c, values: _wave(c, effect, wave, j, values),
     )  # fmt: skip
 
 

@@ -75,10 +75,10 @@ def _saturation(c: Context, effect: Effect, channel: Channel, shown: Shown, j: i
 
 
 def _clipped(
-    c: Context, effect: Effect, channel: Channel, shown: Shown, j: int, given: Mapping[str, float]
+    c: Context, effect: Effect, channel: Channel, shown: Shown, j: int, settings: Mapping[str, float]
 ) -> Candidate:
     """A drive's limit: what the commands have beyond it."""
-    tau, limit = c.signals.tau[:, j], given["limit"]
+    tau, limit = c.signals.tau[:, j], settings["limit"]
     beyond = np.sign(tau) * np.maximum(np.abs(tau) - limit, 0.0)
     # It must be right where it clips: cutting peaks off makes every torque smaller.
     at = beyond != 0
@@ -88,7 +88,7 @@ def _clipped(
         beyond = np.zeros_like(tau)
     return single(
         effect.id, j, [beyond], (1,), lambda x: {channel.parameter: limit, channel.who: "drive"}, shown.order,
-        fixed=True, local=True, given=given, feasible=_about_one,
+        fixed=True, local=True, values=settings, feasible=_about_one,
         again=lambda c, values: _clipped(c, effect, channel, shown, j, values),
     )  # fmt: skip
 

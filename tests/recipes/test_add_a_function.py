@@ -1,0 +1,237 @@
+"""The recipe "Add a function" of CONTRIBUTING.md, carried out in a copy of the package: kinetic energy."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import textwrap
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from recipes.copies import Copy, source_in_recipe
+from robodyn.robot import load, read_text
+from robodyn.verify import Reference
+from robodyn_testing import require_tool
+
+FILE = "codegen/robodyn/dynamics/functions/kinetic_energy.py"
+
+#: Drives with all that the rigid arm does not have: losses, memory, a motor that drives two joints, a name.
+LOADED = """\
+name: loaded
+links:
+  - joint: revolute
+    mass: m_1
+    com: [0.1, 0, 0.1]
+    inertia: {xx: 0.1, yy: 0.1, zz: 0.12}
+    motor_inertia: 0.3
+    effects:
+      - {effect: transmission_loss, breakaway: 0.2, efficiency: 0.8}
+      - {effect: motor_coupling, with: 2, ratio: 0.5, inertia: 0.2}
+  - joint: revolute
+    alpha: pi/2
+    a: 0.3
+    mass: 2
+    com: [0.1, 0.02, 0.1]
+    inertia: {xx: 0.1, yy: 0.1, zz: 0.12}
+    friction: {viscous: 1.2, coulomb: 3}
+    effects:
+      - {effect: load_dependent_friction, bearing: journal, mu: 0.1, radius: 0.02, span: 0.1}
+  - joint: prismatic
+    alpha: pi/2
+    mass: 2
+    effects:
+      - {effect: presliding_hysteresis, level: 1.0, stiffness: 100.0}
+"""
+
+#: What runs in the copy: the command line in one process, which compiles the copy's sources once.
+COMMANDS = """\
+import contextlib, io, json, sys
+from robodyn_cli.main import main
+
+def cli(*arguments):
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        code = main(list(arguments))
+    return {"code": code, "out": out.getvalue(), "err": err.getvalue()}
+"""
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory: pytest.TempPathFactory) -> Copy:
+    folder = tmp_path_factory.mktemp("function")
+    made = Copy(folder / "copy", {FILE: source_in_recipe("Add a function", FILE)})
+    (made.work / "loaded.yaml").write_text(LOADED, encoding="utf-8")
+    return made
+
+
+def answers(copy: Copy, *commands: str) -> list[dict[str, object]]:
+    """What the commands say and end with, in one process."""
+    script = COMMANDS + f"print(json.dumps([cli(*c.split()) for c in {list(commands)!r}]))"
+    answered: list[dict[str, object]] = json.loads(copy.python("-c", script).splitlines()[-1])
+    return answered
+
+
+def test_the_kernels_give_half_the_square(copy: Copy) -> None:
+    """C and Fortran, one state, many, a batch, in Python: ``qd^T M qd / 2`` with the reference's ``M``."""
+    script = textwrap.dedent("""
+        import json, sys, warnings
+        import numpy as np, robodyn
+        warnings.simplefilter("ignore")
+        told = {}
+        for name in ("puma560", "stanford", "tx40", "loaded.yaml"):
+            robot = robodyn.load(name)
+            params = {"m_1": 1.5} if robot.parameters else None
+            random = np.random.default_rng(7)
+            q, qd = random.uniform(-2, 2, (2, 40, robot.n))
+            made = {"functions": ["kinetic_energy"], "trig": "builtin", "cache": "cache", "mode": "abi"}
+            c = robodyn.compile(robot, **made)
+            energy = c.kinetic_energy(q, qd, params=params)
+            told[name] = energy.tolist()
+            one = c.kinetic_energy(q[3], qd[3], params=params)
+            assert one.shape == () and one == energy[3]
+            work = c.workspace("kinetic_energy", params)
+            work.q, work.qd = q[3], qd[3]
+            work()
+            assert work.E == one
+            if name in ("stanford", "loaded.yaml"):
+                fortran = robodyn.compile(robot, language="fortran", **made)
+                assert np.array_equal(energy, fortran.kinetic_energy(q, qd, params=params))
+                assert np.array_equal(energy, c.batch(q, qd, function="kinetic_energy", params=params))
+        assert "E: [] or [N], double; energy, J" in c.kinetic_energy.__doc__
+        print(json.dumps(told))
+    """)
+    told = json.loads(copy.python("-c", script).splitlines()[-1])
+    for name, energies in told.items():
+        robot = read_text(LOADED) if name == "loaded.yaml" else load(name, warn=lambda _: None)
+        q, qd = np.random.default_rng(7).uniform(-2, 2, (2, 40, robot.n))
+        matrix = Reference(robot, {"m_1": 1.5} if robot.parameters else None).mass_matrix(q)
+        expected = np.einsum("ki,kij,kj->k", qd, matrix, qd) / 2
+        np.testing.assert_allclose(energies, expected, rtol=1e-12)
+
+
+def test_the_commands_know_it(copy: Copy) -> None:
+    usual, written, flops, help_, unknown, unfit, plan, threads = answers(
+        copy,
+        "gen puma560_3dof -o usual",
+        "gen puma560_3dof --functions gravity,kinetic_energy --batch -o written --json",
+        "flops stanford --function kinetic_energy --json",
+        "gen --help",
+        "flops puma560 --function kinetic",
+        "gen puma560 --functions kinetic_energy --prune 1%",
+        "plan puma560_3dof --function kinetic_energy --deadline 1ms --target x86-64",
+        "schedule puma560_3dof -p 2 --cut 3 --function kinetic_energy --emit threads",
+    )
+    assert [a["code"] for a in (usual, written, flops, help_, plan, threads)] == [0] * 6, written
+    assert "kinetic" not in (copy.work / "usual" / "puma560_3dof.h").read_text()
+    header = (copy.work / "written" / "puma560_3dof.h").read_text()
+    assert "/* kinetic energy of links and rotors */" in header
+    assert "E    energy [J]" in header
+    assert "puma560_3dof_real E[1])" in header
+    assert (
+        "puma560_3dof_kinetic_energy_batch(" in (copy.work / "written" / "puma560_3dof_batch.h").read_text()
+    )
+    counted = json.loads(str(flops["out"]))
+    assert (counted["function"], counted["thesis"]) == ("kinetic_energy", None)
+    assert counted["total"] == counted["mul"] + counted["add"] > 50
+    listed = " ".join(str(help_["out"]).split())
+    assert "kinetic_energy (kinetic energy of links and rotors; on request)" in listed
+    assert unknown["code"] == unfit["code"] == 2
+    assert "did you mean 'kinetic_energy'?" in str(unknown["err"])
+    assert "kinetic_energy cannot be pruned; expected one of inverse_dynamics, gravity, bias" in str(
+        unfit["err"]
+    )
+    assert "robodyn gen puma560_3dof --functions kinetic_energy" in str(plan["out"])
+    assert "out[0] = " in (copy.work / "threads" / "puma560_3dof_parallel.c").read_text()
+
+
+@pytest.mark.parametrize("robot", ["stanford", "tx40", "loaded.yaml"])
+def test_it_is_verified(copy: Copy, robot: str) -> None:
+    (found,) = answers(copy, f"verify {robot} --functions kinetic_energy,gravity --states 30 --json")
+    report = json.loads(str(found["out"]))
+    assert (found["code"], report["passed"]) == (0, True)
+    energies = [c for c in report["comparisons"] if c["function"] == "kinetic_energy"]
+    against = ["reference"] if robot == "loaded.yaml" else ["reference", "exact"]
+    assert [c["against"] for c in energies] == against
+    assert all(c["joint"] is None and c["passed"] and c["error"] < 1e-14 for c in energies)
+    assert report["equal_on_fractions"].get("kinetic_energy") == (None if robot == "loaded.yaml" else True)
+
+
+@pytest.mark.parametrize("robot", ["puma560_3dof", "loaded.yaml"])
+def test_no_program_leaves_that_is_something_else(copy: Copy, robot: str) -> None:
+    """The square in place of its half."""
+    script = textwrap.dedent(f"""
+        import dataclasses, warnings
+        import robodyn
+        from robodyn.dynamics.functions import FUNCTIONS
+        warnings.simplefilter("ignore")
+        right = FUNCTIONS["kinetic_energy"]
+        wrong = dataclasses.replace(right, outputs=lambda at: [2 * right.outputs(at)[0]])
+        FUNCTIONS["kinetic_energy"] = wrong
+        robot = robodyn.load({robot!r})
+        try:
+            robodyn.generate(robot, robodyn.Options(("kinetic_energy",)))
+        except AssertionError as error:
+            print(error)
+    """)
+    assert "kinetic_energy of" in (said := copy.python("-c", script))
+    assert "differs from plain Newton-Euler" in said
+
+
+def test_the_firmware_tests_itself(copy: Copy) -> None:
+    require_tool("cc")
+    robots = {"puma560": "puma560", "loaded": "loaded.yaml"}
+    found = answers(
+        copy,
+        *(
+            f"gen {robot} --firmware --functions kinetic_energy --target cortex-m4f -o {name} --json"
+            for name, robot in robots.items()
+        ),
+    )
+    for name, answer in zip(robots, found, strict=True):
+        assert answer["code"] == 0, answer["err"]
+        folder = copy.work / name / "firmware"
+        assert "kinetic_energy_vectors" in (folder / f"{name}_selftest.c").read_text()
+        sources = [f"{name}.c", f"{name}_selftest.c", f"{name}_selftest_main.c"]
+        subprocess.run(
+            ["cc", "-std=c99", "-O2", "-Wall", "-Werror", "-ffp-contract=off", *sources, "-o", "test"],
+            cwd=folder, check=True, timeout=60,
+        )  # fmt: skip
+        done = subprocess.run([folder / "test"], capture_output=True, text=True, check=False, timeout=60)
+        assert done.returncode == 0, done.stdout
+        for processor in json.loads(str(answer["out"]))["firmware"]:
+            assert "FAILED" not in json.dumps(processor)
+
+
+def test_the_record_must_be_whole() -> None:
+    """A record that nothing could check, and one that takes another's name, end where they are read."""
+    import dataclasses
+
+    from robodyn.dynamics.functions import FUNCTIONS, registered
+
+    gravity = FUNCTIONS["gravity"]
+    with pytest.raises(ValueError, match="'gravity': nothing says what is right"):
+        dataclasses.replace(gravity, expected=None)
+    with pytest.raises(ValueError, match="two functions are called 'gravity'"):
+        registered([gravity, gravity])
+    with pytest.raises(ValueError, match="'more': no such parts: bias"):
+        registered([dataclasses.replace(gravity, name="more", parts=("bias",))])
+    other = gravity.result._replace(unit="kg m^2/s^2")
+    with pytest.raises(ValueError, match="the array 'tau' is 'joint torques"):
+        registered([dataclasses.replace(gravity, name="more", result=other)])
+
+
+def test_a_folder_of_records_is_what_there_is() -> None:
+    """Every file of the folder but the record's own lists functions."""
+    from robodyn.dynamics import functions
+
+    folder = Path(functions.__file__).parent
+    assert {"__init__", "record", "standard"} <= {file.stem for file in folder.glob("*.py")}
+    assert functions.by_default() == (
+        "inverse_dynamics",
+        "gravity",
+        "bias",
+        "mass_matrix",
+        "forward_dynamics",
+    )

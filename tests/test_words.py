@@ -1,0 +1,63 @@
+"""Names say what a thing is, and not that it was found, made or given."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+VAGUE = frozenset({"found", "given", "made", "number", "said", "soon", "told"})
+FILES = sorted(path for root in ("codegen", "cli") for path in (ROOT / root).rglob("*.py"))
+
+
+def vague_names(tree: ast.Module) -> Iterator[tuple[int, str]]:
+    """The line and name of each variable, argument, field and function with a vague name.
+
+    What an error calls ``found`` stands beside what it ``expected``: there it is the word of the message. A
+    method may be called ``number`` if a number is what it returns.
+    """
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and node.id in VAGUE:
+            yield node.lineno, node.id
+        elif isinstance(node, ast.FunctionDef):
+            arguments = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
+            of_error = "expected" in {argument.arg for argument in arguments}
+            allowed = {"found"} if of_error else set()
+            yield from ((a.lineno, a.arg) for a in arguments if a.arg in VAGUE - allowed)
+            if node.name in VAGUE - {"number"}:
+                yield node.lineno, node.name
+        elif isinstance(node, ast.Lambda):
+            yield from ((a.lineno, a.arg) for a in node.args.args if a.arg in VAGUE)
+        elif (
+            isinstance(node, ast.Attribute)
+            and isinstance(node.ctx, ast.Store)
+            and node.attr in VAGUE - {"found"}
+        ):
+            yield node.lineno, node.attr
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("found = 1", ["found"]),
+        ("def f(given): made, x = given", ["given", "made"]),
+        ("class C:\n    told: int\n    def number(self): self.said = 1", ["said", "told"]),
+        ("def error(what, found, expected): pass", []),
+        ("sort(key=lambda made: made)", ["made"]),
+    ],
+)
+def test_vague_names_are_noticed(text: str, names: list[str]) -> None:
+    assert sorted(name for _, name in vague_names(ast.parse(text))) == names
+
+
+def test_no_name_is_vague() -> None:
+    places = [
+        f"{path.relative_to(ROOT)}:{line}: {name}"
+        for path in FILES
+        for line, name in vague_names(ast.parse(path.read_text(encoding="utf-8")))
+    ]
+    assert FILES
+    assert not places, "\n".join(places)
