@@ -6,13 +6,8 @@ import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
-<<<<<<< HEAD
 from robodyn_cli.options import functions_option, listed, load, model_options, search_options
-from robodyn_cli.pruned import prune_option, pruning_lines, told, tolerance, with_pruning
-=======
-from robodyn_cli.options import function_option, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
->>>>>>> main
 from robodyn_cli.searching import Search
 
 

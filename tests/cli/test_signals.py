@@ -226,7 +226,7 @@ def test_too_few_open_files(module: str) -> None:
     done = hooked(module, FEW, "gen", "stanford_3dof", "-o", "out")
     assert (done.returncode, done.stdout) == (74, ""), done.stderr
     assert done.stderr.startswith("robodyn: error: the limit of open files is too low: ")
-    assert done.stderr.endswith("ulimit -n 256 allows more\n")
+    assert done.stderr.endswith("raise it with ulimit -n 256\n")
     assert done.stderr.count("\n") == 1
     assert not Path("out").exists()
 
