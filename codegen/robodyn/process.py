@@ -68,8 +68,8 @@ def begin() -> None:
 
 
 def not_imported(error: Exception) -> int:
-    """Say that robodyn cannot even be imported; the exit code: 74 where the operating system refuses, else 3, as of a
-    tool that is missing."""
+    """Say that robodyn cannot even be imported; the exit code: 74 where the operating system refuses, else
+    3, as of a tool that is missing."""
     few = "Too many open files" in str(error)
     refused = few or isinstance(error, (OSError, MemoryError))
     what = "the limit of open files is too low" if few else "the operating system refused"
