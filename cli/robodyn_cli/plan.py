@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
 from robodyn_cli.options import functions_option, one_function
 from robodyn_cli.targets import TargetOption
+
+if TYPE_CHECKING:
+    from robodyn.ir.signature import ScalarType
 
 
 @click.command()
@@ -25,6 +30,11 @@ from robodyn_cli.targets import TargetOption
     help="Target; repeat for several: {planned}, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
+@click.option(
+    "--scalar",
+    type=click.Choice(["float", "double"]),
+    help="Scalar type: float or double.  [default: the target's]",
+)
 @functions_option("inverse_dynamics", "Function to plan.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
@@ -33,6 +43,7 @@ def command(
     processors: int,
     deadline: str,
     targets: tuple[str, ...],
+    scalar: ScalarType | None,
     functions: str,
     strict: bool,
     as_json: bool,
@@ -68,7 +79,7 @@ def command(
             shown.tell(f"robodyn: {text}")
 
         wanted = [target or here(described, tell) for target in asked] or list(planned_targets())
-        candidates = plans(described, processors, wanted, function=function, tell=tell)
+        candidates = plans(described, processors, wanted, function=function, scalar=scalar, tell=tell)
     best = chosen(candidates, limit)
     if as_json:
         echo_json(

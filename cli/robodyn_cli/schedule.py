@@ -15,9 +15,10 @@ from robodyn_cli.searching import Search
 
 if TYPE_CHECKING:
     from robodyn.ir.signature import Signature
-    from robodyn.report.schedules import Source
+    from robodyn.report.schedule_sources import Source
     from robodyn.robot import Robot
-    from robodyn.schedule import Solved
+    from robodyn.schedule import Solved, TaskGraph
+    from robodyn.schedule.friction_tasks import Friction
 
 
 @click.command()
@@ -86,10 +87,10 @@ def _schedule(asked: Asked, as_json: bool) -> None:
     asked.check(len(counts))
     machines = [Machine(p, asked.communication, not asked.no_levels) for p in counts]
 
-    def solved(method: Any) -> list[Solved]:
+    def solved(method: Any, graph: TaskGraph) -> list[Solved]:
         return [
             solve(
-                source.graph,
+                graph,
                 machine,
                 method,
                 seconds=asked.seconds,
@@ -102,13 +103,15 @@ def _schedule(asked: Asked, as_json: bool) -> None:
     with line() as shown:
         if asked.method in SEARCHES:
             shown.tell(f"robodyn: {source.name}: searching, {asked.seconds:g} s at most")
-        solutions = solved(asked.method)
+        solutions = solved(asked.method, source.graph)
     pictures: dict[Path, str] = {}
     if picture is not None and len(solutions) == 1:
         pictures[picture] = gantt_svg(source, solutions[0])
+    elif picture is not None and source.plain is not None:
+        pictures[picture] = sweep_svg(source, solutions, solved(asked.method, source.plain))
     elif picture is not None:
         other = "thesis" if asked.method != "thesis" else "critical-path"
-        pictures[picture] = sweep_svg(source, solutions, solved(other))
+        pictures[picture] = sweep_svg(source, solutions, solved(other, source.graph))
     if layers is not None:
         pictures[layers] = layers_svg(source)
     folder, files = _emitted(asked, described, source, signature, solutions[0])
@@ -128,13 +131,16 @@ def _schedule(asked: Asked, as_json: bool) -> None:
 
 def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
     """The task graph to schedule; for a kernel also the robot and the signature."""
-    from robodyn.report.schedules import cut_source, links_source, robot_source
+    from robodyn.report.schedule_sources import cut_source, links_source, robot_source
     from robodyn.schedule.cutting import cut, parse_costs
+    from robodyn.schedule.friction_tasks import asked_friction
 
     if asked.links is not None:
         if asked.form is None:
             prices = None if asked.cost is None else parse_costs(asked.cost)
-            return None, links_source(asked.links, as_printed=asked.as_printed, costs=prices), None
+            rubbing = None if asked.friction is None else asked_friction(asked.friction)
+            source = links_source(asked.links, as_printed=asked.as_printed, costs=prices, friction=rubbing)
+            return None, source, None
         from robodyn.thesis.logarithmic import general_program
 
         k = asked.operations or 1
@@ -144,10 +150,11 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
     assert asked.robot is not None
     described = load(asked.robot, strict=asked.strict, fold_rotor=asked.fold_rotor)
     if asked.operations is None and asked.emit is None:
-        return described, robot_source(described, as_printed=asked.as_printed), None
+        by_joint = _friction(asked.friction, described)
+        return described, robot_source(described, as_printed=asked.as_printed, friction=by_joint), None
     if asked.operations is None:
         from robodyn.optimize.programs import signature
-        from robodyn.report.schedules import Source
+        from robodyn.report.schedule_sources import Source
         from robodyn.schedule.task_program import task_program
 
         tasks = task_program(described)
@@ -161,6 +168,17 @@ def _source(asked: Asked) -> tuple[Robot | None, Source, Signature | None]:
     costs = None if asked.cost is None else parse_costs(asked.cost)
     tasks = cut(program, asked.operations, costs)
     return described, cut_source(described.name, tasks, asked.operations), interface
+
+
+def _friction(asked: Any, robot: Robot) -> dict[int, Friction] | None:
+    """What is asked of friction, by joint; None for what the robot has."""
+    from robodyn.schedule.friction_tasks import asked_friction
+
+    if asked is None:
+        return None
+    kinds = [link.joint.kind == "revolute" for link in robot.links]
+    by_joint = {joint: asked_friction(asked, revolute=kind) for joint, kind in enumerate(kinds, 1)}
+    return {joint: friction for joint, friction in by_joint.items() if friction is not None}
 
 
 def _fewest(asked: Asked, source: Source, as_json: bool) -> None:

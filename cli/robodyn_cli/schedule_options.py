@@ -44,6 +44,11 @@ def schedule_options(command: Command) -> Command:
             ),
             click.option("--as-printed", is_flag=True, help="Use the task set printed in the thesis."),
             click.option(
+                "--friction",
+                type=click.Choice(("none", "joint", "transmission", "both")),
+                help="Tasks of friction in all joints; without this option, those that ROBOT describes.",
+            ),
+            click.option(
                 "--cut",
                 metavar="K",
                 help="Split a kernel into tasks of at most K operations; thesis: the thesis's tasks.",
@@ -115,6 +120,7 @@ class Asked:
     links: int | None
     method: Any
     as_printed: bool
+    friction: Any
     operations: int | None
     function: str
     form: str | None
@@ -191,6 +197,11 @@ class Asked:
             )
         if self.form is not None and self.links is None:
             raise InputError("--form requires --links")
+        if self.friction is not None and (self.operations is not None or self.emit is not None):
+            raise InputError(
+                "--friction is of the thesis's tasks; a kernel has the friction that its robot describes",
+                remedy="leave out --cut and --emit, or --friction",
+            )
         if self.as_printed and self.operations is not None:
             raise InputError(
                 "--as-printed applies to the thesis's tasks, not to a kernel", remedy="remove --cut"

@@ -205,6 +205,17 @@ def test_targets_that_cannot_be_read(text: str) -> None:
         parse_target(text)
 
 
+def test_a_plan_is_for_the_scalar_type_that_is_asked_for(capsys: Capture) -> None:
+    """A Cortex-M4F has float in hardware and double in software."""
+    arguments = ("puma560_3dof", "--deadline", "1s", "--target", "cortex-m4f")
+    own, single, double = (
+        planned(capsys, *arguments, *more)["chosen"]["time_ns"]
+        for more in ((), ("--scalar", "float"), ("--scalar", "double"))
+    )
+    assert own == single
+    assert double > 30 * single
+
+
 def test_known_targets_say_where_their_figures_are_from() -> None:
     chips = {target.name: target.chip for target in planned_targets()}
     assert all(chip is not None and chip.source for chip in chips.values())

@@ -86,6 +86,23 @@ def test_searches_say_what_they_looked_at(method: str, capsys: Capture) -> None:
     assert "nothing was left to search" in run(capsys, "stanford", "-p", "8", "--method", method)[0]
 
 
+def test_friction_as_tasks(capsys: Capture, tmp_path: Path) -> None:
+    found = made(capsys, "--links", "6", "-p", "6", "--friction", "both")
+    assert (found["tasks"], found["critical_path"], found["levels"]) == (280, 32, 47)
+    assert found["without_friction"] == {"tasks": 231, "critical_path": 27}
+    assert found["faults"] == []
+    assert made(capsys, "--links", "6", "-p", "6", "--friction", "none")["without_friction"] is None
+    picture = tmp_path / "sweep.svg"
+    text, _ = run(capsys, "puma560_3dof_d12", "-p", "2..5", "--friction", "joint", "--picture", str(picture))
+    assert "19 tasks more, and 3 levels more" in text
+    assert {"with friction", "without friction"} <= {
+        "".join(one.itertext()).strip() for one in ET.parse(picture).iter()
+    }
+    out, err = run(capsys, "puma560", "-p", "2", "--friction", "both", "--cut", "3", code=2)
+    assert out == ""
+    assert "leave out --cut" in err
+
+
 def test_optimal_needs_or_tools(capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "ortools.sat.python", None)
     out, err = run(capsys, "stanford", "-p", "4", "--as-printed", "--method", "optimal", code=3)

@@ -15,6 +15,7 @@ from typing import Any, Final
 from robodyn.dynamics.functions import function_named
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
+from robodyn.ir.signature import ScalarType
 from robodyn.kernels.generate import Options, program
 from robodyn.robot.model import Robot
 from robodyn.schedule import Machine, solve
@@ -141,10 +142,11 @@ def plans(
     targets: Sequence[Target],
     *,
     function: str = "inverse_dynamics",
+    scalar: ScalarType | None = None,
     tell: Callable[[str], None] = lambda _: None,
 ) -> list[Plan]:
     """Everything that was tried, of each target and formulation the best schedule on 1 to ``processors``
-    cores: shortest first.
+    cores: shortest first. ``scalar`` is that of the kernels; None: each target's own.
 
     Raises
     ------
@@ -163,7 +165,8 @@ def plans(
     for target in targets:
         for name, candidate in programs.items():
             tell(f"{target.name}, {name}")
-            candidates += _of_target(target, name, candidate, min(processors, _chip(target).cores))
+            cores = min(processors, _chip(target).cores)
+            candidates += _of_target(target, name, candidate, cores, scalar)
     return sorted(candidates, key=lambda plan: (plan.time_ns, plan.processors))
 
 
@@ -173,9 +176,11 @@ def _chip(target: Target) -> Chip:
     return target.chip
 
 
-def _of_target(target: Target, formulation: str, program: Program, most: int) -> list[Plan]:
+def _of_target(
+    target: Target, formulation: str, program: Program, most: int, scalar: ScalarType | None
+) -> list[Plan]:
     """The serial kernel, and for every number of cores the best cut and machine."""
-    units, costs = _units(target.costs)
+    units, costs = _units(target.costs_of(scalar or target.scalar))
     chip = _chip(target)
     unit_ns = chip.cycle_ns / units
     whole = sum(costs[operation.op] for operation in program.operations)

@@ -8,7 +8,7 @@ from typing import Final
 
 from robodyn.draw.curves import Curve, Panel, figure
 from robodyn.draw.markup import markup_template
-from robodyn.report.schedules import Source
+from robodyn.report.schedule_sources import Source
 from robodyn.schedule import Solved
 from robodyn.thesis.printed_tasks import TIMES_OTHERS, TIMES_STANFORD
 
@@ -99,18 +99,20 @@ def sweep_svg(source: Source, solutions: Sequence[Solved], others: Sequence[Solv
     """Figures 4.11 to 4.13 redrawn: time, speed-up and efficiency by processors, ours beside the printed.
 
     ``others``: the same machines by another method. The thesis's own drawings are not at hand; this is what
-    its tables support.
+    its tables support. Of a source with friction, ``others`` are the same machines without it.
     """
     p = [one.timetable.machine.processors for one in solutions]
     if len(p) == 1:
         p, solutions, others = p * 2, [*solutions] * 2, [*others] * 2
     # The printed levels are those of the printed tasks.
     work = source.graph.work if source.figures is None else source.figures["tasks"]
-    times: list[Curve] = [Curve(f"{solutions[0].method}", p, [one.timetable.span for one in solutions])]
-    speed = [Curve(f"{solutions[0].method}", p, [one.speedup for one in solutions])]
-    share = [Curve(f"{solutions[0].method}", p, [100 * one.efficiency for one in solutions])]
+    rubbing = source.plain is not None
+    own = "with friction" if rubbing else f"{solutions[0].method}"
+    times: list[Curve] = [Curve(own, p, [one.timetable.span for one in solutions])]
+    speed = [Curve(own, p, [one.speedup for one in solutions])]
+    share = [Curve(own, p, [100 * one.efficiency for one in solutions])]
     if others:
-        name = f"{others[0].method}"
+        name = "without friction" if rubbing else f"{others[0].method}"
         times.append(Curve(name, p, [one.timetable.span for one in others]))
         speed.append(Curve(name, p, [one.speedup for one in others]))
         share.append(Curve(name, p, [100 * one.efficiency for one in others]))

@@ -6,6 +6,7 @@ Dhanaraj 1990, Tables 4.2, 4.4 and 4.5 and section 4.3.4.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final, Literal
 
@@ -13,10 +14,12 @@ from robodyn.dynamics.arm import build_arm, origin
 from robodyn.dynamics.vectors import AXES, Vector
 from robodyn.optimize.programs import exact
 from robodyn.robot.model import Robot
+from robodyn.schedule.friction_tasks import Friction, friction_of, friction_tasks
 from robodyn.schedule.graph import TaskGraph, TaskId, arm_graph, task_id
 
 #: Table 4.2: what is not done for the first link, for the last one, behind a prismatic joint.
 FIRST_LINK: Final = frozenset((*range(1, 10), *range(11, 19), 26, 27))
+_FORCE: Final = frozenset({26})
 LAST_LINK: Final = frozenset((*range(30, 36), 39, 40))
 PRISMATIC: Final = frozenset((1, 2, 4, 5, *range(7, 12)))
 
@@ -102,14 +105,17 @@ def eliminated(
     prismatic: frozenset[int] = frozenset(),
     pattern: Sparsity | None = None,
     step_3: StepThree = "before",
+    *,
+    loaded: bool = False,
 ) -> frozenset[TaskId]:
     """The tasks that an arm of ``n`` joints does not need: ``prismatic`` ones numbered from 1, position
-    vectors with the zeros of ``pattern`` (None: without any)."""
+    vectors with the zeros of ``pattern`` (None: without any). ``loaded``: the first joint's bearing feels the
+    force through it, of which F of the first link (T26) is part."""
     out: set[TaskId] = set()
     for link in range(1, n + 1):
         numbers: set[int] = set()
         if link == 1:
-            numbers |= FIRST_LINK
+            numbers |= FIRST_LINK - _FORCE if loaded else FIRST_LINK
         if link == n:
             numbers |= LAST_LINK
         if link in prismatic:
@@ -125,14 +131,33 @@ def prismatic_joints(robot: Robot) -> frozenset[int]:
     return frozenset(i for i, link in enumerate(robot.links, 1) if link.joint.kind == "prismatic")
 
 
-def general_graph(n: int) -> TaskGraph:
-    """The graph of any revolute arm of ``n`` joints: ``43 n - 27`` tasks from two joints on."""
-    return arm_graph(n, eliminated(n))
+def general_graph(n: int, friction: Friction | None = None) -> TaskGraph:
+    """The graph of any revolute arm of ``n`` joints: ``43 n - 27`` tasks from two joints on, and those of
+    ``friction`` where all joints have it."""
+    if friction is None:
+        return arm_graph(n, eliminated(n))
+    tasks = friction_tasks(friction)
+    out = eliminated(n, loaded=friction.loaded)
+    return arm_graph(n, out, besides=dict.fromkeys(range(1, n + 1), tasks))
 
 
-def robot_graph(robot: Robot, pattern: Sparsity | None = None, step_3: StepThree = "before") -> TaskGraph:
+def robot_graph(
+    robot: Robot,
+    pattern: Sparsity | None = None,
+    step_3: StepThree = "before",
+    friction: Mapping[int, Friction] | None = None,
+) -> TaskGraph:
     """The graph of ``robot``, customised by its joints and by the zeros of its position vectors, or of
-    ``pattern`` in their place."""
+    ``pattern`` in their place; with the tasks of ``friction`` by joint from 1, of what its description has
+    where that is None."""
     prismatic = prismatic_joints(robot)
-    out = eliminated(robot.n, prismatic, sparsity(robot) if pattern is None else pattern, step_3)
-    return arm_graph(robot.n, out, prismatic)
+    rubbing = friction_of(robot) if friction is None else friction
+    out = eliminated(
+        robot.n,
+        prismatic,
+        sparsity(robot) if pattern is None else pattern,
+        step_3,
+        loaded=1 in rubbing and rubbing[1].loaded,
+    )
+    besides = {joint: friction_tasks(one, revolute=joint not in prismatic) for joint, one in rubbing.items()}
+    return arm_graph(robot.n, out, prismatic, besides=besides)

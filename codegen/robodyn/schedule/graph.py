@@ -6,13 +6,13 @@ an arm does not need is taken out, and what waited for it waits for what it wait
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from graphlib import TopologicalSorter
 from typing import Final
 
 from robodyn.errors import InputError
-from robodyn.schedule.tasks import TASKS
+from robodyn.schedule.tasks import TASKS, Task
 
 #: ``100 link + number`` for tasks of Table 4.1.
 TaskId = int
@@ -137,8 +137,10 @@ def arm_graph(
     prismatic: Collection[int] = (),
     *,
     own_products: bool = False,
+    besides: Mapping[int, Sequence[Task]] | None = None,
 ) -> TaskGraph:
-    """The graph of an arm of ``n`` joints, tasks ``without`` taken out.
+    """The graph of an arm of ``n`` joints, tasks ``without`` taken out; ``besides``: tasks of a link (from 1)
+    that Table 4.1 does not have, friction for instance.
 
     ``own_products``: a component's sum waits for the products of its own component only, which is all that
     it reads.
@@ -152,10 +154,11 @@ def arm_graph(
     """
     if n < 1:
         raise InputError("an arm without joints has no tasks", found=f"{n} joints", expected="1 or more")
-    out = frozenset(without)
+    out, more = frozenset(without), besides or {}
+    layers: dict[TaskId, int] = {}
     waits: dict[TaskId, set[TaskId]] = {}
     for link in range(1, n + 1):
-        for task in TASKS:
+        for task in (*TASKS, *more.get(link, ())):
             predecessors = {
                 task_id(link + place, task_number)
                 for place, task_number in task.after
@@ -167,20 +170,22 @@ def arm_graph(
             if link in prismatic and task.row in (9, 10, 11) and task_id(link, task.row) in out:
                 predecessors = {task_id(link - 1, task.row)} if link > 1 else set()
             waits[task_id(link, task.row)] = predecessors
+            layers[task_id(link, task.row)] = _stacked(n, link, task)
     for one in TopologicalSorter(waits).static_order():  # earlier ones first: theirs is settled when read
         earlier = waits[one]
         waits[one] = (earlier - out).union(*(waits[gone] for gone in earlier & out))
     kept = [one for one in waits if one not in out]
-    return TaskGraph(
-        {one: frozenset(waits[one]) for one in kept}, {one: stacked_layer(n, one) for one in kept}
-    )
+    return TaskGraph({one: frozenset(waits[one]) for one in kept}, {one: layers[one] for one in kept})
 
 
 def stacked_layer(n: int, task: TaskId) -> int:
-    """The layer of a task in the thesis's layered graph (section 4.3): a link begins two layers after the
-    one before it, link 1 beside link 2, the backward pass after the forward pass; 4 n + 3 layers."""
+    """The layer of a task of Table 4.1 in the thesis's layered graph (section 4.3): a link begins two layers
+    after the one before it, link 1 beside link 2, the backward pass after the forward one; 4 n + 3 layers."""
     link, task_number = link_and_number(task)
-    own = TASKS[task_number - 1]
+    return _stacked(n, link, TASKS[task_number - 1])
+
+
+def _stacked(n: int, link: int, own: Task) -> int:
     if not own.forward:
         return 2 * n + 2 + own.layer + 2 * (n - link)
     return max(1, own.layer + 2 * (link - 2)) if link > 1 else max(1, own.layer - 4)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from robodyn.targets.target import Architecture, Program, Region
+from robodyn.targets.target import Architecture, Board, Program, Region
 
 #: An image is run without a screen, and talks through the debugger.
 _QUIET = (
@@ -23,5 +23,21 @@ CORTEX_M = Architecture(
     ticks=2**5 / 40,
 )
 
-#: Memory of Arm's boards MPS2 with a Cortex-M3, M4 or M7.
-MPS2 = {"code": Region(0x0000_0000, "4M"), "data": Region(0x2000_0000, "4M")}
+
+def mps2(machine: str) -> Board:
+    """One of Arm's boards MPS2, with a Cortex-M3, M4 or M7."""
+    return Board(machine, CORTEX_M, code=Region(0x0000_0000, "4M"), data=Region(0x2000_0000, "4M"))
+
+
+#: RISC-V with 32 bits, where an image has the machine to itself; mcycle then counts what icount does.
+RISCV = Architecture(
+    name="riscv",
+    macro="__riscv",
+    prefix="riscv64-unknown-elf-",
+    compiler_package="gcc-riscv64-unknown-elf",
+    binutils_package="binutils-riscv64-unknown-elf",
+    emulator=Program("qemu-system-riscv32", "qemu-system-misc"),
+    options=(*_QUIET, "-bios", "none", "-icount", "shift=0"),
+    counter="mcycle",
+    ticks=1.0,
+)

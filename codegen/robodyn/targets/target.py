@@ -104,12 +104,19 @@ class Region:
 @dataclass(frozen=True, slots=True)
 class Board:
     """A board that the emulator has, by its name there; code and constants are linked into the one region,
-    data and stack into the other."""
+    data and stack into the other. ``options`` are the emulator's for this board."""
 
     machine: str
     architecture: Architecture
     code: Region
     data: Region
+    options: tuple[str, ...] = ()
+
+    @property
+    def command(self) -> tuple[str, ...]:
+        """What runs an image, whose name follows."""
+        emulator = self.architecture.emulator.name
+        return (emulator, "-M", self.machine, *self.options, *self.architecture.options, "-kernel")
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,14 +127,15 @@ class Target:
     ``scalar``, ``contraction``, ``trig`` and ``order`` are the defaults of generation and ``why`` the reason
     for the contraction; ``lanes`` how many sines its vectors take at once (1: no vectors); ``registers`` how
     many values it keeps at hand. ``hardware`` names the scalar types that its floating-point unit has: for
-    the others the compiler calls its own library. ``costs_as`` names another target that has the same costs,
-    so that searches share their records. Without a ``board`` there is no firmware image, without a ``chip``
-    no plan.
+    the others the compiler calls its own library. ``single`` and ``double`` are the costs of operations on
+    float and on double; None: the same. ``costs_as`` names another target that has the same costs, so that
+    searches share their records. Without a ``board`` there is no firmware image, without a ``chip`` no plan.
     """
 
     name: str
     title: str
-    costs: Costs
+    single: Costs
+    double: Costs | None = None
     why: str = ""
     aliases: tuple[str, ...] = ()
     flags: tuple[str, ...] | None = None
@@ -141,6 +149,15 @@ class Target:
     costs_as: str = ""
     chip: Chip | None = None
     board: Board | None = None
+
+    def costs_of(self, scalar: ScalarType) -> Costs:
+        """What operations on ``scalar`` cost."""
+        return self.single if scalar == "float" or self.double is None else self.double
+
+    @property
+    def costs(self) -> Costs:
+        """What operations on its own scalar type cost: what searches weigh."""
+        return self.costs_of(self.scalar)
 
     @property
     def objective(self) -> str:

@@ -25,6 +25,7 @@ _HOMES: Final = {
     "4.5": "table_4_5",
     "4.6": "table_4_6",
     "4.8": "table_4_8",
+    "friction": "friction_tasks",
     "schedules": "schedules",
     "claims": "claims",
     "robots": "robots",
