@@ -221,7 +221,7 @@ def test_keep_on_a_full_disk(here: Path, capsys: Capture, monkeypatch: pytest.Mo
     assert files(here) == {"elbow.yaml"}
 
 
-@pytest.mark.parametrize("objective", ["depth", "weighted:cortex-m4"])
+@pytest.mark.parametrize("objective", ["depth", "weighted:cortex-m4f"])
 def test_objectives(objective: str, here: Path, capsys: Capture) -> None:
     more = ["--optimize", "search", "--budget-seconds", "0.1", "--objective", objective, "--keep"]
     total(capsys, *more)

@@ -104,6 +104,7 @@ def test_wheel_installs_and_works(built: Path, environment: Path, tmp_path: Path
     assert package.is_relative_to(environment)
 
 
+@pytest.mark.thorough
 def test_editable_installs_and_works(environment: Path, tmp_path: Path) -> None:
     pip_install(
         environment, "--editable", ROOT
