@@ -117,7 +117,7 @@ class Board:
     @property
     def ticks(self) -> float:
         """What the counter counts an instruction in the emulator."""
-        return 2**self.architecture.shift * self.counter_mhz / 1e3
+        return (1 << self.architecture.shift) * self.counter_mhz / 1e3
 
     @property
     def command(self) -> tuple[str, ...]:
