@@ -266,8 +266,8 @@ def test_what_is_wrong_is_told_before_the_search(
 
 @pytest.mark.parametrize("function", ["forward_dynamics", "gravity", "mass_matrix"])
 def test_functions_that_have_no_writings(function: str, capsys: Capture) -> None:
-    found = total(capsys, "--function", function, "--optimize", "search", "--budget-seconds", "0.3")
-    assert found <= total(capsys, "--function", function, "--optimize", "fast")
+    found = total(capsys, "--functions", function, "--optimize", "search", "--budget-seconds", "0.3")
+    assert found <= total(capsys, "--functions", function, "--optimize", "fast")
 
 
 def test_rotors_folded_make_another_robot(here: Path, capsys: Capture) -> None:
