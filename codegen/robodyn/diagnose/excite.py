@@ -39,7 +39,7 @@ Floats = NDArray[np.float64]
 
 
 #: An effect at a joint (from 1; None: all joints where it can be, or the whole robot).
-Told = tuple[str, int | None]
+EffectAt = tuple[str, int | None]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,14 +53,14 @@ class Design:
     separation: float
     typical: float
     pair: str | None
-    tell: tuple[Told, ...]
+    tell: tuple[EffectAt, ...]
     experiments: dict[str, str]
     tries: int
 
 
 def design(
     robot: Robot,
-    tell: Sequence[Told] = (),
+    tell: Sequence[EffectAt] = (),
     *,
     duration: float = 10.0,
     harmonics: int = 5,
@@ -111,7 +111,7 @@ def design(
     return Design(motion, value, typical, pair, pairs, texts, tries)
 
 
-def _checked(robot: Robot, tell: Sequence[Told]) -> tuple[Told, ...]:
+def _checked(robot: Robot, tell: Sequence[EffectAt]) -> tuple[EffectAt, ...]:
     for id, joint in tell:
         known = effect(id)
         if joint is not None and not 1 <= joint <= robot.n:
@@ -173,7 +173,7 @@ class _Columns:
         return np.asarray(A.T @ B - a.T @ b)
 
 
-def separation(robot: Robot, motion: Trajectory, tell: Sequence[Told]) -> tuple[float, str | None]:
+def separation(robot: Robot, motion: Trajectory, tell: Sequence[EffectAt]) -> tuple[float, str | None]:
     """Sine of the angle between the effects of the worst pair, and which that is; 0 and None where no pair
     shows on the motion."""
     columns = _Columns(robot, motion)
