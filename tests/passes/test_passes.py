@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -461,7 +461,7 @@ def test_real_programs_read_like_the_recursion() -> None:
 
 def with_given(made: Program, at: Point) -> list[Fraction]:
     """The results of ``made`` with its sines and cosines read from ``sc``."""
-    layout = given_layout([made])
+    layout: Sequence[Any] = given_layout([made])
     numbers = {}
     for k, (kind, terms, constant) in enumerate(layout):
         angle: Operand = Fraction(0)
