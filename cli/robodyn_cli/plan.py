@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
-from robodyn_cli.options import function_option
+from robodyn_cli.options import functions_option, one_function
 from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
@@ -31,9 +31,11 @@ if TYPE_CHECKING:
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
 @click.option(
-    "--scalar", type=click.Choice(["float", "double"]), help="Of the kernels.  [default: the target's own]"
+    "--scalar",
+    type=click.Choice(["float", "double"]),
+    help="Scalar type: float or double.  [default: the target's]",
 )
-@function_option("Function to plan.")
+@functions_option("inverse_dynamics", "Function to plan.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
@@ -42,7 +44,7 @@ def command(
     deadline: str,
     targets: tuple[str, ...],
     scalar: ScalarType | None,
-    function: str,
+    functions: str,
     strict: bool,
     as_json: bool,
 ) -> None:
@@ -67,6 +69,7 @@ def command(
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
+    function = one_function(functions)
     function_named(function)
     asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
     described = load_robot(robot, strict=strict)

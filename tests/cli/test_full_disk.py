@@ -29,7 +29,7 @@ COMMANDS = [
     "gen stanford_3dof -o out --batch",
     "gen stanford_3dof --firmware -o out",
     "new arm -o out/arm.yaml",
-    "schedule stanford_3dof -p 2 --emit out",
+    "schedule stanford_3dof -p 2 -o out",
     "schedule stanford_3dof -p 2 --picture out.svg",
     "tables 2.9 --picture out.svg",
     "simulate stanford_3dof --duration 0.01 -o out.csv",

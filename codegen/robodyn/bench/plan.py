@@ -273,7 +273,7 @@ def _how(robot: Robot, plan: Plan, function: str) -> str:
     return (
         f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
         f"{plan.cut}{waits}{switches} "
-        "--emit DIR"
+        "-o DIR"
     )
 
 

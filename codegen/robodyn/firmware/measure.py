@@ -188,7 +188,7 @@ def _sections(output: str) -> dict[str, int]:
 def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
     """``figures`` with what the image says of itself in qemu."""
     board = _board(figures.target)
-    ticks_each = board.architecture.ticks
+    ticks_each = board.ticks
     command = [*board.command, image]
     output = _run(command, folder, range(256))
     if "self-test passed" not in output:

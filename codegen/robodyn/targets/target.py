@@ -58,8 +58,8 @@ class Architecture:
 
     ``name`` is the folder in ``templates/firmware`` with what an image needs of the processor: its start,
     output and exit through a debugger, and its counter. ``prefix`` begins the names of the compiler's
-    programs, and ``macro`` is what it defines. ``options`` are the emulator's; with them the counter, called
-    ``counter`` in documents, counts ``ticks`` an instruction.
+    programs, and ``macro`` is what it defines. ``options`` are the emulator's, where an instruction takes
+    2^``shift`` ns; ``counter`` is what documents call the processor's counter.
     """
 
     name: str
@@ -70,7 +70,7 @@ class Architecture:
     emulator: Program
     options: tuple[str, ...]
     counter: str
-    ticks: float
+    shift: int
 
     @property
     def toolchain(self) -> str:
@@ -104,19 +104,28 @@ class Region:
 @dataclass(frozen=True, slots=True)
 class Board:
     """A board that the emulator has, by its name there; code and constants are linked into the one region,
-    data and stack into the other. ``options`` are the emulator's for this board."""
+    data and stack into the other. The processor's counter runs at ``counter_mhz`` in the emulator, and
+    ``options`` are the emulator's for this board."""
 
     machine: str
     architecture: Architecture
     code: Region
     data: Region
+    counter_mhz: float
     options: tuple[str, ...] = ()
+
+    @property
+    def ticks(self) -> float:
+        """What the counter counts an instruction in the emulator."""
+        return (1 << self.architecture.shift) * self.counter_mhz / 1e3
 
     @property
     def command(self) -> tuple[str, ...]:
         """What runs an image, whose name follows."""
         emulator = self.architecture.emulator.name
-        return (emulator, "-M", self.machine, *self.options, *self.architecture.options, "-kernel")
+        count = ("-icount", f"shift={self.architecture.shift}")
+        options = (*self.options, *self.architecture.options, *count)
+        return (emulator, "-M", self.machine, *options, "-kernel")
 
 
 @dataclass(frozen=True, slots=True)

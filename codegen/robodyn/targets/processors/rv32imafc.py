@@ -23,5 +23,12 @@ TARGET = Target(
     single=Costs(mul=1.0, add=1.0, fma=1.0, div=20.0, sqrt=20.0, sincos=46.0),
     double=Costs(mul=218.0, add=105.0, div=225.0, sqrt=605.0, sincos=7270.0),
     chip=Chip(400.0, "a microcontroller; cycles as robodyn's searches weigh them, usual clock"),
-    board=Board("virt", RISCV, Region(0x8000_0000, "4M"), Region(0x8040_0000, "4M"), options=_FLOAT_ONLY),
+    board=Board(
+        "virt",
+        RISCV,
+        code=Region(0x8000_0000, "4M"),
+        data=Region(0x8040_0000, "4M"),
+        counter_mhz=1000.0,
+        options=_FLOAT_ONLY,
+    ),
 )
