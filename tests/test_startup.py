@@ -39,7 +39,7 @@ def command(*arguments: str) -> str:
         ("gen", "stanford", "--scalar", "float", "--trig", "given", "--lang", "c"),
         ("gen", "stanford", "--json"),
         ("gen", "tx40", "--no-regroup", "--formulation", "newton_euler"),
-        ("flops", "puma560", "--function", "all", "--budget", "total=9999"),
+        ("flops", "puma560", "--functions", "all", "--budget", "total=9999"),
         ("flops", "stanford", "--json"),
     ],
     ids=" ".join,

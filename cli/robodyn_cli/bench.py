@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
-from robodyn_cli.options import function_option, load, model_options
+from robodyn_cli.options import functions_option, load, model_options, one_function
 from robodyn_cli.searching import Search
 
 
@@ -18,7 +18,7 @@ from robodyn_cli.searching import Search
     help="Number of threads: 2, 2,4 or 2..4. [default: 2 to the number of cores]",
 )
 @click.option("--cut", metavar="K", type=int, default=3, show_default=True, help="Operations per task.")
-@function_option("Function to time.")
+@functions_option("inverse_dynamics", "Function to time.")
 @click.option(
     "--lanes", metavar="W", type=int, default=4, show_default=True, help="Lanes of the packed form."
 )
@@ -31,7 +31,7 @@ def command(
     robot: str,
     processors: str | None,
     cut: int,
-    function: str,
+    functions: str,
     lanes: int,
     states: int | None,
     cc: str | None,
@@ -51,16 +51,18 @@ def command(
     synchronisation cost for every number of threads, whether threads are faster, and from how many
     operations per task (and in total) they would be.
     """
-    from robodyn.bench.kernel_bench import kernel_bench, kernel_text
-    from robodyn.bench.parallel_bench import bench, bench_text
+    from robodyn.bench.kernel_bench import kernel_bench
+    from robodyn.bench.parallel_bench import bench
     from robodyn.dynamics.functions import function_named
     from robodyn.errors import InputError
     from robodyn.kernels.generate import Options, generate
+    from robodyn.report.benchmarks import bench_text, kernel_text
     from robodyn.report.schedules import processors_of
     from robodyn.schedule.cutting import cut as cut_program
     from robodyn.toolchain.program import cores
     from robodyn_cli.progress import line
 
+    function = one_function(functions)
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
     if states is not None and states < 1:
         raise InputError(

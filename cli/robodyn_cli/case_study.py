@@ -6,13 +6,16 @@ import sys
 
 import click
 
+from robodyn_cli.choices import ARMS, PROFILES
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
 
 
 @click.command()
-@click.option("-o", "output", metavar="DIR", help="Write the samples (CSV) and the pictures to DIR.")
+@click.option("-o", "--output", metavar="DIR", help="Write the samples (CSV) and the pictures to DIR.")
 @click.option(
     "--profile",
+    type=PROFILES,
+    metavar="PROFILE",
     default="quintic",
     show_default=True,
     help="Velocity profile along the line: quintic or trapezoid.",
@@ -33,9 +36,11 @@ from robodyn_cli.common import echo_json, json_option, output_folder, printable,
 )
 @click.option(
     "--arm",
+    type=ARMS,
+    metavar="ARM",
     default="programs",
     show_default=True,
-    help="programs: joint angles of D.1.3 with the dynamics of D.1.2; consistent: D.1.2's arm for both.",
+    help="Arm: programs (angles of D.1.3, dynamics of D.1.2) or consistent (the arm of D.1.2 for both).",
 )
 @json_option
 def command(

@@ -14,6 +14,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn.files import cannot_write
+from robodyn_cli.choices import ROBOTS
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot
@@ -23,7 +24,7 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 def robot_argument(command: Command) -> Command:
     """Add the argument ROBOT, passed to `command` as ``robot: str`` without any check."""
-    return click.argument("robot", metavar="ROBOT")(command)
+    return click.argument("robot", type=ROBOTS, metavar="ROBOT")(command)
 
 
 def json_option(command: Command) -> Command:

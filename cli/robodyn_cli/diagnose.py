@@ -37,7 +37,7 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @robot_argument
 @click.argument("logs", metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
 @click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
-@click.option("--out", required=True, metavar="DIR", help="Output folder.")
+@click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
 @click.option(
     "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
 )
@@ -96,13 +96,13 @@ def command(
 
 
 def _folder(text: str) -> Path:
-    """The folder of ``--out``, which need not exist yet."""
+    """The folder of ``-o``, which need not exist yet."""
     if not text:
-        raise InputError("the path after --out is empty", remedy="use --out . for this folder")
+        raise InputError("the path after -o is empty", remedy="use -o . for this folder")
     folder = Path(text)
     if folder.exists() and not folder.is_dir():
         raise InputError(
-            f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with --out"
+            f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with -o"
         )
     return folder
 
@@ -114,7 +114,7 @@ def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
             if output.exists() and Path(source).exists() and output.samefile(source):
                 raise InputError(
                     f"{printable(output)} is an input and would be overwritten",
-                    remedy="choose another folder with --out",
+                    remedy="choose another folder with -o",
                 )
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import click
 
+from robodyn_cli.choices import EFFECTS
 from robodyn_cli.common import echo_json, json_option
 
 
 @click.command()
-@click.argument("id", metavar="[ID]", required=False)
+@click.argument("id", type=EFFECTS, metavar="[ID]", required=False)
 @click.option("--markdown", is_flag=True, help="Print the whole page (docs/effects.md).")
 @click.option("--latex", is_flag=True, help="Print the equations as LaTeX.")
 @json_option

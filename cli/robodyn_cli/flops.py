@@ -6,14 +6,14 @@ import click
 
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
-from robodyn_cli.options import function_option, load, model_options, search_options
+from robodyn_cli.options import functions_option, listed, load, model_options, search_options
 from robodyn_cli.pruned import prune_option, pruning_lines, pruning_progress, tolerance, with_pruning
 from robodyn_cli.searching import Search
 
 
 @click.command()
 @robot_argument
-@function_option("Function to count, or all.")
+@functions_option("inverse_dynamics", "Functions to count, separated by commas, or all.")
 @click.option("--budget", metavar="KIND=N,...", help="Maximum operations, e.g. mul=208,add=152,total=360.")
 @model_options
 @search_options
@@ -21,7 +21,7 @@ from robodyn_cli.searching import Search
 @json_option
 def command(
     robot: str,
-    function: str,
+    functions: str,
     budget: str | None,
     formulation: str,
     optimize: str,
@@ -41,7 +41,7 @@ def command(
     Every binary * is one multiplication (by constants, by 2 and squares too), every binary + or - one
     addition; unary minus and sine/cosine are free and have their own columns. For example,
     fc3_x = 4.8*(a3_x - 0.07*lam3_12) is two multiplications and one addition. Exits with 1 if a budget is
-    exceeded. With --function all or --formulation all, --json prints a list.
+    exceeded. With several functions or --formulation all, --json prints a list.
     """
     from dataclasses import replace
 
@@ -53,16 +53,14 @@ def command(
     from robodyn.optimize.prune import Pruning
 
     limit = None if budget is None else parse_budget(budget)
-    functions = tuple(FUNCTIONS) if function == "all" else (function,)
+    chosen = tuple(FUNCTIONS) if functions == "all" else listed(functions)
     formulations = FORMULATIONS if formulation == "all" else (formulation,)
-    options = Options(functions, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
+    options = Options(chosen, formulations[0], optimize, not no_regroup, engine=engine)  # type: ignore[arg-type]
     options = replace(options, prune=tolerance(prune))
     described = load(robot, strict=strict, fold_rotor=fold_rotor)
-    options = Search(budget_seconds, seed, objective, keep).applied(described, options, functions)
+    options = Search(budget_seconds, seed, objective, keep).applied(described, options, chosen)
     choices = [
-        (f, form, replace(options, functions=(f,), formulation=form))
-        for form in formulations
-        for f in functions
+        (f, form, replace(options, functions=(f,), formulation=form)) for form in formulations for f in chosen
     ]
     counts: list[tuple[str, str, Count]] = []
     prunings: dict[tuple[str, str], Pruning] = {}
@@ -73,7 +71,7 @@ def command(
             try:
                 counts.append((f, form, count(programs.program(f))))
             except NoForwardDynamics:
-                if function != "all":
+                if functions != "all":
                     raise
             rigid[f, form] = programs.rigid_count(f)
             prunings.update({(name, form): pruning for name, pruning in programs.prunings.items()})
@@ -84,7 +82,7 @@ def command(
             )
             for f, form, c in counts
         ]
-        echo_json(records if "all" in (function, formulation) else records[0])
+        echo_json(records if len(choices) > 1 or "all" in (functions, formulation) else records[0])
     else:
         click.echo(f"{described.name}: {described.title}" if described.title else described.name)
         many = len(formulations) > 1

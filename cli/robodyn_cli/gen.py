@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn_cli.choices import CONTRACTIONS, ORDERS, SCALARS, TRIGONOMETRY
 from robodyn_cli.common import (
     compare_files,
     echo_json,
@@ -39,9 +40,18 @@ if TYPE_CHECKING:
 @click.option("-o", "--output", metavar="DIR", help="Output folder.  [default: generated/NAME]")
 @language_option
 @click.option("--compile", "compile_", is_flag=True, help="Also compile and load the kernels.")
-@click.option("--scalar", default="double", show_default=True, help="Scalar type: double or float.")
+@click.option(
+    "--scalar",
+    type=SCALARS,
+    metavar="TYPE",
+    default="double",
+    show_default=True,
+    help="Scalar type: double or float.",
+)
 @click.option(
     "--trig",
+    type=TRIGONOMETRY,
+    metavar="HOW",
     default="libm",
     show_default=True,
     help="Sine and cosine: libm, builtin (no library; the default of rust), or given (passed in sc).",
@@ -49,6 +59,8 @@ if TYPE_CHECKING:
 @click.option("--batch", is_flag=True, help="Also write NAME_batch.c: many states per call, with SIMD.")
 @click.option(
     "--order",
+    type=ORDERS,
+    metavar="ORDER",
     default="auto",
     show_default=True,
     help="Order of operations: recursion (textbook order), registers (few live values), or auto (registers "
@@ -56,6 +68,8 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--contraction",
+    type=CONTRACTIONS,
+    metavar="HOW",
     help="Let C compilers fuse products and sums: off or on.  [default: as their flags say]",
 )
 @click.option(
@@ -111,8 +125,8 @@ def command(
 ) -> None:
     """Write the kernels of a robot, and print the operation counts.
 
-    DIR gets NAME.h, NAME.c and NAME.f90 (a crate with --lang rust) with the functions of --functions. The
-    same input gives the same bytes on any machine.
+    They are in C and Fortran unless --lang says otherwise: DIR gets NAME.h, NAME.c and NAME.f90 (a crate with
+    --lang rust) with the functions of --functions. The same input gives the same bytes on any machine.
     """
     from robodyn.dynamics.functions import by_default
     from robodyn.errors import CheckError, InputError

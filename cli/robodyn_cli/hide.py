@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli import progress
+from robodyn_cli.choices import EFFECTS, ROBOTS
 from robodyn_cli.common import echo_json, json_option, load_robot, output_folder, printable, talk, write_files
 from robodyn_cli.simulate_options import POSITIVE, SIZE
 
@@ -26,10 +27,11 @@ _OF_HIDING = ("effects", "random", "trajectories", "output")
 
 
 @click.command()
-@click.argument("robot", metavar="[ROBOT]", required=False)
+@click.argument("robot", type=ROBOTS, metavar="[ROBOT]", required=False)
 @click.option(
     "--effect",
     "effects",
+    type=EFFECTS,
     multiple=True,
     metavar="ID[@JOINT][:K=V,...]",
     help="Effect to hide; missing parameters are random.",
@@ -245,7 +247,7 @@ def _tell(blind: Blind, folder: Path, files: list[str], named: list[str], *, as_
         what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"
         click.echo(f"{blind.model.name}: {what} hidden in {at}: {', '.join(files)}")
         click.echo(
-            f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv --out {at}/found"
+            f"robodyn diagnose {at}/given.yaml {at}/train.csv --validate {at}/validate.csv -o {at}/found"
         )
         click.echo(f"robodyn hide --score {at} {at}/found/diagnosis.json")
     if named and blind.ratio < 1:

@@ -20,6 +20,7 @@ import click
 from robodyn.errors import RobodynError, ToolError
 from robodyn.process import quiet, received
 from robodyn_cli.common import drop, talk
+from robodyn_cli.renamed import renamed
 
 COMMANDS: Final[dict[str, tuple[str, str]]] = {
     "gen": ("robodyn_cli.gen", "Write the kernels of a robot, and print the operation counts."),
@@ -85,7 +86,7 @@ class LazyGroup(click.Group):
             close = difflib.get_close_matches(args[0], COMMANDS, n=1)
             hint = f"did you mean {close[0]!r}?" if close else f"the commands are {', '.join(COMMANDS)}."
             ctx.fail(f"No such command {args[0]!r}; {hint}")
-        return super().resolve_command(ctx, args)
+        return super().resolve_command(ctx, [args[0], *renamed(args[0], args[1:])])
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):

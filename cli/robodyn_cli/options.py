@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from robodyn_cli.choices import ENGINES, FORMULATIONS, LEVELS
 from robodyn_cli.targets import TargetOption
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ def model_options(command: Command) -> Command:
         (
             click.option(
                 "--formulation",
+                type=FORMULATIONS,
                 metavar="F",
                 default="modified_newton_euler",
                 show_default=True,
@@ -31,6 +33,7 @@ def model_options(command: Command) -> Command:
             ),
             click.option(
                 "--optimize",
+                type=LEVELS,
                 metavar="LEVEL",
                 default="record",
                 show_default=True,
@@ -41,6 +44,7 @@ def model_options(command: Command) -> Command:
             click.option("--no-regroup", is_flag=True, help="Do not regroup to base parameters."),
             click.option(
                 "--engine",
+                type=ENGINES,
                 metavar="NAME",
                 default="graph",
                 show_default=True,
@@ -141,27 +145,42 @@ class _Functions(click.Option):
         ]
 
 
-def functions_option(default: str | None = None) -> Callable[[Command], Command]:
-    """Add ``--functions``, passed to the command as ``functions: str | None``; without ``default`` those that
-    are written by default."""
+def functions_option(default: str | None = None, text: str | None = None) -> Callable[[Command], Command]:
+    """Add ``--functions``, passed to the command as ``functions: str | None``, names separated by commas;
+    without ``default`` those that are written by default. ``text`` is the help."""
     without = "" if default else "  [default: all but those on request]"
     return click.option(
         "--functions",
         metavar="A,B",
-        default=default,
-        show_default=default is not None,
+        multiple=True,
+        default=None if default is None else (default,),
+        show_default=default or False,
         cls=_Functions,
-        help=f"Functions, separated by commas.{without}",
+        callback=_joined,
+        help=text or f"Functions, separated by commas.{without}",
     )
 
 
-def function_option(text: str) -> Callable[[Command], Command]:
-    """Add ``--function``, passed to the command as ``function: str``; ``text`` is the help."""
-    return click.option(
-        "--function",
-        metavar="F",
-        default="inverse_dynamics",
-        show_default=True,
-        cls=_Functions,
-        help=text,
-    )
+def _joined(ctx: click.Context, param: click.Parameter, value: tuple[str, ...] | None) -> str | None:
+    """``--functions a --functions b,c`` as ``a,b,c``."""
+    return ",".join(value) if value else None
+
+
+def one_function(functions: str) -> str:
+    """The one function of ``--functions``, for commands that work on one at a time.
+
+    Raises
+    ------
+    InputError: there are several, or none.
+    """
+    names = listed(functions)
+    if len(names) != 1:
+        from robodyn.errors import InputError
+
+        raise InputError(
+            "this command works on one function at a time",
+            found=f"--functions {functions}",
+            expected="one function",
+            remedy="run it once for each",
+        )
+    return names[0]

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import click
 
 from robodyn_cli.common import echo_json, json_option, load_robot, robot_argument
-from robodyn_cli.options import function_option
+from robodyn_cli.options import functions_option, one_function
 from robodyn_cli.targets import TargetOption
+
+if TYPE_CHECKING:
+    from robodyn.ir.signature import ScalarType
 
 
 @click.command()
@@ -25,7 +30,12 @@ from robodyn_cli.targets import TargetOption
     help="Target; repeat for several: {planned}, here (measured), or "
     "NAME:cores=4,mhz=1500,pass=150 (ns),mul=1,add=1,div=14,sqrt=14,sincos=46 (cycles). [default: all]",
 )
-@function_option("Function to plan.")
+@click.option(
+    "--scalar",
+    type=click.Choice(["float", "double"]),
+    help="Scalar type: float or double.  [default: the target's]",
+)
+@functions_option("inverse_dynamics", "Function to plan.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
 def command(
@@ -33,7 +43,8 @@ def command(
     processors: int,
     deadline: str,
     targets: tuple[str, ...],
-    function: str,
+    scalar: ScalarType | None,
+    functions: str,
     strict: bool,
     as_json: bool,
 ) -> None:
@@ -48,16 +59,16 @@ def command(
         here,
         parse_deadline,
         parse_target,
-        plan_text,
         plans,
-        spelled,
     )
     from robodyn.dynamics.functions import function_named
     from robodyn.errors import CheckError
+    from robodyn.report.plans import plan_text, time_text
     from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
 
     limit = parse_deadline(deadline)
+    function = one_function(functions)
     function_named(function)
     asked: list[Target | None] = [None if text == "here" else parse_target(text) for text in targets]
     described = load_robot(robot, strict=strict)
@@ -67,7 +78,7 @@ def command(
             shown.tell(f"robodyn: {text}")
 
         wanted = [target or here(described, tell) for target in asked] or list(planned_targets())
-        candidates = plans(described, processors, wanted, function=function, tell=tell)
+        candidates = plans(described, processors, wanted, function=function, scalar=scalar, tell=tell)
     best = chosen(candidates, limit)
     if as_json:
         echo_json(
@@ -82,7 +93,7 @@ def command(
         click.echo(plan_text(described, candidates, wanted, limit, function), nl=False)
     if best is None:
         raise CheckError(
-            f"nothing meets {spelled(limit)}",
-            found=f"{spelled(candidates[0].time_ns)} at best",
+            f"nothing meets {time_text(limit)}",
+            found=f"{time_text(candidates[0].time_ns)} at best",
             remedy="allow more cores with -p, or choose another target or a longer deadline",
         )

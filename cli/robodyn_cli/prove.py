@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from robodyn_cli.choices import PROOFS, SCALARS, TRIGONOMETRY
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, robot_argument, write_files
 from robodyn_cli.options import functions_option, listed, load, model_options
 
@@ -24,12 +25,30 @@ if TYPE_CHECKING:
     metavar="R",
     help="Ranges as qd=3,qdd=10,q2=-pi/2:pi/2, or a YAML file with such keys.  [default: the joint limits]",
 )
-@click.option("--scalar", default="float", show_default=True, help="Scalar type: float or double.")
-@click.option("--trig", default="builtin", show_default=True, help="Sine and cosine: builtin, libm or given.")
-@functions_option("inverse_dynamics")
-@click.option("--only", metavar="A,B", help="Proofs to run: gappa, eva, stack, misra.  [default: all]")
 @click.option(
-    "--seconds",
+    "--scalar",
+    type=SCALARS,
+    metavar="TYPE",
+    default="float",
+    show_default=True,
+    help="Scalar type: float or double.",
+)
+@click.option(
+    "--trig",
+    type=TRIGONOMETRY,
+    metavar="HOW",
+    default="builtin",
+    show_default=True,
+    help="Sine and cosine: builtin, libm or given.",
+)
+@functions_option("inverse_dynamics")
+@click.option(
+    "--only", type=PROOFS, metavar="A,B", help="Proofs to run: gappa, eva, stack, misra.  [default: all]"
+)
+@click.option(
+    "--budget-seconds",
+    "seconds",
+    metavar="S",
     type=click.FloatRange(min=1),
     default=300.0,
     show_default=True,

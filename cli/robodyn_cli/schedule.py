@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn_cli.choices import ROBOTS
 from robodyn_cli.common import echo_json, json_option, output_folder, printable, talk, write_files
 from robodyn_cli.options import load, model_options
 from robodyn_cli.schedule_options import Asked, picture_file, schedule_options
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("robot", metavar="[ROBOT]", required=False)
+@click.argument("robot", type=ROBOTS, metavar="[ROBOT]", required=False)
 @schedule_options
 @model_options
 @json_option
@@ -30,7 +31,7 @@ def command(robot: str | None, as_json: bool, **options: Any) -> None:
 
     Without --cut the tasks are those of the thesis, three operations each, for ROBOT or for any revolute arm
     of --links N. With --cut K they are the operations of a kernel of ROBOT, at most K per task. A separate
-    validator checks every schedule. -p 2..13 sweeps over the number of processors. --emit DIR writes parallel
+    validator checks every schedule. -p 2..13 sweeps over the number of processors. -o DIR writes parallel
     C (tasks of --cut 3 by default) and the serial kernel, which gives the same bits. --thesis TABLE compares
     a printed schedule (4.3, 4.7, C.1 to C.15, or all) or Table 4.8 with ours and lists every violation.
 
@@ -209,7 +210,7 @@ def _fewest(asked: Asked, source: Source, as_json: bool) -> None:
 def _emitted(
     asked: Asked, described: Robot | None, source: Source, signature: Signature | None, solved: Solved
 ) -> tuple[Path, dict[str, str]]:
-    """The folder and the files of the parallel C; no files without ``--emit``."""
+    """The folder and the files of the parallel C; no files without ``-o``."""
     if asked.emit is None:
         return Path(), {}
     from robodyn.emit.schedule_files import schedule_files

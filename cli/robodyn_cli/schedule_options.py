@@ -9,7 +9,7 @@ from typing import Any, Final, TypeVar
 
 import click
 
-from robodyn_cli.options import function_option
+from robodyn_cli.options import functions_option, one_function
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -53,7 +53,7 @@ def schedule_options(command: Command) -> Command:
                 metavar="K",
                 help="Split a kernel into tasks of at most K operations; thesis: the thesis's tasks.",
             ),
-            function_option("Function to split (with --cut K)."),
+            functions_option("inverse_dynamics", "Function to split (with --cut K)."),
             click.option(
                 "--form",
                 metavar="F",
@@ -76,7 +76,8 @@ def schedule_options(command: Command) -> Command:
                 "--no-levels", is_flag=True, help="Start tasks as soon as their inputs are available."
             ),
             click.option(
-                "--seconds",
+                "--budget-seconds",
+                "seconds",
                 metavar="S",
                 type=float,
                 help="Time limit of a search. [default: 60, branch-and-bound 10]",
@@ -96,13 +97,13 @@ def schedule_options(command: Command) -> Command:
                 "--picture", metavar="FILE.svg", help="Write the Gantt chart; for a sweep, Figures 4.11-4.13."
             ),
             click.option("--layers", metavar="FILE.svg", help="Write the layered graph."),
-            click.option("--emit", metavar="DIR", help="Write parallel C to DIR."),
-            click.option("--sync", metavar="HOW", help="Synchronisation (with --emit): barrier or counters."),
+            click.option("-o", "--output", "emit", metavar="DIR", help="Write parallel C to DIR."),
+            click.option("--sync", metavar="HOW", help="Synchronisation (with -o): barrier or counters."),
             click.option(
                 "--packed",
                 metavar="LANES",
                 type=int,
-                help="Also write the packed form (with --emit): 2, 4 or 8 lanes.",
+                help="Also write the packed form (with -o): 2, 4 or 8 lanes.",
             ),
         )
     ):
@@ -155,6 +156,7 @@ class Asked:
         from robodyn.errors import InputError
 
         cut = options.pop("cut")
+        options["function"] = one_function(options.pop("functions"))
         operations = None if cut in (None, "thesis") else _operations(cut)
         if cut is None and (options["emit"] is not None or _kernel(options)):
             operations = 3  # for a kernel
@@ -212,11 +214,11 @@ class Asked:
             )
         for option, name in ((self.sync, "--sync"), (self.packed, "--packed")):
             if option is not None and self.emit is None:
-                raise InputError(f"{name} requires --emit")
+                raise InputError(f"{name} requires -o")
         if not 0 < self.seconds < 1e7:
             raise InputError(
                 "the time limit of the search is out of range",
-                found=f"--seconds {self.seconds:g}",
+                found=f"--budget-seconds {self.seconds:g}",
                 expected="more than 0",
             )
 

@@ -8,11 +8,12 @@ from pathlib import Path
 
 import click
 
+from robodyn_cli.choices import TABLES
 from robodyn_cli.common import echo_json, json_option, printable, talk, write_files
 
 
 @click.command()
-@click.argument("table_id", metavar="[ID]", required=False)
+@click.argument("table_id", type=TABLES, metavar="[ID]", required=False)
 @click.option("--picture", metavar="FILE.svg", help="Write Figure 2.9, redrawn from the counts.")
 @json_option
 def command(table_id: str | None, picture: str | None, as_json: bool) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from robodyn_cli.choices import SCALARS, TRIGONOMETRY
 from robodyn_cli.common import echo_json, json_option, robot_argument
 from robodyn_cli.languages import compiled_language_option
 from robodyn_cli.options import functions_option, listed, load, model_options
@@ -21,8 +22,22 @@ if TYPE_CHECKING:
     "--states", type=click.IntRange(1, 1_000_000), default=200, show_default=True, help="Number of states."
 )
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the sample.")
-@click.option("--scalar", default="double", show_default=True, help="Scalar type: double or float.")
-@click.option("--trig", default="libm", show_default=True, help="Sine and cosine: libm or builtin.")
+@click.option(
+    "--scalar",
+    type=SCALARS,
+    metavar="TYPE",
+    default="double",
+    show_default=True,
+    help="Scalar type: double or float.",
+)
+@click.option(
+    "--trig",
+    type=TRIGONOMETRY,
+    metavar="HOW",
+    default="libm",
+    show_default=True,
+    help="Sine and cosine: libm or builtin.",
+)
 @compiled_language_option
 @functions_option()
 @model_options

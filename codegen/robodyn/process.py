@@ -68,14 +68,14 @@ def begin() -> None:
 
 
 def not_imported(error: Exception) -> int:
-    """Say that robodyn cannot even be imported; the exit code: 74 where the system refuses, else 3, as of a
-    tool that is missing."""
+    """Say that robodyn cannot even be imported; the exit code: 74 where the operating system refuses, else
+    3, as of a tool that is missing."""
     few = "Too many open files" in str(error)
     refused = few or isinstance(error, (OSError, MemoryError))
-    what = "too few files may be open at a time" if few else "the system refused"
+    what = "the limit of open files is too low" if few else "the operating system refused"
     what = what if refused else "robodyn, or a library that it needs, is not installed as a whole"
     text = " ".join(f"robodyn: error: {what}: {str(error) or type(error).__name__}".split())
-    text += "; ulimit -n 256 allows more" if few else "" if refused else "; install robodyn again"
+    text += "; raise it with ulimit -n 256" if few else "" if refused else "; install robodyn again"
     try:
         sys.stderr.write(f"{ascii(text)[1:-1]}\n")
         sys.stderr.flush()

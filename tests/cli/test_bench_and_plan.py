@@ -12,7 +12,8 @@ import pytest
 
 from robodyn import InputError
 from robodyn.bench.parallel_bench import Measured
-from robodyn.bench.plan import chosen, parse_deadline, parse_target, plans, spelled
+from robodyn.bench.plan import chosen, parse_deadline, parse_target, plans
+from robodyn.report.plans import time_text
 from robodyn.robot import bundled_text, load
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.targets import TARGETS, planned_targets
@@ -205,10 +206,21 @@ def test_targets_that_cannot_be_read(text: str) -> None:
         parse_target(text)
 
 
+def test_a_plan_is_for_the_scalar_type_that_is_asked_for(capsys: Capture) -> None:
+    """A Cortex-M4F has float in hardware and double in software."""
+    arguments = ("puma560_3dof", "--deadline", "1s", "--target", "cortex-m4f")
+    own, single, double = (
+        planned(capsys, *arguments, *more)["chosen"]["time_ns"]
+        for more in ((), ("--scalar", "float"), ("--scalar", "double"))
+    )
+    assert own == single
+    assert double > 30 * single
+
+
 def test_known_targets_say_where_their_figures_are_from() -> None:
     chips = {target.name: target.chip for target in planned_targets()}
     assert all(chip is not None and chip.source for chip in chips.values())
     task_ns = 1e6 * TIMES_STANFORD[1] / LEVELS_STANFORD[1]
     assert TARGETS["thesis-1990"].chip is not None
     assert TARGETS["thesis-1990"].chip.cycle_ns == pytest.approx(task_ns / FLOPS_PER_TASK)
-    assert [spelled(x) for x in (12.0, 1500.0, 2e6, 3e9)] == ["12 ns", "1.5 us", "2 ms", "3 s"]
+    assert [time_text(x) for x in (12.0, 1500.0, 2e6, 3e9)] == ["12 ns", "1.5 us", "2 ms", "3 s"]

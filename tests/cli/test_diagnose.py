@@ -101,7 +101,7 @@ def diagnose(capsys: Capture, command: str, code: int = 0) -> tuple[str, str]:
 
 
 def test_everything_is_handed_over(capsys: Capture, stand: Stand, tmp_path: Path) -> None:
-    diagnose(capsys, "arm.yaml a.csv b.csv --validate v.csv --out out --no-kernels")
+    diagnose(capsys, "arm.yaml a.csv b.csv --validate v.csv -o out --no-kernels")
     (call,) = stand.calls
     assert [one.samples for one in call["logs"]] == [50, 60]
     assert call["validate"].samples == 70
@@ -118,12 +118,12 @@ def test_a_bundled_robot_keeps_its_text(capsys: Capture, stand: Stand, tmp_path:
     n = 3
     t, q = np.arange(9.0), np.ones((9, n))
     (tmp_path / "three.csv").write_text(Log(t, q, None, None, q).csv())
-    diagnose(capsys, "puma560_3dof three.csv --out out --no-kernels")
+    diagnose(capsys, "puma560_3dof three.csv -o out --no-kernels")
     assert stand.calls[0]["text"] == bundled_text("puma560_3dof")
 
 
 def test_what_is_written_and_said(capsys: Capture, tmp_path: Path) -> None:
-    out, err = diagnose(capsys, "arm.yaml a.csv --out deep/out")
+    out, err = diagnose(capsys, "arm.yaml a.csv -o deep/out")
     folder = tmp_path / "deep" / "out"
     files = {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()}
     kernels = {f"kernels/arm.{ending}" for ending in ("c", "h", "f90")}
@@ -132,24 +132,26 @@ def test_what_is_written_and_said(capsys: Capture, tmp_path: Path) -> None:
     assert json.loads((folder / "diagnosis.json").read_text())["findings"][0]["parameters"] == {
         "level": {"value": 2.0, "stderr": 0.01, "unit": "N*m"}
     }
-    assert "arm lacks Coulomb friction (joint 1)." in (folder / "report.html").read_text(encoding="utf-8")
+    assert "arm: Coulomb friction at joint 1 is missing." in (folder / "report.html").read_text(
+        encoding="utf-8"
+    )
     lines = out.splitlines()
     assert 5 <= len(lines) <= 10
-    assert lines[0] == "missing effect: arm lacks Coulomb friction (joint 1)."
+    assert lines[0] == "missing effect: arm: Coulomb friction at joint 1 is missing."
     assert lines[-1].startswith("report: deep/out/report.html")
     assert err == ""
 
 
 def test_the_kernels_are_of_the_amended_model(capsys: Capture, stand: Stand, tmp_path: Path) -> None:
-    diagnose(capsys, "arm.yaml a.csv --out one")
+    diagnose(capsys, "arm.yaml a.csv -o one")
     stand.changes = {"model": read_text(ARM)}
-    diagnose(capsys, "arm.yaml a.csv --out two")
+    diagnose(capsys, "arm.yaml a.csv -o two")
     one, two = ((tmp_path / name / "kernels" / "arm.c").read_text() for name in ("one", "two"))
     assert one != two
 
 
 def test_json_is_the_file(capsys: Capture, tmp_path: Path) -> None:
-    out, _ = diagnose(capsys, "arm.yaml a.csv --out out --no-kernels --json")
+    out, _ = diagnose(capsys, "arm.yaml a.csv -o out --no-kernels --json")
     assert out == (tmp_path / "out" / "diagnosis.json").read_text(encoding="utf-8")
     assert json.loads(out)["verdict"] == "missing_effect"
     assert not (tmp_path / "out" / "kernels").exists()
@@ -159,7 +161,7 @@ def test_what_is_no_number_is_null(capsys: Capture, stand: Stand) -> None:
     lost = {"level": Estimate(2.0, np.inf, "N m")}
     finding = Finding("coulomb_friction", 1, lost, 0.9, (), "", None, 1.0, 1.0)
     stand.changes = {"findings": (finding,), "left": np.array([np.nan])}
-    told = json.loads(diagnose(capsys, "arm.yaml a.csv --out out --no-kernels --json")[0])
+    told = json.loads(diagnose(capsys, "arm.yaml a.csv -o out --no-kernels --json")[0])
     assert told["findings"][0]["parameters"]["level"]["stderr"] is None
     assert told["unexplained_share"] == [None]
 
@@ -167,7 +169,7 @@ def test_what_is_no_number_is_null(capsys: Capture, stand: Stand) -> None:
 @pytest.mark.parametrize(("verdict", "code"), [("missing_effect", 0), ("consistent", 0), ("unexplained", 4)])
 def test_exit_codes(capsys: Capture, stand: Stand, tmp_path: Path, verdict: str, code: int) -> None:
     stand.changes = {"verdict": verdict}
-    out, err = diagnose(capsys, "arm.yaml a.csv --out out", code)
+    out, err = diagnose(capsys, "arm.yaml a.csv -o out", code)
     assert out.startswith(verdict.replace("_", " "))
     assert err == ""
     assert (tmp_path / "out" / "kernels" / "arm.c").exists()
@@ -175,7 +177,7 @@ def test_exit_codes(capsys: Capture, stand: Stand, tmp_path: Path, verdict: str,
 
 def test_the_same_bytes_again(capsys: Capture, tmp_path: Path) -> None:
     for name in ("one", "two"):
-        diagnose(capsys, f"arm.yaml a.csv --out {name}")
+        diagnose(capsys, f"arm.yaml a.csv -o {name}")
     one, two = (
         {path.name: path.read_bytes() for path in (tmp_path / name).rglob("*.*")} for name in ("one", "two")
     )
@@ -184,7 +186,7 @@ def test_the_same_bytes_again(capsys: Capture, tmp_path: Path) -> None:
 
 
 def test_run_time_parameters(capsys: Capture, stand: Stand) -> None:
-    diagnose(capsys, "loaded.yaml a.csv --out out --param m_load=2 --no-kernels")
+    diagnose(capsys, "loaded.yaml a.csv -o out --param m_load=2 --no-kernels")
     assert stand.calls[0]["parameters"] == {"m_load": 2.0}
     for given, said in (
         ("", "no m_load"),
@@ -192,24 +194,24 @@ def test_run_time_parameters(capsys: Capture, stand: Stand) -> None:
         ("--param m_load=1 --param mass=2", "found mass"),
         ("--param m_load", "NAME=VALUE"),
     ):
-        _, err = diagnose(capsys, f"loaded.yaml a.csv --out other {given}", 2)
+        _, err = diagnose(capsys, f"loaded.yaml a.csv -o other {given}", 2)
         assert said in err
-    assert "none: it has no" in diagnose(capsys, "arm.yaml a.csv --out other --param m=1", 2)[1]
+    assert "none: it has no" in diagnose(capsys, "arm.yaml a.csv -o other --param m=1", 2)[1]
     assert not Path("other").exists()
 
 
 @pytest.mark.parametrize(
     ("command", "said"),
     [
-        ("arm.yaml --out out", "Missing argument"),
-        ("arm.yaml a.csv", "Missing option '--out'"),
-        ("arm.yaml none.csv --out out", "none.csv"),
-        ("arm.yaml arm.yaml --out out", "arm.yaml"),
-        ("arm.yaml a.csv --validate none.csv --out out", "none.csv"),
-        ("nobody a.csv --out out", "nobody"),
-        ("puma560_3dof a.csv --out out", "a.csv"),
-        ("puma560_3dof a.csv --out out --strict", "not physical"),
-        ("arm.yaml a.csv --out b.csv", "a file"),
+        ("arm.yaml -o out", "Missing argument"),
+        ("arm.yaml a.csv", "Missing option '-o' / '--output'"),
+        ("arm.yaml none.csv -o out", "none.csv"),
+        ("arm.yaml arm.yaml -o out", "arm.yaml"),
+        ("arm.yaml a.csv --validate none.csv -o out", "none.csv"),
+        ("nobody a.csv -o out", "nobody"),
+        ("puma560_3dof a.csv -o out", "a.csv"),
+        ("puma560_3dof a.csv -o out --strict", "not physical"),
+        ("arm.yaml a.csv -o b.csv", "a file"),
     ],
 )
 def test_bad_input(capsys: Capture, stand: Stand, command: str, said: str) -> None:
@@ -220,13 +222,13 @@ def test_bad_input(capsys: Capture, stand: Stand, command: str, said: str) -> No
 
 
 def test_an_empty_name_is_no_folder(capsys: Capture) -> None:
-    assert main(["diagnose", "arm.yaml", "a.csv", "--out", ""]) == 2
-    assert "--out is empty" in capsys.readouterr().err
+    assert main(["diagnose", "arm.yaml", "a.csv", "-o", ""]) == 2
+    assert "-o is empty" in capsys.readouterr().err
 
 
 def test_a_refused_log_leaves_nothing(capsys: Capture, stand: Stand) -> None:
     stand.error = InputError("the log is of another robot")
-    _, err = diagnose(capsys, "arm.yaml a.csv --out out", 2)
+    _, err = diagnose(capsys, "arm.yaml a.csv -o out", 2)
     assert "another robot" in err
     assert not Path("out").exists()
 
@@ -239,25 +241,25 @@ def test_all_or_nothing(capsys: Capture, tmp_path: Path, monkeypatch: pytest.Mon
 
     with monkeypatch.context() as patch:
         patch.setattr(generation, "generate", broken)
-        assert "no kernel" in diagnose(capsys, "arm.yaml a.csv --out out", 2)[1]
+        assert "no kernel" in diagnose(capsys, "arm.yaml a.csv -o out", 2)[1]
     assert not Path("out").exists()
     (tmp_path / "out" / "report.html").mkdir(parents=True)
-    diagnose(capsys, "arm.yaml a.csv --out out", 2)
+    diagnose(capsys, "arm.yaml a.csv -o out", 2)
     assert [path.name for path in (tmp_path / "out").rglob("*")] == ["report.html"]
 
 
 def test_what_is_read_is_not_written_over(capsys: Capture, stand: Stand, tmp_path: Path) -> None:
-    diagnose(capsys, "arm.yaml a.csv --out out --no-kernels")
-    _, err = diagnose(capsys, "out/model.yaml a.csv --out out", 2)
+    diagnose(capsys, "arm.yaml a.csv -o out --no-kernels")
+    _, err = diagnose(capsys, "out/model.yaml a.csv -o out", 2)
     assert "would be overwritten" in err
     assert (tmp_path / "out" / "model.yaml").read_text() == RUBBING
-    diagnose(capsys, "out/model.yaml a.csv --out again --no-kernels")
+    diagnose(capsys, "out/model.yaml a.csv -o again --no-kernels")
     assert stand.calls[1]["text"] == RUBBING
 
 
 def test_what_proves_nothing_is_said(capsys: Capture) -> None:
     (Path("c.csv")).write_bytes(Path("a.csv").read_bytes())
-    _, err = diagnose(capsys, "arm.yaml a.csv --validate c.csv --out out")
+    _, err = diagnose(capsys, "arm.yaml a.csv --validate c.csv -o out")
     assert "c.csv is identical to a.csv and adds no evidence" in err
-    _, err = diagnose(capsys, "arm.yaml a.csv --out out --no-kernels")
+    _, err = diagnose(capsys, "arm.yaml a.csv -o out --no-kernels")
     assert "kernels is from an earlier run" in err

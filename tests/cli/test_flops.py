@@ -38,7 +38,7 @@ def flops_json(capsys: Capture, *arguments: str, code: int = 0) -> Any:
 
 @pytest.mark.parametrize("robot", sampled(bundled_names(), every=5))
 def test_the_counts_are_those_of_what_gen_writes(robot: str, capsys: Capture) -> None:
-    found = flops_json(capsys, robot, "--function", "all")
+    found = flops_json(capsys, robot, "--functions", "all")
     made = generate(load(robot, warn=lambda _: None))
     assert [record["function"] for record in found] == list(made.counts)
     for record in found:
@@ -57,7 +57,7 @@ def test_json_has_the_keys_of_the_contract(capsys: Capture) -> None:
     assert isinstance(thesis["note"], str)
     assert thesis["note"]
     assert flops_json(capsys, "ur5")["thesis"] is None
-    assert flops_json(capsys, "puma560_d2", "--function", "gravity")["thesis"] is None
+    assert flops_json(capsys, "puma560_d2", "--functions", "gravity")["thesis"] is None
     assert all(isinstance(found[kind], int) for kind in KEYS - {"robot", "function", "formulation", "thesis"})
 
 
@@ -88,7 +88,7 @@ def test_formulations_and_rotors(capsys: Capture) -> None:
     both = flops_json(capsys, "stanford_3dof", "--formulation", "all")
     assert [record["formulation"] for record in both] == list(FORMULATIONS)
     assert set(FORMULATIONS) >= {"modified_newton_euler", "newton_euler"}
-    every = flops_json(capsys, "stanford_3dof", "--formulation", "all", "--function", "all")
+    every = flops_json(capsys, "stanford_3dof", "--formulation", "all", "--functions", "all")
     assert len(every) == 5 * len(FORMULATIONS)
     folded = flops_json(capsys, "puma560", "--fold-rotor")
     assert folded["total"] < flops_json(capsys, "puma560")["total"]
@@ -97,7 +97,7 @@ def test_formulations_and_rotors(capsys: Capture) -> None:
 
 
 def test_a_table_for_people(capsys: Capture) -> None:
-    out, err = flops(capsys, "stanford_3dof_d3", "--function", "all")
+    out, err = flops(capsys, "stanford_3dof_d3", "--functions", "all")
     assert err == ""
     lines = out.splitlines()
     assert lines[0].startswith("stanford_3dof_d3: ")
@@ -128,7 +128,7 @@ def test_a_budget_that_does_not_hold_is_a_failed_check(capsys: Capture) -> None:
 
 
 def test_a_budget_holds_every_function_that_is_counted(capsys: Capture) -> None:
-    _, err = flops(capsys, "stanford_3dof", "--function", "all", "--budget", "div=0", code=1)
+    _, err = flops(capsys, "stanford_3dof", "--functions", "all", "--budget", "div=0", code=1)
     assert "forward_dynamics: div 3 is 3 over the budget of 0" in err
     assert "gravity" not in err
 
@@ -146,12 +146,12 @@ def test_what_is_no_budget_is_bad_input(budget: str, capsys: Capture) -> None:
 @pytest.mark.parametrize(
     ("arguments", "hint"),
     [
-        (["stanford", "--function", "inverse_dynamic"], "did you mean 'inverse_dynamics'?"),
-        (["stanford", "--function", "mass"], "one of inverse_dynamics, gravity, bias, mass_matrix"),
+        (["stanford", "--functions", "inverse_dynamic"], "did you mean 'inverse_dynamics'?"),
+        (["stanford", "--functions", "mass"], "one of inverse_dynamics, gravity, bias, mass_matrix"),
         (["stanford", "--formulation", "newton_eular"], "did you mean 'newton_euler'?"),
         (["stanford", "--optimize", "fas"], "did you mean 'fast'?"),
         (["stanford", "--engine", "simpy"], "did you mean 'sympy'?"),
-        (["stanford", "--functoin", "gravity"], "--function"),
+        (["stanford", "--functoin", "gravity"], "--functions"),
         (["stanfrod"], "stanford"),
         (["nowhere.yaml"], "nowhere.yaml"),
         ([], "ROBOT"),
@@ -165,9 +165,9 @@ def test_what_is_unknown_gets_a_hint(arguments: list[str], hint: str, capsys: Ca
 
 
 def test_an_arm_without_forward_dynamics(capsys: Capture) -> None:
-    found = flops_json(capsys, "tx40", "--function", "all")
+    found = flops_json(capsys, "tx40", "--functions", "all")
     assert [record["function"] for record in found] == ["inverse_dynamics", "gravity", "bias", "mass_matrix"]
-    _, err = flops(capsys, "tx40", "--function", "forward_dynamics", code=2)
+    _, err = flops(capsys, "tx40", "--functions", "forward_dynamics", code=2)
     assert "tx40 has no forward dynamics" in err
 
 
@@ -179,5 +179,5 @@ def test_strict_refuses_what_is_doubtful(capsys: Capture) -> None:
 def test_a_robot_of_ones_own(tmp_path: Path, capsys: Capture) -> None:
     file = tmp_path / "rod.yaml"
     file.write_text("name: rod\nlinks: [{joint: revolute, mass: m, com: [0.5, 0, 0], inertia: {zz: 2}}]\n")
-    found = flops_json(capsys, str(file), "--function", "mass_matrix")
+    found = flops_json(capsys, str(file), "--functions", "mass_matrix")
     assert (found["robot"], found["mul"], found["add"]) == ("rod", 1, 1)

@@ -29,7 +29,7 @@ COMMANDS = [
     "gen stanford_3dof -o out --batch",
     "gen stanford_3dof --firmware -o out",
     "new arm -o out/arm.yaml",
-    "schedule stanford_3dof -p 2 --emit out",
+    "schedule stanford_3dof -p 2 -o out",
     "schedule stanford_3dof -p 2 --picture out.svg",
     "tables 2.9 --picture out.svg",
     "simulate stanford_3dof --duration 0.01 -o out.csv",
@@ -56,7 +56,8 @@ def test_whose_fault_it_is(name: str) -> None:
 
 def full_after(monkeypatch: pytest.MonkeyPatch, files: int, code: int) -> None:
     """Let so many of the files that a command writes go well, and the next one half."""
-    text, data, written = Path.write_text, Path.write_bytes, []
+    text, data = Path.write_text, Path.write_bytes
+    written: list[Path] = []
 
     def write(path: Path, content: Any, *rest: Any, **named: Any) -> int:
         plain = text if isinstance(content, str) else data

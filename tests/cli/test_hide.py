@@ -52,7 +52,7 @@ def test_hide_open_and_score(capsys: Capture) -> None:
     assert out.splitlines() == [
         "pendulum: 1 effect is hidden in d: given.yaml, train.csv, train.csv.json, validate.csv, "
         "validate.csv.json, answer.sealed",
-        "robodyn diagnose d/given.yaml d/train.csv --validate d/validate.csv --out d/found",
+        "robodyn diagnose d/given.yaml d/train.csv --validate d/validate.csv -o d/found",
         "robodyn hide --score d d/found/diagnosis.json",
     ]
     assert not err

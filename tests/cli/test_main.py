@@ -189,7 +189,9 @@ class TestLaziness:
         assert {name for name in loaded if name.startswith("robodyn_cli.")} == {
             "robodyn_cli.main",
             "robodyn_cli.new",
+            "robodyn_cli.choices",
             "robodyn_cli.common",
+            "robodyn_cli.renamed",
         }
 
 
@@ -216,9 +218,9 @@ class TestHelp:
     def test_no_command_file_is_forgotten(self) -> None:
         folder = Path(frame.__file__).parent
         shared = {
-            "__init__", "__main__", "main", "common", "counted", "driving", "entry", "firmware", "languages",
-            "options", "progress", "pruned", "schedule_options", "searching", "simulate_options",
-            "targets",
+            "__init__", "__main__", "main", "choices", "common", "counted", "driving", "entry", "firmware",
+            "languages", "options", "progress", "pruned", "renamed", "schedule_options", "searching",
+            "simulate_options", "targets",
         }  # fmt: skip
         files = {path.stem for path in folder.glob("*.py")} - shared
         assert files == {module.removeprefix("robodyn_cli.") for module, _ in COMMANDS.values()}

@@ -152,7 +152,7 @@ def test_a_kernel_cut(capsys: Capture) -> None:
     fewest = made(capsys, "puma560", "--cut", "1", "--fewest")
     assert (fewest["processors"], fewest["at_least"], fewest["proven"]) == (10, 10, True)
     assert "10 processors" in run(capsys, "puma560", "--cut", "1", "--fewest")[0]
-    fast = made(capsys, "puma560", "-p", "2", "--cut", "3", "--optimize", "fast", "--function", "gravity")
+    fast = made(capsys, "puma560", "-p", "2", "--cut", "3", "--optimize", "fast", "--functions", "gravity")
     assert fast["tasks"] < 30
     slow = made(capsys, "puma560", "-p", "4", "--cut", "1", "--cost", "mul=3,sincos=40", "--no-levels",
                 "--communication", "5")  # fmt: skip
@@ -195,7 +195,7 @@ def test_printed_tables(table: str, capsys: Capture) -> None:
 
 def test_emission(capsys: Capture, tmp_path: Path) -> None:
     folder = tmp_path / "out"
-    _, err = run(capsys, "puma560_3dof", "-p", "2", "--emit", str(folder), "--packed", "4")
+    _, err = run(capsys, "puma560_3dof", "-p", "2", "-o", str(folder), "--packed", "4")
     names = {path.name for path in folder.iterdir()}
     stem = "puma560_3dof"
     assert names == {f"{stem}.h", f"{stem}.c", *(f"{stem}_{what}" for what in (
@@ -217,9 +217,9 @@ def test_emission(capsys: Capture, tmp_path: Path) -> None:
 
 
 def test_the_thesis_s_own_tasks_emitted(capsys: Capture, tmp_path: Path) -> None:
-    run(capsys, "stanford", "-p", "3", "--cut", "thesis", "--emit", str(tmp_path), "--method", "thesis")
+    run(capsys, "stanford", "-p", "3", "--cut", "thesis", "-o", str(tmp_path), "--method", "thesis")
     assert "T12_" in (tmp_path / "stanford_parallel.c").read_text()
-    _, err = run(capsys, "panda", "-p", "3", "--cut", "thesis", "--emit", str(tmp_path / "no"), code=2)
+    _, err = run(capsys, "panda", "-p", "3", "--cut", "thesis", "-o", str(tmp_path / "no"), code=2)
     assert "--cut 3" in err
     assert not (tmp_path / "no").exists()
 
@@ -238,7 +238,7 @@ def test_the_thesis_s_own_tasks_emitted(capsys: Capture, tmp_path: Path) -> None
         (("puma560", "-p", "4", "--as-printed"), "prints no tasks of puma560"),
         (("--links", "5", "-p", "4", "--as-printed"), "six links"),
         (("--links", "0", "-p", "4"), "an arm has joints"),
-        (("--links", "6", "-p", "4", "--emit", "x"), "no parameters to emit"),
+        (("--links", "6", "-p", "4", "-o", "x"), "no parameters to emit"),
         (("--links", "6", "-p", "4", "--cut", "1"), "no kernel"),
         (("--links", "6", "-p", "4", "--form", "fast"), "unknown form"),
         (("puma560", "-p", "4", "--form", "lathrop"), "requires --links"),
@@ -247,15 +247,15 @@ def test_the_thesis_s_own_tasks_emitted(capsys: Capture, tmp_path: Path) -> None
         (("puma560", "-p", "4", "--cost", "mul=1"), "add --cut"),
         (("puma560", "--fewest", "--cut", "1", "--cost", "mul=2"), "equal length"),
         (("puma560", "-p", "4", "--cut", "1", "--cost", "x=1"), "costs of operations"),
-        (("puma560", "-p", "4", "--sync", "barrier"), "requires --emit"),
-        (("puma560", "-p", "2..4", "--emit", "x"), "only one schedule can be emitted"),
-        (("puma560", "-p", "2", "--emit", "x", "--sync", "never"), "unknown synchronisation"),
-        (("puma560", "-p", "2", "--emit", "x", "--no-levels", "--sync", "barrier"), "nowhere to meet"),
-        (("puma560", "-p", "2", "--emit", "x", "--packed", "3"), "2, 4 or 8"),
-        (("puma560", "-p", "2", "--emit", ""), "is empty"),
+        (("puma560", "-p", "4", "--sync", "barrier"), "requires -o"),
+        (("puma560", "-p", "2..4", "-o", "x"), "only one schedule can be emitted"),
+        (("puma560", "-p", "2", "-o", "x", "--sync", "never"), "unknown synchronisation"),
+        (("puma560", "-p", "2", "-o", "x", "--no-levels", "--sync", "barrier"), "nowhere to meet"),
+        (("puma560", "-p", "2", "-o", "x", "--packed", "3"), "2, 4 or 8"),
+        (("puma560", "-p", "2", "-o", ""), "is empty"),
         (("puma560", "-p", "2", "--picture", "x.png"), "are written as SVG"),
         (("puma560", "-p", "2", "--communication", "-1"), "before it is sent"),
-        (("puma560", "-p", "2", "--seconds", "nan"), "the time limit of the search"),
+        (("puma560", "-p", "2", "--budget-seconds", "nan"), "the time limit of the search"),
         (("puma560", "--thesis", "C.1"), "takes no robot"),
         (("--thesis", "C.99"), "no printed schedule"),
         (("--forms", "--links", "1"), "forms need joints"),

@@ -225,8 +225,8 @@ def test_too_few_open_files(module: str) -> None:
     require_module("resource")
     done = hooked(module, FEW, "gen", "stanford_3dof", "-o", "out")
     assert (done.returncode, done.stdout) == (74, ""), done.stderr
-    assert done.stderr.startswith("robodyn: error: too few files may be open at a time: ")
-    assert done.stderr.endswith("ulimit -n 256 allows more\n")
+    assert done.stderr.startswith("robodyn: error: the limit of open files is too low: ")
+    assert done.stderr.endswith("raise it with ulimit -n 256\n")
     assert done.stderr.count("\n") == 1
     assert not Path("out").exists()
 
@@ -255,4 +255,7 @@ def test_a_module_of_ours_that_is_broken_is_a_bug() -> None:
 @pytest.mark.usefixtures("elsewhere")
 def test_a_lack_of_memory_is_no_bug() -> None:
     done = hooked("yaml", "raise MemoryError", "robots")
-    assert (done.returncode, done.stderr) == (74, "robodyn: error: the system refused: out of memory\n")
+    assert (done.returncode, done.stderr) == (
+        74,
+        "robodyn: error: the operating system refused: out of memory\n",
+    )

@@ -11,7 +11,7 @@ from robodyn.counts import count
 from robodyn.counts.objective import Objective, operations_of
 from robodyn.ir import Input, Operation, Program
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.suited import suited_writing
+from robodyn.optimize.suited import suited_variant
 from robodyn.search.candidate import Candidates
 from robodyn.search.space import Space
 from robodyn.targets import TARGETS
@@ -73,9 +73,9 @@ def test_an_objective_must_be_known(name: str, target: str) -> None:
 @pytest.mark.parametrize("name", ["puma560_3dof_d3", "stanford_d3"])
 def test_a_tally_and_its_program_cost_the_same(name: str) -> None:
     robot = load(name, warn=lambda _: None)
-    writing = suited_writing(Space(robot).arm)
-    made = build(robot, "inverse_dynamics", Choice(writing=writing))
+    variant = suited_variant(Space(robot).arm)
+    made = build(robot, "inverse_dynamics", Choice(variant=variant))
     for objective in (Objective("mul"), Objective("sincos"), Objective("weighted", "cortex-m4")):
-        cost = Candidates(robot, objective).cost(writing)
+        cost = Candidates(robot, objective).cost(variant)
         assert cost == pytest.approx(objective.cost(operations_of(made)), abs=1e-9)
     assert operations_of(made).total == count(made).total

@@ -117,7 +117,7 @@ def test_the_command_refuses_it_and_writes_nothing(
     monkeypatch.chdir(tmp_path)
     Path("arm.yaml").write_text(ARM)
     Path("log.csv").write_bytes(spoil(lines))
-    assert main(["diagnose", "arm.yaml", "log.csv", "--out", "out"]) == 2
+    assert main(["diagnose", "arm.yaml", "log.csv", "-o", "out"]) == 2
     error = capsys.readouterr().err
     assert "Traceback" not in error
     (line,) = [line for line in error.splitlines() if line.startswith("robodyn: error: ")]

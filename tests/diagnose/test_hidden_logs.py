@@ -15,8 +15,8 @@ from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.kinematics import Kinematics
 from robodyn.verify.effects import settings
-from robodyn.verify.memories import bristle_step, twist
 from robodyn.verify.reference import Reference
+from robodyn.verify.stateful import bristle_step, twist
 
 #: What may be left over, as a share of the gap: steps of 0.25 ms, not the law.
 _LEFT = 0.02

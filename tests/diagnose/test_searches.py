@@ -24,7 +24,7 @@ PAIRS = (
 )
 
 
-@pytest.mark.parametrize(("hidden", "ratio"), sampled(PAIRS, every=2), ids=lambda x: str(x))
+@pytest.mark.parametrize(("hidden", "ratio"), sampled(PAIRS, every=3), ids=lambda x: str(x))
 def test_two_effects_are_both_named(hidden: tuple[tuple[str, int | None], ...], ratio: float) -> None:
     made = Case("puma560_3dof", hidden, 1, ratio).make()
     found = diagnose(made.given, [made.train], made.validate)

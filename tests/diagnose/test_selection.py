@@ -37,7 +37,7 @@ def test_the_model_on_arrays_is_the_reference(name: str, values: dict[str, float
     np.testing.assert_allclose(rigid, found.rigid, rtol=0, atol=1e-12 * np.abs(rigid).max())
 
 
-@pytest.mark.parametrize(("arm_name", "effect", "joint", "seed", "ratio"), sampled(CLEAR, every=2))
+@pytest.mark.parametrize(("arm_name", "effect", "joint", "seed", "ratio"), sampled(CLEAR, every=4))
 def test_what_is_hidden_is_named_first(
     arm_name: str, effect: str, joint: int | None, seed: int, ratio: float
 ) -> None:

@@ -108,6 +108,8 @@ STANDARD = """
 assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg
 stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
 """.split()  # noqa: SIM905 (it reads as the list that it is)
+#: Headers that Debian's picolibc has, which include others that it lacks.
+NOT_PICOLIBC = {"threads"}
 #: Headers that C++ has otherwise, or not at all.
 NOT_CPP = {"complex", "stdatomic", "stdnoreturn", "tgmath", "threads"}
 #: Headers that a template of C includes.

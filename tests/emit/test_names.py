@@ -9,7 +9,18 @@ from pathlib import Path
 
 import pytest
 
-from emit.names import CLEAN, INCLUDED, STANDARD, WAYS, arm, complaints, including, words, written
+from emit.names import (
+    CLEAN,
+    INCLUDED,
+    NOT_PICOLIBC,
+    STANDARD,
+    WAYS,
+    arm,
+    complaints,
+    including,
+    words,
+    written,
+)
 from robodyn.errors import InputError
 from robodyn.robot.names import robot_name_fault
 from robodyn_testing import require_tool, sampled
@@ -81,12 +92,14 @@ def test_robots_that_a_program_made_are_looked_at_too() -> None:
         ("clang", "-xc", "-D_GNU_SOURCE"),
         ("g++", "-xc++"),
         ("arm-none-eabi-gcc", "-xc"),
+        ("riscv64-unknown-elf-gcc", "-xc", "--specs=picolibc.specs"),
     ],
     ids="-".join,
 )
 def test_headers_of_the_system_are_no_robots(command: tuple[str, ...], tmp_path: Path) -> None:
     """With -I and the folder of the emitted files, <features.h> of the C library would be a robot's."""
-    text = including({*INCLUDED, *STANDARD}, cpp="-xc++" in command)
+    lacking = NOT_PICOLIBC if "--specs=picolibc.specs" in command else set()
+    text = including({*INCLUDED, *STANDARD} - lacking, cpp="-xc++" in command)
     (tmp_path / "all.c").write_text(text, encoding="utf-8")
     said = complaints(tmp_path, require_tool(command[0]), *command[1:], "-v", "-E", "all.c")
     folders = {Path(folder).resolve() for folder in re.findall(r"^ (/\S+)$", said, re.M)}

@@ -25,6 +25,7 @@ DIALECTS = [
     ("clang++", "-xc++", "-std=gnu++17"),
     ("arm-none-eabi-gcc", "-std=c99", "-mcpu=cortex-m3"),
     ("arm-none-eabi-gcc", "-std=gnu17", "-mcpu=cortex-m4", "-mfloat-abi=hard"),
+    ("riscv64-unknown-elf-gcc", "-std=gnu17", "-march=rv32imafc", "-mabi=ilp32f", "-ffreestanding"),
 ]
 #: What may be a name as far as its letters go.
 LEGAL = re.compile(r"[A-Za-z]\w{0,30}\Z", re.A)
@@ -134,6 +135,8 @@ def test_images_and_proofs_take_them_too(tmp_path: Path) -> None:
     sources = [name for name in written(tmp_path, files) if not name.endswith("_main.c")]
     flags = ("-mcpu=cortex-m4", "-mthumb", "-std=gnu17", *CLEAN)
     assert complaints(tmp_path, require_tool("arm-none-eabi-gcc"), *flags, *sources) == ""
+    flags = ("-march=rv32imafc", "-mabi=ilp32f", "-std=gnu17", "-ffreestanding", *CLEAN)
+    assert complaints(tmp_path, require_tool("riscv64-unknown-elf-gcc"), *flags, *sources) == ""
     proof = tmp_path / "proof"
     sources = [str(proof / name) for name in written(proof, WAYS["libm"](arm("zq", GOOD)))]
     said = complaints(proof, require_tool("frama-c"), "-typecheck", *sources)

@@ -27,8 +27,7 @@ def made(robot: str, **options: Any) -> Generated:
     return generate(load(robot, warn=lambda _: None), Options(**options))
 
 
-@pytest.mark.parametrize("robot", ROBOTS)
-@pytest.mark.parametrize("available", [1, 8, 16, 100])
+@pytest.mark.parametrize(("robot", "available"), covering(ROBOTS, [1, 8, 16, 100]))
 def test_the_pass_changes_nothing_but_the_order(robot: str, available: int) -> None:
     for _, program in made(robot, order="recursion").unit.functions:
         ordered = registers(program, available)
@@ -87,8 +86,7 @@ def _benchmark() -> Any:
     return module
 
 
-@pytest.mark.parametrize("trig", ["builtin", "given"])
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize(("trig", "scalar"), covering(["builtin", "given"], ["double", "float"]))
 def test_a_call_takes_no_more_instructions_than_allowed(trig: str, scalar: str) -> None:
     require_tool("valgrind")
     require_tool("gcc")

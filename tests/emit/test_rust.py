@@ -15,7 +15,7 @@ from robodyn import compile as compile_robot
 from robodyn.emit.languages.rust import uses_libm
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import read_text
-from robodyn_testing import require_tool
+from robodyn_testing import covering, representative, require_tool, sampled
 
 __all__ = ["own_cache"]
 
@@ -25,8 +25,13 @@ def crate_of(name: str, scalar: str = "double", trig: str = "builtin") -> Genera
     return in_single(generated) if scalar == "float" else generated
 
 
-@pytest.mark.parametrize("scalar", ["double", "float"])
-@pytest.mark.parametrize("name", ["puma560", "stanford", "tool", "rubbing"])
+@pytest.mark.parametrize(
+    ("name", "scalar"),
+    covering(
+        representative(["puma560", "stanford", "tool", "rubbing"], "stanford", "tool", "rubbing"),
+        ["double", "float"],
+    ),
+)
 def test_rust_gives_the_bits_of_the_c(name: str, scalar: str, tmp_path: Path) -> None:
     """1,000 states a function, run-time parameters and the sign of a velocity included."""
     crate = Crate(crate_of(name, scalar), tmp_path)
@@ -40,15 +45,9 @@ def test_rust_gives_the_bits_of_the_c(name: str, scalar: str, tmp_path: Path) ->
         assert same_bits(found.reshape(expected.shape).astype(expected.dtype), expected), function
 
 
-TRIG = ("builtin", "libm", "given")
-CASES = [
-    pytest.param(name, trig, marks=() if k % 3 == turn else pytest.mark.thorough)
-    for k, name in enumerate((*ODD, "puma560", "iiwa"))
-    for turn, trig in enumerate(TRIG)
-]
-
-
-@pytest.mark.parametrize(("name", "trig"), CASES)
+@pytest.mark.parametrize(
+    ("name", "trig"), covering(sampled([*ODD, "puma560", "iiwa"], every=2), ["builtin", "libm", "given"])
+)
 def test_no_warning_and_nothing_to_format(name: str, trig: str, tmp_path: Path) -> None:
     """What rustc and rustfmt say; the functions of libm are those of a crate of that name."""
     rustfmt = require_tool("rustfmt")

@@ -14,6 +14,8 @@ from robodyn.firmware import Folder, firmware, firmware_options, targets_named
 from robodyn.firmware.measure import FLAGS
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import Robot, load, read_text
+from robodyn.targets import Target
+from robodyn_testing import require_tool
 
 STRICT: Final = (
     "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wdouble-promotion", "-Werror",
@@ -35,6 +37,14 @@ links:
     limits: {position: [-0.5, 1.25], velocity: 2, acceleration: 7}
   - {joint: prismatic, alpha: 0.7, d: 0.1, mass: m_tool, com: [0.1, 0, -0.05], friction: {coulomb: c_3}}
 """
+
+
+def require_firmware_tools(target: Target) -> None:
+    """Skip the test (fail it in CI) where a tool is missing that builds and runs an image for ``target``."""
+    assert target.board is not None
+    tools = target.board.architecture
+    for tool in (tools.compiler, tools.nm, tools.size, tools.emulator):
+        require_tool(tool.name)
 
 
 def robot(name: str) -> Robot:

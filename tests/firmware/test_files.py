@@ -54,14 +54,14 @@ def test_compilers_are_content(name: str, functions: tuple[str, ...], scalar: st
     selftest = [f"{name}.c", f"{name}_selftest.c"]
     host = [*selftest, f"{name}_selftest_main.c"]
     cross = [*selftest, f"{name}_image.c", f"{name}_startup.c"]
+    arm = [require_tool("arm-none-eabi-gcc"), *(TARGETS["cortex-m4f"].flags or ())]
+    riscv = [require_tool("riscv64-unknown-elf-gcc"), *(TARGETS["rv32imafc"].flags or ())]
     jobs = [
         ([require_tool("gcc"), *STRICT, "-O2", "-c"], host),
         ([require_tool("clang"), *STRICT, "-O2", "-c"], host),
         ([require_tool("gfortran"), *STRICT_FORTRAN, "-c"], [f"{name}.f90", f"{name}_selftest.f90"]),
-        (
-            [require_tool("arm-none-eabi-gcc"), *(TARGETS["cortex-m4f"].flags or ()), *STRICT, "-O2", "-c"],
-            cross,
-        ),
+        ([*arm, *STRICT, "-O2", "-c"], cross),
+        ([*riscv, *STRICT, "-O2", "-ffreestanding", "-c"], cross),
     ]
     for command, sources in jobs:
         assert run([*command, *sources], tmp_path) == (0, "")
@@ -81,6 +81,7 @@ def test_without_tools_the_readme_says_what_is_missing(monkeypatch: pytest.Monke
     figures = [measure("puma560", whole.files, ["inverse_dynamics"], t) for t in targets_named(())]
     text = whole.readme(figures)
     assert text.count("Not measured: needs arm-none-eabi-gcc (Debian, Ubuntu: apt install") == 3
+    assert text.count("Not measured: needs riscv64-unknown-elf-gcc (Debian, Ubuntu: apt install") == 1
     assert all(target.title in text for target in targets_named(()))
 
 

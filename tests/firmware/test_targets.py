@@ -7,7 +7,17 @@ from pathlib import Path
 
 import pytest
 
-from firmware.folders import SCALARS, digests, folder, fortran, host, robot, run, write
+from firmware.folders import (
+    SCALARS,
+    digests,
+    folder,
+    fortran,
+    host,
+    require_firmware_tools,
+    robot,
+    run,
+    write,
+)
 from robodyn.errors import CheckError
 from robodyn.firmware import Figures, measure, targets_named
 from robodyn.firmware.measure import worst_stack
@@ -24,13 +34,17 @@ CEILINGS = {
     ("cortex-m3", "float"): (4000, 400, 22_000),
     ("cortex-m3", "double"): (6500, 700, 35_000),
     ("cortex-m4f", "double"): (6500, 700, 35_000),
+    ("rv32imafc", "float"): (3000, 320, 900),
+    ("rv32imafc", "double"): (9500, 900, 95_000),
 }
+#: What the compilers call their own arithmetic.
+HELPERS = {"arm": "__aeabi_", "riscv": "__"}
 
 
 @pytest.fixture(scope="module")
 def tools() -> None:
-    for tool in ("arm-none-eabi-gcc", "arm-none-eabi-nm", "arm-none-eabi-size", "qemu-system-arm"):
-        require_tool(tool)
+    for target in TARGETS.values():
+        require_firmware_tools(target)
 
 
 def measured(target: str, scalar: str) -> Figures:
@@ -60,7 +74,9 @@ def test_all_processors_x86_and_fortran_give_the_same_bits(scalar: str, tools: N
             assert figures.undefined == ()
             assert cost.stack - 16 <= cost.stack_used <= cost.stack
         else:
-            assert all(name.startswith("__aeabi_") for name in figures.undefined)
+            assert TARGETS[target].board is not None
+            helper = HELPERS[TARGETS[target].board.architecture.name]
+            assert all(name.startswith(helper) for name in figures.undefined)
             assert figures.undefined
     assert len(set(found.values())) == 1, found
 
@@ -74,11 +90,12 @@ def test_a_processor_that_fails_is_an_error(tools: None) -> None:
         measure("puma560", {**files, "puma560.c": wrong}, ["inverse_dynamics"], TARGETS["cortex-m4f"])
 
 
-def test_a_fault_ends_the_image(tools: None) -> None:
+@pytest.mark.parametrize("target", ["cortex-m3", "rv32imafc"])
+def test_a_fault_ends_the_image(target: str, tools: None) -> None:
     files = folder("puma560", "float").files
     wrong = files["puma560.c"].replace("tau[0] = ", "*(volatile int *)0xF0000000 = 0;\n    tau[0] = ", 1)
     with pytest.raises(CheckError, match="found fault"):
-        measure("puma560", {**files, "puma560.c": wrong}, ["inverse_dynamics"], TARGETS["cortex-m3"])
+        measure("puma560", {**files, "puma560.c": wrong}, ["inverse_dynamics"], TARGETS[target])
 
 
 def test_the_worst_stack_is_that_of_the_deepest_chain() -> None:
@@ -104,7 +121,7 @@ def test_make_runs_the_image(target: str, tools: None, tmp_path: Path) -> None:
     assert "warning" not in said
     code, said = run(["make", "run", "TARGET=avr"], tmp_path)
     assert code != 0
-    assert "expected cortex-m3, cortex-m4f, cortex-m7" in said
+    assert f"expected {', '.join(TARGETS)}" in said
 
 
 def test_make_checks_on_this_computer(tmp_path: Path) -> None:
@@ -127,11 +144,14 @@ def test_cmake_builds_and_tests_on_this_computer(tmp_path: Path) -> None:
     assert f"out of {1 + bool(shutil.which('gfortran'))}" in said
 
 
-@pytest.mark.parametrize("target", ["cortex-m4f"])
+@pytest.mark.parametrize("target", ["cortex-m4f", "rv32imafc"])
 def test_cmake_builds_the_image_and_runs_it(target: str, tools: None, tmp_path: Path) -> None:
     write(tmp_path, folder("puma560", "float").files)
     cmake = require_tool("cmake")
-    configure = [cmake, "-B", "b", "--toolchain", "arm-none-eabi.cmake", f"-DTARGET={target}"]
+    board = TARGETS[target].board
+    assert board is not None
+    toolchain = f"{board.architecture.toolchain}.cmake"
+    configure = [cmake, "-B", "b", "--toolchain", toolchain, f"-DTARGET={target}"]
     assert run(configure, tmp_path)[0] == 0
     code, said = run([cmake, "--build", "b", "--target", "run"], tmp_path)
     assert code == 0, said

@@ -21,7 +21,7 @@ from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
 from robodyn.toolchain.compiler import C_FLAGS
-from robodyn_testing import covering, require_module, require_tool
+from robodyn_testing import covering, representative, require_module, require_tool
 from robodyn_testing.random_robots import random_states
 
 Array = NDArray[Any]
@@ -88,8 +88,7 @@ def test_bits_are_those_of_the_scalar_kernel(name: str, scalar: str, width: int)
             assert_same_bits(found, wanted)
 
 
-@pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize(("scalar", "width"), covering(["double", "float"], representative(WIDTHS, 0, 64)))
 def test_no_number_and_huge_angles(scalar: str, width: int) -> None:
     """NaN, infinity and angles beyond the sine's range give what the scalar kernel gives, lane by lane."""
     scalars, made = kernel("puma560", scalar), kernel("puma560", scalar, width)

@@ -27,7 +27,7 @@ from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run
 from robodyn.robot import Robot
 from robodyn.robot.values import circle_point
-from robodyn_testing import sampled
+from robodyn_testing import representative, sampled
 
 #: Enough for equality; the figures of the documentation take effort 1.
 LITTLE = 0.02
@@ -78,14 +78,18 @@ def test_torques_are_the_plain_recursions_fractions(number: int) -> None:
 
 @pytest.mark.parametrize(
     ("name", "most"),
-    [
-        ("puma560_3dof_d3", 66),
-        ("puma560_3dof_d12", 66),
-        ("puma560_3dof_d4", 66),
-        ("puma560_3dof", 81),
-        ("stanford_3dof_d3", 48),
-        ("stanford_3dof", 51),
-    ],
+    representative(
+        [
+            ("puma560_3dof_d3", 66),
+            ("puma560_3dof_d12", 66),
+            ("puma560_3dof_d4", 66),
+            ("puma560_3dof", 81),
+            ("stanford_3dof_d3", 48),
+            ("stanford_3dof", 51),
+        ],
+        "puma560_3dof",
+        "stanford_3dof_d3",
+    ),
 )
 def test_bundled_arms_take_few_operations_and_several_programs_are_offered(name: str, most: int) -> None:
     programs = forms(name)

@@ -32,7 +32,7 @@ def run(*command: str | Path, cwd: Path) -> str:
 
 
 def pip_install(environment: Path, *arguments: str | Path) -> None:
-    pip = [sys.executable, "-m", "pip", "--python", environment / "bin" / "python"]
+    pip: list[str | Path] = [sys.executable, "-m", "pip", "--python", environment / "bin" / "python"]
     run(*pip, "install", "--quiet", "--disable-pip-version-check", *arguments, cwd=environment)
 
 
@@ -104,6 +104,7 @@ def test_wheel_installs_and_works(built: Path, environment: Path, tmp_path: Path
     assert package.is_relative_to(environment)
 
 
+@pytest.mark.thorough
 def test_editable_installs_and_works(environment: Path, tmp_path: Path) -> None:
     pip_install(
         environment, "--editable", ROOT

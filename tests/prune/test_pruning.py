@@ -266,7 +266,7 @@ def test_run_time_parameters_are_refused(capsys: Capture, tmp_path: Path) -> Non
 
 
 def test_a_function_that_is_never_pruned_is_refused(capsys: Capture, arm: Path) -> None:
-    _, err = run(capsys, "flops", str(arm), "--function", "mass_matrix", "--prune", "1%", code=2)
+    _, err = run(capsys, "flops", str(arm), "--functions", "mass_matrix", "--prune", "1%", code=2)
     assert "mass_matrix cannot be pruned" in err
     run(capsys, "flops", str(arm), "--prune", "one", code=2)
 

@@ -79,7 +79,7 @@ def test_kernels_and_counts(run: Run, copy: Path) -> None:
     assert re.search(r"scara_real m_load;", header)
     run("gen", "scara", "-o", "generated/scara", "--check")
     assert 0 < json.loads(run("flops", "scara", "--json").stdout)["total"] < 80
-    counts = json.loads(run("flops", "scara", "--function", "gravity", "--json").stdout)
+    counts = json.loads(run("flops", "scara", "--functions", "gravity", "--json").stdout)
     assert 0 < counts["total"] < 5  # only the stroke lifts anything
 
 

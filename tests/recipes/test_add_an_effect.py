@@ -127,7 +127,7 @@ def test_hidden_and_named(copy: Copy) -> None:
         "hide", "arm.yaml", "--effect", "fluid_drag@2", "--duration", "6", "--rate", "500", "-o", "blind"
     )
     logs = ("blind/train.csv", "--validate", "blind/validate.csv")
-    copy.robodyn("diagnose", "blind/given.yaml", *logs, "--out", "found")
+    copy.robodyn("diagnose", "blind/given.yaml", *logs, "-o", "found")
     diagnosis = json.loads((copy.work / "found" / "diagnosis.json").read_text())
     (finding,) = diagnosis["findings"]
     assert (finding["effect"], finding["joint"]) == ("fluid_drag", 2)

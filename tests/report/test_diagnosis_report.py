@@ -90,7 +90,7 @@ def test_everything_found_stands_in_it(text: str) -> None:
     seen = Page(text)
     words = " ".join(seen.text.split())
     for part in (
-        "puma560_3dof lacks Coulomb friction (joint 3).", "2.901 ± 0.053 N m", "97 % sure",
+        "puma560_3dof: Coulomb friction at joint 3 is missing.", "2.901 ± 0.053 N m", "97 % sure",
         "stribeck_friction", "A step where the velocity reverses", "Slow reversals of joint 3",
         "tau2: 3 rows cut off", "a remark", "80 operations before and 83 after (+3, +4 %)", "one.csv",
         "ab" * 32, "2.797 to 3.005",
@@ -210,7 +210,7 @@ def test_nothing_found_and_nothing_known(robot: Robot) -> None:
         left=nan, words=(), logs=(), series=(), operations=(0, 0),
     )  # fmt: skip
     seen = Page(page(empty, validated=False))
-    assert "explains the logs: nothing is worth adding" in seen.text
+    assert "explains the logs: no effect needs to be added" in seen.text
     assert "The description stays as it is" in seen.text
     assert [a["class"] for a in seen.all("details")] == ["plain"]
     wide = (1500, 3)

@@ -69,7 +69,7 @@ def test_ten_lines_at_most(robot: Robot, count: int, verdict: Verdict) -> None:
 
 def test_the_lines_say_what_the_page_says(robot: Robot) -> None:
     assert summary(made(robot), "r.html", validated=True) == [
-        "missing effect: puma560_3dof lacks Coulomb friction (joint 3).",
+        "missing effect: puma560_3dof: Coulomb friction at joint 3 is missing.",
         "1. coulomb_friction, joint 3: level 2.901 +- 0.053 N m; 97 % sure; or stribeck_friction",
         "joint           1    2     3  (N m, RMS, validation log)",
         "gap before      5   10    15",
@@ -93,12 +93,12 @@ def test_nothing_changed_and_contact(robot: Robot) -> None:
     }  # fmt: skip
     contact = Finding("external_contact", None, parameters, 0.9, (), "a burst", None, 9.0, 9.0)
     lines = summary(made(robot, findings=(contact,)), "r.html", validated=True)
-    assert lines[0].endswith("lacks nothing, but something touched link 2 from 5.80 to 6.30 s.")
+    assert lines[0].endswith("no effect is missing, but something touched link 2 from 5.80 to 6.30 s.")
     assert "contact is left out of the fit and not added to the model" in lines
     rubbing = made(robot).findings
     lines = summary(made(robot, findings=(*rubbing, contact)), "r.html", validated=True)
     assert lines[0].endswith(
-        "lacks Coulomb friction (joint 3); something touched link 2 from 5.80 to 6.30 s."
+        "Coulomb friction at joint 3 is missing; something touched link 2 from 5.80 to 6.30 s."
     )
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from report.made_up import made
 from robodyn.diagnose.result import Estimate, Finding, Gap, Series
-from robodyn.report.diagnosis_glance import advice, tiles
+from robodyn.report.diagnosis_summary import advice, tiles
 from robodyn.report.diagnosis_where import best_of, localised, shown_over, travelled
 from robodyn.robot import Robot, load
 

@@ -40,6 +40,8 @@ _TOOLS: Final = {
     "frama-c": "frama-c-base",
     "g++": "g++",
     "nm": "binutils",
+    "qemu-system-riscv32": "qemu-system-misc",
+    "riscv64-unknown-elf-gcc": "gcc-riscv64-unknown-elf",
 }
 """Debian's package of a program, where the two names differ."""
 

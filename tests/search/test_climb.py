@@ -41,8 +41,9 @@ def cost(made: Program, objective: str = "total") -> float:
 
 @pytest.fixture(autouse=True)
 def _no_threads_left() -> Any:
+    before = threading.active_count()  # other tests of this process may have left some
     yield
-    assert eventually(lambda: threading.active_count() == 1)
+    assert eventually(lambda: threading.active_count() <= before)
 
 
 @pytest.fixture(autouse=True)
@@ -54,7 +55,7 @@ def _clock(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("objective", OBJECTIVES)
 def test_what_is_found_is_equal_and_costs_no_more(objective: str) -> None:
     found = climb(
-        [PLAIN], seconds=0.15 if objective != "total" else 0.5, seed=1, objective=parse_objective(objective)
+        [PLAIN], seconds=0.15 if objective != "total" else 3.0, seed=1, objective=parse_objective(objective)
     )
     assert 1 <= len(found) <= 12
     costs = [cost(made, objective) for made in found]

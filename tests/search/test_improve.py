@@ -50,7 +50,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 
 def quick(robot: Robot = ROBOT, **more: Any) -> Record:
-    """A short search in this process: writings only, unless told otherwise."""
+    """A short search in this process: variants only, unless told otherwise."""
     return improved(robot, **{"level": "search", "seconds": 0.05, "processes": 1, **more})
 
 
@@ -231,7 +231,7 @@ def test_progress_is_told(cache: Path) -> None:
     record = quick(progress=told.append, level="full", seconds=1.5)
     stages = [at.stage for at in told]
     assert sorted(stages, reverse=True) == stages
-    assert set(stages) == {"writings", "algebra"}
+    assert set(stages) == {"variants", "algebra"}
     assert all(0 < at.of <= 1.5 for at in told)
     for stage in set(stages):
         best = [at.best for at in told if at.stage == stage]

@@ -1,4 +1,4 @@
-"""Every way of writing the recursion gives what the plain recursion gives, and costs what is counted."""
+"""Every formulation variant gives what the plain recursion gives, and costs what is counted."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from robodyn import InputError, load
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.functions import FUNCTIONS
-from robodyn.dynamics.regroup import Lump
+from robodyn.dynamics.lump import Lump
 from robodyn.ir import Program
 from robodyn.optimize.costing import Costing
 from robodyn.optimize.gauge import Unsuited, regrouped_as
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.suited import suited_writing
-from robodyn.optimize.writing import LINK_VALUES, LinkWriting, Writing
+from robodyn.optimize.suited import suited_variant
+from robodyn.optimize.variant import LINK_VALUES, LinkVariant, Variant
 from robodyn.robot import Robot
 from robodyn.search.candidate import Candidates
 from robodyn.search.space import Space
@@ -37,20 +37,20 @@ def bundled(name: str) -> Robot:
     return load(name, warn=lambda _: None)
 
 
-def suited(robot: Robot, seed: int, steps: int) -> Writing:
-    """A writing that suits ``robot``, so many changes away from the plain one."""
+def suited(robot: Robot, seed: int, steps: int) -> Variant:
+    """A variant that suits ``robot``, so many changes away from the plain one."""
     space, candidates, rng = Space(robot), Candidates(robot), random.Random(seed)
-    writing = space.fitted(suited_writing(space.arm))
+    variant = space.fitted(suited_variant(space.arm))
     for _ in range(steps):
-        other = space.random_neighbour(writing, rng)
+        other = space.random_neighbour(variant, rng)
         if candidates.cost(other) is not None:
-            writing = other
-    return writing
+            variant = other
+    return variant
 
 
-def counted(robot: Robot, writing: Writing, made: Program) -> bool:
+def counted(robot: Robot, variant: Variant, made: Program) -> bool:
     """Whether ``made`` costs what the tally says, or less: written out in another order a sum may fold."""
-    return 0 <= Costing(robot).total(writing) - count(made).total <= 4
+    return 0 <= Costing(robot).total(variant) - count(made).total <= 4
 
 
 @settings(deadline=None, max_examples=25, phases=NO_SHRINKING)
@@ -58,11 +58,11 @@ def counted(robot: Robot, writing: Writing, made: Program) -> bool:
 def test_any_writing_of_any_arm(seed: int, n: int, steps: int, full: bool, simple: bool) -> None:
     more: dict[str, Any] = {"generic_angles": 0, "zeros": 0.6, "parallel": 0.5} if simple else {}
     robot = exact_arm(seed, joints=n, full=full, **more)
-    writing = suited(robot, seed, steps)
-    choice = Choice(writing=writing)
+    variant = suited(robot, seed, steps)
+    choice = Choice(variant=variant)
     made = build(robot, "inverse_dynamics", choice)
     assert equals_recursion(robot, "inverse_dynamics", made, points=1), choice.to_dict()
-    assert counted(robot, writing, made), choice.to_dict()
+    assert counted(robot, variant, made), choice.to_dict()
     revolute = sum(link.joint.kind == "revolute" for link in robot.links)
     assert count(made).sincos <= 2 * revolute
     assert Choice.from_dict(json.loads(json.dumps(choice.to_dict()))) == choice
@@ -72,17 +72,17 @@ def test_any_writing_of_any_arm(seed: int, n: int, steps: int, full: bool, simpl
 def test_writings_of_the_bundled_robots(name: str) -> None:
     robot = bundled(name)
     for seed in range(2):
-        writing = suited(robot, seed, 40)
-        made = build(robot, "inverse_dynamics", Choice(writing=writing))
+        variant = suited(robot, seed, 40)
+        made = build(robot, "inverse_dynamics", Choice(variant=variant))
         assert equals_recursion(robot, "inverse_dynamics", made, points=1)
-        assert counted(robot, writing, made)
+        assert counted(robot, variant, made)
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_writings_of_every_function(function: str) -> None:
     for seed in (3, 4):
         robot = replace(exact_arm(seed, joints=4, motors=1), torque_side="motor")
-        made = build(robot, function, Choice(writing=suited(robot, seed, 40)))
+        made = build(robot, function, Choice(variant=suited(robot, seed, 40)))
         assert equals_recursion(robot, function, made, points=1)
 
 
@@ -92,12 +92,12 @@ def test_writings_with_numbers_that_are_known_at_run_time(seed: int, n: int, whi
     """What would divide by a name or ask whether it is zero is not offered; the rest is right."""
     robot = exact_arm(seed, joints=n)
     named = with_named_numbers(robot, lambda name: sum(map(ord, name)) % 8 <= which)
-    writing = suited(named, seed, 30)
-    made = build(named, "inverse_dynamics", Choice(writing=writing))
+    variant = suited(named, seed, 30)
+    made = build(named, "inverse_dynamics", Choice(variant=variant))
     at, numbers = Point(seed), values_of(named, robot)
     plain = build(robot, "inverse_dynamics", Choice("newton_euler", regroup=False, chains=False))
     assert exactly(made, at, numbers) == exactly(plain, at)
-    assert counted(named, writing, made)
+    assert counted(named, variant, made)
 
 
 ARM = """
@@ -127,7 +127,7 @@ def test_every_name_is_good_for_something(field: str, value: Any) -> None:
 
     robot = read_text(PLANAR if value == "point_x" else ARM, warn=lambda _: None)
     space, candidates = Space(robot), Candidates(robot)
-    plain = space.fitted(suited_writing(space.arm))
+    plain = space.fitted(suited_variant(space.arm))
     if value == "point_x":
         plain = plain.with_link(5, second="yy")
     tip = {"second": "-xx", "form": "spin"}
@@ -138,11 +138,11 @@ def test_every_name_is_good_for_something(field: str, value: Any) -> None:
         for i in range(6):
             if value not in space.values[i][field]:
                 continue
-            writing = start.with_link(i, **{field: value})
+            variant = start.with_link(i, **{field: value})
             if value == "point_z":
-                writing = writing.with_link(i, second="keep", first="keep", mass="keep")
-            if candidates.cost(writing) is not None:
-                made = build(robot, "inverse_dynamics", Choice(writing=writing))
+                variant = variant.with_link(i, second="keep", first="keep", mass="keep")
+            if candidates.cost(variant) is not None:
+                made = build(robot, "inverse_dynamics", Choice(variant=variant))
                 assert equals_recursion(robot, "inverse_dynamics", made, points=1)
                 return
     pytest.fail(f"{field}: {value} suits no link")
@@ -151,21 +151,21 @@ def test_every_name_is_good_for_something(field: str, value: Any) -> None:
 def test_a_unit_of_length_makes_a_constant_one() -> None:
     robot = bundled("puma560_d2")
     costing = Costing(robot)
-    plain = suited_writing(costing.arm)
+    plain = suited_variant(costing.arm)
     for unit in ("a", "d"):
-        writing = replace(plain, unit=unit, unit_link=4)
-        made = build(robot, "inverse_dynamics", Choice(writing=writing))
+        variant = replace(plain, unit=unit, unit_link=4)
+        made = build(robot, "inverse_dynamics", Choice(variant=variant))
         assert equals_recursion(robot, "inverse_dynamics", made, points=1)
-        assert costing.total(writing) < costing.total(plain)
+        assert costing.total(variant) < costing.total(plain)
 
 
 def test_a_unit_of_length_on_an_arm_that_slides() -> None:
     """There it costs something at the sliding joint, and is right."""
     robot = bundled("stanford_3dof_d3")
-    writing = replace(suited_writing(Space(robot).arm), unit="d", unit_link=2)
-    made = build(robot, "inverse_dynamics", Choice(writing=writing))
+    variant = replace(suited_variant(Space(robot).arm), unit="d", unit_link=2)
+    made = build(robot, "inverse_dynamics", Choice(variant=variant))
     assert equals_recursion(robot, "inverse_dynamics", made, points=1)
-    assert counted(robot, writing, made)
+    assert counted(robot, variant, made)
 
 
 RULES: list[tuple[int, dict[str, str], Callable[[Lump, Lump], Any]]] = [
@@ -190,8 +190,8 @@ RULES: list[tuple[int, dict[str, str], Callable[[Lump, Lump], Any]]] = [
 def test_rules_do_what_they_say(link: int, rules: dict[str, str], left: Callable[[Lump, Lump], Any]) -> None:
     """What a rule makes zero is zero, and was not before."""
     arm = Space(bundled("puma560_full")).arm
-    plain = Writing((LinkWriting(),) * 6)
-    before, _ = regrouped_as(arm, Writing((LinkWriting(), *(LinkWriting("keep", "keep", "keep"),) * 5)))
+    plain = Variant((LinkVariant(),) * 6)
+    before, _ = regrouped_as(arm, Variant((LinkVariant(), *(LinkVariant("keep", "keep", "keep"),) * 5)))
     after, _ = regrouped_as(arm, plain.with_link(link, **rules))
     assert left(before[link].lump, before[link - 1].lump) != 0
     assert left(after[link].lump, after[link - 1].lump) == 0
@@ -203,8 +203,8 @@ def test_rules_do_what_they_say(link: int, rules: dict[str, str], left: Callable
 def test_a_plain_choice_says_little() -> None:
     assert Choice().to_dict() == {}
     assert Choice(chains=False, forms=("inertia",)).to_dict() == {"chains": False, "forms": ["inertia"]}
-    assert Choice(writing=Writing((LinkWriting(form="spin"),))).to_dict() == {
-        "writing": {"links": [{"form": "spin"}]}
+    assert Choice(variant=Variant((LinkVariant(form="spin"),))).to_dict() == {
+        "variant": {"links": [{"form": "spin"}]}
     }
 
 
@@ -217,16 +217,16 @@ def test_a_plain_choice_says_little() -> None:
         ({"formulation": "khalil"}, "unknown formulation"),
         ({"forms": ["spin"]}, "forms of moments"),
         ({"forms": "inertia"}, "forms of moments"),
-        ({"writing": []}, "a writing must be a mapping"),
-        ({"writing": {"links": {}}}, "a writing without links"),
-        ({"writing": {"links": [3]}}, "link 1 of a writing must be a mapping"),
-        ({"writing": {"links": [{}, {"gauge": 1}]}}, "link 2 of a writing: unknown key 'gauge'"),
-        ({"writing": {"links": [{"mass": "heavy"}]}}, "link 1: mass: unknown value; found 'heavy'"),
-        ({"writing": {"links": [{"chained": 1}]}}, "link 1: chained: unknown value"),
-        ({"writing": {"links": [{"mass": ["zero"]}]}}, "link 1: mass: unknown value"),
-        ({"writing": {"links": [{}], "unit": "inch"}}, "unit: unknown value"),
-        ({"writing": {"links": [{}], "unit": "a", "unit_link": 2}}, "unit_link: unknown value"),
-        ({"writing": {"links": [{}], "unit_link": 1}}, "unit_link: unknown value"),
+        ({"variant": []}, "a variant must be a mapping"),
+        ({"variant": {"links": {}}}, "a variant without links"),
+        ({"variant": {"links": [3]}}, "link 1 of a variant must be a mapping"),
+        ({"variant": {"links": [{}, {"gauge": 1}]}}, "link 2 of a variant: unknown key 'gauge'"),
+        ({"variant": {"links": [{"mass": "heavy"}]}}, "link 1: mass: unknown value; found 'heavy'"),
+        ({"variant": {"links": [{"chained": 1}]}}, "link 1: chained: unknown value"),
+        ({"variant": {"links": [{"mass": ["zero"]}]}}, "link 1: mass: unknown value"),
+        ({"variant": {"links": [{}], "unit": "inch"}}, "unit: unknown value"),
+        ({"variant": {"links": [{}], "unit": "a", "unit_link": 2}}, "unit_link: unknown value"),
+        ({"variant": {"links": [{}], "unit_link": 1}}, "unit_link: unknown value"),
     ],
 )
 def test_what_is_no_choice_is_refused(data: Any, said: str) -> None:
@@ -236,9 +236,9 @@ def test_what_is_no_choice_is_refused(data: Any, said: str) -> None:
 
 def test_a_writing_of_another_arm_is_refused() -> None:
     robot = bundled("puma560_3dof_d3")
-    plain = suited_writing(Space(robot).arm)
-    for writing, said in (
-        (Writing(plain.links[:2]), "a writing of another arm; found 2 links; expected 3"),
+    plain = suited_variant(Space(robot).arm)
+    for variant, said in (
+        (Variant(plain.links[:2]), "a variant of another arm; found 2 links; expected 3"),
         (plain.with_link(2, form="spin"), "does not suit link 3"),
         (plain.with_link(2, form="wrist", frame="start"), "does not suit link 3"),
         (plain.with_link(2, frame="before"), "does not suit link 3"),
@@ -247,18 +247,18 @@ def test_a_writing_of_another_arm_is_refused() -> None:
         (replace(plain, unit="a", unit_link=1), "does not suit link 1; found no length"),
     ):
         with pytest.raises(InputError, match=said):
-            build(robot, "inverse_dynamics", Choice(writing=writing))
-        if len(writing.links) == 3:
-            assert Candidates(robot).cost(writing) is None
+            build(robot, "inverse_dynamics", Choice(variant=variant))
+        if len(variant.links) == 3:
+            assert Candidates(robot).cost(variant) is None
 
 
 def test_a_prismatic_link_gives_up_its_second_moment_only() -> None:
     robot = bundled("stanford_3dof_d3")
-    plain = suited_writing(Space(robot).arm)
+    plain = suited_variant(Space(robot).arm)
     for changes in ({"mass": "keep"}, {"first": "keep"}, {"second": "xx"}):
         with pytest.raises(Unsuited, match="a prismatic joint"):
-            build(robot, "inverse_dynamics", Choice(writing=plain.with_link(2, **changes)))
-    kept = build(robot, "inverse_dynamics", Choice(writing=plain.with_link(2, second="keep")))
+            build(robot, "inverse_dynamics", Choice(variant=plain.with_link(2, **changes)))
+    kept = build(robot, "inverse_dynamics", Choice(variant=plain.with_link(2, second="keep")))
     assert equals_recursion(robot, "inverse_dynamics", kept, points=1)
 
 
@@ -266,7 +266,7 @@ def test_gauges_are_worth_something() -> None:
     """The second origin of the PUMA on its first axis, and its last link as a spin: what ``fast`` does."""
     robot = bundled("puma560_d2")
     costing = Costing(robot)
-    plain = suited_writing(costing.arm)
+    plain = suited_variant(costing.arm)
     slid = plain.with_link(1, slide="own")
     assert costing.total(slid) <= costing.total(plain) - 9
     spun = slid.with_link(5, second="-xx", form="spin", frame="start")

@@ -32,7 +32,7 @@ def bundled(name: str) -> Robot:
 
 def regrouped_alone(robot: Robot) -> int:
     """Base-parameter regrouping alone, as the literature has it: what OpenSYMORO does."""
-    choice = Choice(writing=literature(Costing(robot).arm), chains=False)
+    choice = Choice(variant=literature(Costing(robot).arm), chains=False)
     return count(run(build(robot, "inverse_dynamics", choice), FRESH)).total
 
 
@@ -89,7 +89,7 @@ def test_a_search_keeps_to_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
     ticking(monkeypatch, {structured: 0.01})
     told: list[structured.Progress] = []
     assert search(bundled("panda"), seconds=0.5, processes=1, progress=told.append)
-    assert 0 < told[-1].tried < 0.5 / 0.01 + 100  # writings and clock readings go together, but for the last
+    assert 0 < told[-1].tried < 0.5 / 0.01 + 100  # variants and clock readings go together, but for the last
 
 
 def test_a_search_with_another_objective() -> None:

@@ -14,7 +14,7 @@ from robodyn.effects.effect import Effect
 from robodyn.verify import declared
 from robodyn.verify.declared import NoReferenceError, declared_torque
 from robodyn.verify.effects import _symbols, added_torque, place_of
-from robodyn.verify.memories import twist
+from robodyn.verify.stateful import twist
 
 #: What is printed as ``tau = ...``.
 PRINTED = ("viscous", "coulomb", "asymmetric", "stribeck", "power law, thinning", "spring", "ripple")

@@ -66,9 +66,10 @@ def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
     commands: list[str] = []
     bad = False
     known = 0
-    stand_in = f"{stack.STAND_IN}/math.h"
+    stand_ins = {f"{stack.STAND_IN}/{name}": text for name, text in stack.HEADERS.items()}
     (folder / stack.STAND_IN).mkdir()
-    (folder / stand_in).write_text(stack.MATH_H, encoding="utf-8", newline="\n")
+    for name, text in stand_ins.items():
+        (folder / name).write_text(text, encoding="utf-8", newline="\n")
     for machine in machines:
         if machine.tool.path() is None:
             lines.append(f"{machine.name}: not run, {machine.tool.remedy}")
@@ -107,7 +108,7 @@ def prove_stack(subject: Subject, asked: Asked, folder: Path, tell: Tell) -> Fin
         {"stack": rows},
         tuple(tools),
         tuple(commands),
-        {stand_in: stack.MATH_H},
+        stand_ins,
     )
 
 

@@ -12,13 +12,15 @@ from robodyn.certify.tools import GCC, Tool, last_lines, run
 from robodyn.targets import firmware_targets
 from robodyn.toolchain.compiler import C_FLAGS
 
-#: A folder with a math.h, for compilers that have none: whatever a kernel may call.
+#: A folder with what a kernel includes of the C library, for compilers that come without one.
 STAND_IN = "stand_in"
 MATH_H = "".join(
     f"{real} {name}{end}({real}{', ' + real if name == 'pow' else ''});\n"
     for name in ("sin", "cos", "tanh", "sqrt", "fabs", "exp", "pow")
     for real, end in (("double", ""), ("float", "f"))
 )
+#: gcc has a <stdint.h> of its own, but leaves it to the library.
+HEADERS = {"math.h": MATH_H, "stdint.h": "#include <stdint-gcc.h>\n"}
 #: The compiler's own arithmetic, on machines that lack it: its stack comes on top.
 _HELPER = re.compile(r"__(aeabi_|gnu_|[a-z]+[sd][fi][0-9]?$)")
 _NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*)"', re.M)

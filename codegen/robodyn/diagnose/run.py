@@ -237,7 +237,7 @@ def _words(verdict: Verdict, findings: Sequence[Finding], last: Selection) -> tu
         worst = int(np.argmax(_left(last)))
         words.append(f"something moves joint {worst + 1} that no effect of the catalogue explains")
     if verdict == "consistent":
-        words.append("nothing is worth adding to this model")
+        words.append("no effect needs to be added to this model")
     return tuple(words)
 
 

@@ -8,7 +8,7 @@ A joint's drive, from the link to the motor, is where most effects act; each add
     tau   = torque of the rigid arm on the joint (n_z, at a prismatic joint f_z)
     tau  += LINK effects     (spring)                        link side, q and qd of the link
     tau  += BEARING effects  (load-dependent friction)       link side, with the forces in the joint
-    (COUPLER effects: between link and motor lies a spring or play; else they move alike)
+    (COUPLER effects: between link and motor lies a spring or backlash; else they move alike)
     tau  += GEAR effects     (transmission loss)             with the torque that the gear passes on
     tau  += rotor inertia times acceleration, MOTOR effects  motor side
 

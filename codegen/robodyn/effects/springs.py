@@ -88,7 +88,7 @@ def _lag(p: Values, tau: Any) -> Any:
 
 #: Where a joint may swing on its spring [Hz], and on the teeth of its gear.
 _SWINGS, _TEETH = tuple(4.0 * 1.25**k for k in range(12)), (8.0, 12.0, 18.0, 30.0)
-#: Widths of play that are tried [rad or m], and the torques of its rounding [N m or N].
+#: Widths of backlash that are tried [rad or m], and the torques of its rounding [N m or N].
 _GAPS, _ROUNDED, _TRANSITIONS = tuple(1e-3 * 1.25**k for k in range(17)), 0.05, (0.05, 0.5)
 #: How far steps of refinement go, in logarithms.
 _REACH = {"stiffness": 0.3, "damping": 0.5}
@@ -185,7 +185,7 @@ BACKLASH = Effect(
     level="joint",
     place="coupler",
     parameters=(
-        Parameter("gap", "Full width of the play.", "rad", "m", sign="positive", names=True, symbol="g"),
+        Parameter("gap", "Full width of the backlash.", "rad", "m", sign="positive", names=True, symbol="g"),
         _ENCODER,
         Parameter(
             "stiffness", "Stiffness of the teeth in contact.", "N m/rad", "N/m", sign="positive",
@@ -196,7 +196,7 @@ BACKLASH = Effect(
             default=Fraction(1), names=True, symbol="D",
         ),
         Parameter(
-            "transition", "Torque at which half of the play is taken up.", TORQUE, FORCE, sign="positive",
+            "transition", "Torque at which half of the backlash is taken up.", TORQUE, FORCE, sign="positive",
             default=Fraction(1, 20), names=True, symbol="w",
         ),
     ),

@@ -28,10 +28,13 @@ def image_context(targets: Sequence[Target]) -> dict[str, Any]:
 
 def ticks(targets: Sequence[Target]) -> str:
     """How instructions are counted in the emulators, in words."""
+    boards = [target.board for target in targets if target.board]
     return " and ".join(
-        f"{' '.join(one.options[one.options.index('-icount') :])} {one.counter} counts {one.ticks:g} "
-        "an instruction"
-        for one in architectures(targets)
+        dict.fromkeys(
+            f"-icount shift={board.architecture.shift} {board.architecture.counter} counts {board.ticks:g} "
+            "an instruction"
+            for board in boards
+        )
     )
 
 

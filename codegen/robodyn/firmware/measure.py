@@ -180,7 +180,7 @@ def worst_stack(graph: str) -> dict[str, int]:
 def _sections(output: str) -> dict[str, int]:
     """Bytes by kind of section."""
     total = dict.fromkeys(("text", "rodata", "data", "bss"), 0)
-    for kind, size in re.findall(r"^\.(text|rodata|data|bss)\S*\s+(\d+)", output, re.M):
+    for kind, size in re.findall(r"^\.s?(text|rodata|data|bss)\S*\s+(\d+)", output, re.M):
         total[kind] += int(size)
     return total
 
@@ -188,8 +188,8 @@ def _sections(output: str) -> dict[str, int]:
 def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
     """``figures`` with what the image says of itself in qemu."""
     board = _board(figures.target)
-    emulator, ticks_each = board.architecture.emulator.name, board.architecture.ticks
-    command = [emulator, "-M", board.machine, *board.architecture.options, "-kernel", image]
+    ticks_each = board.ticks
+    command = [*board.command, image]
     output = _run(command, folder, range(256))
     if "self-test passed" not in output:
         raise CheckError(
@@ -217,5 +217,5 @@ def _with_run(figures: Figures, name: str, image: str, folder: Path) -> Figures:
                 digest=int(digest[1], 16),
             )
         )
-    version = _run([emulator, "--version"], folder).splitlines()[0]
+    version = _run([board.architecture.emulator.name, "--version"], folder).splitlines()[0]
     return dataclasses.replace(figures, costs=tuple(costs), emulator=version)

@@ -18,7 +18,6 @@ from robodyn.emit.language import require
 from robodyn.emit.languages import defaults, languages_named
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
-from robodyn.kernels.drafts import Drafts, SingularArm
 from robodyn.kernels.options import (
     CHOSEN,
     ENGINES,
@@ -31,6 +30,7 @@ from robodyn.kernels.options import (
     Order,
     Trigonometry,
 )
+from robodyn.kernels.rigid_programs import RigidPrograms, SingularArm
 from robodyn.optimize.programs import Choice, NoForwardDynamics, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
@@ -47,13 +47,13 @@ __all__ = [
     "LEVELS",
     "ORDERS",
     "TRIGONOMETRY",
-    "Drafts",
     "Engine",
     "Generated",
     "Level",
     "NoForwardDynamics",
     "Options",
     "Order",
+    "RigidPrograms",
     "SingularArm",
     "Trigonometry",
     "generate",
@@ -119,7 +119,7 @@ def generate(
     """
     options = options or Options()
     builder = maker(robot, options, pruning)
-    drafts = builder if isinstance(builder, Drafts) else builder.rigid
+    drafts = builder if isinstance(builder, RigidPrograms) else builder.rigid
     programs: dict[str, Program] = {}
     left_out: dict[str, str] = {}
     for function in options.functions or by_default():
@@ -150,7 +150,7 @@ def generate(
         functions=tuple((interfaces[f], programs[f]) for f in programs),
         sc=described,
         notes=_notes(drafts)
-        + (() if isinstance(builder, Drafts) else builder.notes)
+        + (() if isinstance(builder, RigidPrograms) else builder.notes)
         + _pruned(drafts)
         + (("sc is not read: there is no angle.",) if no_angle else ()),
         target=_target_note(options),
@@ -166,7 +166,9 @@ def generate(
     return Generated(unit, options, counts, drafts.prunings, left_out, rigid)
 
 
-def maker(robot: Robot, options: Options, pruning: Callable[[str], None] | None = None) -> Drafts | Layered:
+def maker(
+    robot: Robot, options: Options, pruning: Callable[[str], None] | None = None
+) -> RigidPrograms | Layered:
     """What makes the programs of ``robot``: the recursion, or the recursion beneath its effects."""
     if robot.effects:
         from robodyn.drives.drive import has_drive_effects, rigid_part
@@ -176,7 +178,7 @@ def maker(robot: Robot, options: Options, pruning: Callable[[str], None] | None 
 
             return Layered(robot, options)
         robot = rigid_part(robot)  # what sensors do is in no kernel, and no reason to miss a record
-    return Drafts(robot, options, pruning)
+    return RigidPrograms(robot, options, pruning)
 
 
 def _with_sc(interface: Signature, size: int) -> Signature:
@@ -209,7 +211,7 @@ def program(robot: Robot, function: str, options: Options | None = None) -> Prog
     return maker(robot, options or Options()).program(function)
 
 
-def _pruned(drafts: Drafts) -> tuple[str, ...]:
+def _pruned(drafts: RigidPrograms) -> tuple[str, ...]:
     """What the head of a file says of pruning."""
     if not drafts.prunings:
         return ()
@@ -218,7 +220,7 @@ def _pruned(drafts: Drafts) -> tuple[str, ...]:
     return notes_of(tuple(drafts.prunings.values()))
 
 
-def _notes(drafts: Drafts) -> tuple[str, ...]:
+def _notes(drafts: RigidPrograms) -> tuple[str, ...]:
     if not drafts.taken:
         return _method(drafts.choice)
     notes: dict[str, list[str]] = {}

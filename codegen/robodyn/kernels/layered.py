@@ -11,9 +11,9 @@ from robodyn.dynamics.functions import FUNCTIONS, Function, function_named
 from robodyn.errors import InputError
 from robodyn.ir.fingerprint import agree
 from robodyn.ir.program import Program
-from robodyn.kernels.drafts import Drafts
 from robodyn.kernels.options import Options
 from robodyn.kernels.proof import Unequal
+from robodyn.kernels.rigid_programs import RigidPrograms
 from robodyn.kernels.with_effects import (
     check_solvable,
     layered,
@@ -50,7 +50,7 @@ class Layered:
         if options.engine != "graph":
             raise InputError("effects go with the engine graph only", found=options.engine)
         self.robot, self.options = robot, options
-        self.rigid = Drafts(rigid_part(robot), options)
+        self.rigid = RigidPrograms(rigid_part(robot), options)
         self._reactions = needs_reactions(robot)
         self._programs: dict[str, Program] = {}
         #: Nothing is pruned.

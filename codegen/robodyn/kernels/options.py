@@ -24,6 +24,8 @@ Order = Literal["auto", "recursion", "registers"]
 
 LEVELS: tuple[Level, ...] = ("none", "fast", "search", "full", "record")
 TRIGONOMETRY: tuple[Trigonometry, ...] = ("libm", "builtin", "given")
+SCALARS: tuple[ScalarType, ...] = ("double", "float")
+CONTRACTIONS: tuple[Contraction, ...] = ("off", "on")
 ENGINES: tuple[Engine, ...] = ("graph", "sympy")
 ORDERS: tuple[Order, ...] = ("auto", "recursion", "registers")
 #: What a target chooses.
@@ -78,14 +80,14 @@ class Options:
             _check_functions(self.functions)
         _one_of("formulation", self.formulation, FORMULATIONS)
         _one_of("level of optimisation", self.optimize, LEVELS)
-        _one_of("scalar", self.scalar, ("double", "float"))
+        _one_of("scalar", self.scalar, SCALARS)
         _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)
         _one_of("engine", self.engine, ENGINES)
         _one_of("order", self.order, ORDERS)
         if self.target is not None:
             object.__setattr__(self, "target", _target(self.target).name)
         if self.contraction is not None:
-            _one_of("contraction", self.contraction, ("off", "on"))
+            _one_of("contraction", self.contraction, CONTRACTIONS)
         if self.prune is not None:
             from robodyn.optimize.prune import check_asked
 

@@ -2,7 +2,7 @@
 
 With ``F = m a + lambda h`` and the moment about the frame's origin straight from moments of mass, the
 masses may be zero or negative and the arm's parameters regrouped (:mod:`robodyn.optimize.gauge`). How each
-link is written is said by a :class:`~robodyn.optimize.writing.Writing`; quantities are worked out on demand.
+link is written is said by a :class:`~robodyn.optimize.variant.Variant`; quantities are worked out on demand.
 
 A link has two sets of axes: its own, and those in which its joint, or the chain of parallel joints that it
 follows, begins to turn (``start``): these differ by the turn about z, whose cosine and sine are ``c, s``.
@@ -33,7 +33,7 @@ from robodyn.optimize.lazy import (
 )
 from robodyn.optimize.link_rates import angular_acceleration, rates_along
 from robodyn.optimize.moments import Rates, Wrench, lumped, row_times, spin, spin_about, with_point, wrist
-from robodyn.optimize.writing import LinkWriting, Writing
+from robodyn.optimize.variant import LinkVariant, Variant
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ def base_newton_euler(
     motion: Motion,
     turns: Turns,
     links: Sequence[Regrouped],
-    writing: Writing,
+    variant: Variant,
     per_unit: Any = 1,
     mark: Mark = unmarked,
 ) -> list[Any]:
@@ -64,7 +64,7 @@ def base_newton_euler(
     Lengths of ``links`` are multiples of a unit, ``per_unit`` [1/m] is its inverse; the displacements ``d``
     of ``arm`` and ``motion`` [m] are those of the origins that ``links`` have.
     """
-    return _Recursion(arm, motion, turns, links, writing, per_unit, mark).torques()
+    return _Recursion(arm, motion, turns, links, variant, per_unit, mark).torques()
 
 
 class _Recursion:
@@ -76,15 +76,15 @@ class _Recursion:
         motion: Motion,
         turns: Turns,
         links: Sequence[Regrouped],
-        writing: Writing,
+        variant: Variant,
         per_unit: Any,
         mark: Mark,
     ) -> None:
-        self.arm, self.turns, self.links, self.writing = arm, turns, links, writing
+        self.arm, self.turns, self.links, self.variant = arm, turns, links, variant
         self.mark = mark
         # Accelerations and forces in another unit of length are not what their names say.
         self.per_unit = per_unit
-        self.mark_lengths = mark if writing.unit == "metre" else unmarked
+        self.mark_lengths = mark if variant.unit == "metre" else unmarked
         self.motion = motion
         self.n = len(arm.bodies)
         self.moving: list[Moving] = []
@@ -93,7 +93,7 @@ class _Recursion:
 
     # -- forward ----------------------------------------------------------------------------------
     def _moving(self, i: int) -> Moving:
-        body, turns, how = self.arm.bodies[i], self.turns, self.writing.links[i]
+        body, turns, how = self.arm.bodies[i], self.turns, self.variant.links[i]
         c, s, rate, acceleration = turns.c[i], turns.s[i], turns.rate[i], turns.acceleration[i]
         p = self._origin(i)
         before = self.moving[i - 1] if i else None
@@ -143,7 +143,7 @@ class _Recursion:
         """The acceleration of link i's origin: along the axes in which the parent begins to turn where the
         link follows it in a chain, else along the parent's own."""
         c, s = self.turns.c[i - 1], self.turns.s[i - 1]
-        if self.writing.links[i].carry == "own":
+        if self.variant.links[i].carry == "own":
             step = Lazy(lambda k: row_times(before.own.lam, k, p))
             if self.turns.follows[i]:
                 return added(before.start.a, turned_z(c, s, step))
@@ -186,7 +186,7 @@ class _Recursion:
         own: list[Wrench | None] = [None] * self.n
         start: list[Wrench | None] = [None] * self.n
         torques: dict[int, Components] = {}
-        for i, (link, how) in enumerate(zip(self.links, self.writing.links, strict=True)):
+        for i, (link, how) in enumerate(zip(self.links, self.variant.links, strict=True)):
             if how.form == "wrist":
                 wrench = self._wrist(i)
                 torques[i + 1] = wrench[1]
@@ -208,7 +208,7 @@ class _Recursion:
                 )
         return own, start, torques
 
-    def _wrench(self, link: Regrouped, how: LinkWriting, at: Rates, c: Any, s: Any) -> Wrench:
+    def _wrench(self, link: Regrouped, how: LinkVariant, at: Rates, c: Any, s: Any) -> Wrench:
         """Force and moment of a link along axes from which its own are turned about z by ``c, s``."""
         if how.form == "spin":
             return spin(2 * link.lump.second.xx, at)
@@ -224,7 +224,7 @@ class _Recursion:
         """A last link that is a spin, along the axes in which the joint before begins to turn."""
         body, carrier = self.arm.bodies[i], self.arm.bodies[i - 1]
         legal = i == self.n - 1 and i and body.revolute and carrier.revolute and not self.turns.follows[i]
-        if not legal or self.writing.links[i].form != "spin":
+        if not legal or self.variant.links[i].form != "spin":
             raise Unsuited(i + 1, "no spin at the tip to be written along the axes of the joint before")
         at = self.moving[i - 1].start
         axis = turned_z(self.turns.c[i - 1], self.turns.s[i - 1], (0, -body.sin_alpha, body.cos_alpha))
@@ -233,8 +233,8 @@ class _Recursion:
 
     def _wrist(self, i: int) -> Wrench:
         """The last two links, along the axes in which the last joint but one begins to turn."""
-        how, link = self.writing.links[i], self.links[i]
-        legal = i == self.n - 2 and how.frame == "start" and self.writing.links[i + 1].form == "spin"
+        how, link = self.variant.links[i], self.links[i]
+        legal = i == self.n - 2 and how.frame == "start" and self.variant.links[i + 1].form == "spin"
         body = self.arm.bodies[i + 1]
         legal = legal and body.revolute and self.arm.bodies[i].revolute and not self.turns.follows[i + 1]
         if not legal or link.point is None or body.sin_alpha not in (1, -1):
@@ -266,7 +266,7 @@ class _Recursion:
                 p = self.moving[i + 1].p
                 if self.turns.follows[i + 1]:
                     outside += [(f, lever(turned_z(c, s, p), f)), (NOTHING, moment)]
-                elif self.writing.links[i + 1].lever == "start":
+                elif self.variant.links[i + 1].lever == "start":
                     through = turned_z(c, s, f)
                     outside += [(through, added(lever(turned_z(c, s, p), through), turned_z(c, s, moment)))]
                 else:

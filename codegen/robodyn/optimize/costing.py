@@ -1,4 +1,4 @@
-"""What writings of an arm cost, without building their programs."""
+"""What variants of an arm cost, without building their programs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from robodyn.optimize.gauge import (
     with_displacements,
 )
 from robodyn.optimize.tally import SCALE, Circle, Tally, in_field
-from robodyn.optimize.writing import LinkWriting, Writing
+from robodyn.optimize.variant import LinkVariant, Variant
 from robodyn.robot.model import Robot
 
 _MANY = 200_000
@@ -37,7 +37,7 @@ def exact(x: Fraction) -> Fraction | int:
 
 
 class Costing:
-    """Tallies of writings of one robot's inverse dynamics. What links give to their parents is remembered by
+    """Tallies of variants of one robot's inverse dynamics. What links give to their parents is remembered by
     the rules of all links beyond (not where numbers are known only at run time)."""
 
     def __init__(self, robot: Robot) -> None:
@@ -50,14 +50,14 @@ class Costing:
         self._lumps = lumps_of(self.arm)
         self._field = build_arm(robot, in_field, tally.input)
 
-    def total(self, writing: Writing) -> int:
-        """Operations of ``writing``; :class:`Unsuited` where it does not suit the robot."""
-        tally, outputs = self.run(writing)
+    def total(self, variant: Variant) -> int:
+        """Operations of ``variant``; :class:`Unsuited` where it does not suit the robot."""
+        tally, outputs = self.run(variant)
         return operations(tally, tally.needed(outputs))
 
-    def factored_total(self, writing: Writing | None) -> int:
+    def factored_total(self, variant: Variant | None) -> int:
         """About as many as are left after the passes; None is the recursion as in the book."""
-        tally, outputs = self._book() if writing is None else self.run(writing)
+        tally, outputs = self._book() if variant is None else self.run(variant)
         wanted = tally.needed(outputs)
         return operations(tally, wanted) - saved(tally.entries, wanted)
 
@@ -68,37 +68,37 @@ class Costing:
         motion = build_motion(arm, q, qd, qdd, tally.trigonometry, in_field)
         return tally, modified_newton_euler(arm, motion)
 
-    def run(self, writing: Writing) -> tuple[Tally, list[Any]]:
-        """The tally of ``writing``, and its outputs; :class:`Unsuited` where it does not suit the robot."""
-        check_size(self.arm, writing)
+    def run(self, variant: Variant) -> tuple[Tally, list[Any]]:
+        """The tally of ``variant``, and its outputs; :class:`Unsuited` where it does not suit the robot."""
+        check_size(self.arm, variant)
         tally = Tally(self.circle)
         if self._plain:
-            field, lumps = self._field, self._all_given(writing)
-            links, unit = assembled(self.arm, writing, lumps)
+            field, lumps = self._field, self._all_given(variant)
+            links, unit = assembled(self.arm, variant, lumps)
         else:
             # Parameters are values of the tally that they are counted in.
             arm = build_arm(self.robot, exact, tally.input)
             field = build_arm(self.robot, in_field, tally.input)
-            links, unit = assembled(arm, writing, _all_given(arm, writing))
+            links, unit = assembled(arm, variant, _all_given(arm, variant))
         numbers = [in_scalars(link, in_field) for link in links]
-        return tally, self._outputs(tally, field, numbers, unit, writing)
+        return tally, self._outputs(tally, field, numbers, unit, variant)
 
     def _outputs(
-        self, tally: Tally, field: Arm, numbers: list[Regrouped], unit: Any, writing: Writing
+        self, tally: Tally, field: Arm, numbers: list[Regrouped], unit: Any, variant: Variant
     ) -> list[Any]:
         arm = with_displacements(field, numbers, in_field(unit))
         q, qd, qdd = ([tally.input(array, i) for i in range(self.robot.n)] for array in ("q", "qd", "qdd"))
         motion = build_motion(arm, q, qd, qdd, tally.trigonometry, in_field)
-        turns = chain_turns(arm, motion, tally.trigonometry, [link.chained for link in writing.links])
+        turns = chain_turns(arm, motion, tally.trigonometry, [link.chained for link in variant.links])
         per_unit = 1 if unit == 1 else in_field(1 / Fraction(unit))
-        return base_newton_euler(arm, motion, turns, numbers, writing, per_unit)
+        return base_newton_euler(arm, motion, turns, numbers, variant, per_unit)
 
-    def _all_given(self, writing: Writing) -> list[Given]:
+    def _all_given(self, variant: Variant) -> list[Given]:
         n = self.robot.n
         lumps: list[Given] = [AT_TIP] * (n + 1)
         tail: tuple[Any, ...] = ()
         for i in reversed(range(n)):
-            how = writing.links[i]
+            how = variant.links[i]
             tail = (how.mass, how.first, how.second, how.slide, tail)
             cached = self._given.get(tail)
             if cached is None:
@@ -111,7 +111,7 @@ class Costing:
             lumps[i] = cached
         return lumps
 
-    def _give(self, i: int, how: LinkWriting, child: Given) -> Given | Unsuited:
+    def _give(self, i: int, how: LinkVariant, child: Given) -> Given | Unsuited:
         try:
             return give(self.arm, self._lumps, i, how, child)
         except Unsuited as error:
@@ -124,9 +124,9 @@ def operations(tally: Tally, wanted: Collection[int]) -> int:
     return sum([entries[position][0] <= SCALE for position in wanted])
 
 
-def _all_given(arm: Arm, writing: Writing) -> list[Given]:
+def _all_given(arm: Arm, variant: Variant) -> list[Given]:
     lumps = lumps_of(arm)
     gauges = [AT_TIP] * (len(lumps) + 1)
     for i in reversed(range(len(lumps))):
-        gauges[i] = give(arm, lumps, i, writing.links[i], gauges[i + 1])
+        gauges[i] = give(arm, lumps, i, variant.links[i], gauges[i + 1])
     return gauges

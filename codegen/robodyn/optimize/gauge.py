@@ -24,14 +24,14 @@ from robodyn.dynamics.regroup import (
 )
 from robodyn.dynamics.vectors import Vector
 from robodyn.errors import InputError
-from robodyn.optimize.writing import LinkWriting, Writing
+from robodyn.optimize.variant import LinkVariant, Variant
 
 
 class Unsuited(InputError):
-    """A writing that does not suit the arm."""
+    """A variant that does not suit the arm."""
 
     def __init__(self, link: int, why: str) -> None:
-        super().__init__(f"the writing does not suit link {link}", found=why, remedy="search again")
+        super().__init__(f"the variant does not suit link {link}", found=why, remedy="search again")
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,22 +72,22 @@ NO_LUMP = Lump(0, (0, 0, 0), Symmetric(0, 0, 0, 0, 0, 0))
 AT_TIP = Given(NO_LUMP, NO_LUMP, 0, 0)
 
 
-def check_size(arm: Arm, writing: Writing) -> None:
-    """:class:`InputError` where ``writing`` has not as many links as ``arm``."""
-    if len(writing.links) != len(arm.bodies):
+def check_size(arm: Arm, variant: Variant) -> None:
+    """:class:`InputError` where ``variant`` has not as many links as ``arm``."""
+    if len(variant.links) != len(arm.bodies):
         raise InputError(
-            "a writing of another arm", found=f"{len(writing.links)} links", expected=f"{len(arm.bodies)}"
+            "a variant of another arm", found=f"{len(variant.links)} links", expected=f"{len(arm.bodies)}"
         )
 
 
-def regrouped_as(arm: Arm, writing: Writing) -> tuple[list[Regrouped], Any]:
-    """The links of ``arm`` as ``writing`` has them, and the unit of length [m]."""
-    check_size(arm, writing)
+def regrouped_as(arm: Arm, variant: Variant) -> tuple[list[Regrouped], Any]:
+    """The links of ``arm`` as ``variant`` has them, and the unit of length [m]."""
+    check_size(arm, variant)
     lumps = lumps_of(arm)
     gauges = [AT_TIP] * (len(lumps) + 1)
     for i in reversed(range(len(lumps))):
-        gauges[i] = give(arm, lumps, i, writing.links[i], gauges[i + 1])
-    return assembled(arm, writing, gauges)
+        gauges[i] = give(arm, lumps, i, variant.links[i], gauges[i + 1])
+    return assembled(arm, variant, gauges)
 
 
 def in_scalars(link: Regrouped, constant: Callable[[Any], Any]) -> Regrouped:
@@ -112,26 +112,26 @@ def with_displacements(arm: Arm, links: Sequence[Regrouped], unit: Any) -> Arm:
     return replace(arm, bodies=tuple(replace(body, d=link.d * unit) for body, link in bodies))
 
 
-def assembled(arm: Arm, writing: Writing, gauges: Sequence[Given]) -> tuple[list[Regrouped], Any]:
-    """The links, from what each gave, lengths in the unit of ``writing``; and that unit [m]."""
+def assembled(arm: Arm, variant: Variant, gauges: Sequence[Given]) -> tuple[list[Regrouped], Any]:
+    """The links, from what each gave, lengths in the unit of ``variant``; and that unit [m]."""
     links = []
     for i, body in enumerate(arm.bodies):
-        point = point_of(i, gauges[i].own, writing.links[i])
+        point = point_of(i, gauges[i].own, variant.links[i])
         lift = -gauges[i - 1].slid if i else 0
         links.append(Regrouped(gauges[i].own, body.a, lift, gauges[i].d, point))
-    if writing.unit == "metre":
+    if variant.unit == "metre":
         return links, 1
-    chosen = links[writing.unit_link - 1]
-    length = chosen.x if writing.unit == "a" else chosen.d
-    if writing.unit == "point":
+    chosen = links[variant.unit_link - 1]
+    length = chosen.x if variant.unit == "a" else chosen.d
+    if variant.unit == "point":
         length = chosen.point.distance if chosen.point else 0
     if not _known(length) or not length:
-        raise Unsuited(writing.unit_link, "no length that could be the unit")
+        raise Unsuited(variant.unit_link, "no length that could be the unit")
     length = _ratio(length, 1)
     return [_in_unit(link, length) for link in links], length
 
 
-def give(arm: Arm, lumps: Sequence[Lump], i: int, rules: LinkWriting, child: Given) -> Given:
+def give(arm: Arm, lumps: Sequence[Lump], i: int, rules: LinkVariant, child: Given) -> Given:
     """What link ``i`` (from 0) has and gives, its child having given."""
     body = arm.bodies[i]
     lump = merged(lumps[i], child.moved) if child is not AT_TIP else lumps[i]
@@ -168,7 +168,7 @@ def _ratio(a: Any, b: Any) -> Any:
     return (Fraction(a) if isinstance(a, int) else a) / b
 
 
-def _slide(arm: Arm, i: int, rules: LinkWriting, lump: Lump, child: Given) -> Any:
+def _slide(arm: Arm, i: int, rules: LinkVariant, lump: Lump, child: Given) -> Any:
     """How far the origin of link ``i`` moves along its axis [m]."""
     if rules.slide == "none":
         return 0
@@ -190,7 +190,7 @@ def _slide(arm: Arm, i: int, rules: LinkWriting, lump: Lump, child: Given) -> An
     return _ratio(lump.first[2], lump.mass)
 
 
-def _moved(i: int, body: Body, d: Any, lump: Lump, rules: LinkWriting, parent: Lump) -> Lump:
+def _moved(i: int, body: Body, d: Any, lump: Lump, rules: LinkVariant, parent: Lump) -> Lump:
     """What the link of a revolute joint gives up, in its own frame."""
     k = lump.second
 
@@ -264,7 +264,7 @@ def diagonal(k: Symmetric) -> Vector:
     return k.xx, k.yy, k.zz
 
 
-def point_of(i: int, lump: Lump, rules: LinkWriting) -> Point | None:
+def point_of(i: int, lump: Lump, rules: LinkVariant) -> Point | None:
     """The point mass that the form of link ``i`` asks for."""
     form = rules.form
     if form == "spin":

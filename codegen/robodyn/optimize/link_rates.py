@@ -1,6 +1,6 @@
 """How one link moves, along one set of axes: angular velocity and acceleration, lambda, and their products.
 
-Which of the equal ways each quantity is worked out in, a :class:`~robodyn.optimize.writing.LinkWriting` says.
+Which of the equal ways each quantity is worked out in, a :class:`~robodyn.optimize.variant.LinkVariant` says.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from robodyn.dynamics.vectors import Mark
 from robodyn.ir.program import Label
 from robodyn.optimize.lazy import Components, Lazy, named
 from robodyn.optimize.moments import Rates
-from robodyn.optimize.writing import LinkWriting
+from robodyn.optimize.variant import LinkVariant
 
 #: Products of two components of w by 10 j + k, j <= k, and what the thesis calls them.
 _PRODUCTS = {0: "xx", 1: "xy", 2: "zx", 11: "yy", 12: "yz", 22: "zz"}
@@ -20,7 +20,7 @@ _PRODUCTS = {0: "xx", 1: "xy", 2: "zx", 11: "yy", 12: "yz", 22: "zz"}
 
 def rates_along(
     i: int,
-    how: LinkWriting,
+    how: LinkVariant,
     w: Components,
     turning: Components,
     a: Components,

@@ -1,4 +1,4 @@
-"""The force of a link at its origin and the moment about it, in each of the forms that a writing may ask for.
+"""The force of a link at its origin and the moment about it, in each of the forms that a variant may ask for.
 
 All take the link's motion along some axes (:class:`Rates`) and its moments of mass along the same axes, and
 hand back vectors that are worked out on demand.

@@ -29,8 +29,8 @@ from robodyn.optimize.gauge import regrouped_as, with_displacements
 from robodyn.optimize.merging import MergingGraph
 from robodyn.optimize.reading_order import in_reading_order
 from robodyn.optimize.slide import slid
-from robodyn.optimize.suited import suited_writing
-from robodyn.optimize.writing import Writing
+from robodyn.optimize.suited import suited_variant
+from robodyn.optimize.variant import Variant
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
@@ -56,14 +56,14 @@ class NoForwardDynamics(InputError):
 class Choice:
     """How the recursion is written: the formulation, and whether base parameters are regrouped (in the
     modified Newton-Euler recursion); then ``chains`` says whether parallel joints turn as one, and
-    ``forms`` picks the form of each link's moment (empty: the forms that suit the arm), unless ``writing``
+    ``forms`` picks the form of each link's moment (empty: the forms that suit the arm), unless ``variant``
     says everything."""
 
     formulation: str = "modified_newton_euler"
     regroup: bool = True
     chains: bool = True
     forms: tuple[MomentForm, ...] = ()
-    writing: Writing | None = None
+    variant: Variant | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """As JSON has it: what is as usual is left out."""
@@ -72,8 +72,8 @@ class Choice:
             value = getattr(self, field.name)
             if value != field.default:
                 data[field.name] = list(value) if field.name == "forms" else value
-        if self.writing is not None:
-            data["writing"] = self.writing.to_dict()
+        if self.variant is not None:
+            data["variant"] = self.variant.to_dict()
         return data
 
     @staticmethod
@@ -87,7 +87,7 @@ def choice_from(data: Any) -> Choice:
     allowed = {field.name: field for field in fields(Choice)}
     if not isinstance(data, Mapping) or not set(data) <= set(allowed):
         raise InputError(
-            "no choice of a way of writing", found=repr(data), expected=f"some of {', '.join(allowed)}"
+            "no choice of a formulation variant", found=repr(data), expected=f"some of {', '.join(allowed)}"
         )
     settings = dict(data)
     for name in ("regroup", "chains"):
@@ -103,8 +103,8 @@ def choice_from(data: Any) -> Choice:
     if not isinstance(forms, list) or not set(forms) <= {"inertia", "second_moment"}:
         raise InputError("forms of moments", found=repr(forms), expected="a list of inertia, second_moment")
     settings["forms"] = tuple(forms)
-    if "writing" in settings:
-        settings["writing"] = Writing.from_dict(settings["writing"])
+    if "variant" in settings:
+        settings["variant"] = Variant.from_dict(settings["variant"])
     return Choice(**settings)
 
 
@@ -131,7 +131,7 @@ def _states(robot: Robot) -> tuple[str, ...]:
 def build(robot: Robot, function: str, choice: Choice) -> Program:
     """The program of ``function`` as the recursion leaves it: equal nodes merged, constants folded,
     nothing dead, no pass run yet."""
-    if choice.writing is None:
+    if choice.variant is None:
         return _built(Graph(), robot, function, choice)
     numbers = identity(robot).encode()
     program: Program = in_drawn_field(
@@ -247,13 +247,13 @@ def _inverse_dynamics(
         return lambda qd, qdd, mark: list(
             book(arm, build_motion(arm, q, qd, qdd, trigonometry, constant), mark)
         )
-    writing = choice.writing or suited_writing(arm, choice.chains, choice.forms)
-    links, unit = regrouped_as(arm, writing)
+    variant = choice.variant or suited_variant(arm, choice.chains, choice.forms)
+    links, unit = regrouped_as(arm, variant)
     placed = with_displacements(arm, links, unit)
 
     def recursion(qd: Sequence[Any], qdd: Sequence[Any], mark: Mark) -> list[Any]:
         motion = build_motion(placed, q, qd, qdd, trigonometry, constant)
-        turns = chain_turns(placed, motion, trigonometry, [link.chained for link in writing.links])
-        return base_newton_euler(placed, motion, turns, links, writing, 1 if unit == 1 else 1 / unit, mark)
+        turns = chain_turns(placed, motion, trigonometry, [link.chained for link in variant.links])
+        return base_newton_euler(placed, motion, turns, links, variant, 1 if unit == 1 else 1 / unit, mark)
 
     return recursion

@@ -1,4 +1,4 @@
-"""Counting what a writing costs, fast: its recursion over numbers of GF(2^61 - 1).
+"""Counting what a variant costs, fast: its recursion over numbers of GF(2^61 - 1).
 
 The same policy as :class:`~robodyn.optimize.merging.MergingGraph`, which builds the program of what is
 found: values that are equal are one, constants fold. Here a quantity *is* its value at the random point,
@@ -6,7 +6,7 @@ constants are integers modulo the prime, and nothing exact is computed. Speed is
 second graph; a test holds the two together.
 
 The prime is fixed, and small enough for a machine word. A description may be written so that numbers
-vanish or coincide in this field; the count is then wrong, and a dearer writing may be chosen. No program is
+vanish or coincide in this field; the count is then wrong, and a dearer variant may be chosen. No program is
 built here, so none can be wrong.
 """
 
@@ -57,7 +57,7 @@ def in_field(x: Any) -> Any:
 
 
 class Circle:
-    """The random point at which an arm's writings are compared: cosines and sines of its joint angles."""
+    """The random point at which an arm's variants are compared: cosines and sines of its joint angles."""
 
     def __init__(self) -> None:
         self._points: dict[Any, tuple[int, int]] = {}
@@ -271,7 +271,7 @@ class Tally:
         return Value(self, value)
 
     def divided(self, u: int, v: int) -> Value:
-        """``u / v``; what it costs is the same in every writing, and is not counted."""
+        """``u / v``; what it costs is the same in every variant, and is not counted."""
         return self._at(
             u * pow(v, -1, PRIME) % PRIME,
             CALL,

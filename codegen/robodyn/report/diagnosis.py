@@ -12,7 +12,7 @@ from robodyn.draw.markup import markup_template
 from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, told_of
 from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, next_of, part
 from robodyn.report.diagnosis_gap import ladder, tables, units_at
-from robodyn.report.diagnosis_glance import advice, tiles, told_about
+from robodyn.report.diagnosis_summary import advice, tiles, told_about
 from robodyn.report.diagnosis_text import (
     VERDICTS,
     formatted,

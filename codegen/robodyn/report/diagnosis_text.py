@@ -94,21 +94,31 @@ def claims(diagnosis: Diagnosis) -> tuple[Finding, ...]:
 def headline(diagnosis: Diagnosis) -> str:
     """The verdict as a sentence."""
     if diagnosis.verdict == "consistent":
-        return f"{diagnosis.robot.name} explains the logs: nothing is worth adding."
+        return f"{diagnosis.robot.name} explains the logs: no effect needs to be added."
     if diagnosis.verdict == "unexplained":
         worst = worst_joint(diagnosis.left)
-        where = "" if worst is None else f" It shows most at joint {worst}."
-        return f"Something is there that no effect of the catalogue explains.{where}"
+        where = "" if worst is None else f" It is largest at joint {worst}."
+        return f"A residual remains that no effect of the catalogue explains.{where}"
     lacking = [f for f in claims(diagnosis) if not is_contact(f.effect)]
     touched = [_touched(f) for f in claims(diagnosis) if is_contact(f.effect)]
     if not lacking and touched:
-        return f"{diagnosis.robot.name} lacks nothing, but {listed(touched)}."
-    parts = [_at(named(f.effect), place_of(f.joint)) for f in lacking] or ["an effect"]
-    return f"{diagnosis.robot.name} lacks {listed(parts)}{'; ' if touched else ''}{listed(touched)}."
+        return f"{diagnosis.robot.name}: no effect is missing, but {listed(touched)}."
+    parts = _by_effect(lacking) or ["an effect"]
+    verb = "are" if len(parts) > 1 else "is"
+    return (
+        f"{diagnosis.robot.name}: {listed(parts)} {verb} missing{'; ' if touched else ''}{listed(touched)}."
+    )
 
 
-def _at(name: str, place: str) -> str:
-    return f"{name[:-1]}, {place})" if name.endswith(")") else f"{name} ({place})"
+def _by_effect(findings: Sequence[Finding]) -> list[str]:
+    """Each effect once, with the joints at which it was found."""
+    joints: dict[str, list[int]] = {}
+    for finding in findings:
+        joints.setdefault(finding.effect, []).extend([] if finding.joint is None else [finding.joint])
+    return [
+        f"{named(effect)} at {joints_of(sorted(places))}" if places else named(effect)
+        for effect, places in joints.items()
+    ]
 
 
 def listed(parts: Sequence[str]) -> str:

@@ -45,7 +45,7 @@ of the gear:
 
 1. the torque of the rigid arm on the joint (at a prismatic joint a force), a payload included;
 2. on the link's side: springs; then bearings, which feel the load;
-3. between link and motor, where the joint is elastic or has play: a coupler; else both move alike;
+3. between link and motor, where the joint is elastic or has backlash: a coupler; else both move alike;
 4. in the gear: the loss, on the torque that it passes on;
 5. on the motor's side: the rotor's inertia, friction, ripple; motors that drive two joints.
 

@@ -107,7 +107,7 @@ def _effort(search: Searched) -> str:
     why = {
         "proven": "nothing shorter exists",
         "nodes": "gave up there: --nodes for more",
-        "seconds": "gave up when its time was over: --seconds for more",
+        "seconds": "gave up when its time was over: --budget-seconds for more",
     }
     if not search.nodes:
         return "the heuristic that the search begins with meets the bound: nothing was left to search"

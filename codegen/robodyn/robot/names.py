@@ -58,9 +58,10 @@ _VALUE_WORDS = frozenset(
 _HEADERS = """
 assert complex ctype errno fenv inttypes iso646 limits locale math setjmp signal stdalign stdarg stdatomic
 stdbit stdbool stdckdint stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
-alloca endian features malloc newlib pthread reent sched strings syslimits unistd xlocale availability
-availabilityinternal availabilitymacros availabilityversions gethostuuid osreldate runetype targetconditionals
-concurrencysal corecrt crtdbg crtdefs process sal sdkddkver vadefs vcruntime xkeycheck yvals
+alloca endian features ieeefp malloc newlib picolibc pthread reent sched strings syslimits unistd xlocale
+availability availabilityinternal availabilitymacros availabilityversions gethostuuid osreldate runetype
+targetconditionals concurrencysal corecrt crtdbg crtdefs process sal sdkddkver vadefs vcruntime
+xkeycheck yvals
 """
 _DEVICES = ["con", "prn", "aux", "nul", *(f"{port}{i}" for port in ("com", "lpt") for i in range(1, 10))]
 

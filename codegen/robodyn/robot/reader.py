@@ -12,11 +12,11 @@ from robodyn.errors import InputError
 from robodyn.robot import numbers
 from robodyn.robot.dh import effect_from_standard, from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
-from robodyn.robot.doubts import inertia_doubt, only_about_base_axis
 from robodyn.robot.fields import Section, Source, expectation
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT
 from robodyn.robot.model import Comparison, Inertia, Joint, JointKind, Limits, Link, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
+from robodyn.robot.plausibility import inertia_doubt, only_about_base_axis
 
 if TYPE_CHECKING:
     from robodyn.robot.effects import Written

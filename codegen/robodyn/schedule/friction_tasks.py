@@ -207,22 +207,22 @@ def friction_tasks(friction: Friction, *, revolute: bool = True) -> tuple[Task, 
     last = 3 if revolute else 2
     if friction.bearing is not None:
         last = _BEARINGS[friction.bearing][-1][1]
-    found = []
-    for (number, layer, does, waits, _), of_gear in _cuts(friction):
+    tasks = []
+    for (row, layer, does, waits, _), of_gear in _cuts(friction):
         torque = _WITH_FRICTION if of_gear and friction.bearing is not None else own
         here: Place = 0
         after = tuple((here, torque if other == 0 else other) for other in waits)
         step = "transmission" if of_gear else "friction"
-        found.append(Task(number, step, False, layer + last if of_gear else layer, does, after))
-    return tuple(found)
+        tasks.append(Task(row, step, False, layer + last if of_gear else layer, does, after))
+    return tuple(tasks)
 
 
 def run_friction(friction: Friction, at: Site, order: tuple[int, ...] | None = None) -> Any:
     """The tasks of ``friction`` carried out at ``at``, one after another or in another ``order`` of their
     numbers; the torque or force that the drive must give [N m or N]."""
-    steps = {number: step for (number, _, _, _, step), _ in _cuts(friction)}
-    for number in order or tuple(steps):
-        steps[number](at)
+    steps = {row: step for (row, _, _, _, step), _ in _cuts(friction)}
+    for row in order or tuple(steps):
+        steps[row](at)
     return at.values["out"] if friction.transmission is not None else at.joint_torque
 
 
@@ -238,20 +238,20 @@ def is_friction(entry: EffectEntry) -> bool:
 def friction_of(robot: Robot) -> dict[int, Friction]:
     """What of friction under load the joints of ``robot`` have, by joint from 1; friction by speed alone is
     not among it."""
-    found: dict[int, Friction] = {}
+    by_joint: dict[int, Friction] = {}
     for entry in filter(is_friction, robot.effects):
         assert entry.joint is not None
-        known = found.get(entry.joint, Friction())
+        known = by_joint.get(entry.joint, Friction())
         if entry.definition.place == "bearing":
             kind: Bearing = (
                 "radial" if entry["bearing"] == "journal" and "span" not in entry else entry["bearing"]
             )
-            found[entry.joint] = Friction(kind, known.transmission)
+            by_joint[entry.joint] = Friction(kind, known.transmission)
         else:
             curve = entry["efficiency"]
             how: Efficiency = entry["interpolation"] if isinstance(curve, tuple) else "constant"
-            found[entry.joint] = Friction(known.bearing, how)
-    return found
+            by_joint[entry.joint] = Friction(known.bearing, how)
+    return by_joint
 
 
 #: What can be asked of any arm: nothing, journals or sliding bearings in all joints, transmissions whose

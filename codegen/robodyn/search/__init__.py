@@ -1,4 +1,4 @@
-"""The search for fewer operations: ways of writing the recursion, then any algebra that holds.
+"""The search for fewer operations: formulation variants, then any algebra that holds.
 
 ``structured`` goes through gauges, forms, frames and origins; ``climb`` walks on from the best of them.
 """

@@ -1,4 +1,4 @@
-"""The cost of a writing by an objective."""
+"""The cost of a variant by an objective."""
 
 from __future__ import annotations
 
@@ -23,45 +23,45 @@ from robodyn.optimize.tally import (
     Tally,
     Value,
 )
-from robodyn.optimize.writing import Writing
+from robodyn.optimize.variant import Variant
 from robodyn.robot.model import Robot
 
 _KINDS = {ADD: "add", OFFSET: "add", MUL: "mul", SCALE: "mul", COS: "cos", SIN: "sin", CALL: "call"}
 
-#: So many of a writing's values are kept to tell writings apart.
+#: So many of a variant's values are kept to tell variants apart.
 _SKETCH = 32
 _MANY = 200_000
 
-#: The smallest of the values that a writing computes: alike of two writings that share most values.
+#: The smallest of the values that a variant computes: alike of two variants that share most values.
 Sketch = tuple[int, ...]
 
 
 class Candidates:
-    """Costs of writings of one robot."""
+    """Costs of variants of one robot."""
 
     def __init__(self, robot: Robot, objective: Objective | None = None) -> None:
         self.robot, self.objective = robot, objective or Objective()
         self.evaluations = 0
         self._costing = Costing(robot)
-        self._costs: dict[Writing, tuple[float, Sketch] | None] = {}
+        self._costs: dict[Variant, tuple[float, Sketch] | None] = {}
 
-    def cost(self, writing: Writing) -> float | None:
-        """The cost of ``writing``; None where it does not suit the robot."""
-        cost = self.judged(writing)
+    def cost(self, variant: Variant) -> float | None:
+        """The cost of ``variant``; None where it does not suit the robot."""
+        cost = self.judged(variant)
         return None if cost is None else cost[0]
 
-    def judged(self, writing: Writing) -> tuple[float, Sketch] | None:
-        """The cost of ``writing`` and its sketch; None where it does not suit the robot."""
-        if writing in self._costs:
-            return self._costs[writing]
+    def judged(self, variant: Variant) -> tuple[float, Sketch] | None:
+        """The cost of ``variant`` and its sketch; None where it does not suit the robot."""
+        if variant in self._costs:
+            return self._costs[variant]
         if len(self._costs) > _MANY:
             self._costs.clear()
-        cost = self._costs[writing] = self._judged(writing)
+        cost = self._costs[variant] = self._judged(variant)
         return cost
 
-    def _judged(self, writing: Writing) -> tuple[float, Sketch] | None:
+    def _judged(self, variant: Variant) -> tuple[float, Sketch] | None:
         try:
-            tally, outputs = self._costing.run(writing)
+            tally, outputs = self._costing.run(variant)
         except Unsuited:
             return None
         self.evaluations += 1

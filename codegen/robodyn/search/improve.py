@@ -1,6 +1,6 @@
 """Searching for a better program of a robot, and keeping what is found.
 
-``search`` goes through ways of writing the recursion, closed forms of short arms among them, and walks on
+``search`` goes through formulation variants, closed forms of short arms among them, and walks on
 from the best for a while; ``full`` walks on for long, by any identity that holds. Either ends in a record:
 compared with the plain recursion without rounding, or not handed out at all.
 """
@@ -26,7 +26,7 @@ from robodyn.optimize.closed_form import closed_forms
 from robodyn.optimize.records import Record, best_record, identity
 from robodyn.optimize.records.find import file_name, identity_at
 from robodyn.optimize.records.rounding import Rounding
-from robodyn.optimize.records.trust import check_reading, trusted
+from robodyn.optimize.records.validation import check_reading, validated
 from robodyn.passes import SPELLING, run
 from robodyn.robot.model import Robot
 from robodyn.search.climb import Climbed, climb
@@ -41,7 +41,7 @@ Stage = Literal["search", "full"]
 BUDGET = {"search": 60.0, "full": 180.0}
 #: What is found is kept every so many seconds, so that an interrupted search can go on from there.
 _SAVE_AFTER = 10.0
-#: The share of the time that goes to ways of writing the recursion; the rest is for the walk.
+#: The share of the time that goes to formulation variants; the rest is for the walk.
 _WRITINGS = {"search": 0.85, "full": 0.4}
 #: How hard closed forms are looked for, by second of the budget: ten seconds of work for a minute.
 _EFFORT, _LEAST_EFFORT = 1 / 60, 0.08
@@ -90,7 +90,7 @@ def improved(
     recursion = generated(robot, function, Options((function,), optimize="fast"))
     known = _known(robot, function, objective, folders, recursion) if resume else []
     starts = [recursion, *(record.program for record in known)]
-    # A writing knows the inverse dynamics only; the other functions are walked from where they stand.
+    # A variant knows the inverse dynamics only; the other functions are walked from where they stand.
     # Where a record is known already, most of the time goes to walking on from it.
     written = (_WRITINGS[level] if not known else 0.5 * _WRITINGS[level]) * budget
     if function_named(function).is_recursion:
@@ -160,7 +160,7 @@ def _written(
 ) -> list[Program]:
     def tell(at: Any) -> None:
         if progress is not None:
-            progress(Told("writings", at.seconds, seconds, at.best))
+            progress(Told("variants", at.seconds, seconds, at.best))
 
     results = search(
         robot, seconds=seconds, seed=seed, objective=objective, processes=processes, progress=tell
@@ -186,7 +186,7 @@ def _proved(
     record = Record(robot.name, identity(robot), function, objective.key, how, named)
     try:
         check_reading(record, rounding := Rounding(recursion))
-        trusted(named, recursion, record, rounding=rounding)
+        validated(named, recursion, record, rounding=rounding)
     except InputError:
         return None
     return record if same_in_field(robot, function, named) else None
@@ -205,7 +205,7 @@ def _known(
             record = best_record(robot, function, objective.key, place)
             if record is not None:
                 check_reading(record, rounding := Rounding(recursion))
-                trusted(record.program, recursion, record, rounding=rounding)
+                validated(record.program, recursion, record, rounding=rounding)
                 programs.append(record)
         except InputError:
             continue

@@ -1,4 +1,4 @@
-"""The neighbourhood of a writing: what may be changed at one go.
+"""The neighbourhood of a variant: what may be changed at one go.
 
 Some changes pay only together: a link that is to be a spin needs its gauge, its form and its frame at once.
 """
@@ -14,7 +14,7 @@ from robodyn.dynamics.arm import Arm, build_arm
 from robodyn.dynamics.parallel import chained
 from robodyn.effects.scalars import is_zero
 from robodyn.optimize.costing import exact
-from robodyn.optimize.writing import LINK_VALUES, Writing
+from robodyn.optimize.variant import LINK_VALUES, Variant
 from robodyn.robot.model import Robot
 
 Changes = dict[str, Any]
@@ -42,7 +42,7 @@ _EVEN: Final[tuple[Changes, ...]] = tuple(
 
 
 class Space:
-    """The writings of one robot."""
+    """The variants of one robot."""
 
     def __init__(self, robot: Robot) -> None:
         names = dict.fromkeys(robot.parameters, 1)
@@ -115,62 +115,62 @@ class Space:
         ]
 
     # -- moves ------------------------------------------------------------------------------------
-    def random_neighbour(self, writing: Writing, rng: random.Random) -> Writing:
-        """``writing`` with one thing changed, or a few that belong together."""
+    def random_neighbour(self, variant: Variant, rng: random.Random) -> Variant:
+        """``variant`` with one thing changed, or a few that belong together."""
         kind = rng.random()
         i = rng.randrange(self.n)
         if kind < 0.40:
-            return self._changed(writing, i, 1, rng, (*BODY, *PATH))
+            return self._changed(variant, i, 1, rng, (*BODY, *PATH))
         if kind < 0.62:
-            return self._changed(writing, i, rng.randint(2, 3), rng, BODY)
+            return self._changed(variant, i, rng.randint(2, 3), rng, BODY)
         if kind < 0.72:
             other = max(0, i - 1) if rng.random() < 0.5 else min(self.n - 1, i + 1)
-            writing = self._changed(writing, i, rng.randint(1, 2), rng, BODY)
-            return self._changed(writing, other, rng.randint(1, 2), rng, BODY)
+            variant = self._changed(variant, i, rng.randint(1, 2), rng, BODY)
+            return self._changed(variant, other, rng.randint(1, 2), rng, BODY)
         if kind < 0.84:
             if not self.macros[i]:
                 i = self.n - 1
             if not self.macros[i]:
-                return self._changed(writing, i, 1, rng, (*BODY, *PATH))
-            return self._applied(writing, rng.choice(self.macros[i]))
+                return self._changed(variant, i, 1, rng, (*BODY, *PATH))
+            return self._applied(variant, rng.choice(self.macros[i]))
         if kind < 0.92:
             unit, link = rng.choice(self.units)
-            return replace(writing, unit=unit, unit_link=link)
+            return replace(variant, unit=unit, unit_link=link)
         name = rng.choice(("row", "column", "alpha", "carry", "lever", "chained"))
         value = rng.choice(LINK_VALUES[name])
         for j in range(self.n):
             if value in self.values[j][name] and rng.random() < 0.7:
-                writing = writing.with_link(j, **{name: value})
-        return writing
+                variant = variant.with_link(j, **{name: value})
+        return variant
 
     def _changed(
-        self, writing: Writing, i: int, count: int, rng: random.Random, names: tuple[str, ...]
-    ) -> Writing:
+        self, variant: Variant, i: int, count: int, rng: random.Random, names: tuple[str, ...]
+    ) -> Variant:
         free = [name for name in names if len(self.values[i][name]) > 1]
         if not free:
-            return writing
+            return variant
         changes = {}
         for name in rng.sample(free, min(count, len(free))):
-            old = getattr(writing.links[i], name)
+            old = getattr(variant.links[i], name)
             changes[name] = rng.choice([value for value in self.values[i][name] if value != old])
-        return writing.with_link(i, **changes)
+        return variant.with_link(i, **changes)
 
     @staticmethod
-    def _applied(writing: Writing, change: dict[int, Changes]) -> Writing:
+    def _applied(variant: Variant, change: dict[int, Changes]) -> Variant:
         for j, fields in change.items():
-            writing = writing.with_link(j, **fields)
-        return writing
+            variant = variant.with_link(j, **fields)
+        return variant
 
-    def neighbours(self, writing: Writing) -> Iterator[Writing]:
+    def neighbours(self, variant: Variant) -> Iterator[Variant]:
         """All that differ in one field, in two of those that belong together, or by a macro."""
         for i in range(self.n):
-            values, link = self.values[i], writing.links[i]
+            values, link = self.values[i], variant.links[i]
             for name, allowed in values.items():
                 for value in allowed:
                     if value != getattr(link, name):
-                        yield writing.with_link(i, **{name: value})
+                        yield variant.with_link(i, **{name: value})
             for change in self.macros[i]:
-                yield self._applied(writing, change)
+                yield self._applied(variant, change)
             for one, other in (
                 ("second", "form"),
                 ("form", "frame"),
@@ -186,15 +186,15 @@ class Space:
                 for u in values[one]:
                     for v in values[other]:
                         if u != getattr(link, one) and v != getattr(link, other):
-                            yield writing.with_link(i, **{one: u, other: v})
+                            yield variant.with_link(i, **{one: u, other: v})
         for unit, unit_count in self.units:
-            if (unit, unit_count) != (writing.unit, writing.unit_link):
-                yield replace(writing, unit=unit, unit_link=unit_count)
+            if (unit, unit_count) != (variant.unit, variant.unit_link):
+                yield replace(variant, unit=unit, unit_link=unit_count)
 
-    def fitted(self, writing: Writing) -> Writing:
-        """``writing`` with fields that have no effect at their plain value."""
+    def fitted(self, variant: Variant) -> Variant:
+        """``variant`` with fields that have no effect at their plain value."""
         links = []
-        for values, link in zip(self.values, writing.links, strict=True):
+        for values, link in zip(self.values, variant.links, strict=True):
             fixed = {name: allowed[0] for name, allowed in values.items() if len(allowed) == 1}
             links.append(replace(link, **fixed))
-        return replace(writing, links=tuple(links))
+        return replace(variant, links=tuple(links))

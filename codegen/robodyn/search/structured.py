@@ -1,6 +1,6 @@
-"""The search over writings: gauges, forms, frames, origins, chains.
+"""The search over variants: gauges, forms, frames, origins, chains.
 
-Rounds of annealing walks from the best writings so far (and now and then from the plain one), each followed
+Rounds of annealing walks from the best variants so far (and now and then from the plain one), each followed
 by a descent over all neighbours. A walk is so many steps, not so many seconds: with the same seed, number of
 rounds and of processes (a round has a walk for each) the same is found on any machine.
 """
@@ -17,8 +17,8 @@ from robodyn.counts.objective import Objective, operations_of
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.suited import suited_writing
-from robodyn.optimize.writing import Writing
+from robodyn.optimize.suited import suited_variant
+from robodyn.optimize.variant import Variant
 from robodyn.passes import FRESH, run
 from robodyn.robot.model import Robot
 from robodyn.search.candidate import Candidates, Sketch
@@ -33,13 +33,13 @@ ALIKE = 0.95
 STEPS = 1500
 
 Result = tuple[float, Choice, Program]
-#: Writings with their costs and sketches.
-Known = dict[Writing, tuple[float, Sketch]]
+#: Variants with their costs and sketches.
+Known = dict[Variant, tuple[float, Sketch]]
 
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """What a search tells: seconds gone, rounds done, writings tried, the best cost."""
+    """What a search tells: seconds gone, rounds done, variants tried, the best cost."""
 
     seconds: float
     round: int
@@ -60,8 +60,8 @@ def search(
     steps: int = STEPS,
     kept: int = KEPT,
 ) -> list[Result]:
-    """The best ways of writing the inverse dynamics of ``robot`` that are found in ``seconds`` (or in so many
-    ``rounds``), best first and different from one another: cost, choice, program after all passes.
+    """The best formulation variants the inverse dynamics of ``robot`` that are found in ``seconds`` (or in so
+    many ``rounds``), best first and different from one another: cost, choice, program after all passes.
 
     ``start`` are choices of an earlier search. The programs are those of the passes; that they equal the
     plain recursion is for the caller to prove (:func:`~robodyn.dynamics.equality.equals_recursion`).
@@ -70,21 +70,21 @@ def search(
     began = time.monotonic()
     deadline = began + seconds if rounds is None else math.inf
     space, candidates = Space(robot), Candidates(robot, objective)
-    plain = space.fitted(suited_writing(space.arm))
+    plain = space.fitted(suited_variant(space.arm))
     known: Known = {}
     for choice in start or ():
-        if choice.writing is not None:
-            if len(choice.writing.links) != robot.n:
+        if choice.variant is not None:
+            if len(choice.variant.links) != robot.n:
                 raise InputError(
                     "a choice of another arm to start from",
-                    found=f"{len(choice.writing.links)} links",
+                    found=f"{len(choice.variant.links)} links",
                     expected=f"{robot.n}",
                 )
-            judged = candidates.judged(choice.writing)
+            judged = candidates.judged(choice.variant)
             if judged is not None:
-                known[choice.writing] = judged
+                known[choice.variant] = judged
     judged = candidates.judged(plain)
-    assert judged is not None, "the plain writing suits every arm"
+    assert judged is not None, "the plain variant suits every arm"
     known[plain] = judged
     tried, done = len(known), 0
     with Workers(processes) as workers:
@@ -107,7 +107,7 @@ def search(
     return _results(robot, objective, known, kept)
 
 
-def _drawn(pool: list[tuple[float, Writing]], rng: random.Random) -> Writing:
+def _drawn(pool: list[tuple[float, Variant]], rng: random.Random) -> Variant:
     """One of the best, the better the likelier."""
     return pool[min(int(rng.expovariate(0.5)), len(pool) - 1)][1]
 
@@ -116,9 +116,9 @@ _CANDIDATES: dict[tuple[str, Objective], tuple[Robot, Candidates, Space]] = {}
 
 
 def walk(
-    robot: Robot, objective: Objective, origin: Writing, seed: str, heat: float, length: int, seconds: float
+    robot: Robot, objective: Objective, origin: Variant, seed: str, heat: float, length: int, seconds: float
 ) -> tuple[Known, int]:
-    """One walk from ``origin`` of so many steps, and the descent from the best it saw; the best writings, and
+    """One walk from ``origin`` of so many steps, and the descent from the best it saw; the best variants, and
     how many were tried."""
     key = (robot.name, objective)
     if key not in _CANDIDATES or _CANDIDATES[key][0] != robot:
@@ -164,25 +164,25 @@ def walk(
                 break
     top = sorted(seen.items(), key=lambda item: item[1])[:100]
     known: Known = {}
-    for writing, _ in top:
-        judged = candidates.judged(writing)
+    for variant, _ in top:
+        judged = candidates.judged(variant)
         if judged is not None:
-            known[writing] = judged
+            known[variant] = judged
     return known, steps
 
 
-def _by_cost(item: tuple[Writing, tuple[float, Sketch]]) -> float:
+def _by_cost(item: tuple[Variant, tuple[float, Sketch]]) -> float:
     return item[1][0]
 
 
-def diverse(known: Known, count: int) -> list[tuple[float, Writing]]:
+def diverse(known: Known, count: int) -> list[tuple[float, Variant]]:
     """The best ``count`` of ``known`` that differ from one another."""
-    chosen: list[tuple[float, Writing]] = []
+    chosen: list[tuple[float, Variant]] = []
     sketches: list[frozenset[int]] = []
-    for writing, (cost, sketch) in sorted(known.items(), key=_by_cost):
+    for variant, (cost, sketch) in sorted(known.items(), key=_by_cost):
         values = frozenset(sketch)
         if all(_alike(values, other) < ALIKE for other in sketches):
-            chosen.append((cost, writing))
+            chosen.append((cost, variant))
             sketches.append(values)
             if len(chosen) == count:
                 break
@@ -200,8 +200,8 @@ def _results(robot: Robot, objective: Objective, known: Known, count: int) -> li
     """Programs of the best, by their cost after the passes."""
     results: list[Result] = []
     seen = set()
-    for _, writing in diverse(known, 4 * count):
-        choice = Choice(writing=writing)
+    for _, variant in diverse(known, 4 * count):
+        choice = Choice(variant=variant)
         program = run(build(robot, "inverse_dynamics", choice), FRESH)
         if program.operations not in seen:
             seen.add(program.operations)

@@ -31,8 +31,8 @@ from robodyn.ir.derivative import jacobian as derivatives
 from robodyn.ir.graph import Graph, Scalar
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Input, Program
-from robodyn.kernels.drafts import Drafts
 from robodyn.kernels.options import Options
+from robodyn.kernels.rigid_programs import RigidPrograms
 from robodyn.kernels.with_effects import as_is, rigid_loads
 from robodyn.optimize.costing import exact
 from robodyn.optimize.programs import turned
@@ -79,7 +79,7 @@ class _Builder:
         self.robot, self.n = robot, robot.n
         self.exact_rest = robot.rest_velocity is None and robot.dead_band is None
         self.rigid_robot = rigid_part(robot, bare=True)
-        self.drafts = Drafts(self.rigid_robot, options)
+        self.drafts = RigidPrograms(self.rigid_robot, options)
         # Any values will do of which no sum is 0.
         values = {name: Fraction(10 + 3 * k, 7) for k, name in enumerate(robot.parameters)}
         shape = layer_of(robot, as_is, values.__getitem__, bare=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from robodyn.targets.target import Architecture, Program, Region
+from robodyn.targets.target import Architecture, Board, Program, Region
 
 #: An image is run without a screen, and talks through the debugger.
 _QUIET = (
@@ -10,7 +10,7 @@ _QUIET = (
     "enable=on,target=native",
 )  # fmt: skip
 
-#: Cortex-M. An instruction takes 2^5 ns of the emulator's time, and SysTick ticks every 40 ns.
+#: Cortex-M. SysTick has 24 bits: instructions are slow, lest it runs over.
 CORTEX_M = Architecture(
     name="arm",
     macro="__arm__",
@@ -18,10 +18,26 @@ CORTEX_M = Architecture(
     compiler_package="gcc-arm-none-eabi",
     binutils_package="binutils-arm-none-eabi",
     emulator=Program("qemu-system-arm", "qemu-system-arm"),
-    options=(*_QUIET, "-icount", "shift=5"),
+    options=_QUIET,
     counter="SysTick",
-    ticks=2**5 / 40,
+    shift=5,
 )
 
-#: Memory of Arm's boards MPS2 with a Cortex-M3, M4 or M7.
-MPS2 = {"code": Region(0x0000_0000, "4M"), "data": Region(0x2000_0000, "4M")}
+
+def mps2(machine: str) -> Board:
+    """One of Arm's boards MPS2, with a Cortex-M3, M4 or M7."""
+    return Board(machine, CORTEX_M, Region(0x0000_0000, "4M"), Region(0x2000_0000, "4M"), counter_mhz=25.0)
+
+
+#: RISC-V with 32 bits, where an image has the machine to itself; mcycle then counts nanoseconds.
+RISCV = Architecture(
+    name="riscv",
+    macro="__riscv",
+    prefix="riscv64-unknown-elf-",
+    compiler_package="gcc-riscv64-unknown-elf",
+    binutils_package="binutils-riscv64-unknown-elf",
+    emulator=Program("qemu-system-riscv32", "qemu-system-misc"),
+    options=(*_QUIET, "-bios", "none"),
+    counter="mcycle",
+    shift=0,
+)

@@ -58,8 +58,8 @@ class Architecture:
 
     ``name`` is the folder in ``templates/firmware`` with what an image needs of the processor: its start,
     output and exit through a debugger, and its counter. ``prefix`` begins the names of the compiler's
-    programs, and ``macro`` is what it defines. ``options`` are the emulator's; with them the counter, called
-    ``counter`` in documents, counts ``ticks`` an instruction.
+    programs, and ``macro`` is what it defines. ``options`` are the emulator's, where an instruction takes
+    2^``shift`` ns; ``counter`` is what documents call the processor's counter.
     """
 
     name: str
@@ -70,7 +70,7 @@ class Architecture:
     emulator: Program
     options: tuple[str, ...]
     counter: str
-    ticks: float
+    shift: int
 
     @property
     def toolchain(self) -> str:
@@ -104,12 +104,28 @@ class Region:
 @dataclass(frozen=True, slots=True)
 class Board:
     """A board that the emulator has, by its name there; code and constants are linked into the one region,
-    data and stack into the other."""
+    data and stack into the other. The processor's counter runs at ``counter_mhz`` in the emulator, and
+    ``options`` are the emulator's for this board."""
 
     machine: str
     architecture: Architecture
     code: Region
     data: Region
+    counter_mhz: float
+    options: tuple[str, ...] = ()
+
+    @property
+    def ticks(self) -> float:
+        """What the counter counts an instruction in the emulator."""
+        return (1 << self.architecture.shift) * self.counter_mhz / 1e3
+
+    @property
+    def command(self) -> tuple[str, ...]:
+        """What runs an image, whose name follows."""
+        emulator = self.architecture.emulator.name
+        count = ("-icount", f"shift={self.architecture.shift}")
+        options = (*self.options, *self.architecture.options, *count)
+        return (emulator, "-M", self.machine, *options, "-kernel")
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,14 +136,15 @@ class Target:
     ``scalar``, ``contraction``, ``trig`` and ``order`` are the defaults of generation and ``why`` the reason
     for the contraction; ``lanes`` how many sines its vectors take at once (1: no vectors); ``registers`` how
     many values it keeps at hand. ``hardware`` names the scalar types that its floating-point unit has: for
-    the others the compiler calls its own library. ``costs_as`` names another target that has the same costs,
-    so that searches share their records. Without a ``board`` there is no firmware image, without a ``chip``
-    no plan.
+    the others the compiler calls its own library. ``single`` and ``double`` are the costs of operations on
+    float and on double; None: the same. ``costs_as`` names another target that has the same costs, so that
+    searches share their records. Without a ``board`` there is no firmware image, without a ``chip`` no plan.
     """
 
     name: str
     title: str
-    costs: Costs
+    single: Costs
+    double: Costs | None = None
     why: str = ""
     aliases: tuple[str, ...] = ()
     flags: tuple[str, ...] | None = None
@@ -141,6 +158,15 @@ class Target:
     costs_as: str = ""
     chip: Chip | None = None
     board: Board | None = None
+
+    def costs_of(self, scalar: ScalarType) -> Costs:
+        """What operations on ``scalar`` cost."""
+        return self.single if scalar == "float" or self.double is None else self.double
+
+    @property
+    def costs(self) -> Costs:
+        """What operations on its own scalar type cost: what searches weigh."""
+        return self.costs_of(self.scalar)
 
     @property
     def objective(self) -> str:

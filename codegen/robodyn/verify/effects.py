@@ -5,9 +5,9 @@ cases. Nothing here is shared with the equations in :mod:`robodyn.effects`, whic
 effect that is not known here is compared with what its definition prints (:mod:`.declared`); where that does
 not do, an error says so.
 
-What remembers enters by its steady form: presliding by its level, elastic joints and play as rigid joints;
-its steps stand in :mod:`robodyn.verify.memories`. Sensors and contacts are in no torque. What the reader of
-a description resolves (rotor inertia, base tilt, errors of inertial parameters) is not looked for.
+What remembers enters by its steady form: presliding by its level, elastic joints and backlash as rigid
+joints; its steps stand in :mod:`robodyn.verify.stateful`. Sensors and contacts are in no torque. What the
+reader of a description resolves (rotor inertia, base tilt, errors of inertial parameters) is not looked for.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Inverse dynamics of drives that remember, a step at a time, in double precision over many states.
 
 Written from the order of a drive (:mod:`robodyn.effects.effect`) on top of :class:`.Reference`,
-:class:`.Drives` and :mod:`.memories`: the torque behind the bearings is that of a robot whose torques are the
+:class:`.Drives` and :mod:`.stateful`: the torque behind the bearings is that of a robot whose torques are the
 links', the motor's side is a drive without link.
 """
 
@@ -13,9 +13,9 @@ import numpy as np
 
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.verify.effects import Drives, Floats, Reactions, place_of, settings
-from robodyn.verify.memories import Twist, bristle_step, twist_step
 from robodyn.verify.numbers import Parameters, filled
 from robodyn.verify.reference import Reference
+from robodyn.verify.stateful import Twist, bristle_step, twist_step
 
 _COUPLERS = ("joint_elasticity", "backlash")
 _BRISTLES = "presliding_hysteresis"

@@ -188,7 +188,7 @@ class Work:
             for each in range(1, self.robot.n + 1):
                 self._merge(id, each, values)
         self._take_level(joint, known, settings)
-        # What holds another effect, as play with stiff teeth holds an elastic joint, is there alone: the
+        # What holds another effect, as backlash with stiff teeth holds an elastic joint, is there alone: the
         # reader allows one of the two at a joint.
         for k, (origin, entry) in enumerate(self.entries):
             if entry.joint == joint and id in entry.definition.traits.absorbs:

@@ -8,7 +8,7 @@ TARGET = Target(
     why="no fused multiply-add",
     flags=(),
     lanes=4,
-    costs=Costs(div=4.0, sqrt=5.0, sincos=20.0),
+    single=Costs(div=4.0, sqrt=5.0, sincos=20.0),
     chip=Chip(
         3000.0,
         "a desktop; cycles as robodyn's searches weigh them (--objective weighted), usual clock, "

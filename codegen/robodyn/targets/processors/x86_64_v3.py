@@ -9,5 +9,5 @@ TARGET = Target(
     flags=("-march=x86-64-v3",),
     contraction="on",
     lanes=4,
-    costs=Costs(fma=1.0, div=4.0, sqrt=5.0, sincos=18.0),
+    single=Costs(fma=1.0, div=4.0, sqrt=5.0, sincos=18.0),
 )

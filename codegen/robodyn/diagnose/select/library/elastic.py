@@ -1,4 +1,4 @@
-"""Joints that twist or have play."""
+"""Joints with elasticity or backlash."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def _swing(c: Context, j: int) -> Swing:
 
 
 def _behind(c: Context, effect: Effect, twist: Twist, j: int, settings: Mapping[str, float]) -> Candidate:
-    """A link behind its motor, with all of the spring or the play as it is ``settings``."""
+    """A link behind its motor, with all of the spring or the backlash as it is ``settings``."""
     values = {**settings, **twist.fixed}
     column = _swing(c, j).column(effect.id, values)
     return Candidate(

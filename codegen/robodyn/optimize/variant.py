@@ -5,7 +5,7 @@ to the parent (:mod:`robodyn.dynamics.regroup`): three numbers a link are free, 
 the textbook's choice. The moment of a link can be written in several forms, in several frames; lambda's
 third row and column and the accelerations of origins in several ways; origins may slide along their axes.
 
-All are names and numbers, so that a writing can be kept in a file.
+All are names and numbers, so that a variant can be kept in a file.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ UnitRule = Literal["metre", "point", "a", "d"]
 
 
 @dataclass(frozen=True, slots=True)
-class LinkWriting:
+class LinkVariant:
     """How one link is written; see the names above."""
 
     mass: MassRule = "zero"
@@ -85,19 +85,19 @@ LINK_VALUES: dict[str, tuple[Any, ...]] = {
     "chained": (True, False),
 }
 
-_PLAIN = LinkWriting()
+_PLAIN = LinkVariant()
 
 
 @dataclass(frozen=True, slots=True)
-class Writing:
+class Variant:
     """How the whole recursion is written: its links from base to tip, and the unit of length, which
     ``unit_link`` (from 1) gives."""
 
-    links: tuple[LinkWriting, ...]
+    links: tuple[LinkVariant, ...]
     unit: UnitRule = "metre"
     unit_link: int = 0
 
-    def with_link(self, i: int, **changes: Any) -> Writing:
+    def with_link(self, i: int, **changes: Any) -> Variant:
         """The same with ``changes`` in link ``i`` (from 0)."""
         links = list(self.links)
         links[i] = replace(links[i], **changes)
@@ -116,22 +116,22 @@ class Writing:
         return data
 
     @staticmethod
-    def from_dict(data: Any) -> Writing:
-        """The writing of :meth:`to_dict`; :class:`InputError` where that is none."""
-        _only(data, ("links", "unit", "unit_link"), "a writing")
+    def from_dict(data: Any) -> Variant:
+        """The variant of :meth:`to_dict`; :class:`InputError` where that is none."""
+        _only(data, ("links", "unit", "unit_link"), "a variant")
         links = data.get("links")
         if not isinstance(links, list):
-            raise InputError("a writing without links", found=repr(links), expected="a list of links")
+            raise InputError("a variant without links", found=repr(links), expected="a list of links")
         parts = []
         for i, link in enumerate(links, 1):
-            _only(link, tuple(LINK_VALUES), f"link {i} of a writing")
+            _only(link, tuple(LINK_VALUES), f"link {i} of a variant")
             for name, value in link.items():
                 _known(f"link {i}: {name}", value, LINK_VALUES[name])
             parts.append(replace(_PLAIN, **link))
         unit, unit_link = data.get("unit", "metre"), data.get("unit_link", 0)
         _known("unit", unit, get_args(UnitRule))
         _known("unit_link", unit_link, range(1, len(parts) + 1) if unit != "metre" else (0,))
-        return Writing(tuple(parts), unit, unit_link)
+        return Variant(tuple(parts), unit, unit_link)
 
 
 def _only(data: Any, allowed: tuple[str, ...], what: str) -> None:
@@ -142,7 +142,7 @@ def _only(data: Any, allowed: tuple[str, ...], what: str) -> None:
             raise InputError(
                 f"{what}: unknown key {key!r}",
                 expected=f"some of {', '.join(allowed)}",
-                remedy="a writing of another version of robodyn? search again",
+                remedy="a variant of another version of robodyn? search again",
             )
 
 

@@ -16,7 +16,7 @@ from robodyn.optimize.fast import fast_choices
 from robodyn.optimize.programs import Choice, NoForwardDynamics, build, signature
 from robodyn.optimize.records import Record, best_record
 from robodyn.optimize.records.rounding import Rounding
-from robodyn.optimize.records.trust import at_rest_of, check_length, check_reading, trusted
+from robodyn.optimize.records.validation import at_rest_of, check_length, check_reading, validated
 from robodyn.passes import FAST, FRESH, SPELLING, Pass, unchecked
 from robodyn.robot.model import Robot
 
@@ -33,7 +33,7 @@ class SingularArm(NoForwardDynamics):
     """The mass matrix cannot be inverted in any pose: some joint moves without inertia."""
 
 
-class Drafts:
+class RigidPrograms:
     """The programs of a robot before the passes, written in the way that takes the fewest operations in
     the inverse dynamics."""
 
@@ -150,7 +150,7 @@ class Drafts:
             program = record.program if source == function else at_rest_of(record, function)
             passes = SPELLING if source == function else FAST
             inputs = self._inputs(function)
-            program = trusted(program, self.draft(function), record, passes, inputs, self._rounding(source))
+            program = validated(program, self.draft(function), record, passes, inputs, self._rounding(source))
             if best is None or self._cost(program) < self._cost(best):
                 best = program
                 self.taken[function] = record.origin

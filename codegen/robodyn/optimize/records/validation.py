@@ -30,7 +30,7 @@ _READING = "inputs that are read otherwise than by the recursion, or in a higher
 _LONG_PRODUCTS = "constants whose products have too many digits"
 
 
-def trusted(
+def validated(
     program: Program,
     recursion: Program,
     record: Record,

@@ -14,7 +14,7 @@ from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Input, Operand, Operation, Program
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.optimize.records import Record, bundled_records, identity, parse_record
-from robodyn.optimize.records.trust import trusted
+from robodyn.optimize.records.validation import validated
 from robodyn.passes import FAST
 from robodyn.passes.specialise import at_rest
 from robodyn.robot import Robot
@@ -28,9 +28,9 @@ PROGRAM = fast(ROBOT)
 def refused(made: Program, robot: Robot = ROBOT, function: str = "inverse_dynamics") -> bool:
     recursion = fast(robot, function)
     record = recorded(robot, made, function)
-    assert trusted(recursion, recursion, record) is recursion
+    assert validated(recursion, recursion, record) is recursion
     try:
-        return trusted(made, recursion, record) is not made
+        return validated(made, recursion, record) is not made
     except InputError as error:
         message = str(error)
     assert f"the record of {robot.name} does not compute its {function}" in message
@@ -144,10 +144,10 @@ def test_inputs_that_the_recursion_does_not_read_may_be_read() -> None:
     record = recorded(robot, Program((*plain.operations, *late), ((name, (x, n + 5)),)))
     gravity, inputs = fast(robot, "gravity"), [Input("q", 0), Input("q", 1)]
     assert (
-        Input("q", 0) in trusted(at_rest(record.program, "gravity"), gravity, record, FAST, inputs).inputs()
+        Input("q", 0) in validated(at_rest(record.program, "gravity"), gravity, record, FAST, inputs).inputs()
     )
     with pytest.raises(InputError):
-        trusted(at_rest(record.program, "gravity"), gravity, record, FAST, inputs[1:])
+        validated(at_rest(record.program, "gravity"), gravity, record, FAST, inputs[1:])
     made = program(robot, "gravity", Options(("gravity",), records=(record,)))
     assert equals_recursion(robot, "gravity", made)
     assert count(made).total <= count(fast(robot, "gravity")).total

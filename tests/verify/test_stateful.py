@@ -16,7 +16,7 @@ from robodyn.drives.coupling import TwistState, next_twist
 from robodyn.drives.drive import layer_of
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Site
-from robodyn.verify.memories import Twist, bristle_step, twist, twist_step, twist_torque
+from robodyn.verify.stateful import Twist, bristle_step, twist, twist_step, twist_torque
 
 PUMA = robodyn.load("puma560", warn=lambda _: None)
 

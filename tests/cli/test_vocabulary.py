@@ -1,0 +1,145 @@
+"""The same option for the same thing in every command; old spellings work and say what replaces them."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import defaultdict
+from importlib import import_module
+from pathlib import Path
+
+import click
+import pytest
+from click.shell_completion import ShellComplete
+
+from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot import bundled_names
+from robodyn.targets import all_targets
+from robodyn_cli.main import COMMANDS, cli, main
+from robodyn_cli.renamed import RENAMED
+
+ALL = {name: import_module(module).command for name, (module, _) in COMMANDS.items()}
+
+
+def options(command: click.Command) -> list[click.Option]:
+    return [parameter for parameter in command.params if isinstance(parameter, click.Option)]
+
+
+def spellings(command: click.Command) -> set[str]:
+    return {spelling for option in options(command) for spelling in (*option.opts, *option.secondary_opts)}
+
+
+def test_one_thing_is_called_one_name() -> None:
+    """Where results go, which functions, how long a search may take, the language."""
+    words = {
+        "output": r"--(out|emit|folder|dir)$",
+        "functions": r"--function$",
+        "budget": r"--(seconds|time)$",
+    }
+    for name, command in ALL.items():
+        for what, other in words.items():
+            assert not [s for s in spellings(command) if re.match(other, s)], (name, what)
+        assert ("-o" in spellings(command)) == ("--output" in spellings(command)), name
+        assert ("--lang" in spellings(command)) == ("--language" in spellings(command)), name
+
+
+def test_an_option_takes_the_same_everywhere() -> None:
+    """The same spelling means the same: a flag here is a flag there, and a number a number."""
+    kinds: dict[str, set[tuple[bool, str]]] = defaultdict(set)
+    for command in ALL.values():
+        for option in options(command):
+            for spelling in option.opts:
+                number = option.type.name.removesuffix(" range") in ("float", "integer", "numbers")
+                kinds[spelling].add((option.is_flag, "number" if number else "word"))
+    # -p of a sweep is a range, of a plan a number
+    different = {spelling for spelling, several in kinds.items() if len(several) > 1}
+    assert different <= {"-p", "--processors", "--cut"}
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_each_help_text_stands_alone(name: str) -> None:
+    context = click.Context(ALL[name], info_name=name)
+    for option in options(ALL[name]):
+        _, text = option.get_help_record(context) or ("", "")
+        assert text, (name, option.opts)
+        assert text[:1].isupper() or not text[:1].isalpha(), (name, option.opts, text)
+        assert text.rstrip().endswith((".", "]", ")")), (name, option.opts, text)
+        assert not re.search(r"\b(the above|see above|ditto|as before)\b", text), (name, option.opts)
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        ("flops pendulum.yaml --function gravity", 0),
+        ("flops pendulum.yaml --function=gravity", 0),
+        ("schedule stanford_3dof -p 2 --emit out --seconds 5", 0),
+        ("prove pendulum.yaml --only misra --seconds=9 -o proof", None),
+        ("diagnose pendulum.yaml none.csv --out out", 2),
+    ],
+)
+def test_old_spellings_work_and_say_what_replaces_them(
+    line: str,
+    code: int | None,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "pendulum.yaml").write_text(
+        "name: pendulum\nlinks:\n  - {joint: revolute, alpha: -pi/2, a: 0, d: 0, theta: 0, mass: 1, "
+        "com: [0.1, 0, 0], inertia: {xx: 0.1, yy: 0.1, zz: 0.1}}\n",
+        encoding="utf-8",
+    )
+    command, *arguments = line.split()
+    old = [a.partition("=")[0] for a in arguments if a.partition("=")[0] in RENAMED[command]]
+    done = main([command, *arguments])
+    err = capsys.readouterr().err
+    assert code is None or done == code, err
+    assert old
+    for spelling in old:
+        assert f"{spelling} is now {RENAMED[command][spelling]}" in err
+    # a value is not taken for an option
+    assert main(["flops", "--", "--function"]) == 2
+    assert "is now" not in capsys.readouterr().err
+
+
+def test_old_spellings_are_no_options_any_more() -> None:
+    for name, table in RENAMED.items():
+        assert not set(table) & spellings(ALL[name])
+        assert set(table.values()) <= spellings(ALL[name])
+
+
+def completed(*arguments: str) -> list[str]:
+    *before, begun = arguments
+    return [
+        item.value for item in ShellComplete(cli, {}, "robodyn", "_").get_completions(list(before), begun)
+    ]
+
+
+def test_completion_offers_what_there_is() -> None:
+    for command in ("gen", "flops", "simulate", "diagnose", "verify", "prove", "plan", "bench", "excite"):
+        assert set(bundled_names()) <= set(completed(command, "")), command
+    assert completed("gen", "puma560", "--functions", "grav") == ["gravity"]
+    assert set(completed("flops", "puma560", "--functions", "")) >= set(FUNCTIONS)
+    assert completed("verify", "puma560", "--functions", "bias,gr") == ["bias,gravity"]
+    assert completed("gen", "puma560", "--target", "cortex-m4f") == ["cortex-m4f"]
+    assert {target.name for target in all_targets()} >= set(completed("plan", "puma560", "--target", ""))
+    assert completed("plan", "puma560", "--target", "")
+    assert set(completed("effects", "")) >= set(CATALOGUE)
+    assert completed("hide", "puma560", "--effect", "back") == ["backlash"]
+    assert completed("gen", "puma560", "--optimize", "f") == ["fast", "full"]
+    assert "newton_euler" in completed("gen", "puma560", "--formulation", "newton")
+    assert completed("gen", "puma560", "--trig", "b") == ["builtin"]
+    assert completed("tables", "2.1") == ["2.10"]
+
+
+def test_functions_may_be_repeated_or_listed(capsys: pytest.CaptureFixture[str]) -> None:
+    def names(*arguments: str) -> list[str]:
+        assert main(["flops", "stanford_3dof", *arguments, "--json"]) == 0
+        return [entry["function"] for entry in json.loads(capsys.readouterr().out)]
+
+    assert names("--functions", "gravity,bias") == ["gravity", "bias"]
+    assert names("--functions", "gravity", "--functions", "bias") == ["gravity", "bias"]
+    assert main(["plan", "stanford_3dof", "--deadline", "1ms", "--functions", "gravity,bias"]) == 2
+    assert "one function at a time" in capsys.readouterr().err

@@ -1,0 +1,187 @@
+"""What the gate tells of a log and lets pass."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from diagnose.gated import GIVEN, WRONG, arm, at, entry, flag_of, put, rows_of, swapped
+from robodyn.diagnose.gate.gate import inspect
+from robodyn.errors import InputError
+from robodyn.robot.folding import folded
+from robodyn.robot.model import EffectEntry, Robot
+from robodyn.simulate.log import Log
+from robodyn.simulate.sensors import Sensors, measure, resolution_of
+from robodyn.simulate.trajectories import fourier
+from robodyn.verify.reference import Reference
+from robodyn_testing import representative
+
+# --- lesser things ----------------------------------------------------------------------------------------
+
+
+def test_velocities_that_are_late(log: Log) -> None:
+    late = np.roll(log.qd, 12, axis=0)  # type: ignore[arg-type]
+    gate = inspect(replace(log, qd=late), GIVEN)
+    np.testing.assert_allclose([one.lag for one in gate.joints], 12.5e-3, atol=0.5e-3)
+    assert gate.flags_of("velocity_lag")
+
+
+@pytest.mark.parametrize("value", [0.0, np.nan])
+def test_velocities_that_are_none(log: Log, value: float) -> None:
+    gate = inspect(put(log, "qd", np.s_[:], value), GIVEN)
+    assert gate.flags_of("rates_unusable")
+    assert gate.log.qd is None
+    assert gate.log.samples == log.samples
+
+
+def test_a_frozen_position(log: Log) -> None:
+    fast = int(np.argmax(np.abs(np.gradient(log.q[200:-200, 1])))) + 200
+    frozen = put(log, "q", np.s_[fast : fast + 100, 1], log.q[fast, 1])
+    gate = inspect(frozen, GIVEN)
+    assert rows_of(gate, "stuck") == [(fast + 2, fast + 100)]
+    with pytest.raises(InputError, match="q2 stops dead"):
+        inspect(replace(log, q=np.clip(log.q, [-9.0, -0.3, -9.0], [9.0, 0.3, 9.0]), qd=None), GIVEN)
+
+
+def test_positions_that_drop_out_often_are_left_out(log: Log) -> None:
+    rows = np.arange(50, log.samples - 50, 100)
+    gate = inspect(put(log, "q", (rows, 1), 3.0), GIVEN)
+    assert [span.first - 1 for span in flag_of(gate, "spike").spans] == rows[:100].tolist()
+    np.testing.assert_allclose(gate.log.q, log.q, atol=2e-4)
+
+
+def test_a_spring_that_outdoes_gravity_passes(log: Log) -> None:
+    # It pulls the other way than gravity, and more: the sign of the torque looks flipped.
+    for j, stiffness in ((1, -60.0), (1, 120.0), (2, 40.0), (2, -40.0)):
+        sprung = put(log, "tau", np.s_[:, j], log.tau[:, j] + stiffness * (log.q[:, j] - 0.2))
+        inspect(sprung, GIVEN)
+
+
+def test_joints_of_a_wrist_are_told_apart() -> None:
+    robot = arm("puma560")
+    motion = fourier(robot, 0.2, 5, seed=6, period=2e-3)
+    tau = Reference(robot).inverse_dynamics(motion.q, motion.qd, motion.qdd)
+    tau += 0.01 * np.random.default_rng(0).standard_normal(tau.shape)
+    wrist = Log(motion.t, motion.q, None, None, tau)
+    assert not {flag.kind for flag in inspect(wrist, robot).flags} & WRONG
+    for i, j in ((4, 5), (5, 6)):
+        with pytest.raises(InputError, match=f"joints {i} and {j}: swapped"):
+            inspect(swapped(wrist, i - 1, j - 1, "q", "tau"), robot)
+
+
+def test_torques_of_another_run_are_refused(log: Log) -> None:
+    other = np.random.default_rng(0).standard_normal(log.tau.shape) * np.abs(log.tau).max(axis=0)
+    with pytest.raises(InputError, match="nothing of the torque is like the model's"):
+        inspect(replace(log, tau=other), GIVEN)
+
+
+@pytest.mark.parametrize("step", [0.0, 0.1])
+def test_a_torque_that_is_cut_off(log: Log, step: float) -> None:
+    limit = np.round(np.quantile(np.abs(log.tau[:, 1]), 0.97), 1)
+    tau = log.tau.copy()
+    tau[:, 1] = np.clip(tau[:, 1], -limit, limit)
+    tau = step * np.rint(tau / step) if step else tau
+    gate = inspect(replace(log, tau=tau), GIVEN)
+    assert flag_of(gate, "saturation").joints == (2,)
+    assert gate.joints[1].limit == pytest.approx(limit)
+    at_limit = np.abs(tau[:, 1]) >= limit - 1e-9
+    np.testing.assert_array_equal(gate.saturated[:, 1], at_limit)
+    assert not gate.saturated[:, [0, 2]].any()
+
+
+def test_little_motion_is_told(log: Log) -> None:
+    q = log.q.copy()
+    q[:, 0] = 0.5
+    q[:, 1] = 0.2 * log.t
+    q[:, 2] *= 0.05
+    gate = inspect(replace(log, q=q, qd=None), GIVEN)
+    assert [flag_of(gate, kind).joints for kind in ("motionless", "one_way", "narrow")] == [(1,), (2,), (3,)]
+    assert [one.moves for one in gate.joints] == [False, True, True]
+
+
+def test_a_long_log_is_cut_down_to_windows_of_its_motion(log: Log) -> None:
+    rest = np.zeros(3 * log.samples, dtype=int)
+    long = at(log, np.r_[rest, 0 : log.samples, rest])
+    long = replace(long, t=1e-3 * np.arange(long.samples))
+    gate = inspect(long, GIVEN, most=5000)
+    assert gate.log.samples <= 5000
+    assert gate.flags_of("cut_down")
+    assert len(gate.segments) > 5
+    np.testing.assert_array_equal(gate.log.tau, long.tau[gate.rows])
+    assert np.ptp(gate.log.q, axis=0) == pytest.approx(np.ptp(log.q, axis=0), rel=0.1)
+
+
+@pytest.mark.slow
+def test_ten_million_samples_fit() -> None:
+    rng = np.random.default_rng(0)
+    t = 1e-3 * np.arange(10_000_000)
+    q = np.stack([np.sin((0.7 + 0.13 * j) * t) for j in range(6)], axis=1)
+    t[7_000_000] = 2.7e154
+    tau = rng.standard_normal((1000, 6))[np.arange(len(t)) % 1000]
+    gate = inspect(Log(t, q, None, None, tau), arm("puma560"))
+    assert gate.log.samples == 200_000
+    assert rows_of(gate, "garbage") == [(7_000_001, 7_000_001)]
+
+
+# --- sound logs -------------------------------------------------------------------------------------------
+
+
+def sound(name: str, seed: int) -> tuple[Robot, Log]:
+    """An arm and a log of it with effects that the arm's model lacks, through imperfect sensors."""
+    rng = np.random.default_rng(seed)
+    robot = arm(name)
+    motion = fourier(
+        robot, float(rng.choice([0.1, 0.2])), 5, seed=seed, period=5e-3, share=float(rng.uniform(0.3, 0.98))
+    )
+    states = motion.q, motion.qd, motion.qdd
+    size = np.sqrt((Reference(robot).inverse_dynamics(*states) ** 2).mean(axis=0))
+    size += 0.01 * size.max()
+    joint = int(rng.integers(1, robot.n + 1))
+    own = float(size[joint - 1])
+    found = [
+        entry(kind, j, **{key: float(rng.uniform(0.05, 2) * size[j - 1])})
+        for kind, key in (("coulomb_friction", "level"), ("viscous_friction", "coefficient"))
+        if rng.random() < 0.7
+        for j in range(1, robot.n + 1)
+    ]
+    com = tuple(rng.uniform(-0.15, 0.15, 3).tolist())
+    some: list[EffectEntry] = [
+        entry("payload", None, mass=float(rng.uniform(0.5, 5)), com=com),
+        entry("base_tilt", None, tilt_x=float(rng.uniform(-0.2, 0.2)), tilt_y=float(rng.uniform(-0.2, 0.2))),
+        entry("spring", joint, stiffness=float(rng.uniform(-1, 2) * own), rest=0.2),
+        entry("torque_bias", joint, bias=float(rng.uniform(-1, 1) * own)),
+        entry("torque_gain", joint, gain=float(rng.uniform(-0.4, 0.8))),
+        entry("encoder_offset", joint, offset=float(rng.uniform(-0.2, 0.2))),
+        entry("time_delay", None, delay=float(rng.uniform(0, 0.03))),
+    ]  # fmt: skip
+    found += [some[int(k)] for k in rng.choice(len(some), rng.integers(0, 3), replace=False)]
+    true = folded(replace(robot, effects=tuple(e for e in found if e.effect != "spring")))
+    tau = Reference(true).inverse_dynamics(*states)
+    for spring in (e for e in found if e.effect == "spring"):
+        tau[:, joint - 1] += spring.number("stiffness") * (motion.q[:, joint - 1] - 0.2)
+    rates = str(rng.choice(["true", "none", "difference", "filtered"]))
+    sensors = Sensors(
+        position_resolution=resolution_of(int(rng.integers(13, 20))),
+        velocity=rates,  # type: ignore[arg-type]
+        acceleration="difference" if rates == "difference" else "none",
+        cutoff=30.0,
+        torque_noise=tuple((size * rng.uniform(0.005, 0.3)).tolist()),
+        torque_resolution=float(1e-3 * size.max()) if rng.random() < 0.3 else 0.0,
+    )
+    return robot, measure(Log(motion.t, *states, tau), sensors, true.effects, seed=seed)
+
+
+@pytest.mark.parametrize(
+    ("name", "logs"),
+    representative(
+        [("puma560_3dof", 20), ("puma560", 12), ("stanford", 6), ("ur10", 10), ("tx40", 10), ("panda", 2)],
+        "puma560_3dof",
+        "stanford",
+    ),
+)
+def test_sound_logs_pass_without_a_word(name: str, logs: int) -> None:
+    for seed in range(logs):
+        gate = inspect(*sound(name, seed)[::-1])
+        assert not [str(flag) for flag in gate.flags if flag.kind in WRONG], seed

@@ -1,0 +1,154 @@
+"""Fingerprints: alike for equal functions, different for others."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, reject, settings
+from hypothesis import strategies as st
+
+from ir.printed import Q1, X, small
+from ir.programs import EVERYTHING, EXACT, Point, points, programs, results
+from robodyn import load, program
+from robodyn.ir import Graph, Input, Operand, Operation, Program
+from robodyn.ir.field import Field
+from robodyn.ir.fingerprint import fingerprint
+from robodyn.ir.lowering import lower
+from robodyn.robot.values import circle_point
+
+# --- fingerprints -----------------------------------------------------------------------------------------
+
+
+def print_or_reject(made: Program, seed: int = 1) -> tuple[int, ...]:
+    try:
+        return fingerprint(made, seed, circle_point)
+    except ZeroDivisionError:
+        reject()
+
+
+@settings(deadline=None, max_examples=70)
+@given(programs(EVERYTHING), st.integers(0, 99), st.booleans())
+def test_the_same_function_has_the_same_fingerprint(made: Program, seed: int, fold: bool) -> None:
+    expected = print_or_reject(made, seed)
+    graph = Graph(fold=fold)
+    again = lower(graph, [("all", graph.replay(made))])
+    assert fingerprint(again, seed, circle_point) == expected
+    assert len(expected) == len(made.results())
+    assert all(0 <= x < Field(f"seed {seed}").prime for x in expected)
+
+
+@settings(deadline=None, max_examples=70)
+@given(programs(EXACT), points, st.integers(0, 99))
+def test_fingerprints_differ_exactly_where_values_do(made: Program, at: Point, seed: int) -> None:
+    """Pairs of results, each with each: equal in the field, equal as fractions, and the other way round.
+
+    ``sign`` is a random function in the field, and the point is only one point: both are allowed for.
+    """
+    prints = print_or_reject(made, seed)
+    try:
+        exact = results(made, at)
+    except ZeroDivisionError:
+        reject()
+    signs = any(op.op == "sign" for op in made.operations)
+    for i, (one, a) in enumerate(zip(prints, exact, strict=True)):
+        for other, b in zip(prints[:i], exact[:i], strict=True):
+            if a != b:
+                assert one != other
+            elif one != other and not signs:
+                assert any(
+                    results(made, Point(k))[i] != results(made, Point(k))[exact.index(b)] for k in range(5)
+                )
+
+
+def mutations(made: Program) -> list[Program]:
+    """``made`` with one operation changed, for every operation and every change."""
+    other: dict[str, tuple[str, ...]] = {
+        "add": ("sub", "mul"), "sub": ("add",), "mul": ("add", "div"), "div": ("mul",), "sin": ("cos",),
+        "cos": ("sin",), "tanh": ("sign",), "sign": ("tanh",), "neg": (),
+    }  # fmt: skip
+    found: list[Program] = []
+
+    def changed(i: int, op: str, args: tuple[Operand, ...]) -> None:
+        operations = list(made.operations)
+        operations[i] = Operation(op, args)
+        found.append(Program(tuple(operations), made.outputs))
+
+    for i, (op, args, _) in enumerate(made.operations):
+        for another in other[op]:
+            changed(i, another, args)
+        if op in ("sub", "div"):
+            changed(i, op, args[::-1])
+        for k, arg in enumerate(args):
+            swapped: Operand | None = None
+            if isinstance(arg, Fraction):
+                swapped = arg + Fraction(1, 10**15)
+            elif isinstance(arg, Input) and arg.index is not None:
+                swapped = Input(arg.array, (arg.index + 1) % 6)
+            elif isinstance(arg, int) and op not in ("sin", "cos"):
+                swapped = arg - 1 if arg else None
+            if swapped is not None:
+                changed(i, op, (*args[:k], swapped, *args[k + 1 :]))
+    return found
+
+
+def test_a_changed_program_has_another_fingerprint() -> None:
+    """Every change of one operation of a real program that changes its values at a random point."""
+    made = program(load("stanford_3dof"), "inverse_dynamics")
+    expected, exact = fingerprint(made, 1, circle_point), results(made, Point(1))
+    differ = 0
+    for mutant in mutations(made):
+        try:
+            same = results(mutant, Point(1)) == exact
+        except ValueError:  # a product in the argument of a sine
+            continue
+        assert (fingerprint(mutant, 1, circle_point) == expected) is same
+        differ += not same
+    assert differ > 3 * len(made.operations)
+
+
+def test_fingerprints_of_functions_without_theorems() -> None:
+    graph = Graph()
+    x, y = graph.input("x"), graph.input("y")
+    values = [
+        graph.tanh(x - y),
+        graph.tanh(y - x),
+        graph.sign(x - y),
+        graph.sign(y - x),
+        graph.sqrt(x),
+        graph.sqrt(y),
+    ]
+    field = Field("here")
+    a, minus_a, b, minus_b, c, d = fingerprint(lower(graph, [("t", values)]), field, circle_point)
+    assert (a + minus_a) % field.prime == 0
+    assert (b + minus_b) % field.prime == 0
+    assert len({a, minus_a, b, minus_b, c, d}) == 6
+
+
+@pytest.mark.parametrize("op", ["tanh", "sign", "abs", "sqrt", "exp", "pow"])
+def test_a_function_has_its_own_value_at_zero(op: str) -> None:
+    """``fold`` may find that its argument is 0, and must then not be taken for a wrong pass."""
+    args = (0, Fraction(3, 2)) if op == "pow" else (0,)
+    made = Program((Operation("sub", (X, X)), Operation(op, args)), (("t", (1,)),))
+    assert fingerprint(made, 1, circle_point) == (int(op == "exp"),)
+
+
+def test_a_parameter_is_not_the_joint_variable_that_is_called_like_it() -> None:
+    by_parameter, by_joint = (
+        Program((Operation("neg", (x,)),), (("t", (0,)),)) for x in (Input("q1", None), Q1)
+    )
+    assert fingerprint(by_parameter, 1, circle_point) != fingerprint(by_joint, 1, circle_point)
+
+
+def test_the_seed_chooses_the_point() -> None:
+    made = small()
+    assert len({fingerprint(made, seed, circle_point) for seed in range(10)}) == 10
+    assert fingerprint(made, 1, circle_point) == fingerprint(made, 1, circle_point)
+
+
+def test_division_by_what_is_zero_as_a_function() -> None:
+    graph = Graph(fold=False)
+    q = graph.input("q", 0)
+    nothing = graph.sin(q) * graph.sin(q) + graph.cos(q) * graph.cos(q) - 1
+    with pytest.raises(ZeroDivisionError):
+        fingerprint(lower(graph, [("t", [graph.div(1, nothing)])]), 1, circle_point)

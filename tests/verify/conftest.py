@@ -1,0 +1,23 @@
+"""Fixtures of this folder."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+
+from robodyn.robot.model import Robot
+from robodyn_testing.random_robots import random_robot
+
+
+@pytest.fixture(scope="module")
+def arm() -> Robot:
+    """Three joints, both kinds, nothing zero; rotor, friction on every joint."""
+    nothing_zero = {"generic_angles": 1.0, "parallel": 0.0, "zeros": 0.0, "degenerate": 0.0, "exotic": 0.0}
+    robot = random_robot(4, joints=3, **nothing_zero)
+    links = []
+    for link, kind in zip(robot.links, ("revolute", "prismatic", "revolute"), strict=True):
+        drive = {"motor_inertia": Fraction(1, 3), "viscous": Fraction(6, 5), "coulomb": Fraction(7, 4)}
+        links.append(replace(link, joint=replace(link.joint, kind=kind, **drive)))
+    return replace(robot, links=tuple(links))
