@@ -109,7 +109,7 @@ def test_no_file_is_long(top: str) -> None:
 
 
 def test_no_file_imports_itself_through_others() -> None:
-    """No circle of files, at whatever place they import: faces of packages, which only hand names on, aside."""
+    """No circle of files, wherever they import; packages' faces, which only hand names on, are left out."""
     modules = {".".join(file.with_suffix("").parts): file for file in FILES if file.stem not in FACADE}
     graph: dict[str, set[str]] = {}
     for module, file in modules.items():

@@ -99,4 +99,4 @@ class Robot:
         from robodyn.robot.filling import filled
 
         links, effects = filled(self, parameters)
-        return replace(self, links=links, effects=effects)
+        return replace(self, links=links, effects=effects) if self.parameters else self
