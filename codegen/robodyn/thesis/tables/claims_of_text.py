@@ -70,12 +70,12 @@ def _row(
     name: str,
     claim: str,
     printed: dict[str, Any],
-    found: str,
+    statement: str,
     ours: dict[str, Any],
     verdict: Verdict,
     reason: str,
 ) -> Row:
-    return Row(name, {"claim": claim, **printed}, {"found": found, **ours}, verdict, reason)
+    return Row(name, {"claim": claim, **printed}, {"found": statement, **ours}, verdict, reason)
 
 
 def _flop_us() -> float:
@@ -118,25 +118,25 @@ def _kilohertz() -> Row:
 
 def _luh_and_lin(stanford: TaskGraph) -> Row:
     steps = itertools.count()
-    found = one_processor_a_joint(stanford, seconds=_STEPS, clock=lambda: float(next(steps)))
-    ours = round(len(stanford) / found.schedule.levels, 2)
+    best = one_processor_a_joint(stanford, seconds=_STEPS, clock=lambda: float(next(steps)))
+    ours = round(len(stanford) / best.schedule.levels, 2)
     theirs = TIMES_OTHERS["Luh and Lin 1982"]
     by_table = round(theirs[1] / theirs[LINKS], 2)
     return _row(
         "Luh and Lin",
         "Luh and Lin's schedule, one processor a joint, is 2.64 times as fast as one processor",
         {"speedup": 2.64},
-        f"{ours} with one processor a joint: {len(stanford)} tasks in {found.schedule.levels} levels; "
+        f"{ours} with one processor a joint: {len(stanford)} tasks in {best.schedule.levels} levels; "
         f"{by_table} by Table 4.8",
         {
             "speedup": ours,
-            "levels": found.schedule.levels,
-            "bound_levels": found.lower_bound,
+            "levels": best.schedule.levels,
+            "bound_levels": best.lower_bound,
             "by_table_4_8": by_table,
         },
         "not recoverable",
         f"their tasks are others, and which joint each belongs to is not known. The thesis's own tasks, so "
-        f"bound, come to about the same; none below {found.lower_bound} levels is proven. The figures quoted "
+        f"bound, come to about the same; none below {best.lower_bound} levels is proven. The figures quoted "
         f"in Table 4.8, {theirs[1]} and {theirs[LINKS]} ms, are {by_table} and not 2.64",
     )
 
@@ -241,7 +241,7 @@ def _region() -> Row:
 
 
 def _marginal() -> Row:
-    counts = {row: found.mul + found.add for row, found in table_3_3.ours().items()}
+    counts = {row: count.mul + count.add for row, count in table_3_3.ours().items()}
     rigid = sum(TABLE_3_3["frictionless"]["revolute"])
     printed = _increase(rigid, sum(TABLE_3_3["total_linear"]["revolute"]))
     gear_only = _increase(rigid, rigid + sum(TABLE_3_3["transmission"]["linear"]))
@@ -314,10 +314,10 @@ def _sampling_rates(stanford: TaskGraph, load_robot: Load) -> Row:
     printed = {str(p): round(1e3 / ms) for p, ms in TIMES_STANFORD.items()}
     task_ms = TIMES_STANFORD[1] / LEVELS_STANFORD[1]
     best = round(1e3 / (stanford.critical_path * task_ms))
-    made = program(load_robot(ROBOT), "inverse_dynamics", Options(("inverse_dynamics",), optimize="fast"))
+    kernel = program(load_robot(ROBOT), "inverse_dynamics", Options(("inverse_dynamics",), optimize="fast"))
     target = target_named(TODAY)
     assert target.chip is not None
-    cycles = parse_objective(target.objective).cost(operations_of(made))
+    cycles = parse_objective(target.objective).cost(operations_of(kernel))
     call_us = cycles / target.chip.mhz
     wanted = [TIMES * frequency for frequency in RESONANCES]
     enough = {hz: next((p for p, rate in printed.items() if rate >= hz), None) for hz in wanted}

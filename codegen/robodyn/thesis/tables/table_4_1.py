@@ -67,9 +67,9 @@ def predecessors(task: Task) -> str:
     """What a task waits for, ranges put together: ``T9 to T11 before, T12``."""
     spelled = []
     for place, pairs in groupby(task.after, key=lambda pair: pair[0]):
-        numbers = [number for _, number in pairs]
-        for _, run in groupby(enumerate(numbers), key=lambda pair: pair[1] - pair[0]):
-            these = [number for _, number in run]
+        rows = [row for _, row in pairs]
+        for _, run in groupby(enumerate(rows), key=lambda pair: pair[1] - pair[0]):
+            these = [row for _, row in run]
             text = f"T{these[0]}" if len(these) == 1 else f"T{these[0]} to T{these[-1]}"
             spelled.append(f"{text} {_PLACES[place]}".rstrip())
     return ", ".join(spelled)
