@@ -1,4 +1,4 @@
-"""Drives with a past: motors that run ahead of their links, and effects that remember."""
+"""Drives with a state: motors that run ahead of their links, and stateful effects."""
 
 from __future__ import annotations
 

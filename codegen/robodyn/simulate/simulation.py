@@ -230,7 +230,7 @@ def _duration(drive: Drive | None, duration: float | None) -> float:
         return drive.trajectory.duration
     if isinstance(drive, Torques):
         return (len(np.asarray(drive.table)) - 1) * drive.period
-    raise InputError("how long to simulate is not said", expected="duration [s]")
+    raise InputError("the duration of the simulation is missing", expected="duration [s]")
 
 
 def _start(
@@ -298,7 +298,7 @@ def _control(
 
 
 def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, float] | None = None) -> Floats:
-    """The torques [K, n] of the plant's model along ``motion``; effects that remember, at their steady
+    """The torques [K, n] of the plant's model along ``motion``; stateful effects, at their steady
     values."""
     values = parameter_values(plant.robot, parameters)
     numbers = [values[name] for name in plant.robot.parameters]
@@ -306,7 +306,7 @@ def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, flo
 
 
 def drive_limits(robot: Robot, values: Mapping[str, float]) -> Floats | None:
-    """What the drives give at most [n] (N m or N), infinity where nothing is said; None: nothing anywhere."""
+    """What the drives give at most [n] (N m or N), infinity where no limit is stated; None: no limit at all."""
     limits = np.full(robot.n, np.inf)
     for entry, channel in acting_on(robot.effects, "limit"):
         if entry.text(channel.who) == "drive":

@@ -52,7 +52,7 @@ def trapezoid(
     n = len(ends[0])
     way = np.abs(ends[1] - ends[0])
     if way.max() < _NO_WAY:
-        raise InputError("a motion without a way", found="the end is the start", expected="two positions")
+        raise InputError("the motion has no length", found="the end is the start", expected="two positions")
     fastest = _limit("velocity", velocity, n)
     hardest = _limit("acceleration", acceleration, n)
     moved = way > _NO_WAY
