@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import graphlib
 import importlib
 import re
 from collections.abc import Iterator
@@ -105,3 +106,16 @@ def test_no_file_is_long(top: str) -> None:
         and (lines := len((ROOT.parent / file).read_text(encoding="utf-8").splitlines())) > LINES
     }
     assert not long, f"split along a seam what has more than {LINES} lines"
+
+
+def test_no_file_imports_itself_through_others() -> None:
+    """No circle of files, wherever they import; packages' faces, which only hand names on, are left out."""
+    modules = {".".join(file.with_suffix("").parts): file for file in FILES if file.stem not in FACADE}
+    graph: dict[str, set[str]] = {}
+    for module, file in modules.items():
+        tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
+        names = {name for statement in ast.walk(tree) for name in imported(statement, file)}
+        graph[module] = {m for name in names for m in (name, name.rpartition(".")[0]) if m in modules}
+    with_circles = graphlib.TopologicalSorter(graph)
+    with_circles.prepare()  # raises CycleError, which names the files
+    assert len(modules) > 300

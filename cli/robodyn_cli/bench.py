@@ -51,11 +51,12 @@ def command(
     synchronisation cost for every number of threads, whether threads are faster, and from how many
     operations per task (and in total) they would be.
     """
-    from robodyn.bench.kernel_bench import kernel_bench, kernel_text
-    from robodyn.bench.parallel_bench import bench, bench_text
+    from robodyn.bench.kernel_bench import kernel_bench
+    from robodyn.bench.parallel_bench import bench
     from robodyn.dynamics.functions import function_named
     from robodyn.errors import InputError
     from robodyn.kernels.generate import Options, generate
+    from robodyn.report.benchmarks import bench_text, kernel_text
     from robodyn.report.schedules import processors_of
     from robodyn.schedule.cutting import cut as cut_program
     from robodyn.toolchain.program import cores

@@ -59,12 +59,11 @@ def command(
         here,
         parse_deadline,
         parse_target,
-        plan_text,
         plans,
-        spelled,
     )
     from robodyn.dynamics.functions import function_named
     from robodyn.errors import CheckError
+    from robodyn.report.plans import plan_text, time_text
     from robodyn.targets import Target, planned_targets
     from robodyn_cli.progress import line
 
@@ -94,7 +93,7 @@ def command(
         click.echo(plan_text(described, candidates, wanted, limit, function), nl=False)
     if best is None:
         raise CheckError(
-            f"nothing meets {spelled(limit)}",
-            found=f"{spelled(candidates[0].time_ns)} at best",
+            f"nothing meets {time_text(limit)}",
+            found=f"{time_text(candidates[0].time_ns)} at best",
             remedy="allow more cores with -p, or choose another target or a longer deadline",
         )

@@ -266,8 +266,8 @@ def test_missing_tools_are_named(
     [
         (["--only", "coq"], "unknown proof 'coq'"),
         (["--only", ""], "no proof asked for"),
-        (["--tolerance", "2"], "a tolerance that is no share"),
-        (["--tolerance", "x"], "a tolerance that is no share"),
+        (["--tolerance", "2"], "the tolerance is not a share"),
+        (["--tolerance", "x"], "the tolerance is not a share"),
         (["--ranges", "none.yaml"], "none.yaml: the file cannot be read; found no such file"),
         (["--trig", "magic"], "unknown kind of sine and cosine"),
         (["--scalar", "half"], "unknown scalar"),

@@ -12,7 +12,8 @@ import pytest
 
 from robodyn import InputError
 from robodyn.bench.parallel_bench import Measured
-from robodyn.bench.plan import chosen, parse_deadline, parse_target, plans, spelled
+from robodyn.bench.plan import chosen, parse_deadline, parse_target, plans
+from robodyn.report.plans import time_text
 from robodyn.robot import bundled_text, load
 from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.targets import TARGETS, planned_targets
@@ -222,4 +223,4 @@ def test_known_targets_say_where_their_figures_are_from() -> None:
     task_ns = 1e6 * TIMES_STANFORD[1] / LEVELS_STANFORD[1]
     assert TARGETS["thesis-1990"].chip is not None
     assert TARGETS["thesis-1990"].chip.cycle_ns == pytest.approx(task_ns / FLOPS_PER_TASK)
-    assert [spelled(x) for x in (12.0, 1500.0, 2e6, 3e9)] == ["12 ns", "1.5 us", "2 ms", "3 s"]
+    assert [time_text(x) for x in (12.0, 1500.0, 2e6, 3e9)] == ["12 ns", "1.5 us", "2 ms", "3 s"]

@@ -56,7 +56,8 @@ def test_whose_fault_it_is(name: str) -> None:
 
 def full_after(monkeypatch: pytest.MonkeyPatch, files: int, code: int) -> None:
     """Let so many of the files that a command writes go well, and the next one half."""
-    text, data, written = Path.write_text, Path.write_bytes, []
+    text, data = Path.write_text, Path.write_bytes
+    written: list[Path] = []
 
     def write(path: Path, content: Any, *rest: Any, **named: Any) -> int:
         plain = text if isinstance(content, str) else data

@@ -13,9 +13,10 @@ from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm
 from ir.programs import Point, every_value, exactly
 from robodyn import Options, load, program
 from robodyn.dynamics.functions import FUNCTIONS
+from robodyn.dynamics.lump import MomentForm
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.regroup import MomentForm, lumps_of, regrouped
+from robodyn.dynamics.regroup import lumps_of, regrouped
 from robodyn.errors import InputError
 from robodyn.ir import Input
 from robodyn.ir.evaluate import angle_form, evaluate_exact

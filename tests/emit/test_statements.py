@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from emit.kernels import complaints, in_single, made, write
 from robodyn import InputError, Options
-from robodyn.emit.languages.c import c_spelling
+from robodyn.emit.c_syntax import c_spelling
 from robodyn.emit.languages.fortran import fortran_spelling
 from robodyn.emit.spelling import shortest
 from robodyn.emit.statements import Apply, statements

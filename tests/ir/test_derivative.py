@@ -65,7 +65,7 @@ def test_all_operations_against_sympy(point: tuple[float, float, float]) -> None
     values = dict(zip(symbols, point, strict=False))
     truth = [
         float(sympy.diff(each, symbol).subs(values).replace(sympy.DiracDelta, lambda *_: 0))
-        for each in expected(*symbols, sympy.Float(point[2], 17))
+        for each in expected(symbols[0], symbols[1], sympy.Float(point[2], 17))
         for symbol in symbols
     ]
     assert found == pytest.approx(truth, rel=1e-12, abs=1e-14)

@@ -187,7 +187,7 @@ def test_a_folder_that_became_read_only(tmp_path: Path, monkeypatch: pytest.Monk
     import tempfile
 
     cache = Cache(tmp_path)
-    made = tempfile.mkdtemp
+    made: Callable[..., str] = tempfile.mkdtemp
 
     def refuse(*args: Any, **named: Any) -> str:
         if named.get("dir") == tmp_path:

@@ -37,7 +37,7 @@ def test_params(tunable: Kernel) -> None:
     tau = tunable.inverse_dynamics(q, qd, qdd, params=PARAMS)
     backwards = dict(reversed(PARAMS.items()))
     np.testing.assert_array_equal(tunable.inverse_dynamics(q, qd, qdd, params=backwards), tau)
-    exact = {"inertia": Fraction(1, 2), "bend": np.float32(-1.5)}
+    exact: dict[str, Any] = {"inertia": Fraction(1, 2), "bend": np.float32(-1.5)}
     np.testing.assert_array_equal(tunable.inverse_dynamics(q, qd, qdd, params=exact), tau)
     unknown = tunable.gravity(q, params={"inertia": 1, "bend": float("nan")})
     assert np.isnan(unknown).all()

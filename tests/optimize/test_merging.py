@@ -24,12 +24,12 @@ def test_sines_and_cosines_obey_the_addition_theorems() -> None:
     graph = MergingGraph(Field("here"))
     p, q = graph.input("q", 0), graph.input("q", 1)
     c, s, e, f = graph.cos(p), graph.sin(p), graph.cos(q), graph.sin(q)
-    assert c * c + s * s == 1  # type: ignore[operator]
+    assert c * c + s * s == 1
     total, difference = graph.cos(p + q), graph.cos(p - q)
-    assert total == c * e - s * f  # type: ignore[operator]
-    assert difference == c * e + s * f  # type: ignore[operator]
+    assert total == c * e - s * f
+    assert difference == c * e + s * f
     assert total != difference
-    assert graph.sin(p - q) == s * e - c * f  # type: ignore[operator]
+    assert graph.sin(p - q) == s * e - c * f
 
 
 def test_a_tally_says_the_same() -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
 
 from hypothesis import given, settings
 
@@ -24,7 +26,7 @@ from robodyn.robot.values import circle_point
 
 def with_given(made: Program, at: Point) -> list[Fraction]:
     """The results of ``made`` with its sines and cosines read from ``sc``."""
-    layout = given_layout([made])
+    layout: Sequence[Any] = given_layout([made])
     numbers = {}
     for k, (kind, terms, constant) in enumerate(layout):
         angle: Operand = Fraction(0)

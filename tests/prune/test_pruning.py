@@ -130,7 +130,15 @@ def test_limits_alone_change_nothing() -> None:
         ),
     )
     assert all(link.joint.limits.acceleration == 10 for link in robot.links)
-    assert generate(robot).files() == generate(bare).files()
+    assert programs(robot) == programs(bare)
+
+
+def programs(robot: Robot) -> dict[str, str]:
+    """What the files compute, without their heads, which state the limits."""
+    return {
+        name: text.split("*/", 1)[-1] if name.endswith((".c", ".h")) else text[text.index("\nmodule ") :]
+        for name, text in generate(robot).files().items()
+    }
 
 
 # --- any arm ------------------------------------------------------------------------------------------------

@@ -89,9 +89,10 @@ def _folding(rng: random.Random, robot: Robot) -> list[EffectEntry]:
             if rng.random() < 0.2:
                 settings: list[tuple[str, Any]] = []
                 for p in CATALOGUE[id].parameters:
-                    value: Value = Fraction(rng.randint(0, 99), 100)
+                    number = Fraction(rng.randint(0, 99), 100)
+                    value: Value = number
                     if rng.random() < 0.1:
-                        value = parameter(rng.choice(NAMES)) * value + Fraction(rng.randint(1, 9))
+                        value = parameter(rng.choice(NAMES)) * number + Fraction(rng.randint(1, 9))
                     settings.append((p.name, value))
                 found.append(EffectEntry(id, joint, tuple(settings)))
     if rng.random() < 0.2:

@@ -214,8 +214,8 @@ class WorldArm:
             for id, p in self.at[i]:
                 if id == "motor_coupling":
                     k, rho = p["with"] - 1, p["ratio"]
-                    u = [row[i] + rho * row[k] for row in (motor.q, motor.qd, motor.qdd)]
-                    shared = equation(id, p, Place(*u, direction(self.robot, u[1])))
+                    q, qd, qdd = (row[i] + rho * row[k] for row in (motor.q, motor.qd, motor.qdd))
+                    shared = equation(id, p, Place(q, qd, qdd, direction(self.robot, qd)))
                     tau[i] += shared
                     tau[k] += rho * shared
         return tau, after

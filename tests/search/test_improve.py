@@ -19,10 +19,12 @@ from robodyn.dynamics.equality import equals_recursion
 from robodyn.ir import Operation, Program
 from robodyn.optimize.records import FOLDER, Record, identity, parse_record
 from robodyn.robot import Robot
+from robodyn.search import climb as climbing
 from robodyn.search import improve as improving
 from robodyn.search.improve import Told, cost, improved, kept_folder, write_record
 from robodyn.search.walk import library
 from robodyn_testing import representative, sampled
+from robodyn_testing.clocks import ticking
 from search.arms import SPECIAL, bundled
 from search.moment import search_for_a_moment
 
@@ -211,6 +213,7 @@ def test_a_full_disk_costs_nothing_but_the_cache(monkeypatch: pytest.MonkeyPatch
 
 
 def test_an_interrupted_search_has_kept_what_it_found(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    ticking(monkeypatch, {climbing: 0.1})  # a first walk of a hundred thousand steps, and as many after it
     monkeypatch.setattr(improving, "_SAVE_AFTER", 0.0)
     monkeypatch.setattr(improving, "_written", lambda *_: [])
     monkeypatch.setattr(improving, "closed_forms", lambda *_, **__: [])
@@ -220,7 +223,7 @@ def test_an_interrupted_search_has_kept_what_it_found(cache: Path, monkeypatch: 
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        improved(ROBOT, level="full", seconds=4, processes=1, progress=stop)
+        improved(ROBOT, level="full", seconds=20, processes=1, progress=stop)
     kept = parse_record((cache / FOLDER / NAME).read_text(), "")
     check(kept)
     assert count(kept.program).total < count(fast(ROBOT)).total

@@ -30,7 +30,8 @@ from robodyn.search.network import (
     NoWalk,
     network,
 )
-from robodyn.search.recovery import fraction, rebuilt
+from robodyn.search.reconstruction import fraction
+from robodyn.search.recovery import rebuilt
 from search.arms import SPECIAL, bundled, random_arms
 
 X, Y, Q, R = Input("qd", 0), Input("qd", 1), Input("q", 0), Input("q", 1)

@@ -19,7 +19,7 @@ from robodyn import InputError, load
 from robodyn.counts import count
 from robodyn.dynamics.equality import equals_recursion
 from robodyn.dynamics.functions import FUNCTIONS
-from robodyn.dynamics.regroup import Lump
+from robodyn.dynamics.lump import Lump
 from robodyn.ir import Program
 from robodyn.optimize.costing import Costing
 from robodyn.optimize.gauge import Unsuited, regrouped_as

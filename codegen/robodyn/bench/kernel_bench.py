@@ -1,7 +1,7 @@
 """``robodyn bench``: nanoseconds and instructions a call, beside the peers that are installed.
 
-The kernels, and the C of CasADi if that is there, race in one compiled program; the calls from Python in this
-process. Nobody is timed whose torques are not those of the plain textbook.
+The kernels, and the C of CasADi if it is installed, are timed in one compiled program; calls from Python in
+this process. Only what gives the same torques as the plain textbook is timed.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def kernel_bench(
     """
     interface = signature(robot, "inverse_dynamics")
     if interface.parameters or interface.states:
-        why = "run-time parameters" if interface.parameters else "effects that remember"
+        why = "run-time parameters" if interface.parameters else "effects with a state"
         return KernelBench(" ".join(C_FLAGS), (), (), {"calls beside peers": f"{robot.name} has {why}"})
     absent: dict[str, str] = {}
     arm: Numbers | None = None
@@ -149,10 +149,10 @@ def _native(
     if layout:
         arrays["sc"] = _given(layout, states[0])
     with built(_files(runners, arrays, robot.n), cc=cc, flags=C_FLAGS) as path:
-        torques = np.array([float(x) for x in _said([str(path)]).split()])
+        torques = np.array([float(x) for x in _output_of([str(path)]).split()])
         for runner, tau in zip(runners, torques.reshape(len(runners), *wanted.shape), strict=True):
             hold_against(runner.title, wanted, tau)
-        lines = _said([str(path), "200", "10"]).splitlines()
+        lines = _output_of([str(path), "200", "10"]).splitlines()
         counted = _instructions(path, [runner.key for runner in runners], absent)
     times = np.array([[float(x) for x in line.split()] for line in lines])
     ratios = np.median(times / times[:, :1], axis=0)
@@ -218,12 +218,12 @@ def _given(layout: Sequence[Given], q: Floats) -> Floats:
     return np.array(columns).T
 
 
-def _said(command: Sequence[str]) -> str:
+def _output_of(command: Sequence[str]) -> str:
     done = run(command, seconds=120, listen="stdout")
     if done.code:
-        raise CheckError("the race in C fails", found=f"exit code {done.code}")
+        raise CheckError("the benchmark in C fails", found=f"exit code {done.code}")
     if done.code is None:
-        raise ToolError("the race in C does not come to an end", expected="120 s at most")
+        raise ToolError("the benchmark in C does not finish", expected="120 s at most")
     return done.output
 
 
@@ -278,23 +278,3 @@ def _python(
         Timed(call.key, call.title, float(np.median(times[:, k])), float(ratios[k]))
         for k, call in enumerate(calls)
     )
-
-
-def kernel_text(kernel_bench: KernelBench) -> str:
-    """The measurement for a person."""
-    lines = []
-    if kernel_bench.native:
-        lines += [f"one state after another in C ({kernel_bench.flags})", _head("instructions")]
-    missing = "not measured" if "instructions" in kernel_bench.absent else "-"
-    for row in kernel_bench.native:
-        counted = missing if row.instructions is None else f"{row.instructions:.0f}"
-        lines.append(f"{row.title:<48} {row.ns:>10.1f} {row.ratio:>8.2f} {counted:>14}")
-    if kernel_bench.python:
-        lines += ["", "from Python, a state", _head("")]
-        lines += [f"{row.title:<48} {row.ns:>10.1f} {row.ratio:>8.2f}" for row in kernel_bench.python]
-    lines += [f"not measured: {what}: {why}" for what, why in kernel_bench.absent.items()]
-    return "\n".join(lines) + "\n"
-
-
-def _head(last: str) -> str:
-    return f"{'':<48} {'ns':>10} {'ratio':>8} {last:>14}".rstrip()

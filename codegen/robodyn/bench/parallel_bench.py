@@ -1,15 +1,13 @@
-"""When threads lose to serial code here, and from what size of task they would win.
+"""When threads lose to serial code on this machine, and from what size of task they would win.
 
-Everything is measured in one run: the serial kernel, the same bits on p threads by the best schedule, and the
-packed form. What a barrier costs is measured by a kernel without arithmetic, the same schedule of empty
-tasks.
-From these follows how long a task would have to be for threads to break even:
+Everything is measured in one run: the serial kernel, the same bits on p threads by the best schedule, and
+the packed form. The cost of a barrier is measured by a kernel without arithmetic: the same schedule of empty
+tasks. From these follows how long a task would have to be for threads to break even:
 
     serial(s) = s W t,   parallel(s) = s C t + S,   s* = S / ((W - C) t)
 
-with W operations in all, C of them one after another in the schedule, t the time of one, S the time of
-waiting,
-all tasks being s times as long.
+with W operations in all, C of them on the critical path of the schedule, t the time of one, S the time of
+waiting, all tasks being s times as long.
 """
 
 from __future__ import annotations
@@ -30,7 +28,7 @@ from robodyn.schedule.lanes import Waiting, lanes
 from robodyn.toolchain.compiler import find_c
 from robodyn.toolchain.program import THREADED_FLAGS, cores, run_program
 
-#: Operations a task for which the speed-up is foretold.
+#: Operations a task for which the speed-up is predicted.
 SIZES: Final = (3, 30, 300, 3_000, 30_000, 300_000)
 
 #: States of a measurement, and of one whose threads outnumber the cores: there a wait may take milliseconds.
@@ -210,60 +208,3 @@ def _measured(cut: Cut, table: Timetable, waiting: Waiting, times: dict[str, flo
 def _load() -> float | None:
     """How many processes want a core, on average over a minute."""
     return os.getloadavg()[0] if hasattr(os, "getloadavg") else None
-
-
-def bench_text(bench: Bench) -> str:
-    """The measurement for a person, with a plain verdict."""
-    first = bench.rows[0]
-    packed = bench.packed_ns / bench.serial_ns
-    lines = [
-        f"{bench.robot} {bench.function}: {first.operations} operations, {first.tasks} tasks; "
-        f"{bench.cores} cores, "
-        f"{bench.compiler}",
-        f"serial {bench.serial_ns:.0f} ns, {bench.serial_ns / first.operations:.2f} ns an operation; "
-        f"packed, {bench.packed_lanes} lanes: {bench.packed_ns:.0f} ns ({packed:.2f} times serial)",
-        "",
-        "threads  sync      levels  meetings  parallel ns  ns a meeting  speed-up  of schedule  wins "
-        "from (operations)",
-    ]
-    for row in bench.rows:
-        even = row.to_dict()["break_even"]
-        size = (
-            "never"
-            if even is None
-            else f"{even['operations_a_task']:.0f} a task, {even['operations_in_all']:.0f}"
-        )
-        each = f"{row.waiting_ns / row.meetings:.0f}" if row.meetings else "-"
-        lines.append(
-            f"{row.processors:>7}  {row.waiting:<8}  {row.levels:>6}  {row.meetings:>8}  "
-            f"{row.parallel_ns:>11.0f}  "
-            f"{each:>12}  {row.serial_ns / row.parallel_ns:>8.3f}  {row.operations / row.chain:>11.2f}  "
-            f"{size}"
-        )
-    wins = [row for row in bench.rows if row.wins]
-    lines += ["", "speed-up to be expected were the tasks of so many operations, waiting being what it is:"]
-    lines.append("threads  sync    " + "".join(f"{size:>10}" for size in SIZES))
-    for row in bench.rows:
-        cells = "".join(f"{row.speedup_at(size):>10.3f}" for size in SIZES)
-        lines.append(f"{row.processors:>7}  {row.waiting:<8}{cells}")
-    lines.append("")
-    if wins:
-        best = min(wins, key=lambda row: row.parallel_ns)
-        lines.append(
-            f"threads win here: {best.processors} of them, {best.waiting}, "
-            f"{best.serial_ns / best.parallel_ns:.2f} times"
-        )
-    else:
-        lines.append(
-            "threads lose to the serial kernel here: waiting for each other costs more than is saved"
-        )
-    if bench.load is not None and bench.load > bench.cores + 0.5:
-        lines.append(f"the machine is busy (load {bench.load:.1f}): waiting takes less on an idle one")
-    crowded = [row.processors for row in bench.rows if row.processors > bench.cores]
-    if crowded:
-        lines.append(
-            f"there are {bench.cores} cores: figures of {', '.join(map(str, sorted(set(crowded))))} "
-            f"threads are of threads "
-            "that take turns"
-        )
-    return "\n".join(lines) + "\n"

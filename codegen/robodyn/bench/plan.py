@@ -1,8 +1,7 @@
 """Which formulation, which schedule and which target meet a deadline: the thesis's further work.
 
-Every candidate is a program that robodyn makes of the robot, cut into tasks, scheduled on so many of a
-target's
-cores with the target's cost of passing a value, and judged by the time that its schedule takes.
+Every candidate is a program for the robot, cut into tasks and scheduled on some of a target's cores with the
+target's cost of communication. It is judged by the time that its schedule takes.
 """
 
 from __future__ import annotations
@@ -154,7 +153,7 @@ def plans(
     """
     Machine(processors)
     for target in targets:
-        _chip(target)
+        chip_of(target)
     programs: dict[str, Program] = {}
     for name, options in FORMULATIONS.items():
         if not function_named(function).is_recursion and "formulation" in options:
@@ -165,12 +164,18 @@ def plans(
     for target in targets:
         for name, candidate in programs.items():
             tell(f"{target.name}, {name}")
-            cores = min(processors, _chip(target).cores)
+            cores = min(processors, chip_of(target).cores)
             candidates += _of_target(target, name, candidate, cores, scalar)
     return sorted(candidates, key=lambda plan: (plan.time_ns, plan.processors))
 
 
-def _chip(target: Target) -> Chip:
+def chip_of(target: Target) -> Chip:
+    """The processor of ``target``.
+
+    Raises
+    ------
+    InputError: its clock is not known.
+    """
     if target.chip is None:
         raise InputError(f"there is no plan for {target.name}, whose clock is not known")
     return target.chip
@@ -181,7 +186,7 @@ def _of_target(
 ) -> list[Plan]:
     """The serial kernel, and for every number of cores the best cut and machine."""
     units, costs = _units(target.costs_of(scalar or target.scalar))
-    chip = _chip(target)
+    chip = chip_of(target)
     unit_ns = chip.cycle_ns / units
     whole = sum(costs[operation.op] for operation in program.operations)
     operations = sum(COSTS[operation.op] for operation in program.operations)
@@ -221,65 +226,3 @@ def chosen(candidates: Sequence[Plan], deadline_ns: float) -> Plan | None:
     """Of the plans that meet the deadline the one with the fewest processors, then the shortest."""
     meeting = [plan for plan in candidates if plan.time_ns <= deadline_ns]
     return min(meeting, key=lambda plan: (plan.processors, plan.time_ns), default=None)
-
-
-def plan_text(
-    robot: Robot,
-    candidates: Sequence[Plan],
-    targets: Sequence[Target],
-    deadline_ns: float,
-    function: str = "inverse_dynamics",
-) -> str:
-    """All plans for a person, those that meet the deadline marked."""
-    best = chosen(candidates, deadline_ns)
-    lines = [f"{robot.name}: deadline {spelled(deadline_ns)}", ""]
-    lines.append(
-        "target       formulation            p  tasks of  waits     tasks  operations        time  meets"
-    )
-    for plan in candidates:
-        how = "-" if plan.cut is None else ("levels" if plan.levels else "counters")
-        lines.append(
-            f"{plan.target:<12} {plan.formulation:<21} {plan.processors:>2}  {plan.cut or 'all':>8}  "
-            f"{how:<8} "
-            f"{plan.tasks:>6}  {plan.operations:>10}  {spelled(plan.time_ns):>10}  "
-            f"{'yes' if plan.time_ns <= deadline_ns else 'no'}"
-        )
-    lines.append("")
-    if best is None:
-        lines.append(f"nothing meets it; the shortest is {spelled(candidates[0].time_ns)}")
-    else:
-        lines.append(f"take {best.formulation} on {best.target}, {_how(robot, best, function)}")
-    lines += [
-        f"{target.name}: {chip.cores} cores, {chip.mhz:.4g} MHz; {chip.source}"
-        for target, chip in ((target, _chip(target)) for target in targets)
-    ]
-    lines.append(
-        "times are the schedules', by the targets' costs: estimates, until robodyn bench has measured them"
-    )
-    return "\n".join(lines) + "\n"
-
-
-def _how(robot: Robot, plan: Plan, function: str) -> str:
-    known = function_named(function)
-    options = FORMULATIONS[plan.formulation]
-    switches = "".join(
-        f" --{name} {value}" for name, value in options.items() if (name, value) != ("optimize", "record")
-    )
-    if plan.cut is None:
-        named = "" if known.by_default else f" --functions {function}"
-        return f"one core: robodyn gen {robot.name}{named}{switches}"
-    waits = "" if plan.levels else " --no-levels"
-    waits += "" if known.is_recursion else f" --function {function}"
-    return (
-        f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
-        f"{plan.cut}{waits}{switches} "
-        "-o DIR"
-    )
-
-
-def spelled(ns: float) -> str:
-    """A time with a unit that suits it."""
-    for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "us")):
-        if ns >= size:
-            return f"{ns / size:.4g} {unit}"
-    return f"{ns:.4g} ns"

@@ -242,7 +242,7 @@ TRANSMISSION = Effect(
     "brakes",
     rivals=("load_dependent_friction", "torque_gain", "coulomb_friction"),
     separates="lifting and lowering, and loads of three to one",
-    source="Dhanaraj 1990, section 3.3, Table 3.2",
+    source="Dhanaraj 1990, section 3.4, Table 3.2",
     equation=_loss,
     check=_loss_fault,
     linear=("breakaway",),

@@ -22,6 +22,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, Literal
 
+from robodyn.effects.site import Site as Site
 from robodyn.effects.traits import Traits
 
 #: What a parameter is: a number, three numbers, an efficiency (number or table), an inertia tensor, one of
@@ -61,26 +62,6 @@ class Parameter:
     def unit_at(self, *, revolute: bool) -> str:
         """Its unit at a revolute or a prismatic joint."""
         return self.unit if revolute or self.linear_unit is None else self.linear_unit
-
-
-@dataclass(frozen=True, slots=True)
-class Site:
-    """What an equation may read at a joint, over any scalar.
-
-    ``q, qd, qdd``: position, velocity and acceleration on its side of the drive [rad or m, per second];
-    ``direction``: sgn(qd), by whatever rule holds near rest; ``tau``: the torque that has come so far [N m or
-    N]; ``f`` [3] (N) and ``n`` [3] (N m): force and moment of the rigid arm through the joint, about the
-    origin and along the axes of the link's frame, z the joint's. ``revolute``: the kind of joint.
-    """
-
-    revolute: bool
-    q: Any = 0
-    qd: Any = 0
-    qdd: Any = 0
-    direction: Any = 0
-    tau: Any = 0
-    f: tuple[Any, Any, Any] = (0, 0, 0)
-    n: tuple[Any, Any, Any] = (0, 0, 0)
 
 
 #: The torque that an effect adds, of its parameters and its site.

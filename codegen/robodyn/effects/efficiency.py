@@ -4,7 +4,7 @@ A curve through knots ``(load fraction, efficiency)``: straight lines, or a mono
 Carlson 1980), which never leaves the range of its knots as a natural spline may. Left of the first knot and
 right of the last it stays level. Written with ``|x|`` alone, so that it is a straight line of C.
 
-Source: Dhanaraj 1990, section 3.3 (an interpolated curve of measured points).
+Source: Dhanaraj 1990, section 3.4 (an interpolated curve of measured points).
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 if TYPE_CHECKING:
-    from robodyn.effects.effect import Site
+    from robodyn.effects.site import Site
 
 #: Parameters as a diagnosis states them.
 Estimates = dict[str, float | str]

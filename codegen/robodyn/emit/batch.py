@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from robodyn.dynamics.functions import array_named, function_named
-from robodyn.emit.languages.c import c_spelling, c_syntax, c_trig
+from robodyn.emit.c_syntax import c_spelling, c_syntax, c_trig
 from robodyn.emit.lines import head_of
 from robodyn.emit.render import Unit, environment
 from robodyn.emit.spelling import WIDTH, Spelling

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -111,25 +111,3 @@ class Language:
                     f"{self.title} is not written with {option} {value}",
                     expected=f"{option} {' or '.join(able)}",
                 )
-
-
-def require(feature: Feature, languages: Sequence[Language]) -> None:
-    """:class:`InputError` where none of ``languages`` has ``feature``."""
-    if any(feature in language.features for language in languages):
-        return
-    from robodyn.emit.languages import LANGUAGES
-
-    able = [language for language in LANGUAGES.values() if feature in language.features]
-    raise InputError(
-        f"{_TITLES[feature]} in {' and '.join(language.title for language in able)} only",
-        found=", ".join(language.name for language in languages),
-        expected=f"{' or '.join(language.name for language in able)} among them",
-    )
-
-
-_TITLES: dict[Feature, str] = {
-    "batch": "batches are",
-    "parallel": "parallel code is",
-    "misra": "MISRA C:2012 is",
-    "firmware": "a firmware folder is",
-}

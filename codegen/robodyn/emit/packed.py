@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from robodyn.emit.languages.c import c_spelling, c_syntax
+from robodyn.emit.c_syntax import c_spelling, c_syntax
 from robodyn.emit.lines import Writer, head_of
 from robodyn.emit.render import environment
 from robodyn.errors import InputError

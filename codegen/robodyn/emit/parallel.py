@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robodyn.dynamics.functions import array_named
-from robodyn.emit.languages.c import c_spelling, c_syntax
+from robodyn.emit.c_syntax import c_spelling, c_syntax
 from robodyn.emit.lines import Writer, head_of
 from robodyn.emit.render import environment
 from robodyn.errors import InputError

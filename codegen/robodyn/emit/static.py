@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from robodyn.emit.languages.c import c_spelling, c_syntax
+from robodyn.emit.c_syntax import c_spelling, c_syntax
 from robodyn.emit.statements import statements
 from robodyn.ir.program import Program
 

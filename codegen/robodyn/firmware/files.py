@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.emit.c_syntax import c_spelling
 from robodyn.emit.language import Language
 from robodyn.emit.languages import LANGUAGES, defaults, languages_named
-from robodyn.emit.languages.c import c_spelling
 from robodyn.emit.lines import head_of
 from robodyn.emit.markdown import Markdown, markdown_environment
 from robodyn.emit.render import environment

@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING
 from robodyn.counts import Count, count
 from robodyn.dynamics.functions import by_default
 from robodyn.emit import Unit, render
-from robodyn.emit.language import require
-from robodyn.emit.languages import defaults, languages_named
+from robodyn.emit.languages import defaults, languages_named, require
 from robodyn.ir.program import Program
 from robodyn.ir.signature import Signature
 from robodyn.kernels.options import (

@@ -13,7 +13,7 @@ from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
 from robodyn.robot.fields import Section, expectation
 from robodyn.robot.keys import EFFECTS, INERTIA, KNOTS, Key
-from robodyn.robot.model import AXES, EffectEntry, Inertia, JointKind, Setting
+from robodyn.robot.parts import AXES, EffectEntry, Inertia, JointKind, Setting
 from robodyn.robot.values import ZERO
 
 #: How far apart load fractions of an efficiency are: closer ones are a jump, and lose digits.

@@ -11,8 +11,8 @@ from robodyn.errors import InputError, Place
 from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
 from robodyn.robot.keys import OTHER_NAMES, Key, Sign
-from robodyn.robot.model import Vector
 from robodyn.robot.names import shown, text_fault
+from robodyn.robot.parts import Vector
 from robodyn.robot.values import ZERO, Angle, Value, angle
 
 # Plain words by which YAML means that nothing stands there.

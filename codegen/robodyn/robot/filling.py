@@ -10,13 +10,13 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, Protocol
 
 from robodyn.errors import InputError
 from robodyn.robot import numbers
 from robodyn.robot.fields import SIGNS, allowed
 from robodyn.robot.keys import FRICTION, INERTIA, LINK, Key
-from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
+from robodyn.robot.parts import AXES, EffectEntry, Inertia, Link
 from robodyn.robot.values import Affine, Value
 
 #: A value of a run-time parameter, in the SI unit of the number it stands for.
@@ -24,8 +24,21 @@ Number = float | Fraction
 _LINK_KEYS = {key.name: key for key in (*LINK, *FRICTION, *INERTIA)}
 
 
-def filled(robot: Robot, parameters: Mapping[str, Number]) -> Robot:
-    """``robot`` with each run-time parameter replaced by its value; what :meth:`Robot.at` does.
+class Arm(Protocol):
+    """What is filled: a :class:`~robodyn.robot.model.Robot`, which stands above this module."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def links(self) -> tuple[Link, ...]: ...
+    @property
+    def effects(self) -> tuple[EffectEntry, ...]: ...
+    @property
+    def parameters(self) -> tuple[str, ...]: ...
+
+
+def filled(robot: Arm, parameters: Mapping[str, Number]) -> tuple[tuple[Link, ...], tuple[EffectEntry, ...]]:
+    """Links and effects of ``robot`` with each run-time parameter replaced by its value: for ``Robot.at``.
 
     A float counts as the shortest decimal that is that double, as in a description, so that the numbers are
     exact and are written as they were given. A :class:`~fractions.Fraction` is taken as it is.
@@ -37,13 +50,13 @@ def filled(robot: Robot, parameters: Mapping[str, Number]) -> Robot:
     """
     values = _values(robot, parameters)
     if not robot.parameters:
-        return robot
+        return robot.links, robot.effects
     work = _Filling(robot, values)
     links = tuple(work.link(i, link) for i, link in enumerate(robot.links, 1))
-    return replace(robot, links=links, effects=tuple(map(work.entry, robot.effects)))
+    return links, tuple(map(work.entry, robot.effects))
 
 
-def parameter_values(robot: Robot, parameters: Mapping[str, Number] | None) -> dict[str, float]:
+def parameter_values(robot: Arm, parameters: Mapping[str, Number] | None) -> dict[str, float]:
     """``parameters`` as doubles in the order of the emitted ``NAME_params``, checked as by :func:`filled`.
 
     Raises
@@ -54,7 +67,7 @@ def parameter_values(robot: Robot, parameters: Mapping[str, Number] | None) -> d
     return {name: float((parameters or {})[name]) for name in robot.parameters}
 
 
-def without_values(robot: Robot, parameters: Iterable[str]) -> InputError | None:
+def without_values(robot: Arm, parameters: Iterable[str]) -> InputError | None:
     """The complaint that run-time parameters of ``robot`` are not among ``parameters``; None: all are."""
     known = set(parameters)
     missing = [name for name in robot.parameters if name not in known]
@@ -68,7 +81,7 @@ def without_values(robot: Robot, parameters: Iterable[str]) -> InputError | None
     )
 
 
-def _values(robot: Robot, parameters: Mapping[str, Number]) -> dict[str, Fraction]:
+def _values(robot: Arm, parameters: Mapping[str, Number]) -> dict[str, Fraction]:
     unknown = [name for name in parameters if name not in robot.parameters]
     if unknown:
         raise InputError(
@@ -83,7 +96,7 @@ def _values(robot: Robot, parameters: Mapping[str, Number]) -> dict[str, Fractio
     return {name: _exact(robot, name, parameters[name]) for name in robot.parameters}
 
 
-def _exact(robot: Robot, name: str, value: Any) -> Fraction:
+def _exact(robot: Arm, name: str, value: Any) -> Fraction:
     try:
         if math.isfinite(value):
             return Fraction(value) if isinstance(value, (int, Fraction)) else numbers.shortest(value)
@@ -99,7 +112,7 @@ def _exact(robot: Robot, name: str, value: Any) -> Fraction:
 class _Filling:
     """The numbers of one robot at certain values of its parameters."""
 
-    def __init__(self, robot: Robot, values: Mapping[str, Fraction]) -> None:
+    def __init__(self, robot: Arm, values: Mapping[str, Fraction]) -> None:
         self.robot = robot
         self.values = values
 

@@ -1,7 +1,7 @@
 """The tasks that an arm does not need: the thesis's rules, and the sparsity that they ask about.
 
 ``s_i`` is the centre of mass of link i, ``p_i`` the origin of the next frame, both in link i's frame. Source:
-Dhanaraj 1990, Tables 4.2, 4.4 and 4.5 and section 4.3.4.
+Dhanaraj 1990, Tables 4.2, 4.4 and 4.5 and sections 4.3.1 and 4.3.2.
 """
 
 from __future__ import annotations

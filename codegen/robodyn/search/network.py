@@ -15,6 +15,8 @@ from fractions import Fraction
 
 from robodyn.ir.evaluate import AngleForm, angle_form
 from robodyn.ir.program import Input, Operand, Program
+from robodyn.search.reconstruction import NoWalk as NoWalk
+from robodyn.search.reconstruction import fraction
 from robodyn.search.states import State
 
 #: Operations of the walk, as the C code numbers them.
@@ -78,10 +80,6 @@ STATES = 12
 _DIGITS = 45
 
 _OPAQUE = frozenset(("sin", "cos", "sqrt", "tanh", "sign", "div"))
-
-
-class NoWalk(Exception):
-    """The program has nothing that the walk could rewrite, or what it cannot read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -258,8 +256,6 @@ class _Building:
         if not residues[0]:
             return Fraction(0)
         if residues[0] == residues[1] == residues[2]:  # the same at every point, as sin^2 + cos^2 is
-            from robodyn.search.recovery import fraction
-
             return fraction([residues[0], *residues[POINTS::FURTHER]], [*dict.fromkeys(self.moduli)])
         truth = [s * u + t * v for u, v in zip(self.truth[i], self.truth[j], strict=True)]
         return self._row(Row(ADD, i, j, s * t), residues, truth)

@@ -9,7 +9,8 @@ from robodyn.ir.graph import Graph, Scalar
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import Program
 from robodyn.passes.replay import grouped
-from robodyn.search.network import ADD, BELOW, FURTHER, LEAF, OFFSET, POINTS, SCALE, Network, NoWalk, Row
+from robodyn.search.network import ADD, BELOW, FURTHER, LEAF, OFFSET, POINTS, SCALE, Network, Row
+from robodyn.search.reconstruction import fraction
 
 
 def rebuilt(
@@ -79,25 +80,3 @@ def _own_constants(program: Program, moduli: Sequence[int]) -> dict[tuple[int, .
         for x in (c, -c, *((1 / c, -1 / c) if c else ())):
             constants[tuple(x.numerator * pow(x.denominator, -1, p) % p for p in moduli)] = x
     return constants
-
-
-def fraction(parts: Sequence[int], moduli: Sequence[int]) -> Fraction:
-    """The fraction with these residues (P. S. Wang 1981: rational reconstruction by Euclid's algorithm).
-
-    Raises
-    ------
-    NoWalk: there is none of the size that the moduli allow.
-    """
-    x, m = 0, 1
-    for part, p in zip(parts, moduli, strict=True):
-        x += m * ((part - x) * pow(m, -1, p) % p)
-        m *= p
-    # With 60 bits to spare a wrong fraction is out of the question.
-    bound_bits = (m.bit_length() - 60) // 2
-    (r0, s0), (r1, s1) = (m, 0), (x, 1)
-    while r1.bit_length() > bound_bits:
-        quotient = r0 // r1
-        (r0, s0), (r1, s1) = (r1, s1), (r0 - quotient * r1, s0 - quotient * s1)
-    if not s1 or s1.bit_length() > bound_bits:
-        raise NoWalk("a constant is too large to recover")
-    return Fraction(r1, s1)

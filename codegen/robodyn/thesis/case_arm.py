@@ -1,6 +1,6 @@
 """The arm of the thesis's case study (chapter 3): whose line, whose dynamics, whose friction.
 
-Source: Dhanaraj 1990, section 3.4, Table 3.4, programs D.1.2, D.1.3 and D.4. Three things do not fit together
+Source: Dhanaraj 1990, section 3.5, Table 3.4, programs D.1.2, D.1.3 and D.4. Three things do not fit together
 there, and :data:`Arm` chooses. The path is led by D.1.3, which measures the point along +y of frame 3 and
 has an offset of 0.127 m; the torques are D.1.2's, whose masses and load lie along -y, and whose offset is
 0.1501 m. ``programs`` does as the programs do: joint angles of the one are given to the other, and the start

@@ -1,4 +1,4 @@
-"""Pictures of the case study: new curves, in the place of Figures 3.6 to 3.15, whose data are not at hand."""
+"""Pictures of the case study: new curves, in the place of Figures 3.6 to 3.13, whose data are not at hand."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ from robodyn.thesis.printed_counts import TABLE_3_4
 
 Floats = NDArray[np.float64]
 
-LABEL: Final = "a new study on stated assumptions, not the thesis's Figures 3.6 to 3.15"
+LABEL: Final = "a new study on stated assumptions, not the thesis's Figures 3.6 to 3.13"
 
 X: Final = 0.4
 START: Final = 0.1

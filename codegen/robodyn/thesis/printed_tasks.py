@@ -7,6 +7,41 @@ from typing import Final
 
 from robodyn.schedule.elimination import FIRST_LINK, LAST_LINK, PRISMATIC, Sparsity
 
+
+@dataclass(frozen=True, slots=True)
+class Misprinted:
+    """What Table 4.1 prints of a task that cannot be meant: ``what`` it is (``step``, ``after`` or ``does``),
+    as ``printed``, and how one knows."""
+
+    what: str
+    printed: str
+    why: str
+
+
+_S_FOR_G: Final = Misprinted("does", "products of lambda g", "step 4 of the text has lambda s")
+_RANGE: Final = Misprinted(
+    "after",
+    "..., T40 to T40",
+    "the sum needs p x f', s x F and n', which are T33 to T40",
+)
+_FROM_T0: Final = Misprinted(
+    "after", "T_0 of the link before", "the table's footnote names T1, T2, T3 and T6 of it; alpha is T6"
+)
+
+#: Table 4.1: what is printed otherwise than it must be, by task.
+TABLE_4_1_MISPRINTS: Final[dict[int, Misprinted]] = {
+    3: Misprinted("step", "1", "it forms the vector c of step 2 as well"),
+    4: _FROM_T0,
+    5: _FROM_T0,
+    10: Misprinted(
+        "does",
+        "lambda_21 = k_x + alpha_x, lambda_32 = k_z + alpha_z",
+        "Eq 2.27 and step 2A of the text have x and z the other way round",
+    ),
+    **dict.fromkeys((20, 21, 22), _S_FOR_G),
+    **dict.fromkeys((41, 42, 43), _RANGE),
+}
+
 #: Table 4.2: tasks that are eliminated, and the number of them that is printed beside.
 TABLE_4_2: Final[dict[str, tuple[frozenset[int], int]]] = {
     "prismatic_joint": (PRISMATIC, 9),

@@ -7,10 +7,10 @@ import pkgutil
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
-from robodyn.emit.language import Compiled, Language
+from robodyn.emit.language import Compiled, Feature, Language
 from robodyn.errors import InputError
 
-__all__ = ["LANGUAGES", "compiled_language", "defaults", "language_named", "languages_named"]
+__all__ = ["LANGUAGES", "compiled_language", "defaults", "language_named", "languages_named", "require"]
 
 
 @cache
@@ -88,3 +88,23 @@ def languages_named(names: Sequence[str]) -> tuple[Language, ...]:
     if len({language.name for language in languages}) != len(languages):
         raise InputError("a language is asked for twice", found=",".join(names))
     return languages
+
+
+def require(feature: Feature, languages: Sequence[Language]) -> None:
+    """:class:`InputError` where none of ``languages`` has ``feature``."""
+    if any(feature in language.features for language in languages):
+        return
+    able = [language for language in LANGUAGES.values() if feature in language.features]
+    raise InputError(
+        f"{_TITLES[feature]} in {' and '.join(language.title for language in able)} only",
+        found=", ".join(language.name for language in languages),
+        expected=f"{' or '.join(language.name for language in able)} among them",
+    )
+
+
+_TITLES: dict[Feature, str] = {
+    "batch": "batches are",
+    "parallel": "parallel code is",
+    "misra": "MISRA C:2012 is",
+    "firmware": "a firmware folder is",
+}

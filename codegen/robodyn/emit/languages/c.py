@@ -7,74 +7,16 @@ from typing import Any
 
 from robodyn.emit import misra
 from robodyn.emit.advice import advice
+from robodyn.emit.batch import batch_files
 from robodyn.emit.body import Lines
+from robodyn.emit.c_syntax import c_spelling, c_syntax, c_trig
 from robodyn.emit.language import Compiled, FunctionText, Language
 from robodyn.emit.sines import ANGLES, COSINES, SINES
-from robodyn.emit.spelling import WIDTH, Spelling
+from robodyn.emit.spelling import WIDTH
 from robodyn.emit.statements import Expression
 from robodyn.emit.syntax import Sines, Syntax
-from robodyn.emit.trig import trig_context
 from robodyn.emit.unit import OF_LIBM, Unit, calls
 from robodyn.ir.signature import Signature
-
-#: Compilations that would not round as written, and what is said of them.
-REFUSED = (
-    ("defined(__FAST_MATH__)", "sine and cosine are for arithmetic as written: no -ffast-math"),
-    (
-        "defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0",
-        "sine and cosine are for arithmetic in their own type: no x87, use -msse2 -mfpmath=sse",
-    ),
-)
-
-
-def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = False) -> Spelling:
-    """``states`` are the members of ``state``, where a function has one; it has ``dt`` then. ``explicit``:
-    products within sums stand in parentheses."""
-
-    def element(array: str, i: int) -> str:
-        if array == "dt":
-            return array
-        return f"state->{states[i]}" if array == "state" else f"{array}[{i}]"
-
-    f = "f" if single else ""
-    zero, one = (f"0.0{f}", f"1.0{f}")
-    positive, negative = (
-        ("({} > " + zero + ")", "({} < " + zero + ")") if explicit else ("{} > " + zero, "{} < " + zero)
-    )
-    return Spelling(
-        literal=lambda digits: digits + f,
-        element=element,
-        member=lambda name: f"p->{name}",
-        functions={
-            "sin": lambda x: f"sin{f}({x})",
-            "cos": lambda x: f"cos{f}({x})",
-            "tanh": lambda x: f"tanh{f}({x})",
-            "sqrt": lambda x: f"sqrt{f}({x})",
-            "abs": lambda x: f"fabs{f}({x})",
-            "exp": lambda x: f"exp{f}({x})",
-            "pow": lambda x, y: f"pow{f}({x}, {y})",
-            "sign": lambda x: f"({positive.format(x)} ? {one} : ({negative.format(x)} ? -{one} : {zero}))",
-        },
-        single=single,
-        continuation="",
-        explicit=explicit,
-    )
-
-
-def c_syntax(spelling: Spelling, real: str, *, libm: bool = True) -> Syntax:
-    """Statements on numbers of the type ``real``.
-
-    With the sines of ``libm``, their angles are volatile, or read a second time as elements of ``again``:
-    otherwise gcc joins sine and cosine into sincos, which not every libm has.
-    """
-    return Syntax(
-        spelling,
-        comment="/* %s */",
-        declare=lambda name, text: f"const {real} {name} = {text};",
-        declare_angle=(lambda name, text: f"const volatile {real} {name} = {text};") if libm else None,
-        assign=lambda target, text: f"{target} = {text};",
-        reread={"q": "again"} if libm else {},
-    )
 
 
 def _syntax(signature: Signature, unit: Unit) -> Syntax:
@@ -156,12 +98,6 @@ def _prototype(head: str, arguments: list[str]) -> str:
     return head + (",\n" + " " * 4).join(["\n    " + arguments[0], *arguments[1:]])
 
 
-def c_trig(name: str, *, single: bool, real: str | None = None) -> dict[str, Any]:
-    """What the templates of our sine and cosine are told; ``real`` is the type of its numbers."""
-    syntax = c_syntax(c_spelling(single=single), real or f"{name}_real")
-    return {**trig_context(syntax), "refused": REFUSED}
-
-
 def _context(unit: Unit) -> dict[str, Any]:
     name = unit.robot.name
     return {
@@ -174,12 +110,6 @@ def _context(unit: Unit) -> dict[str, Any]:
 
 def _notes(unit: Unit) -> tuple[str, ...]:
     return misra.notes("builtin" if unit.builtin else "libm") if unit.misra else ()
-
-
-def _batch(unit: Unit) -> dict[str, str]:
-    from robodyn.emit.batch import batch_files
-
-    return batch_files(unit)
 
 
 LANGUAGE = Language(
@@ -195,7 +125,7 @@ LANGUAGE = Language(
     advice=advice,
     notes=_notes,
     features=frozenset({"batch", "parallel", "misra", "firmware"}),
-    batch=_batch,
+    batch=batch_files,
     compiled=Compiled(
         variable="CC",
         commands=("cc", "gcc", "clang"),

@@ -1,7 +1,7 @@
 /* The program as a network: what uses what, in which order, at what cost. */
 #ifndef NETWORK_H
 #define NETWORK_H
-#include "walk.h"
+#include "state.h"
 
 static inline int arity(int op) { return op == LEAF ? 0 : op == ADD || op == MUL ? 2 : 1; }
 

@@ -3,7 +3,7 @@
 #define TABLES_H
 #include <stdlib.h>
 #include <string.h>
-#include "walk.h"
+#include "state.h"
 
 static int table_new(table *t, int bits) {
     t->bits = bits;

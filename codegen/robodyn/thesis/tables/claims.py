@@ -23,7 +23,7 @@ from robodyn.thesis.printed_tasks import (
     TABLE_4_4,
     TIMES_STANFORD,
 )
-from robodyn.thesis.tables import table_2_9, table_3_3
+from robodyn.thesis.tables import claims_of_text, table_2_9, table_3_3
 from robodyn.thesis.tables.table import Column, Progress, Row, Table, Verdict, judged, summed
 from robodyn.thesis.tables.table_2_10 import Load, load_quietly
 from robodyn.thesis.tables.table_4_4 import ROBOT
@@ -54,6 +54,7 @@ def table(progress: Progress = lambda _: None, load_robot: Load = load_quietly) 
         _friction(),
         _lambda_form(),
         _least_time(printed_set, by_robot),
+        *claims_of_text.rows(load_robot),
     )
     return Table(
         "claims",

@@ -186,11 +186,11 @@ def _lost() -> tuple[Row, ...]:
             "full load",
         ),
         _not_recoverable(
-            "Figures 3.6 to 3.15",
+            "Figures 3.6 to 3.13",
             {"given": "figures"},
             {"drawn": "by robodyn case-study, anew"},
             "they depend on the profile, the span and the efficiency curve, and the text has none of their "
-            "numbers",
+            "numbers; the text speaks of figures up to 3.15, the captions end at 3.13",
         ),
     )
 

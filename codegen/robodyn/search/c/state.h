@@ -1,6 +1,6 @@
 /* The state of a walk. */
-#ifndef WALK_H
-#define WALK_H
+#ifndef STATE_H
+#define STATE_H
 #include "field.h"
 
 #if defined(__SIZEOF_FLOAT128__)

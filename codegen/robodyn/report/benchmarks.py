@@ -1,0 +1,78 @@
+"""``robodyn bench`` as text: kernels beside peers, and threads beside the serial kernel."""
+
+from __future__ import annotations
+
+from robodyn.bench.kernel_bench import KernelBench
+from robodyn.bench.parallel_bench import SIZES, Bench
+
+
+def kernel_text(measured: KernelBench) -> str:
+    """Kernels in C and calls from Python: time, ratio to the first of its kind, instructions."""
+    lines = []
+    if measured.native:
+        lines += [f"one state after another in C ({measured.flags})", _head("instructions")]
+    missing = "not measured" if "instructions" in measured.absent else "-"
+    for row in measured.native:
+        counted = missing if row.instructions is None else f"{row.instructions:.0f}"
+        lines.append(f"{row.title:<48} {row.ns:>10.1f} {row.ratio:>8.2f} {counted:>14}")
+    if measured.python:
+        lines += ["", "from Python, a state", _head("")]
+        lines += [f"{row.title:<48} {row.ns:>10.1f} {row.ratio:>8.2f}" for row in measured.python]
+    lines += [f"not measured: {what}: {why}" for what, why in measured.absent.items()]
+    return "\n".join(lines) + "\n"
+
+
+def _head(last: str) -> str:
+    return f"{'':<48} {'ns':>10} {'ratio':>8} {last:>14}".rstrip()
+
+
+def bench_text(bench: Bench) -> str:
+    """Threads beside the serial kernel, from what size of task they win, and whether they win here."""
+    first = bench.rows[0]
+    packed = bench.packed_ns / bench.serial_ns
+    lines = [
+        f"{bench.robot} {bench.function}: {first.operations} operations, {first.tasks} tasks; "
+        f"{bench.cores} cores, {bench.compiler}",
+        f"serial {bench.serial_ns:.0f} ns, {bench.serial_ns / first.operations:.2f} ns an operation; "
+        f"packed, {bench.packed_lanes} lanes: {bench.packed_ns:.0f} ns ({packed:.2f} times serial)",
+        "",
+        "threads  sync      levels  meetings  parallel ns  ns a meeting  speed-up  of schedule  wins "
+        "from (operations)",
+    ]
+    for row in bench.rows:
+        even = row.to_dict()["break_even"]
+        size = (
+            "never"
+            if even is None
+            else f"{even['operations_a_task']:.0f} a task, {even['operations_in_all']:.0f}"
+        )
+        each = f"{row.waiting_ns / row.meetings:.0f}" if row.meetings else "-"
+        lines.append(
+            f"{row.processors:>7}  {row.waiting:<8}  {row.levels:>6}  {row.meetings:>8}  "
+            f"{row.parallel_ns:>11.0f}  {each:>12}  {row.serial_ns / row.parallel_ns:>8.3f}  "
+            f"{row.operations / row.chain:>11.2f}  {size}"
+        )
+    wins = [row for row in bench.rows if row.wins]
+    lines += ["", "expected speed-up by operations a task, with the same waiting time:"]
+    lines.append("threads  sync    " + "".join(f"{size:>10}" for size in SIZES))
+    for row in bench.rows:
+        cells = "".join(f"{row.speedup_at(size):>10.3f}" for size in SIZES)
+        lines.append(f"{row.processors:>7}  {row.waiting:<8}{cells}")
+    lines.append("")
+    if wins:
+        best = min(wins, key=lambda row: row.parallel_ns)
+        lines.append(
+            f"threads win here: {best.processors} of them, {best.waiting}, "
+            f"{best.serial_ns / best.parallel_ns:.2f} times"
+        )
+    else:
+        lines.append("threads lose to the serial kernel here: synchronisation costs more than is saved")
+    if bench.load is not None and bench.load > bench.cores + 0.5:
+        lines.append(f"the machine is busy (load {bench.load:.1f}): synchronisation is faster on an idle one")
+    crowded = [row.processors for row in bench.rows if row.processors > bench.cores]
+    if crowded:
+        lines.append(
+            f"with {bench.cores} cores, {', '.join(map(str, sorted(set(crowded))))} threads share cores: "
+            "they take turns"
+        )
+    return "\n".join(lines) + "\n"
