@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from robodyn.diagnose.blind.seal import Score
     from robodyn.simulate.trajectories import Trajectory
 
-_ANSWER = "answer.sealed"
+_ANSWER, _DIAGNOSED = "answer.sealed", "diagnosis.json"
 _SEALED, _DIAGNOSIS = 1 << 24, 1 << 26  # bytes of an answer, of a diagnosis, at most
 _LARGEST = 50_000_000  # samples times joints, as of simulate
 _OF_HIDING = ("effects", "random", "trajectories", "output")
@@ -80,9 +80,18 @@ _OF_HIDING = ("effects", "random", "trajectories", "output")
     help="Encoder bits per turn; 0: exact.  [default: 20]",
 )
 @click.option("-o", "--output", metavar="DIR", help="Output folder.")
-@click.option("--open", "opened", metavar="FILE", help="Print a sealed answer and exit.")
 @click.option(
-    "--score", nargs=2, metavar="DIR DIAGNOSIS", help="Compare a diagnosis.json with the answer in DIR."
+    "--open",
+    "opened",
+    metavar="DIR",
+    help="Print the sealed answer of the test in DIR (or that file itself) and exit.",
+)
+@click.option(
+    "--score",
+    nargs=2,
+    metavar="DIR DIAGNOSIS",
+    help="Compare a diagnosis.json (or the folder it is in) with the answer of the test in DIR (or that "
+    "file itself).",
 )
 @json_option
 def command(
@@ -257,10 +266,16 @@ def _tell(blind: Blind, folder: Path, files: list[str], named: list[str], *, as_
 # --- the answer -------------------------------------------------------------------------------------------
 
 
+def _sealed(path: Path) -> Path:
+    """The sealed answer at ``path``, which is the file or the folder of the test."""
+    return path / _ANSWER if path.is_dir() else path
+
+
 def _answer(path: Path) -> dict[str, Any]:
     from robodyn.diagnose.blind.seal import open_seal
     from robodyn.files import label, read_text
 
+    path = _sealed(path)
     return open_seal(read_text(path, _SEALED, "the answer.sealed of robodyn hide"), label(path))
 
 
@@ -269,13 +284,14 @@ def _scored(folder: Path, file: Path, *, as_json: bool) -> None:
     from robodyn.errors import InputError, Place
     from robodyn.files import label, parsed_json, read_text
 
-    if file.is_dir() and not folder.is_dir():
+    if folder.suffix == ".json" and folder.is_file():
         raise InputError(
             "the first argument of --score is the folder of the test",
             found=printable(folder),
             remedy="swap the two arguments",
         )
-    answer = _answer(folder / _ANSWER)
+    answer = _answer(folder)
+    file = file / _DIAGNOSED if file.is_dir() else file
     expected = "the diagnosis.json of robodyn diagnose"
     try:
         diagnosis = parsed_json(read_text(file, _DIAGNOSIS, expected))
@@ -309,7 +325,7 @@ def _lines(score: Score, folder: Path) -> list[str]:
     if score.missed:
         lines.append(
             f"{score.missed} of {score.hidden} hidden missed "
-            f"(robodyn hide --open {printable(folder / _ANSWER)} shows them)"
+            f"(robodyn hide --open {printable(_sealed(folder))} shows them)"
         )
     if score.closed is not None and score.hidden:
         lines.append(f"{score.closed:.0%} of the gap on the validation log is closed")

@@ -48,7 +48,8 @@ def model_options(command: Command) -> Command:
                 metavar="NAME",
                 default="graph",
                 show_default=True,
-                help="Engine: graph, or sympy as a cross-check.",
+                help="Engine: graph, or sympy as a cross-check (slower, no smaller, without records and "
+                "searches).",
             ),
             click.option(
                 "--fold-rotor",
@@ -89,9 +90,15 @@ def search_options(command: Command) -> Command:
 
 
 def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
-    """The robot that the options name; warnings about implausible values go to stderr."""
+    """The robot that the options name; warnings about implausible values go to stderr.
+
+    Raises
+    ------
+    InputError: the robot cannot be read, or ``--engine sympy`` is to take records or to search.
+    """
     from robodyn_cli.common import load_robot
 
+    _check_engine()
     described = load_robot(robot, strict=strict)
     if fold_rotor:
         from robodyn.robot import fold_rotor as fold
@@ -99,6 +106,31 @@ def load(robot: str, *, strict: bool, fold_rotor: bool) -> Robot:
         _refuse_drives(described)
         described = fold(described)
     return described
+
+
+#: Levels that only the graph engine has.
+_OF_GRAPH = ("record", "search", "full")
+
+
+def _check_engine() -> None:
+    """Say, or refuse if it was asked for, that ``--engine sympy`` neither takes records nor searches."""
+    context = click.get_current_context()
+    level = context.params.get("optimize")
+    if context.params.get("engine") != "sympy" or level not in _OF_GRAPH:
+        return
+    from click.core import ParameterSource
+
+    from robodyn.errors import InputError
+    from robodyn_cli.common import talk
+
+    if context.get_parameter_source("optimize") is not ParameterSource.DEFAULT:
+        raise InputError(
+            f"--optimize {level} needs the graph engine: sympy builds the recursion itself",
+            found=f"--engine sympy --optimize {level}",
+            expected="--optimize none or fast with --engine sympy",
+            remedy="remove one of them",
+        )
+    talk(f"robodyn: note: --engine sympy takes no record ({level} is the default level): --optimize fast")
 
 
 def _refuse_drives(robot: Robot) -> None:

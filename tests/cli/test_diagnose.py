@@ -163,7 +163,34 @@ def test_what_is_no_number_is_null(capsys: Capture, stand: Stand) -> None:
     stand.changes = {"findings": (finding,), "left": np.array([np.nan])}
     told = json.loads(diagnose(capsys, "arm.yaml a.csv -o out --no-kernels --json")[0])
     assert told["findings"][0]["parameters"]["level"]["stderr"] is None
-    assert told["unexplained_share"] == [None]
+    assert told["left_over_threshold"] == [None]
+
+
+def gap(before: float, after: float, floor: float = 1.0) -> Gap:
+    sizes = [np.array([x]) for x in (before, after, before, after, floor)]
+    return Gap(*sizes)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "share"),
+    [
+        (4, 2, 0.2),
+        (4, 4, 1.0),
+        (4, 0.5, 0.0),
+        (4, 9, 1.0),
+        (1.1, 1.1, None),
+        (np.nan, 1, None),
+        (5, np.nan, None),
+    ],
+)
+def test_an_unexplained_share_is_a_share_or_nothing_with_a_reason(
+    capsys: Capture, stand: Stand, before: float, after: float, share: float | None
+) -> None:
+    stand.changes = {"gap": gap(before, after), "left": np.array([4225.0])}
+    told = json.loads(diagnose(capsys, "arm.yaml a.csv -o out --no-kernels --json")[0])
+    assert told["unexplained_share"] == [share if share is None else pytest.approx(share)]
+    assert (told["unexplained_share_reason"] is None) == (share is not None)
+    assert told["left_over_threshold"] == [4225.0]
 
 
 @pytest.mark.parametrize(("verdict", "code"), [("missing_effect", 0), ("consistent", 0), ("unexplained", 4)])

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from robodyn.kernels.generate import generate
+from robodyn.kernels.generate import Options, generate
 from robodyn.optimize.programs import FORMULATIONS
 from robodyn.robot import bundled_names, load
 from robodyn_cli.main import main
@@ -94,6 +94,16 @@ def test_formulations_and_rotors(capsys: Capture) -> None:
     assert folded["total"] < flops_json(capsys, "puma560")["total"]
     through = flops_json(capsys, "stanford_3dof", "--engine", "sympy")
     assert through["total"] >= flops_json(capsys, "stanford_3dof")["total"]
+
+
+def test_sympy_takes_no_record_and_says_so(capsys: Capture) -> None:
+    out, err = flops(capsys, "stanford_3dof", "--engine", "sympy")
+    assert "note: --engine sympy takes no record" in err
+    assert flops(capsys, "stanford_3dof", "--engine", "sympy", "--optimize", "fast") == (out, "")
+    for level in ("record", "search", "full"):
+        assert main(["flops", "stanford_3dof", "--engine", "sympy", "--optimize", level]) == 2
+        assert f"--optimize {level} needs the graph engine" in capsys.readouterr().err
+    assert Options(engine="sympy").text.startswith("--optimize fast ")
 
 
 def test_a_table_for_people(capsys: Capture) -> None:

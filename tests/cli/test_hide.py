@@ -90,6 +90,22 @@ def test_hide_open_and_score(capsys: Capture) -> None:
     assert "viscous" not in out
 
 
+def test_folders_and_files_are_taken_alike(capsys: Capture) -> None:
+    run(capsys, f"hide pendulum.yaml --effect viscous_friction@1:coefficient=1 {SHORT} -o d")
+    assert run(capsys, "hide --open d") == run(capsys, "hide --open d/answer.sealed")
+    Path("found").mkdir()
+    Path("found/diagnosis.json").write_text(json.dumps({"verdict": "consistent", "findings": []}))
+    scores = {
+        run(capsys, f"hide --score {test} {diagnosis} --json", 1)[0]
+        for test in ("d", "d/answer.sealed")
+        for diagnosis in ("found", "found/diagnosis.json")
+    }
+    assert len(scores) == 1
+    lines = run(capsys, "hide --score d/answer.sealed found", 1)[0]
+    assert "robodyn hide --open d/answer.sealed shows them" in lines
+    assert "swap the two arguments" in run(capsys, "hide --score found/diagnosis.json d", 2)[1]
+
+
 def test_hide_draws_one_by_default_and_says_nothing_of_it(capsys: Capture) -> None:
     out, err = run(capsys, f"hide pendulum.yaml --seed 5 {SHORT} -o d --json")
     told = json.loads(out)

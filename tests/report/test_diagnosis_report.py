@@ -12,10 +12,13 @@ import pytest
 from numpy.typing import NDArray
 
 from report.made_up import made, series
+from robodyn.diagnose.evidence import log_facts
+from robodyn.diagnose.gate.gate import inspect
 from robodyn.diagnose.result import Estimate, Finding, Gap, Rival
 from robodyn.report.diagnosis import MOST_JOINTS, page
 from robodyn.report.diagnosis_text import summary
 from robodyn.robot import Robot, load, read_text
+from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
 
@@ -242,3 +245,16 @@ def test_long_arms_and_logs_stay_small() -> None:
 
 def test_the_same_bytes_again(robot: Robot, text: str) -> None:
     assert page(made(robot), validated=True) == text
+
+
+def test_a_log_has_its_units_once() -> None:
+    """As :func:`robodyn.diagnose.evidence.log_facts` has them: with their units."""
+    t = np.linspace(0, 10, 10001)
+    q = np.sin(t)[:, None]
+    arm = read_text("name: arm\nlinks: [{joint: revolute, mass: 1, com: [0.2, 0, 0]}]\n")
+    gate = inspect(Log(t, q, None, None, q), arm)
+    facts = {"name": "one.csv", "sha256": "ab" * 32, **log_facts(gate)}
+    diagnosis = made(load("puma560_3dof", warn=lambda _: None), logs=(facts,))
+    text = " ".join(Page(page(diagnosis, validated=False)).text.split())
+    assert "10 s, 1000 Hz, 10001 samples" in text
+    assert not re.search(r"\bs s\b|Hz Hz", text)

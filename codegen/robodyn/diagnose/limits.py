@@ -14,6 +14,9 @@ from typing import Final
 CLAIM: Final = 0.5
 """[probability] A finding of this confidence is a claim. Part of the file format."""
 
+ABOVE_NOISE: Final = 1.15
+"""[noise floors] A joint whose RMS is larger has something to be explained."""
+
 # --- evidence --------------------
 
 MOST_TRIED: Final = 8

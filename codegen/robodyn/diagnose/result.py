@@ -9,6 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.limits import ABOVE_NOISE
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -120,6 +121,31 @@ class Gap:
     validate_after: Floats
     noise_floor: Floats
 
+    def unexplained_share(self) -> tuple[float | None, ...]:
+        """Of each joint's mean square beyond the noise floor, in the logs that were fitted, the share
+        (0 to 1) that remains after the findings; None where nothing stands out of the noise, or a figure is
+        missing."""
+        with np.errstate(all="ignore"):
+            noise = self.noise_floor**2
+            shares = (self.train_after**2 - noise) / (self.train_before**2 - noise)
+        return tuple(
+            float(min(max(share, 0.0), 1.0)) if above and np.isfinite(share) else None
+            for share, above in zip(shares, self._stands_out(), strict=True)
+        )
+
+    def unexplained_share_reason(self) -> str | None:
+        """Why some of :meth:`unexplained_share` is None; None where it has no gap."""
+        if None not in self.unexplained_share():
+            return None
+        return (
+            f"null: without findings, the RMS of that joint is below {ABOVE_NOISE} times its noise floor "
+            "(or not known): there is nothing to explain"
+        )
+
+    def _stands_out(self) -> NDArray[np.bool_]:
+        """Joints [n] whose torque shows more than noise before any finding."""
+        return np.asarray(self.train_before > ABOVE_NOISE * self.noise_floor)
+
     def to_dict(self) -> dict[str, Any]:
         """As ``diagnosis.json`` has it."""
         return {
@@ -132,9 +158,9 @@ class Gap:
 @dataclass(frozen=True, slots=True, eq=False)
 class Diagnosis:
     """The whole: ``robot`` as given, ``model`` amended and ``model_text`` its description, ``diff`` between
-    the two texts; ``flags``: what the data gate said, a line each; ``left``: share of structure that nothing
-    explains, per joint; ``words``: remarks for people; ``operations``: of the inverse dynamics before and
-    after.
+    the two texts; ``flags``: what the data gate said, a line each; ``left`` [n]: RMS that nothing explains,
+    as a multiple of the RMS that would matter (a figure above 1 matters); ``words``: remarks for people;
+    ``operations``: of the inverse dynamics before and after.
 
     For the report, and empty where they are not known: ``windows`` of time to shade; ``tried``: the best
     candidates that were not named; ``detectable`` [n]: the RMS that an effect must explain at a joint to
@@ -170,7 +196,9 @@ class Diagnosis:
             "verdict": self.verdict,
             "findings": [finding.to_dict() for finding in self.findings],
             "gap": self.gap.to_dict(),
-            "unexplained_share": self.left.tolist(),
+            "unexplained_share": list(self.gap.unexplained_share()),
+            "unexplained_share_reason": self.gap.unexplained_share_reason(),
+            "left_over_threshold": self.left.tolist(),
             "remarks": list(self.words),
             "record": self.record,
             "flags": list(self.flags),

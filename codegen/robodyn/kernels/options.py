@@ -46,7 +46,8 @@ class Options:
     ``"fast"`` takes milliseconds; ``"record"`` is the committed best for exactly these parameters, else
     fast; ``"search"`` and ``"full"`` ask for a better one (:func:`robodyn.search.improved`) and take the one
     in ``records``. ``regroup=False`` leaves out base-parameter regrouping only. ``engine="sympy"`` builds the
-    same model through sympy with named intermediates and ``sympy.cse``: a cross-check, slower and no smaller.
+    same model through sympy with named intermediates and ``sympy.cse``: a cross-check, slower and no smaller,
+    without records (``"record"`` becomes ``"fast"``).
     ``order="recursion"`` is the order of the book, ``"registers"`` one in which few values wait in memory
     (:func:`robodyn.passes.registers.registers`); ``"auto"`` is the latter unless sine and cosine are libm's.
 
@@ -84,6 +85,8 @@ class Options:
         _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)
         _one_of("engine", self.engine, ENGINES)
         _one_of("order", self.order, ORDERS)
+        if self.engine == "sympy" and self.optimize == "record":
+            object.__setattr__(self, "optimize", "fast")  # what it is: records hold programs of the graph
         if self.target is not None:
             object.__setattr__(self, "target", _target(self.target).name)
         if self.contraction is not None:

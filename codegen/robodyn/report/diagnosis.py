@@ -236,8 +236,8 @@ def _logs(diagnosis: Diagnosis, validated: bool) -> Sequence[dict[str, str]]:
             "sha256": log.get("sha256", ""),
             "use": "validation" if validated and k == last else "fitted",
             "size": ", ".join(
-                f"{log[key]}{unit}"
-                for key, unit in (("duration", " s"), ("rate", " Hz"), ("samples", " samples"))
+                f"{log[key]}{unit}"  # duration and rate come with their units
+                for key, unit in (("duration", ""), ("rate", ""), ("samples", " samples"))
                 if key in log
             ),
         }

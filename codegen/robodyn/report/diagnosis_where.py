@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.limits import ABOVE_NOISE
 from robodyn.diagnose.result import Diagnosis, Series
 from robodyn.robot.model import Robot
 
@@ -18,9 +19,8 @@ Floats = NDArray[np.float64]
 QUANTITIES: Final = (
     "constant", "direction", "velocity", "position", "acceleration", "load", "load, each way", "a short time",
 )  # fmt: skip
-#: A residual so many times the noise floor is looked at; a quantity that is not as simple must show so much
-#: more; below the last figure none shows it.
-STANDS_OUT, _MORE, _SHOWS = 1.15, 0.04, 0.3
+#: A quantity that is not as simple must show so much more; below the last figure none shows it.
+_MORE, _SHOWS = 0.04, 0.3
 _BINS: Final = 16
 #: Of the fastest motion: below it a joint counts as standing; it turns where it passes it both ways.
 _STILL: Final = 0.02
@@ -50,7 +50,7 @@ def localised(diagnosis: Diagnosis) -> list[Localised]:
     rows = []
     for j in range(diagnosis.robot.n):
         shown: tuple[float, ...] = ()
-        if diagnosis.series and len(diagnosis.series[0].times) > 4 * _BINS and excess[j] > STANDS_OUT**2 - 1:
+        if diagnosis.series and len(diagnosis.series[0].times) > 4 * _BINS and excess[j] > ABOVE_NOISE**2 - 1:
             most = float(excess[j] / (excess[j] + 1))
             shown = tuple(min(x / most, 1.0) for x in shown_over(diagnosis.series[0], j))
         left = float(diagnosis.left[j]) if j < len(diagnosis.left) else np.nan
