@@ -306,7 +306,7 @@ def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, flo
 
 
 def drive_limits(robot: Robot, values: Mapping[str, float]) -> Floats | None:
-    """What the drives give at most [n] (N m or N), infinity where no limit is stated; None: no limit at all."""
+    """What the drives give at most [n] (N m or N), infinity where there is no limit; None: none at all."""
     limits = np.full(robot.n, np.inf)
     for entry, channel in acting_on(robot.effects, "limit"):
         if entry.text(channel.who) == "drive":
