@@ -157,6 +157,7 @@ def generate(
         target=_target_note(options),
         options=options.text,
         misra=options.misra,
+        readable=options.readable,
         builtin=options.trig == "builtin",
         early_writes=options.by_registers,
         contraction=options.contraction or ("off" if options.trig == "builtin" else None),
