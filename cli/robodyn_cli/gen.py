@@ -20,6 +20,7 @@ from robodyn_cli.common import (
     printable,
     robot_argument,
     talk,
+    wrapped,
     write_files,
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
@@ -216,7 +217,9 @@ def command(
             }
         )
         return
-    click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
+    wrote = ", ".join(printable(folder / name) for name in files)
+    for line in wrapped(f"{described.name}: wrote {wrote}"):
+        click.echo(line)
     for line in lines(described, [(f, f, formulation, c) for f, c in generated.counts.items()]):
         click.echo(line)
     for line in effect_lines(generated.counts, generated.rigid_counts):

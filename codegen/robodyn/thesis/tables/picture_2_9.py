@@ -52,7 +52,7 @@ def figure_2_9_svg(table: Table | None = None) -> str:
         for row, (stroke, label) in enumerate(
             (
                 (_PRINTED, "printed in Table 2.10"),
-                (_OURS, "ours: by that method where it is known (IV, VI), else what robodyn gen writes"),
+                (_OURS, "ours: by that method where it is known (I, IV, VI), else what robodyn gen writes"),
             )
         )
     ]  # fmt: skip
