@@ -137,7 +137,7 @@ def _name(id: str, joint: int | None) -> str:
 # --- how far apart ----------------------------------------------------------------------------------------
 
 
-def excite(robot: Robot | str | PathLike[str], tell: Sequence[Told] = (), **options: Any) -> Design:
+def excite(robot: Robot | str | PathLike[str], tell: Sequence[EffectAt] = (), **options: Any) -> Design:
     """A motion that tells effects of ``robot`` (or of that path or name) apart: :func:`design` with its
     ``options``. The motion's ``q``, ``qd``, ``qdd`` are [S, n], in rad or m, per s and s^2.
 
