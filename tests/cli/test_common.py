@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from robodyn.errors import InputError
+from robodyn.resources import data_dir
 from robodyn_cli.common import compare_files, echo_json, load_robot, output_folder, printable, write_files
 
 FILES = {"a.c": "int a;\n", "sub/b.h": "/* \u03c4 */\n"}
@@ -93,10 +94,16 @@ def test_json_refuses_nan(capsys: pytest.CaptureFixture[str]) -> None:
         echo_json(float("nan"))
 
 
-def test_doubts_are_told_on_stderr(capsys: pytest.CaptureFixture[str]) -> None:
+def test_doubts_are_told_on_stderr(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """The bundled arm acknowledges its own: it is the same arm without that."""
+    lines = (data_dir("robots") / "puma560.yaml").read_text(encoding="utf-8").splitlines(keepends=True)
+    file = tmp_path / "puma560.yaml"
+    file.write_text("".join(line for line in lines if "acknowledged:" not in line), encoding="utf-8")
     assert load_robot("puma560").name == "puma560"
+    assert capsys.readouterr() == ("", "")
+    assert load_robot(str(file)).name == "puma560"
     out, err = capsys.readouterr()
     assert out == ""
-    assert err.startswith("robodyn: warning: puma560.yaml:")
+    assert err.startswith(f"robodyn: warning: {file}:")
     with pytest.raises(InputError, match="inertia"):
         load_robot("puma560", strict=True)
