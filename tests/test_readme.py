@@ -12,10 +12,23 @@ from robodyn_cli.main import COMMANDS, main
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 
 
-def test_the_counts_are_those_that_gen_prints(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["gen", "puma560", "-o", str(tmp_path)]) == 0
-    printed = capsys.readouterr().out.splitlines()[1:7]
-    assert "\n".join(printed) in README
+def test_the_counts_are_those_that_gen_prints(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["gen", "puma560"]) == 0
+    assert capsys.readouterr().out in README
+
+
+def test_the_names_and_the_count_of_the_python_example_are_right() -> None:
+    import robodyn
+
+    example = re.findall(r"```python\n(.*?)```", README, flags=re.DOTALL)[0]
+    assert {"compile", "count", "diagnose", "excite", "simulate"} <= set(
+        re.findall(r"robodyn\.(\w+)\(", example)
+    )
+    assert set(re.findall(r"robodyn\.(\w+)\(", example)) <= set(robodyn.__all__)
+    assert f"# {robodyn.count('puma560').total} operations" in example
 
 
 def test_every_command_named_exists_and_every_command_is_named() -> None:

@@ -41,6 +41,17 @@ def echo_json(obj: object) -> None:
     click.echo(json.dumps(obj, indent=2, ensure_ascii=False, allow_nan=False))
 
 
+#: Columns of what is printed on stdout.
+WIDTH: Final = 100
+
+
+def wrapped(text: str) -> list[str]:
+    """``text`` as lines of at most :data:`WIDTH` columns, all but the first indented; words stay whole."""
+    import textwrap
+
+    return textwrap.wrap(text, WIDTH, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
+
+
 def talk(text: str) -> None:
     """Print the message `text` on stderr; a stderr that cannot be written is ignored."""
     try:

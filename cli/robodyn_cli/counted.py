@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from robodyn_cli.common import wrapped
+
 if TYPE_CHECKING:
     from robodyn.counts import Beside, Count
     from robodyn.robot import Robot
@@ -39,7 +41,7 @@ def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None])
     for function, beneath in rigid.items():
         whole = counts[function]
         if beneath is not None and (whole.total, whole.other) != (beneath.total, beneath.other):
-            lines.append(
+            lines += wrapped(
                 f"{function}: {beneath.mul}+{beneath.add} = {beneath.total} for the rigid arm; effects "
                 f"{whole.mul - beneath.mul:+}/{whole.add - beneath.add:+} mul/add, "
                 f"{whole.div - beneath.div:+} div, {whole.sqrt - beneath.sqrt:+} sqrt, "
@@ -63,7 +65,7 @@ def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str
         table.append((heading, *map(str, numbers), thesis, printed.verdict if printed else "-"))
         if printed:
             notes[_note(printed)] = None
-    return [*_aligned(table), *notes]
+    return [*_aligned(table), *(line for note in notes for line in wrapped(note))]
 
 
 def _note(printed: Beside) -> str:

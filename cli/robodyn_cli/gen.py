@@ -20,6 +20,7 @@ from robodyn_cli.common import (
     printable,
     robot_argument,
     talk,
+    wrapped,
     write_files,
 )
 from robodyn_cli.counted import effect_lines, lines, record, with_rigid
@@ -87,6 +88,12 @@ if TYPE_CHECKING:
     is_flag=True,
     help="Write C for MISRA C:2012: the same operations with explicit parentheses.",
 )
+@click.option(
+    "--readable",
+    is_flag=True,
+    help="Write the recursion in the book's order (--optimize none, --order recursion), each line named "
+    "after its link and quantity.",
+)
 @model_options
 @search_options
 @prune_option
@@ -107,6 +114,7 @@ def command(
     target: str | None,
     functions: str | None,
     misra: bool,
+    readable: bool,
     formulation: str,
     optimize: str,
     no_regroup: bool,
@@ -133,6 +141,8 @@ def command(
     from robodyn.kernels.generate import generate
 
     languages = chosen_languages(lang, compiled=compile_)
+    if readable:
+        optimize, order = _in_the_books_order(optimize, order, batch=batch)
     options = _options(
         None if firmware else target,
         {
@@ -149,6 +159,7 @@ def command(
         engine=engine,
         prune=tolerance(prune),
         misra=misra,
+        readable=readable,
     )
     if firmware:
         unfit = {"compile": compile_, "latex": latex, "batch": batch, "contraction on": contraction == "on"}
@@ -206,7 +217,9 @@ def command(
             }
         )
         return
-    click.echo(f"{described.name}: wrote {', '.join(printable(folder / name) for name in files)}")
+    wrote = ", ".join(printable(folder / name) for name in files)
+    for line in wrapped(f"{described.name}: wrote {wrote}"):
+        click.echo(line)
     for line in lines(described, [(f, f, formulation, c) for f, c in generated.counts.items()]):
         click.echo(line)
     for line in effect_lines(generated.counts, generated.rigid_counts):
@@ -230,8 +243,31 @@ def _options(target: str | None, chosen: dict[str, Any], **others: Any) -> Optio
         what: value
         for what, value in chosen.items()
         if context.get_parameter_source(what) is not ParameterSource.DEFAULT
+        or (what == "order" and others["readable"])
     }
     return Options.for_target(target, **explicit, **others)
+
+
+def _in_the_books_order(optimize: str, order: str, *, batch: bool) -> tuple[str, str]:
+    """What --readable stands for, where the command line says nothing else; contradictions are refused."""
+    from click.core import ParameterSource
+
+    from robodyn.errors import InputError
+
+    context = click.get_current_context()
+    asked = [
+        f"--{name} {value}"
+        for name, value, fitting in (("optimize", optimize, "none"), ("order", order, "recursion"))
+        if value != fitting and context.get_parameter_source(name) is not ParameterSource.DEFAULT
+    ]
+    if asked or batch:
+        raise InputError(
+            "--readable writes the recursion as it stands in the book, one state at a time",
+            found=", ".join([*asked, *["--batch"] * batch]),
+            expected="--optimize none and --order recursion, without --batch",
+            remedy="remove --readable or what contradicts it",
+        )
+    return "none", "recursion"
 
 
 def _profile(options: Options) -> dict[str, Any]:

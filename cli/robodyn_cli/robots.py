@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from robodyn_cli.common import echo_json, json_option
+from robodyn_cli.common import WIDTH, echo_json, json_option
 
 if TYPE_CHECKING:
     from robodyn.robot import Robot
@@ -21,6 +21,8 @@ def command(names: bool, as_json: bool) -> None:
     Each line shows the joints from base to tip, R for revolute and P for prismatic. --json prints a list of
     objects {"name", "joints", "title"}; with --names, a list of names.
     """
+    import textwrap
+
     import robodyn.robot
 
     bundled = robodyn.robot.bundled_names()
@@ -31,14 +33,17 @@ def command(names: bool, as_json: bool) -> None:
             for name in bundled:
                 click.echo(name)
         return
-    robots = [robodyn.robot.load(name, warn=lambda _: None) for name in bundled]  # gen prints the warnings
+    robots = [robodyn.robot.load(name, warn=lambda _: None) for name in bundled]
     rows = [(robot.name, _letters(robot), robot.title) for robot in robots]
     if as_json:
         echo_json([dict(zip(("name", "joints", "title"), row, strict=True)) for row in rows])
         return
     name_width, joints_width = (max((len(row[column]) for row in rows), default=0) for column in (0, 1))
     for name, joints, title in rows:
-        click.echo(f"{name:{name_width}}  {joints:{joints_width}}  {title}".rstrip())
+        indent = " " * (name_width + joints_width + 4)
+        head = f"{name:{name_width}}  {joints:{joints_width}}  "
+        lines = textwrap.wrap(title, max(20, WIDTH - len(indent)))
+        click.echo((head + f"\n{indent}".join(lines)).rstrip())
 
 
 def _letters(robot: Robot) -> str:

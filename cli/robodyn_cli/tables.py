@@ -14,7 +14,11 @@ from robodyn_cli.common import echo_json, json_option, printable, talk, write_fi
 
 @click.command()
 @click.argument("table_id", type=TABLES, metavar="[ID]", required=False)
-@click.option("--picture", metavar="FILE.svg", help="Write Figure 2.9, redrawn from the counts.")
+@click.option(
+    "--picture",
+    metavar="FILE.svg",
+    help="Write a picture: of 2.9 what a joint costs, of 2.10 Figure 2.9 redrawn, ours beside.",
+)
 @json_option
 def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     """Compare the thesis's tables with recomputed figures.
@@ -42,8 +46,10 @@ def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
         echo_json(tables if table_id is None else tables[0])
     if target is not None:
         from robodyn.thesis.tables.picture import operations_svg
+        from robodyn.thesis.tables.picture_2_9 import figure_2_9_svg
 
-        write_files(target.parent, {target.name: operations_svg()})
+        drawn = figure_2_9_svg() if ids == ("2.10",) else operations_svg()
+        write_files(target.parent, {target.name: drawn})
         talk(f"robodyn: wrote {printable(target)}")
 
 
@@ -56,8 +62,10 @@ def _picture_file(text: str, ids: tuple[str, ...]) -> Path:
     """
     from robodyn.errors import InputError
 
-    if "2.9" not in ids:
-        raise InputError("this table has no picture", found=ids[0], remedy="use robodyn tables 2.9")
+    if not {"2.9", "2.10"} & set(ids):
+        raise InputError(
+            "this table has no picture", found=ids[0], remedy="use robodyn tables 2.9, or 2.10 for Figure 2.9"
+        )
     if not text.endswith(".svg") or text == ".svg":
         raise InputError("pictures are written as SVG", found=repr(text), expected="a name that ends in .svg")
     return Path(text)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from robodyn_cli.choices import SCALARS, TRIGONOMETRY
-from robodyn_cli.common import echo_json, json_option, robot_argument
+from robodyn_cli.common import echo_json, json_option, robot_argument, wrapped
 from robodyn_cli.languages import compiled_language_option
 from robodyn_cli.options import functions_option, listed, load, model_options
 
@@ -96,7 +96,8 @@ def command(
         click.echo(report.to_text())
         if report.worst is not None:
             state = "; ".join(f"{name} = {list(x)}" for name, x in report.worst.to_dict()["inputs"].items())
-            click.echo(f"the largest error occurs at {state}")
+            for line in wrapped(f"the largest error occurs at {state}"):
+                click.echo(line)
         for function, equal in exact.items():
             click.echo(
                 f"{function}: {'equal to' if equal else 'NOT EQUAL to'} plain Newton-Euler on fractions"

@@ -3,7 +3,7 @@
     >>> import robodyn
     >>> robot = robodyn.load("puma560")                              # a bundled name or a YAML file
     >>> robodyn.generate(robot).counts["inverse_dynamics"].total     # operations
-    >>> kernel = robodyn.compile(robot)                              # needs a C compiler
+    >>> kernel = robodyn.compile("puma560")                          # needs a C compiler
     >>> kernel.inverse_dynamics(q, qd, qdd)                          # [n] or [N, n], N m
     >>> robodyn.symbolic(robot).tau                                  # the model as sympy expressions
 
@@ -26,11 +26,15 @@ TYPE_CHECKING = False  # as typing has it, whose import takes longer than all th
 if TYPE_CHECKING:
     from typing import Any
 
+    from robodyn.diagnose.excite import excite
+    from robodyn.diagnose.run import diagnose
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
     from robodyn.kernels.generate import Generated, Options, generate, program
+    from robodyn.kernels.operations import count
     from robodyn.kernels.robot_kernel import compile
     from robodyn.kernels.through_sympy import symbolic
     from robodyn.robot import Robot, load
+    from robodyn.simulate.simulation import simulate
 
 _HOMES = {
     "CheckError": "robodyn.errors",
@@ -41,6 +45,8 @@ _HOMES = {
     "Robot": "robodyn.robot",
     "ToolError": "robodyn.errors",
     "compile": "robodyn.kernels.robot_kernel",
+    "count": "robodyn.kernels.operations",
+    "excite": "robodyn.diagnose.excite",
     "generate": "robodyn.kernels.generate",
     "load": "robodyn.robot",
     "program": "robodyn.kernels.generate",
@@ -56,14 +62,25 @@ __all__ = [
     "Robot",
     "ToolError",
     "compile",
+    "count",
+    "diagnose",
+    "excite",
     "generate",
     "load",
     "program",
+    "simulate",
     "symbolic",
 ]
 
 
+_PACKAGES = ("diagnose", "simulate")  # packages that can be called
+
+
 def __getattr__(name: str) -> Any:
+    if name in _PACKAGES:
+        import importlib
+
+        return importlib.import_module(f"robodyn.{name}")
     if name in _HOMES:
         import importlib
 

@@ -11,7 +11,7 @@ import pytest
 
 from cli.generated import FILES, TOOL, Capture, gen, tree
 from robodyn.kernels.generate import Options, generate
-from robodyn.robot import load
+from robodyn.robot import bundled_text, load
 from robodyn_cli.main import main
 from robodyn_testing import require_tool
 
@@ -60,12 +60,17 @@ def test_a_robot_that_is_not_there_or_wrong(elsewhere: Path, capsys: Capture) ->
 
 
 def test_doubtful_numbers_warn_and_strict_refuses_them(elsewhere: Path, capsys: Capture) -> None:
-    assert main(["gen", "puma560_3dof"]) == 0
-    assert capsys.readouterr().err.startswith("robodyn: warning: puma560_3dof.yaml:")
+    lines = bundled_text("puma560_3dof").splitlines(keepends=True)
+    (elsewhere / "arm.yaml").write_text("".join(line for line in lines if "acknowledged" not in line))
+    assert main(["gen", "arm.yaml"]) == 0
+    assert capsys.readouterr().err.startswith("robodyn: warning: arm.yaml:")
     shutil.rmtree(elsewhere / "generated")
-    _, err = gen(capsys, "puma560_3dof", "--strict", code=2)
-    assert "inertia is not physical" in err
-    assert tree(elsewhere) == {}
+    assert main(["gen", "puma560_3dof"]) == 0
+    assert "warning" not in capsys.readouterr().err
+    shutil.rmtree(elsewhere / "generated")
+    for refused in ("arm.yaml", "puma560_3dof"):
+        assert "inertia is not physical" in gen(capsys, refused, "--strict", code=2)[1]
+    assert list(tree(elsewhere)) == ["arm.yaml"]
 
 
 def test_an_arm_without_forward_dynamics(elsewhere: Path, capsys: Capture) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -241,7 +242,7 @@ class TestRobots:
         assert {robot["name"]: robot["joints"] for robot in robots}["stanford"] == "RRPRRR"
         assert all(robot["title"] for robot in robots)
         assert main(["robots"]) == 0
-        lines = capsys.readouterr().out.splitlines()
+        lines = re.sub(r"\n {9,}", " ", capsys.readouterr().out).splitlines()  # long titles are broken
         assert [line.split(maxsplit=2) for line in lines] == [
             [robot["name"], robot["joints"], robot["title"]] for robot in robots
         ]

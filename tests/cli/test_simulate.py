@@ -183,8 +183,7 @@ def test_a_line_is_straight(capsys: Capture) -> None:
         "puma560_3dof --line 0.5,0.3,0.3:0.4,-0.1,0.4 --point 0,-0.43,0 --from 0,-0.5,0.3 --duration 1 "
         "--rate 50",
     )
-    with pytest.warns(match="not physical"):
-        robot = load("puma560_3dof")
+    robot = load("puma560_3dof")
     way = Kinematics(robot, {}, (0, -0.43, 0), 3).position(read_log("puma560_3dof.csv").q)
     np.testing.assert_allclose(way[[0, -1]], [[0.5, 0.3, 0.3], [0.4, -0.1, 0.4]], atol=1e-4)
     ahead = way[-1] - way[0]

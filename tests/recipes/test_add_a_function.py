@@ -116,12 +116,12 @@ def test_the_commands_know_it(copy: Copy) -> None:
         copy,
         "gen puma560_3dof -o usual",
         "gen puma560_3dof --functions gravity,kinetic_energy --batch -o written --json",
-        "flops stanford --function kinetic_energy --json",
+        "flops stanford --functions kinetic_energy --json",
         "gen --help",
-        "flops puma560 --function kinetic",
+        "flops puma560 --functions kinetic",
         "gen puma560 --functions kinetic_energy --prune 1%",
-        "plan puma560_3dof --function kinetic_energy --deadline 1ms --target x86-64",
-        "schedule puma560_3dof -p 2 --cut 3 --function kinetic_energy --emit threads",
+        "plan puma560_3dof --functions kinetic_energy --deadline 1ms --target x86-64",
+        "schedule puma560_3dof -p 2 --cut 3 --functions kinetic_energy -o threads",
     )
     assert [a["code"] for a in (usual, written, flops, help_, plan, threads)] == [0] * 6, written
     assert "kinetic" not in (copy.work / "usual" / "puma560_3dof.h").read_text()

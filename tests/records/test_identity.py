@@ -52,6 +52,7 @@ CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
     ),
     (Link, "name"): (with_link(replace(LINK, name="other")), False),
     (Link, "confidence"): (with_link(replace(LINK, confidence=Fraction(1, 50))), False),
+    (Link, "acknowledged"): (with_link(replace(LINK, acknowledged="why")), False),
     (Link, "joint"): (with_joint(kind="prismatic"), True),
     (Link, "mass"): (with_link(replace(LINK, mass=LINK.mass + SMALL)), True),
     (Link, "com"): (with_link(replace(LINK, com=(LINK.com[0], LINK.com[1], Fraction(0)))), True),

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import pytest
 
 from robodyn.resources import data_dir
-from robodyn.robot import Comparison, Link, Robot, bundled_names, bundled_text, load
+from robodyn.robot import Comparison, Link, Robot, bundled_names, bundled_text, load, read_text
+from robodyn.robot.plausibility import inertia_doubt
 
 # Table 2.1: alpha_{i-1} in quarter turns, a_{i-1}, d_i. Table 2.2 with link 3 corrected.
 PUMA_DH = ((0, "0", "0"), (-1, "0", "0.2435"), (0, "0.4318", "-0.0934"),
@@ -169,10 +171,29 @@ def test_the_sets_hang_together() -> None:
         assert (folded.mass, folded.com) == (tables.mass, tables.com)
 
 
+@pytest.mark.parametrize("name", bundled_names())
+def test_no_bundled_robot_warns_and_each_reason_holds(name: str) -> None:
+    """What is said of a rotor within Izz is true: without it the tensor is a body's, unless it says not."""
+    told: list[str] = []
+    robot = load(name, warn=told.append)
+    assert told == []
+    for link in robot.links:
+        stated = re.match(r"the rotor \(([0-9.]+) kg m\^2\) is (in|folded into) Izz", link.acknowledged)
+        if stated:
+            rest = replace(link.inertia, zz=link.inertia.zz - Fraction(stated[1]))
+            assert ("without it, too" in link.acknowledged) == (inertia_doubt(rest) is not None)
+        elif link.acknowledged:
+            lacking = re.search(r"Ixx \+ Iyy falls short of Izz by ([0-9.]+) kg m\^2", link.acknowledged)
+            inertia = link.inertia
+            assert lacking
+            assert inertia.zz - inertia.xx - inertia.yy == Fraction(lacking[1])
+
+
 @pytest.mark.parametrize("name", AS_THEY_ARE)
 def test_the_others_are_as_they_were(name: str) -> None:
     lines = bundled_text(name).splitlines(keepends=True)
-    text = "".join(line for line in lines if not line.startswith("#"))
+    words = ("#", "    acknowledged:")
+    text = "".join(line for line in lines if not line.startswith(words))
     assert hashlib.sha256(text.encode()).hexdigest() == AS_THEY_ARE[name]
 
 
@@ -197,7 +218,8 @@ DOUBTFUL = {
 
 @pytest.mark.parametrize("name", bundled_names())
 def test_which_tensors_are_doubtful(name: str) -> None:
+    acknowledged = [i for i, link in enumerate(_load(name).links, 1) if link.acknowledged]
     told: list[str] = []
-    load(name, warn=told.append)
+    read_text(re.sub(r"\n    acknowledged: .*", "", bundled_text(name)), warn=told.append)
     links = [int(line.split("link ")[1].split(":")[0]) for line in told]
-    assert links == DOUBTFUL.get(name, [])
+    assert links == acknowledged == DOUBTFUL.get(name, [])

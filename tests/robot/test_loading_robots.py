@@ -46,12 +46,8 @@ def test_a_folder_does_not_hide_a_bundled_robot(tmp_path: Path) -> None:
 
 
 def test_messages_call_a_bundled_robot_by_its_file() -> None:
-    told: list[str] = []
-    load("puma560", warn=told.append)
-    assert len(told) == 1
-    assert told[0].startswith("puma560.yaml:")
-    assert "link 3: inertia is not physical: Ixx + Iyy = 0.0785 < Izz = 0.086 kg m^2; " in told[0]
-    with pytest.raises(InputError, match=r"\Apuma560\.yaml:\d+:\d+: link 3"):
+    wanted = r"\Apuma560\.yaml:\d+:\d+: link 3: inertia is not physical: Ixx \+ Iyy = 0\.0785 < Izz = 0\.086 "
+    with pytest.raises(InputError, match=wanted):
         load("puma560", strict=True)
 
 

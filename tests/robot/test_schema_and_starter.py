@@ -63,6 +63,7 @@ LINK1 = "name: arm\nlinks:\n  - joint: revolute\n    "
         LINK1 + "inertia: {xx: 1, yz: -i_yz}",
         LINK1 + "limits: {position: [-pi, pi], velocity: 3}",
         LINK1 + "confidence: 1",
+        LINK1 + "inertia: {xx: i_x}\n    acknowledged: why",
         LINK1 + "effects: []",
         LINK1 + "effects: [{effect: transmission_loss, efficiency: 1/2}, {effect: spring, stiffness: -k}]",
         LINK1 + "effects: [{effect: transmission_loss, efficiency: [[0, 0.5], [1, 1]], rated_torque: 9}]",

@@ -193,7 +193,7 @@ def test_the_command(study: Study, tmp_path: Path, capsys: Capture) -> None:
     assert out == to_text(study)
     assert max(map(len, out.splitlines())) <= 110
     assert LABEL in out
-    assert "wrote 8 files" in err
+    assert "wrote 9 files" in err
     expected = {"case-study.csv": to_csv(study), **pictures(study)}
     assert {path.name: path.read_text() for path in folder.iterdir()} == expected
 
@@ -252,7 +252,7 @@ def test_the_document_shows_what_the_table_prints() -> None:
 
 def test_pictures_are_labelled_and_stay_in_their_frames(study: Study) -> None:
     found = pictures(study)
-    assert len(found) == 7
+    assert len(found) == 8
     for name, text in found.items():
         root = ET.fromstring(text)
         assert text.isascii()

@@ -11,6 +11,8 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from os import PathLike
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +32,7 @@ from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.signals import Signals
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
+from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
 from robodyn.simulate.limits import with_limits
 from robodyn.simulate.trajectories.fourier import fourier
@@ -132,6 +135,17 @@ def _name(id: str, joint: int | None) -> str:
 
 
 # --- how far apart ----------------------------------------------------------------------------------------
+
+
+def excite(robot: Robot | str | PathLike[str], tell: Sequence[Told] = (), **options: Any) -> Design:
+    """A motion that tells effects of ``robot`` (or of that path or name) apart: :func:`design` with its
+    ``options``. The motion's ``q``, ``qd``, ``qdd`` are [S, n], in rad or m, per s and s^2.
+
+    Raises
+    ------
+    InputError: as :func:`design`, and if there is no such robot.
+    """
+    return design(robot_of(robot), tell, **options)
 
 
 class _Columns:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -37,16 +38,17 @@ from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.search import Found, search
 from robodyn.diagnose.select.selection import Named, Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
-from robodyn.simulate.log import Log
+from robodyn.simulate.log import Log, read_log
 
 Floats = NDArray[np.float64]
 
 
 def diagnose(
-    robot: Robot,
-    logs: Sequence[Log],
-    validate: Log | None = None,
+    robot: Robot | str | PathLike[str],
+    logs: Sequence[Log | str | PathLike[str]],
+    validate: Log | str | PathLike[str] | None = None,
     *,
     text: str | None = None,
     names: Sequence[str] = (),
@@ -56,20 +58,29 @@ def diagnose(
 ) -> Diagnosis:
     """What ``robot`` lacks to explain ``logs``; ``validate`` is a log that is not fitted.
 
+    A robot may be a path or a name, a log the path of a CSV or Parquet file.
+
     ``text`` is the robot's description, to be amended; ``names`` and ``hashes`` are those of the logs, the
     validation's last.
 
     Raises
     ------
-    InputError: a log cannot be used, or ``parameters`` do not fit the robot (:meth:`Robot.at`).
+    InputError: there is no such robot or file, a log cannot be used, or ``parameters`` do not fit the
+    robot (:meth:`Robot.at`).
     """
     from robodyn.robot.writer import to_yaml
 
     tell = progress or (lambda _: None)
+    if text is None and not isinstance(robot, Robot):
+        text = text_of(robot)
+    robot = robot_of(robot)
     robot = robot.at(parameters or {})
     tell("looking at the logs")
-    gates = [inspect(log, robot, source=_name(names, k)) for k, log in enumerate(logs)]
-    seen = inspect(validate, robot, source=_name(names, len(logs))) if validate is not None else gates[-1]
+    n = robot.n
+    gates = [inspect(_log(log, n), robot, source=_name(names, k)) for k, log in enumerate(logs)]
+    seen = gates[-1]
+    if validate is not None:
+        seen = inspect(_log(validate, n), robot, source=_name(names, len(logs)))
     outcome = search(robot, gates, tell, hashes[0] if hashes else "log")
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("proving it")
@@ -143,6 +154,10 @@ def _left(last: Selection) -> Floats:
     """What is left [n], by its middle, in what would matter."""
     rms = np.sqrt(np.maximum(last.residue**2 - 1, 0)) * last.start.sigma
     return np.asarray(rms / what_matters(last.context))
+
+
+def _log(log: Log | str | PathLike[str], n: int) -> Log:
+    return log if isinstance(log, Log) else read_log(log, n)
 
 
 class _Lacking:

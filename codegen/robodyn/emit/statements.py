@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
+from robodyn.emit.readable import steps_served
 from robodyn.ir.program import Input, Label, Operand, Program
 from robodyn.robot.names import is_reserved
 
@@ -101,10 +103,15 @@ class Body:
 _LONGEST = 10
 
 
-def statements(program: Program, *, in_order: bool = False) -> Body:
+def statements(program: Program, *, in_order: bool = False, readable: bool = False) -> Body:
     """``program`` as statements: labelled values and values used twice have names, the rest is written
     where it is used. The order and grouping of operations are the program's; ``in_order``: also the order
-    in which compilers come upon them, so that more values have names."""
+    in which compilers come upon them, so that more values have names. ``readable``: a value without a label
+    is named after the step that it serves (``w2_part1``) and stands under its heading; else it is ``t1``,
+    ``t2`` and so on."""
+    served = steps_served(program) if readable else None
+    parts: Counter[str] = Counter()
+    arrays = {name for name, _ in program.outputs}
     uses = program.uses()
     operations = program.operations
     in_output = {x for x in program.results() if isinstance(x, int)}
@@ -140,10 +147,18 @@ def statements(program: Program, *, in_order: bool = False) -> Body:
             text.append(whole)
             size.append(steps)
             continue
-        if label is None:
-            serial += 1
-        name = unique(_name(label, serial), taken)
-        group = _heading(label)
+        if label is None and served is not None:
+            step = served[i]._replace(axis="", negative=False)
+            parts[str(step)] += 1
+            name, group = f"{step}_part{parts[str(step)]}", _heading(step)
+        else:
+            serial += label is None
+            name, group = _name(label, serial), _heading(label)
+        name = unique(name, taken)
+        if group is None and served is not None:
+            step = served[i]
+            place = f"element {step.link} of " if step.quantity in arrays else f"link {step.link}: "
+            group = place + step.quantity
         written.append(Statement(name, whole, group if group != heading else None, i in arguments))
         heading = group if group is not None else heading
         text.append(name)

@@ -18,7 +18,8 @@ class Unit:
     lines for the head of the file; ``misra``: C with products within sums in parentheses. ``builtin``: with
     our own sine and cosine, those of ``lanes`` angles at a time. ``early_writes``: results are written as
     soon as they are there. ``contraction``, on or off, stands in a pragma; ``target`` is a note on the
-    processor; ``options`` are those it was written with, as on the command line.
+    processor; ``options`` are those it was written with, as on the command line;
+    ``readable``: every value is named after its step of the recursion.
     """
 
     robot: Robot
@@ -32,6 +33,7 @@ class Unit:
     contraction: str | None = None
     target: str | None = None
     options: str = ""
+    readable: bool = False
 
 
 #: What is libm's, whoever makes the sines.

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from os import PathLike
 from typing import TYPE_CHECKING
 
 from robodyn.counts import Count, count
@@ -34,6 +35,7 @@ from robodyn.optimize.programs import Choice, NoForwardDynamics, signature
 from robodyn.passes.angles import angles_first
 from robodyn.passes.registers import registers
 from robodyn.passes.trig_given import describe, given_layout, trig_given
+from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
@@ -103,20 +105,20 @@ class Generated:
 
 
 def generate(
-    robot: Robot,
+    robot: Robot | str | PathLike[str],
     options: Options | None = None,
     *,
     progress: Callable[[str], None] | None = None,
     pruning: Callable[[str], None] | None = None,
 ) -> Generated:
-    """The kernels of ``robot``; ``progress`` is told each function before it is built, ``pruning`` how far
-    that is.
+    """The kernels of ``robot`` (or of that path or name); ``progress`` is told each function before it is
+    built, ``pruning`` how far that is.
 
     Raises
     ------
     InputError: a constant of the model does not fit the scalar type, or an option is unknown.
     """
-    options = options or Options()
+    robot, options = robot_of(robot), options or Options()
     builder = maker(robot, options, pruning)
     drafts = builder if isinstance(builder, RigidPrograms) else builder.rigid
     programs: dict[str, Program] = {}
@@ -155,6 +157,7 @@ def generate(
         target=_target_note(options),
         options=options.text,
         misra=options.misra,
+        readable=options.readable,
         builtin=options.trig == "builtin",
         early_writes=options.by_registers,
         contraction=options.contraction or ("off" if options.trig == "builtin" else None),
@@ -200,14 +203,15 @@ _TITLES = {
 }
 
 
-def program(robot: Robot, function: str, options: Options | None = None) -> Program:
-    """The optimised program of one function of ``robot``, with its effects.
+def program(robot: Robot | str | PathLike[str], function: str, options: Options | None = None) -> Program:
+    """The optimised program of one function of ``robot`` (or of that path or name), with its effects.
 
     Raises
     ------
+    InputError: there is no such robot or function.
     NoForwardDynamics: there is none.
     """
-    return maker(robot, options or Options()).program(function)
+    return maker(robot_of(robot), options or Options()).program(function)
 
 
 def _pruned(drafts: RigidPrograms) -> tuple[str, ...]:

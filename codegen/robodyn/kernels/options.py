@@ -55,6 +55,8 @@ class Options:
     the robot's file and the bundled one.
     ``misra`` writes C for MISRA C:2012: the same operations, products within sums in parentheses, and every
     rule that is not kept explained in the head.
+    ``readable`` writes the book's order, ``optimize="none"`` and ``order="recursion"``, and names every value
+    after its step; the defaults of these two give way to it, other values are refused.
     ``target`` names the processor (:meth:`for_target` takes what it chooses); ``contraction``, on or off, is
     whether compilers may fuse products and sums; None leaves that to their flags.
     ``prune`` is the share of each joint's peak torque that may be wrong (:mod:`robodyn.optimize.prune`).
@@ -75,6 +77,7 @@ class Options:
     record_folders: tuple[Path, ...] = ()
     prune: Fraction | None = None
     misra: bool = False
+    readable: bool = False
 
     def __post_init__(self) -> None:
         if self.functions is not None:
@@ -85,6 +88,8 @@ class Options:
         _one_of("kind of sine and cosine", self.trig, TRIGONOMETRY)
         _one_of("engine", self.engine, ENGINES)
         _one_of("order", self.order, ORDERS)
+        if self.readable:
+            self._as_in_the_book()
         if self.engine == "sympy" and self.optimize == "record":
             object.__setattr__(self, "optimize", "fast")  # what it is: records hold programs of the graph
         if self.target is not None:
@@ -95,6 +100,28 @@ class Options:
             from robodyn.optimize.prune import check_asked
 
             check_asked(self.prune, self.functions)
+
+    def _as_in_the_book(self) -> None:
+        """Take what ``readable`` stands for, or refuse what contradicts it."""
+        contradictions = [
+            f"--{name} {value}"
+            for name, value, fitting in (
+                ("optimize", self.optimize, ("record", "none")),
+                ("order", self.order, ("auto", "recursion")),
+            )
+            if value not in fitting
+        ]
+        if self.prune is not None:
+            contradictions.append("--prune")
+        if contradictions:
+            raise InputError(
+                "--readable writes the recursion as it stands in the book",
+                found=", ".join(contradictions),
+                expected="--optimize none, --order recursion and no --prune with --readable",
+                remedy="remove --readable or what contradicts it",
+            )
+        object.__setattr__(self, "optimize", "none")
+        object.__setattr__(self, "order", "recursion")
 
     @classmethod
     def for_target(cls, name: str, **chosen: Any) -> Options:
@@ -140,7 +167,9 @@ class Options:
             if value != getattr(usual, name):
                 text = f"{float(value)!r}" if isinstance(value, Fraction) else value
                 words.append(f"--{name} {','.join(value) if isinstance(value, tuple) else text}")
-        words += ["--no-regroup"] * (not self.regroup) + ["--misra"] * self.misra
+        words += (
+            ["--no-regroup"] * (not self.regroup) + ["--misra"] * self.misra + ["--readable"] * self.readable
+        )
         return " ".join(words)
 
     @property

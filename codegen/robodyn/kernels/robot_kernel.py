@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from os import PathLike
 from typing import Any
 
 from robodyn.emit import render
 from robodyn.emit.batch import batch_files
 from robodyn.kernels.generate import Options, generate
 from robodyn.kernels.kernel import Kernel, load
+from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
 
 
 def compile(
-    robot: Robot,
+    robot: Robot | str | PathLike[str],
     *,
     functions: Sequence[str] | None = None,
     scalar: str = "double",
@@ -26,7 +28,7 @@ def compile(
     language: str = "c",
     **build: Any,
 ) -> Kernel:
-    """Generate the kernels of ``robot``, compile and load them.
+    """Generate the kernels of ``robot`` (or of that path or name), compile and load them.
 
     ``functions`` (default: all that the robot has) to ``engine`` are those of
     :class:`~robodyn.kernels.options.Options`; ``build`` goes to
@@ -38,6 +40,7 @@ def compile(
     InputError: an option is unknown, or a number of the robot does not fit.
     ToolError: no compiler, or it refuses the files.
     """
+    robot = robot_of(robot)
     options = Options(
         functions=None if functions is None else tuple(functions),
         formulation=formulation,

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from robodyn.dynamics.arm import JointAngle, build_arm
@@ -17,6 +18,7 @@ from robodyn.ir import Graph, Label, Program
 from robodyn.ir.graph import Scalar
 from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import Choice, outputs_of, signature
+from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
@@ -90,9 +92,13 @@ def _latex_name(label: Label) -> str:
     return f"{{{symbol}}}_{{{index}}}"
 
 
-def symbolic(robot: Robot, function: str = "inverse_dynamics", choice: Choice = AS_IN_THE_BOOK) -> Symbolic:
-    """The model of ``robot`` as sympy expressions: by default the modified Newton-Euler recursion as the
-    book has it, without regrouping.
+def symbolic(
+    robot: Robot | str | PathLike[str],
+    function: str = "inverse_dynamics",
+    choice: Choice = AS_IN_THE_BOOK,
+) -> Symbolic:
+    """The model of ``robot`` (or of that path or name) as sympy expressions: by default the modified
+    Newton-Euler recursion as the book has it, without regrouping.
 
     >>> symbolic(load("puma560_3dof")).steps[:3]                     # doctest: +SKIP
 
@@ -102,6 +108,7 @@ def symbolic(robot: Robot, function: str = "inverse_dynamics", choice: Choice = 
     """
     import sympy
 
+    robot = robot_of(robot)
     interface = signature(robot, function)
     inputs = {
         name: tuple(sympy.Symbol(f"{name}{i + 1}", real=True) for i in range(size))

@@ -56,7 +56,7 @@ def _how(robot: Robot, plan: Plan, function: str) -> str:
         named = "" if known.by_default else f" --functions {function}"
         return f"one core: robodyn gen {robot.name}{named}{switches}"
     waits = "" if plan.levels else " --no-levels"
-    waits += "" if known.is_recursion else f" --function {function}"
+    waits += "" if known.is_recursion else f" --functions {function}"
     return (
         f"{plan.processors} cores: robodyn schedule {robot.name} -p {plan.processors} --cut "
         f"{plan.cut}{waits}{switches} "

@@ -68,6 +68,22 @@ def load(spec: str | os.PathLike[str], *, strict: bool = False, warn: Warn | Non
     return replace(read_bytes(data, label, strict=strict, warn=warn), file=path.absolute())
 
 
+def robot_of(robot: Robot | str | os.PathLike[str]) -> Robot:
+    """``robot`` itself, or what :func:`load` reads at that path or under that name."""
+    return robot if isinstance(robot, Robot) else load(robot)
+
+
+def text_of(spec: str | os.PathLike[str]) -> str:
+    """The text of the description that :func:`load` reads for ``spec``.
+
+    Raises
+    ------
+    InputError: there is no such file or robot.
+    """
+    path = Path(spec)
+    return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(os.fspath(spec))
+
+
 def _start_of(path: Path, label: str) -> bytes:
     """The file's bytes, one more than are allowed at most. Nothing is waited for."""
     if path.is_dir():

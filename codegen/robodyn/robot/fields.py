@@ -87,6 +87,7 @@ class Section:
         self.label = label
         self.node = node
         self.keys = {key.name: key for key in table}
+        self.doubts = 0
         self.values: dict[str, Node] = {}
         example = ", ".join(f"{key.name}: ..." for key in table[:3])
         whole = label or "the description"
@@ -122,6 +123,12 @@ class Section:
             expected=f"one of {', '.join(known)}",
             remedy=remedy,
         )
+
+    def doubt(self, node: Node, what: str, remedy: str) -> None:
+        """As :meth:`Source.doubt`; no warning where the section acknowledges its doubts."""
+        self.doubts += 1
+        if self.source.strict or "acknowledged" not in self.values:
+            self.source.doubt(node, what, remedy)
 
     def path(self, name: str) -> str:
         """``link 3: mass``, for messages."""
@@ -249,7 +256,7 @@ class Section:
             )
         read = angle(value)
         if abs(value) > Fraction("6.2832"):
-            self.source.doubt(
+            self.doubt(
                 node,
                 f"{self.path(name)} = {text} rad is more than one turn",
                 f"angles are in rad: write {text}*pi/180 if degrees are meant",

@@ -130,6 +130,12 @@ LINK = (
         sign="share",
         default="0.1",
     ),
+    Key(
+        "acknowledged",
+        "text",
+        "Why implausible numbers of this link stand as they are: one sentence. Loading then does not warn of "
+        "them; --strict still refuses them.",
+    ),
     Key("friction", "group", "Friction in the joint.", members=FRICTION),
     Key(
         "effects",

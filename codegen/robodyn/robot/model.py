@@ -38,6 +38,15 @@ __all__ = [
 ]
 
 
+#: Joints that the ``repr`` of a robot shows.
+_SHOWN = 20
+
+
+def _short(value: Value) -> str:
+    """A number for people; of a run-time one its names."""
+    return "+".join(parameters_of(value)) if isinstance(value, Affine) else f"{float(value):g}"
+
+
 @dataclass(frozen=True, slots=True)
 class Robot:
     """A serial arm, base to tip.
@@ -60,6 +69,21 @@ class Robot:
     dead_band: Fraction | None = None
     effects: tuple[EffectEntry, ...] = ()
     file: Path | None = field(default=None, compare=False, repr=False)
+
+    def __repr__(self) -> str:
+        """A screen's worth: one line a joint, the first twenty. :func:`~robodyn.robot.to_yaml` shows all."""
+        lines = [
+            f"<Robot {self.name}: {self.n} joints, gravity [{', '.join(map(_short, self.gravity))}] m/s^2"
+        ]
+        for i, link in enumerate(self.links[:_SHOWN], 1):
+            effects = ", ".join(entry.effect for entry in self.effects_at(i)[:3])
+            lines.append(
+                f"  {i} {link.name[:24]}: {link.joint.kind}, {_short(link.mass)[:24]} kg"
+                + (f", {effects}"[:40] if effects else "")
+            )
+        if self.n > _SHOWN:
+            lines.append(f"  and {self.n - _SHOWN} more")
+        return "\n".join(lines) + ">"
 
     @property
     def n(self) -> int:

@@ -69,7 +69,10 @@ class Joint:
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """A link with the joint that carries it: mass [kg], centre of mass [m] in its own frame."""
+    """A link with the joint that carries it: mass [kg], centre of mass [m] in its own frame.
+
+    ``acknowledged`` says why implausible numbers of it stand as they are ("": nobody says so).
+    """
 
     name: str
     joint: Joint
@@ -77,6 +80,7 @@ class Link:
     com: Vector = (ZERO, ZERO, ZERO)
     inertia: Inertia = field(default_factory=Inertia)
     confidence: Fraction = Fraction(1, 10)
+    acknowledged: str = ""
 
 
 #: What an effect's parameter may be: a number, three, a tensor, knots (load fraction, efficiency), a word,

@@ -23,9 +23,9 @@ def inertia_doubt(inertia: Inertia) -> str | None:
 
     A tensor with run-time parameters in it is not judged.
     """
-    values = tuple(getattr(inertia, axes) for axes in AXES)
-    if not all(isinstance(value, Fraction) for value in values):
+    if not is_judged(inertia):
         return None
+    values = tuple(getattr(inertia, axes) for axes in AXES)
     xx, yy, zz, xy, xz, yz = values
     half = (xx + yy + zz) / 2
     noise = _NOISE * abs(half)
@@ -48,6 +48,11 @@ def inertia_doubt(inertia: Inertia) -> str | None:
     if not _has_no_negative_eigenvalue((xx + noise, yy + noise, zz + noise, xy, xz, yz)):
         return f"the principal moment {low:.6g} kg m^2 is negative"
     return f"of the principal moments {low:.6g} + {middle:.6g} < {high:.6g} kg m^2"
+
+
+def is_judged(inertia: Inertia) -> bool:
+    """Whether all entries are known now; a run-time parameter is not."""
+    return all(isinstance(getattr(inertia, axes), Fraction) for axes in AXES)
 
 
 def only_about_base_axis(joint: Joint, inertia: Inertia) -> bool:

@@ -16,7 +16,7 @@ from robodyn.robot.fields import Section, Source, expectation
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT
 from robodyn.robot.model import Comparison, Inertia, Joint, JointKind, Limits, Link, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
-from robodyn.robot.plausibility import inertia_doubt, only_about_base_axis
+from robodyn.robot.plausibility import inertia_doubt, is_judged, only_about_base_axis
 
 if TYPE_CHECKING:
     from robodyn.robot.effects import Written
@@ -145,10 +145,17 @@ def _links(section: Section, convention: str) -> tuple[tuple[Link, ...], tuple[W
     for i, (part, link) in enumerate(zip(sections, rows, strict=True)):
         reason = inertia_doubt(link.inertia)
         if reason and not (i == 0 and only_about_base_axis(links[0].joint, links[0].inertia)):
-            source.doubt(
+            part.doubt(
                 part.values.get("inertia", part.node),
                 f"{part.label}: inertia is not physical: {reason}",
-                "check the table, or move a rotor's share to motor_inertia",
+                "check the table, or move a rotor's share to motor_inertia"
+                + ("" if source.strict else ", or say why it stands (acknowledged: ...)"),
+            )
+        if link.acknowledged and not part.doubts and is_judged(link.inertia):
+            source.note(
+                part.values["acknowledged"],
+                f"{part.path('acknowledged')}: nothing about this link is implausible",
+                "delete the key",
             )
     return links, tuple(effects)
 
@@ -168,11 +175,7 @@ def _refuse_twins(sections: list[Section], links: tuple[Link, ...]) -> None:
 
 def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, ...]]:
     kind: JointKind = "prismatic" if section.choice("joint") == "prismatic" else "revolute"
-    name = section.text("name")
-    if not name and "name" in section.values:
-        section.source.fail(
-            section.values["name"], f"{section.path('name')} is empty", expected="text, or no such key"
-        )
+    name, acknowledged = _stated(section, "name"), _stated(section, "acknowledged")
     friction = section.section("friction")
     # Read in the order of the table, so that the first fault named is the first in a well-kept file.
     alpha, a, d, theta = (
@@ -196,12 +199,24 @@ def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, .
         link = replace(link, inertia=Inertia(*(tensor.number(key.name) for key in INERTIA)))
     if confidence is not None:
         link = replace(link, confidence=confidence)
+    if acknowledged:
+        link = replace(link, acknowledged=acknowledged)
     effects = _written(section, i, kind, joints)
     if effects:
         from robodyn.robot.folding import into_link
 
         return into_link(link, friction, effects)
     return link, ()
+
+
+def _stated(section: Section, key: str) -> str:
+    """The text at ``key``, which is not empty; "" where the key is left out."""
+    text = section.text(key)
+    if not text and key in section.values:
+        section.source.fail(
+            section.values[key], f"{section.path(key)} is empty", expected="text, or no such key"
+        )
+    return text
 
 
 def _limits(section: Section) -> Limits:

@@ -155,10 +155,18 @@ class _Patch:
         self._number(node, "link", "mass", old.mass, new.mass, (i, "mass"))
         self._vector(node, "link", "com", old.com, new.com, (i, "com"))
         self._group(node, "link", "inertia", _entries(old.inertia), _entries(new.inertia), (i, "inertia"))
+        self._acknowledged(i, node, old.acknowledged, new.acknowledged)
         for effect in _folded(""):
             self._beside(i, node, effect, old, new)
         moved = self._friction(i, node, old, new)
         self._effects(i, node, moved)
+
+    def _acknowledged(self, i: int, node: Any, old: str, new: str) -> None:
+        if old and not new:
+            self.editor.remove_key(node, "acknowledged")
+        elif old != new:
+            text = setting_text(new, plain=False)
+            self.editor.set_key(node, "acknowledged", text, [(i, "acknowledged")], _ORDER["link"])
 
     def _beside(self, i: int, node: Any, effect: Effect, old: Link, new: Link) -> None:
         """A number of the joint that is a key of the link, or an effect of its own."""

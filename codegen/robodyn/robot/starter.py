@@ -33,6 +33,7 @@ _FIRST = """\
     friction: {viscous: 1.0, coulomb: 2.0}                        # N m s/rad, N m
     limits: {position: [-pi, pi], velocity: 3.0, acceleration: 10.0, torque: 150}
     confidence: 0.1              # inertial numbers are right to about this share
+    # acknowledged: why          # implausible numbers stand as they are: no warning; --strict refuses
     # effects:                   # what the joint has beyond a rigid body
     #   - {effect: stribeck_friction, level: 2.0, static: 3.0, velocity: 0.05}  # in place of coulomb
     #   - {effect: transmission_loss, efficiency: 0.85}

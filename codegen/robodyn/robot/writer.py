@@ -60,6 +60,8 @@ def _link_lines(link: Link, i: int) -> list[str]:
         lines.append(f"limits: {_limits(joint.limits)}")
     if link.confidence != Fraction(1, 10):
         lines.append(f"confidence: {number_text(link.confidence)}")
+    if link.acknowledged:
+        lines.append(f"acknowledged: {_quoted(link.acknowledged)}")
     if (joint.viscous, joint.coulomb) != (ZERO, ZERO):
         lines.append(f"friction: {_friction(joint)}")
     return [("  - " if k == 0 else "    ") + line for k, line in enumerate(lines)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from os import PathLike
 from pathlib import Path
 from typing import Any, Literal
 
@@ -17,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options
+from robodyn.robot.bundled import robot_of
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
 from robodyn.simulate.balance import Balance, stored_energy
@@ -143,7 +145,7 @@ class Simulation:
 
 
 def simulate(
-    robot: Robot,
+    robot: Robot | str | PathLike[str],
     drive: Drive | None = None,
     *,
     start: ArrayLike | None = None,
@@ -160,7 +162,7 @@ def simulate(
     progress: Callable[[float], object] | None = None,
     cache: Path | None = None,
 ) -> Simulation:
-    """Simulate ``robot`` with all its effects.
+    """Simulate ``robot`` (or that of a path or name) with all its effects.
 
     Parameters
     ----------
@@ -178,6 +180,7 @@ def simulate(
     InputError: an argument or the robot does not fit; the run did not come to its end.
     ToolError: no C compiler.
     """
+    robot = robot_of(robot)
     values = parameter_values(robot, parameters)
     model = drive.model if isinstance(drive, Follow) else None
     plant = plant or build_plant(robot, model=model, options=options, cache=cache)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from robodyn.draw.curves import Curve, Panel, figure
+from robodyn.effects import thesis_friction as friction
 from robodyn.effects.efficiency import efficiency_at
 from robodyn.thesis.case_arm import efficiency_curve, efficiency_points
 from robodyn.thesis.case_study import LABEL, Floats, Study
+from robodyn.thesis.printed_counts import TABLE_3_4
 
 _JOINTS = (1, 2, 3)
 _LOADS = [k / 200 for k in range(201)]
@@ -17,6 +19,7 @@ def pictures(study: Study) -> dict[str, str]:
         "path.svg": path(study),
         "joints.svg": joints(study),
         "efficiency.svg": efficiency(),
+        "transmission.svg": transmission(),
         "following.svg": following(study),
     }
     return files | {f"joint-{k}.svg": torques(study, k) for k in _JOINTS}
@@ -117,6 +120,27 @@ def efficiency() -> str:
         ),
     )
     return figure("Efficiency curve", LABEL, (panel,))
+
+
+def transmission() -> str:
+    """Figure 3.5: what goes into the transmission over what it gives, moving either way, in all quadrants."""
+    knots = [(float(x), float(y)) for x, y in efficiency_curve()]
+    panels = []
+    for joint, drive in enumerate(TABLE_3_4, 1):
+        largest, breakaway = float(drive.largest), float(drive.breakaway)
+        outputs = [largest * k / 100 for k in range(-100, 101)]
+        curves = []
+        for direction, name in ((1, "moving forward"), (-1, "moving backward")):
+            inputs = []
+            for torque in outputs:
+                efficiency = efficiency_at(friction.load_fraction(torque, largest), knots, "cubic")
+                law = friction.driving if torque * direction > 0 else friction.braking
+                inputs.append(float(law(torque, efficiency, breakaway, direction)))
+            curves.append(Curve(name, outputs, inputs))
+        curves.append(Curve("without loss", outputs, outputs, dashed=True))
+        title = f"Joint {joint}: driving where torque and motion agree, else braking"
+        panels.append(Panel(title, "torque in over torque at the joint, N m", tuple(curves)))
+    return figure("Figure 3.5, redrawn: the transmission in four quadrants", LABEL, panels)
 
 
 def following(study: Study) -> str:

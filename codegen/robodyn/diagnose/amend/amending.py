@@ -73,6 +73,8 @@ class Work:
 
     def _link(self, index: int, place: str, **changes: Any) -> None:
         links = list(self.robot.links)
+        if changes.get("inertia", links[index - 1].inertia) != links[index - 1].inertia:
+            changes["acknowledged"] = ""  # what was said of the old tensor does not hold for the new one
         links[index - 1] = replace(links[index - 1], **changes)
         self.robot = replace(self.robot, links=tuple(links))
         self.places.add((index, place))

@@ -1,8 +1,8 @@
-"""Figure 2.9 as a picture: what the two methods cost a joint and an arm, and all formulations beside them.
+"""Tables 2.9 and 1.1 as a picture: what two methods cost a joint and an arm, and all formulations beside.
 
 Left, Table 2.9: operations a joint by kind of joint, method I and II, printed and ours. Middle: a revolute
-arm of n joints by the same figures. Right, Table 1.1: all formulations, on a logarithmic scale. The thesis's
-own drawing is not at hand; this is what its data support. SVG, the same bytes at any time.
+arm of n joints by the same figures. Right, Table 1.1: all formulations, as lines on a logarithmic scale. For
+Figure 2.9 itself see :mod:`.picture_2_9`. SVG, the same bytes at any time.
 """
 
 from __future__ import annotations

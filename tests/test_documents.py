@@ -1,0 +1,133 @@
+"""Figures and commands in README.md and docs/*.md are those of the code, not typed from memory."""
+
+from __future__ import annotations
+
+import importlib
+import re
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+
+import click
+import pytest
+
+from diagnose.hidden.cases import INSIDE
+from robodyn import errors
+from robodyn.counts.thesis import TABLE_2_10
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.kernels.generate import Options, generate
+from robodyn.kernels.generate import program as program_of
+from robodyn.robot import bundled_names, load
+from robodyn_cli.main import COMMANDS
+
+ROOT = Path(__file__).parents[1]
+DOCUMENTS = {
+    path.name: path.read_text(encoding="utf-8")
+    for path in (ROOT / "README.md", *(ROOT / "docs").glob("*.md"))
+}
+README = DOCUMENTS["README.md"]
+
+
+def cells(text: str) -> list[list[str]]:
+    """The cells of a table in Markdown, row by row, without its head."""
+    rows = [line for line in text.splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in row.split("|")[1:-1]] for row in rows[2:]]
+
+
+def test_there_are_as_many_effects_as_it_says() -> None:
+    assert re.findall(r"(\d+) effects", README) == [str(len(CATALOGUE))]
+    (of, every), (missing,) = (
+        re.findall(r"\((\d+) of (\d+)\), which was added later", DOCUMENTS["diagnose.md"])[0],
+        set(CATALOGUE) - set(INSIDE),
+    )
+    assert (int(of), int(every)) == (len(INSIDE), len(CATALOGUE))
+    assert f"catalogue but `{missing}`" in DOCUMENTS["diagnose.md"]
+
+
+def test_the_table_of_counts_has_every_robot_its_joints_and_its_thesis() -> None:
+    (table,) = re.findall(r"<!-- counts -->\n(.*?)<!-- end -->", README, flags=re.DOTALL)
+    rows = {row[0].strip("`"): row for row in cells(table)}
+    assert list(rows) == sorted(bundled_names())
+    for name, (_, joints, none, *_, thesis) in rows.items():
+        robot = load(name, warn=lambda _: None)
+        assert joints == "".join(link.joint.kind[0].upper() for link in robot.links)
+        made = program_of(robot, "inverse_dynamics", Options(optimize="none"))
+        counted = sum(operation.op in ("add", "sub", "mul", "div") for operation in made.operations)
+        assert none == str(counted), name
+        compared = robot.compare
+        printed = TABLE_2_10.get(compared.row) if compared is not None and compared.table == "2.10" else None
+        assert thesis == ("" if printed is None else str(printed[0] + printed[1])), name
+
+
+def test_the_exit_codes_are_those_of_the_errors() -> None:
+    section = README.partition("## Exit codes")[2].partition("\n## ")[0]
+    codes = {int(code) for row in cells(section) for code in row[0].split(",")}
+    raised = {
+        one.exit_code
+        for one in vars(errors).values()
+        if isinstance(one, type) and issubclass(one, errors.RobodynError)
+    }
+    assert raised <= codes
+    assert codes - raised == {0, 4, 129, 130, 143}
+
+
+def test_the_lines_without_a_name_are_counted() -> None:
+    said = re.search(r"(\d+) of the (\d+) values in `puma560`", README)
+    assert said is not None
+    source = (ROOT / "generated" / "puma560" / "puma560.c").read_text(encoding="ascii")
+    (body,) = re.findall(r"^void puma560_inverse_dynamics\(.*?^}", source, flags=re.DOTALL | re.MULTILINE)
+    names = re.findall(r"^    const (?:volatile )?puma560_real (\w+) =", body, flags=re.MULTILINE)
+    anonymous = [name for name in names if re.fullmatch(r"t\d+", name)]
+    assert (int(said[1]), int(said[2])) == (len(anonymous), len(names))
+
+
+def test_the_readable_lines_in_kernels_are_emitted() -> None:
+    section = DOCUMENTS["kernels.md"].partition("## Every line named")[2]
+    (shown,) = re.findall(r"```c\n(.*?)```", section.partition("\n## ")[0], flags=re.DOTALL)
+    options = Options(functions=("inverse_dynamics",), readable=True)
+    assert shown in generate(load("puma560", warn=lambda _: None), options).files(("c",))["puma560.c"]
+
+
+def command_lines() -> list[tuple[str, list[str]]]:
+    """Every ``robodyn ...`` of the documents: where it stands, and its words."""
+    lines = []
+    for name, text in DOCUMENTS.items():
+        blocks = re.findall(r"```sh\n(.*?)```", text, flags=re.DOTALL)
+        indented = re.findall(r"^    (robodyn [a-z].*)$", text, flags=re.MULTILINE)
+        for line in [*"\n".join(blocks).splitlines(), *indented]:
+            if line.startswith("robodyn "):
+                lines.append((name, shlex.split(line, comments=True)[1:]))
+    return lines
+
+
+def test_every_command_shown_has_the_options_that_it_is_shown_with() -> None:
+    shown = command_lines()
+    assert len(shown) > 50
+    for where, (name, *words) in shown:
+        assert name in COMMANDS, f"{where}: robodyn {name}"
+        command: click.Command = importlib.import_module(COMMANDS[name][0]).command
+        known = {option for one in command.params for option in (*one.opts, *one.secondary_opts)}
+        used = {word.partition("=")[0] for word in words if re.match(r"--?[a-z]", word)}
+        assert used <= known | {"--help"}, f"{where}: robodyn {name} {' '.join(words)}"
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize(("trig", "options"), [("builtin", ()), ("given", ()), ("libm", ())])
+def test_the_instructions_are_measured(trig: str, options: tuple[str, ...]) -> None:
+    for tool in ("valgrind", "gcc"):
+        if shutil.which(tool) is None:
+            pytest.skip(f"missing: {tool}")
+    version = subprocess.run(["gcc", "-dumpversion"], capture_output=True, text=True, check=True).stdout
+    if version.partition(".")[0].strip() != "12":
+        pytest.skip("missing: gcc 12, whose figures docs/kernels.md has")
+    from benchmarks.instructions import measure
+
+    text = DOCUMENTS["kernels.md"]
+    row = re.search(rf"^\| `{trig}`[^|]*\| (\d+) \| (\d+) \|$", text, flags=re.MULTILINE)
+    assert row is not None
+    for scalar, figure in zip(("double", "float"), row.groups(), strict=True):
+        counted = measure("puma560", trig, scalar, "x86-64-v3")
+        assert counted.call == int(figure)
+    if trig == "builtin":
+        assert f"a call takes {row[1]}\ninstructions" in README
