@@ -22,7 +22,7 @@ from robodyn_cli.hide import placed
 from robodyn_cli.simulate_options import POSITIVE
 
 if TYPE_CHECKING:
-    from robodyn.diagnose.excite import Design, Told
+    from robodyn.diagnose.excite import Design, EffectAt
     from robodyn.simulate.trajectories import Trajectory
 
 #: Below this separation a log cannot distinguish two effects.
@@ -90,7 +90,7 @@ def command(robot: str, tell: str | None, output: str, as_json: bool, rate: floa
     with progress.line() as shown:
         best = design(
             described,
-            _told(tell),
+            _effects_at(tell),
             period=1 / rate,
             progress=lambda k: shown.tell(f"robodyn: {described.name}: {k} of {options['tries']} motions"),
             **options,
@@ -110,7 +110,7 @@ def command(robot: str, tell: str | None, output: str, as_json: bool, rate: floa
         talk(f"robodyn: warning: no motion distinguishes {best.pair}; see which other data to record")
 
 
-def _told(text: str | None) -> list[Told]:
+def _effects_at(text: str | None) -> list[EffectAt]:
     """Effects and joints; if only one joint is named, it applies to all joint effects."""
     from robodyn.effects.catalogue import effect
 

@@ -46,8 +46,8 @@ def for_firmware(options: Options, target: str | None, **others: object) -> Opti
     return firmware_options(
         options,
         listed(target or ""),
-        scalar=options.scalar if _said("scalar") else None,
-        trig=options.trig if _said("trig") else None,
+        scalar=options.scalar if _on_command_line("scalar") else None,
+        trig=options.trig if _on_command_line("trig") else None,
     )
 
 
@@ -110,7 +110,7 @@ def write_firmware(
             click.echo(line)
 
 
-def _said(name: str) -> bool:
+def _on_command_line(name: str) -> bool:
     """Whether the option was given on the command line."""
     source = click.get_current_context().get_parameter_source(name)
     return source is click.core.ParameterSource.COMMANDLINE

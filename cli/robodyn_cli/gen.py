@@ -173,7 +173,7 @@ def command(
         described, options, options.functions or by_default()
     )
     with pruning_progress() as tell:
-        generated = generate(described, options, progress=_told(described), pruning=tell)
+        generated = generate(described, options, progress=_progress(described), pruning=tell)
     for function, reason in generated.left_out.items():
         talk(f"robodyn: note: {described.name} has no {function}: {reason}")
     if firmware:
@@ -315,7 +315,7 @@ def _compiled(
 _MANY = 12
 
 
-def _told(robot: Robot) -> Callable[[str], None] | None:
+def _progress(robot: Robot) -> Callable[[str], None] | None:
     """Progress messages for a long arm on a terminal; None otherwise."""
     if robot.n < _MANY or not sys.stderr.isatty():
         return None

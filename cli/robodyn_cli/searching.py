@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from robodyn.kernels.generate import Options
     from robodyn.robot import Robot
-    from robodyn.search.improve import Told
+    from robodyn.search.improve import Progress
 
 #: Share of the time for the inverse dynamics if other functions are searched for as well.
 _FIRST = 0.8
@@ -75,7 +75,7 @@ class Search:
             share = 1.0 if len(wanted) == 1 else _FIRST if k == 0 else (1 - _FIRST) / (len(wanted) - 1)
             with line() as shown:
 
-                def tell(at: Told, function: str = function) -> None:
+                def tell(at: Progress, function: str = function) -> None:
                     shown.tell(
                         f"robodyn: {robot.name} {function}: {at.stage}, {at.seconds:.0f} of {at.of:.0f} s, "
                         f"{self.objective} {at.best:.6g}"

@@ -79,7 +79,7 @@ def command(
     sensors = _sensors(described, asked)
     run, what = _run(described, asked, values)
     log = _log(run, sensors, asked, what, robot)
-    from robodyn.report.run import doubts, to_text
+    from robodyn.report.run import to_text, warnings_of
 
     files: dict[str, str | bytes] = {}
     if target is not None:
@@ -97,7 +97,7 @@ def command(
     else:
         for line in to_text(summary):
             click.echo(line, err=target is None)
-    for text in doubts(run, _BALANCED, what.reference):
+    for text in warnings_of(run, _BALANCED, what.reference):
         talk(f"robodyn: warning: {text}")
 
 

@@ -118,7 +118,7 @@ class Asked:
     @property
     def drive(self) -> str | None:
         """The last of :data:`DRIVES` on the command line; None if the motor torques are zero."""
-        drives = self._given(DRIVES)
+        drives = self._present(DRIVES)
         return drives[-1] if drives else None
 
     @property
@@ -138,7 +138,7 @@ class Asked:
         """
         from robodyn.errors import InputError
 
-        drives = self._given(DRIVES)
+        drives = self._present(DRIVES)
         if len(drives) > 1:
             raise InputError(
                 "only one input can drive the robot",
@@ -160,7 +160,7 @@ class Asked:
             (("rtol", "atol"), self.solver == "adaptive", "--solver adaptive"),
             (("cutoff",), "filtered" in (self.velocity, self.acceleration), "--velocity filtered"),
         ):
-            for name in self._given(names):
+            for name in self._present(names):
                 if not fits:
                     raise InputError(
                         f"{_spelled(name)} requires {partner}", remedy=f"remove {_spelled(name)}"
@@ -178,7 +178,7 @@ class Asked:
                 remedy="use a longer --duration or a higher --rate",
             )
 
-    def _given(self, names: tuple[str, ...]) -> list[str]:
+    def _present(self, names: tuple[str, ...]) -> list[str]:
         return [name for name in names if getattr(self, name) not in (None, False)]
 
 

@@ -35,7 +35,7 @@ def command(table_id: str | None, picture: str | None, as_json: bool) -> None:
     target = None if picture is None else _picture_file(picture, ids)
     tables = []
     for one in ids:
-        table = make(one, _told(one))
+        table = make(one, _progress(one))
         if as_json:
             tables.append(table.to_dict())
             continue
@@ -71,7 +71,7 @@ def _picture_file(text: str, ids: tuple[str, ...]) -> Path:
     return Path(text)
 
 
-def _told(table: str) -> Callable[[str], None]:
+def _progress(table: str) -> Callable[[str], None]:
     """Progress messages on a terminal; nothing in a pipe."""
     if sys.stderr is None or not sys.stderr.isatty():
         return lambda _: None

@@ -53,7 +53,7 @@ MOTION = "--to 0.1 --param m=2"
         (f"slide.yaml {MOTION} --torque-noise nan", "not a finite number"),
         (f"slide.yaml {MOTION} --encoder-bits 3 --position-resolution 1", "set the same quantity"),
         ("pendulum.yaml --encoder-bits 0.5", "encoder bits must be an integer"),
-        ("pendulum.yaml --encoder-bits 99", "an encoder has no so many bits"),
+        ("pendulum.yaml --encoder-bits 99", "the resolution of an encoder is out of range"),
         (f"slide.yaml {MOTION} --duration 0", "0 is not more than 0"),
         (f"slide.yaml {MOTION} --duration inf", "'--duration'"),
         (f"slide.yaml {MOTION} --duration 1e-4", "the log would have only one sample"),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from robodyn.diagnose.excite import Told, design, independence, separation
+from robodyn.diagnose.excite import EffectAt, design, independence, separation
 from robodyn.errors import InputError
 from robodyn.robot import load
 from robodyn.robot.model import Robot
@@ -72,14 +72,14 @@ def test_an_effect_inside_another_is_told_by_what_the_other_has_beyond() -> None
     motion = motion_of(robot)
     line = motion.q[:, 0] - motion.q[:, 0].mean()
     beyond = np.sqrt(1 - line.sum() ** 2 / (line @ line) / len(line))
-    pair: list[Told] = [("torque_bias", 1), ("spring", 1)]
+    pair: list[EffectAt] = [("torque_bias", 1), ("spring", 1)]
     assert separation(robot, motion, pair)[0] == pytest.approx(beyond, rel=1e-6)
     assert separation(robot, motion, pair[::-1])[0] == pytest.approx(beyond, rel=1e-6)
 
 
 def test_the_design_is_the_best_that_was_tried_and_inside_the_limits() -> None:
     robot = pendulum("0.1")
-    tell: list[Told] = [("coulomb_friction", 1), ("viscous_friction", 1)]
+    tell: list[EffectAt] = [("coulomb_friction", 1), ("viscous_friction", 1)]
     found = design(robot, tell, duration=6.0, seed=2, tries=5, period=0.01)
     assert found.trajectory.duration == pytest.approx(6.0)
     assert outside(robot, found.trajectory) == []
@@ -123,7 +123,7 @@ def test_every_joint_counts_where_none_is_named() -> None:
         ([("external_contact", None), ("spring", 1)], "no columns"),
     ],
 )
-def test_what_cannot_be_told_apart_is_refused(tell: list[Told], words: str) -> None:
+def test_effects_that_cannot_be_separated_are_refused(tell: list[EffectAt], words: str) -> None:
     with pytest.raises(InputError, match=words):
         design(pendulum("0.1"), tell, tries=1, period=0.02)
 

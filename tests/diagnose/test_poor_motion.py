@@ -10,7 +10,7 @@ from robodyn.diagnose.result import Diagnosis
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.library import context_of
 from robodyn.diagnose.select.rigid import Model
-from robodyn.diagnose.select.selection import select, shaken
+from robodyn.diagnose.select.selection import encoder_torque_noise, select
 from robodyn.diagnose.select.signals import signals_of
 from robodyn.robot import load
 from robodyn.simulate.log import Log
@@ -57,4 +57,4 @@ def test_what_noise_of_the_encoders_makes_of_torques() -> None:
     model = Model(robot)
     tau = [model.torque(s.q, s.qd, s.qdd) for s in (noisy, clean)]
     seen = noisy.thinned(noisy.filtered(tau[0] - tau[1])).std(axis=0)
-    np.testing.assert_allclose(shaken(context_of(model, noisy)), seen, rtol=0.2)
+    np.testing.assert_allclose(encoder_torque_noise(context_of(model, noisy)), seen, rtol=0.2)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from robodyn.effects.effect import Site
 from robodyn.effects.presliding import PRESLIDING
-from robodyn.effects.scalars import held, is_duration, is_finite, is_positive
+from robodyn.effects.scalars import is_duration, is_finite, is_positive, updated_if
 from robodyn.ir import Input
 from robodyn.ir.evaluate import evaluate
 from robodyn.kernels.generate import maker
@@ -229,10 +229,10 @@ def test_what_tells_numbers_from_others(kind: Any) -> None:
         with np.errstate(all="ignore"):
             found = [is_positive(kind(x)), is_finite(kind(x)), is_duration(kind(x))]
         assert [float(np.squeeze(each)) for each in found] == [positive, finite, duration]
-        kept = held(kind(0.0), kind(x), kind(7.0))
+        kept = updated_if(kind(0.0), kind(x), kind(7.0))
         assert float(np.squeeze(kept)) == 7.0
         if finite:
-            taken = float(np.squeeze(held(kind(1.0), kind(x), kind(7.0))))
+            taken = float(np.squeeze(updated_if(kind(1.0), kind(x), kind(7.0))))
             assert taken == x
 
 

@@ -11,7 +11,7 @@ import pytest
 from effects.cases import CASES, sites, stacked
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
-from robodyn.effects.traits import Bristles, Form, Law, Twist, Usual
+from robodyn.effects.traits import Dahl, Form, Law, Twist, Usual
 from robodyn.robot.model import Joint
 
 JOINTS = (
@@ -31,7 +31,7 @@ def others(effect: Effect) -> Iterator[str]:
     for way in traits.candidates:
         if isinstance(way, Law):
             yield from way.beside
-        if isinstance(way, Bristles):
+        if isinstance(way, Dahl):
             yield way.sliding
 
 
@@ -49,7 +49,7 @@ def parameters(effect: Effect) -> Iterator[str]:
         yield traits.channel.parameter
         yield from (traits.channel.who,) if traits.channel.who else ()
     for way in traits.candidates:
-        if isinstance(way, Bristles):
+        if isinstance(way, Dahl):
             yield from (way.level, way.stiffness)
         if isinstance(way, Twist):
             yield from (*way.reach, *way.fixed, *(name for values in way.ahead for name in values))

@@ -97,7 +97,7 @@ def test_a_program_that_only_closes_its_mouth(script: Callable[[str], str], tmp_
 def test_a_program_that_talks_without_end(
     script: Callable[[str], str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(running, "SAID", 1000)
+    monkeypatch.setattr(running, "MOST_OUTPUT", 1000)
     more = "head -c 200000 /dev/zero | tr '\\0' y"
     done = run([script(f"echo first; {more}; echo $$ $$ >> HERE/ids; exec yes")])
     assert done.code is None

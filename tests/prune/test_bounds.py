@@ -213,7 +213,7 @@ def test_a_bound_is_as_close_as_asked_for() -> None:
     waves = waves_of(wave, 2)  # |cos| + |sin| of two angles
     assert 2 <= proven(waves, close=1.001) <= 2.004
     assert 2 <= proven(waves, work=0) <= 2.0001  # the sizes alone
-    assert proven(waves, enough=2.5) <= 2.5
+    assert proven(waves, threshold=2.5) <= 2.5
     both: Terms = {((1,), m): 0.5 if m else -0.5j for m in (0, 1)}
     both |= {((-1,), m): c.conjugate() for (_, m), c in list(both.items())}
     assert math.sqrt(2) <= proven(waves_of(both, 1), close=1.001) <= 1.002 * math.sqrt(2)

@@ -21,7 +21,7 @@ from robodyn.optimize.records import FOLDER, Record, identity, parse_record
 from robodyn.robot import Robot
 from robodyn.search import climb as climbing
 from robodyn.search import improve as improving
-from robodyn.search.improve import Told, cost, improved, kept_folder, write_record
+from robodyn.search.improve import Progress, cost, improved, kept_folder, write_record
 from robodyn.search.walk import library
 from robodyn_testing import representative, sampled
 from robodyn_testing.clocks import ticking
@@ -218,7 +218,7 @@ def test_an_interrupted_search_has_kept_what_it_found(cache: Path, monkeypatch: 
     monkeypatch.setattr(improving, "_written", lambda *_: [])
     monkeypatch.setattr(improving, "closed_forms", lambda *_, **__: [])
 
-    def stop(at: Told) -> None:
+    def stop(at: Progress) -> None:
         if (cache / FOLDER / NAME).exists():
             raise KeyboardInterrupt
 
@@ -230,7 +230,7 @@ def test_an_interrupted_search_has_kept_what_it_found(cache: Path, monkeypatch: 
 
 
 def test_progress_is_told(cache: Path) -> None:
-    told: list[Told] = []
+    told: list[Progress] = []
     record = quick(progress=told.append, level="full", seconds=1.5)
     stages = [at.stage for at in told]
     assert sorted(stages, reverse=True) == stages

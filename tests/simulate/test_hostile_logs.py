@@ -271,7 +271,7 @@ class Names(list[str]):
 def test_names_of_columns_are_gone_through_once() -> None:
     layout = layout_of(Names(["t", "q1", "tau1", *["x"] * 1000]), None, Place("log.csv"))
     assert len(layout.ignored) == 1000
-    with pytest.raises(InputError, match="columns of one name; found q1"):
+    with pytest.raises(InputError, match="columns with the same name; found q1"):
         layout_of(Names(["t", "q1", "tau1", "q1", "x", "x"]), None, Place("log.csv"))
 
 

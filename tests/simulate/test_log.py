@@ -213,7 +213,7 @@ def test_nan_and_infinity_are_values(written: Callable[[str | bytes], str]) -> N
         ("t,q1,q2\n", "found no tau1, tau2"),
         ("t,tau20\n", "found no q1, q2, q3, q4, q5, q6, q7, q8 and 12 more"),
         ("t,q1,q2,qd2,tau1,tau2\n", "found no qd1; expected all of qd1..qd2, or none"),
-        ("t,q1,q1,tau1\n", "log.csv:1: the log has columns of one name; found q1"),
+        ("t,q1,q1,tau1\n", "log.csv:1: the log has two columns with the same name; found q1"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_named(

@@ -334,7 +334,7 @@ def test_other_numbers_that_are_refused() -> None:
     with pytest.raises(InputError, match="a seed is a number of 0 or more"):
         measure(TRUE, Sensors(), seed=-1)
     for bits in (0, 65):
-        with pytest.raises(InputError, match="no so many bits"):
+        with pytest.raises(InputError, match="resolution of an encoder"):
             resolution_of(bits)
 
 

@@ -314,7 +314,7 @@ def test_arrays_that_do_not_fit() -> None:
         (lambda: quintic([0], [1], 0.0), "a trajectory takes time"),
         (lambda: quintic([0], [1, 2], 1.0), "the end is not a number a joint"),
         (lambda: quintic([0], [1], 1e9), "too many samples"),
-        (lambda: trapezoid([1], [1], 1, 1), "a motion without a way"),
+        (lambda: trapezoid([1], [1], 1, 1), "the motion has no length"),
         (lambda: trapezoid([0], [1], 0, 1), "velocity must be positive"),
         (lambda: via([[0], [1]], [0.0, 0.0]), "times of the points do not rise from 0"),
         (lambda: via([[0]], [0.0]), "no points to go through"),

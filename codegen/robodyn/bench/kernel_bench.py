@@ -24,7 +24,7 @@ from robodyn.emit.render import environment
 from robodyn.errors import CheckError, ToolError
 from robodyn.kernels.generate import Options, generate, program
 from robodyn.optimize.programs import signature
-from robodyn.passes.trig_given import Given, given_layout
+from robodyn.passes.trig_given import AngleInput, given_layout
 from robodyn.robot.model import Robot
 from robodyn.toolchain.compiler import C_FLAGS
 from robodyn.toolchain.program import built
@@ -147,7 +147,7 @@ def _native(
         runners.append(_of_casadi(arm))
     arrays = dict(zip(("q", "qd", "qdd"), states, strict=True))
     if layout:
-        arrays["sc"] = _given(layout, states[0])
+        arrays["sc"] = _trig_inputs(layout, states[0])
     with built(_files(runners, arrays, robot.n), cc=cc, flags=C_FLAGS) as path:
         torques = np.array([float(x) for x in _output_of([str(path)]).split()])
         for runner, tau in zip(runners, torques.reshape(len(runners), *wanted.shape), strict=True):
@@ -208,7 +208,7 @@ def _files(runners: Sequence[_Runner], arrays: Mapping[str, Floats], joints: int
     return {"race_main.c": main, **{f"race_{r.key}.c": r.source for r in runners}}
 
 
-def _given(layout: Sequence[Given], q: Floats) -> Floats:
+def _trig_inputs(layout: Sequence[AngleInput], q: Floats) -> Floats:
     """Sines and cosines of positions ``q`` [N, n] as the kernel takes them."""
     functions: dict[str, Callable[[Any], Any]] = {"sin": np.sin, "cos": np.cos, "q": lambda x: x}
     columns = []

@@ -37,7 +37,7 @@ class Scripts:
         self.program, self.bounds = program, bounds
         self.body = statements(program)
         turning = iter([i for i, op in enumerate(program.operations) if op.op in ("sin", "cos")])
-        self._made = {s.name: s for s in self.body.statements}
+        self._statements = {s.name: s for s in self.body.statements}
         #: Sines and cosines always have names, and stand in the order of their operations.
         self._trig = {s.name: next(turning) for s in self.body.statements if _is_trig(s.expression)}
 
@@ -45,7 +45,7 @@ class Scripts:
         """The script for one element of an output; its last line asks for its range and its error."""
         script = _Script()
         live = set(self._live([output]))
-        for name, statement in self._made.items():
+        for name, statement in self._statements.items():
             if name in live:
                 self._state(script, statement)
         result = self._text(output, script, exact=False)
@@ -86,7 +86,7 @@ class Scripts:
                 seen.add(leaf)
                 yield leaf
                 if leaf not in self._trig:
-                    stack.extend(_leaves(self._made[leaf].expression))
+                    stack.extend(_leaves(self._statements[leaf].expression))
 
     def _text(self, expression: Expression, script: _Script, *, exact: bool) -> str:
         def element(array: str, i: int) -> str:

@@ -42,7 +42,7 @@ Floats = NDArray[np.float64]
 
 
 #: An effect at a joint (from 1; None: all joints where it can be, or the whole robot).
-Told = tuple[str, int | None]
+EffectAt = tuple[str, int | None]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,14 +56,14 @@ class Design:
     separation: float
     typical: float
     pair: str | None
-    tell: tuple[Told, ...]
+    tell: tuple[EffectAt, ...]
     experiments: dict[str, str]
     tries: int
 
 
 def design(
     robot: Robot,
-    tell: Sequence[Told] = (),
+    tell: Sequence[EffectAt] = (),
     *,
     duration: float = 10.0,
     harmonics: int = 5,
@@ -114,7 +114,7 @@ def design(
     return Design(motion, value, typical, pair, pairs, texts, tries)
 
 
-def _checked(robot: Robot, tell: Sequence[Told]) -> tuple[Told, ...]:
+def _checked(robot: Robot, tell: Sequence[EffectAt]) -> tuple[EffectAt, ...]:
     for id, joint in tell:
         known = effect(id)
         if joint is not None and not 1 <= joint <= robot.n:
@@ -137,7 +137,7 @@ def _name(id: str, joint: int | None) -> str:
 # --- how far apart ----------------------------------------------------------------------------------------
 
 
-def excite(robot: Robot | str | PathLike[str], tell: Sequence[Told] = (), **options: Any) -> Design:
+def excite(robot: Robot | str | PathLike[str], tell: Sequence[EffectAt] = (), **options: Any) -> Design:
     """A motion that tells effects of ``robot`` (or of that path or name) apart: :func:`design` with its
     ``options``. The motion's ``q``, ``qd``, ``qdd`` are [S, n], in rad or m, per s and s^2.
 
@@ -187,7 +187,7 @@ class _Columns:
         return np.asarray(A.T @ B - a.T @ b)
 
 
-def separation(robot: Robot, motion: Trajectory, tell: Sequence[Told]) -> tuple[float, str | None]:
+def separation(robot: Robot, motion: Trajectory, tell: Sequence[EffectAt]) -> tuple[float, str | None]:
     """Sine of the angle between the effects of the worst pair, and which that is; 0 and None where no pair
     shows on the motion."""
     columns = _Columns(robot, motion)

@@ -35,7 +35,7 @@ from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Se
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.predict import agreement, lacking, signals_seen
 from robodyn.diagnose.select.rigid import Model
-from robodyn.diagnose.select.search import Found, search
+from robodyn.diagnose.select.search import Detected, search
 from robodyn.diagnose.select.selection import Named, Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.bundled import robot_of, text_of
@@ -83,7 +83,7 @@ def diagnose(
         seen = inspect(_log(validate, n), robot, source=_name(names, len(logs)))
     outcome = search(robot, gates, tell, hashes[0] if hashes else "log")
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
-    tell("proving it")
+    tell("validating the result")
     checked = [_doubted(one, first, last) for one in accepted.values()]
     if doubtful(gates):
         checked = [(one, False) for one, _ in checked]
@@ -92,7 +92,7 @@ def diagnose(
     verdict = _verdict(findings, last, left)
     lacks = _Lacking()
     gap = _gap(lacks, robot, model if verdict == "missing_effect" else robot, gates, seen)
-    if verdict == "missing_effect" and not _holds(lacks, gap, findings, robot, model, seen):  # is taken back
+    if verdict == "missing_effect" and not _holds(lacks, gap, findings, robot, model, seen):  # withdrawn
         verdict = "unexplained"
         findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
         gap = _gap(lacks, robot, robot, gates, seen)
@@ -137,12 +137,12 @@ def _name(names: Sequence[str], k: int) -> str | None:
 
 def _share(first: Selection, last: Selection, rows: Sequence[int]) -> tuple[float, float]:
     """Of the joints' mean square what is explained; how far what is left stands out of the noise."""
-    before, after = first.first.held.mean(axis=0), last.last.held.mean(axis=0)
+    before, after = first.first.held_out.mean(axis=0), last.last.held_out.mean(axis=0)
     j = max(rows, key=lambda row: before[row] - after[row])
     return 1 - float(after[j] / max(before[j], 1e-300)), float(last.residue[j])
 
 
-def _doubted(one: Found, first: Selection, last: Selection) -> tuple[Found, bool]:
+def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected, bool]:
     """Whether what is left at the joints of a finding lets its name stand."""
     share, stands_out = _share(first, last, one.named.trial.candidate.rows)
     left = _left(last)
@@ -151,7 +151,7 @@ def _doubted(one: Found, first: Selection, last: Selection) -> tuple[Found, bool
 
 
 def _left(last: Selection) -> Floats:
-    """What is left [n], by its middle, in what would matter."""
+    """The median of what is left [n], in units of what would matter."""
     rms = np.sqrt(np.maximum(last.residue**2 - 1, 0)) * last.start.sigma
     return np.asarray(rms / what_matters(last.context))
 
@@ -179,7 +179,7 @@ def _holds(
     lacks: _Lacking, gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, seen: Gate
 ) -> bool:
     """Whether the model is nearer to a log that it was not fitted to, a contact apart; or no farther from
-    one in which nothing shows of what was found."""
+    one in which the findings do not show."""
     if all(CATALOGUE[f.effect].place == "outside" for f in findings):
         return True
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
@@ -196,7 +196,7 @@ def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verd
     return "unexplained" if findings or bool(np.any(stands_out & (left > 1.5))) else "consistent"
 
 
-def _finding(one: Found, sure: bool) -> Finding:
+def _finding(one: Detected, sure: bool) -> Finding:
     candidate, trial = one.named.trial.candidate, one.named.trial
     entry = CATALOGUE[candidate.effect]
     revolute = (
@@ -207,7 +207,7 @@ def _finding(one: Found, sure: bool) -> Finding:
         name: Estimate(value, one.errors.get(name), _unit(candidate.effect, name, revolute))
         for name, value in one.parameters.items()
     }
-    before = one.first.first.held.mean(axis=0)
+    before = one.first.first.held_out.mean(axis=0)
     j = max(candidate.rows, key=lambda row: before[row])
     place = f"joint {candidate.joint}" if candidate.joint else "the whole robot"
     where = f"{place}: {entry.signature}; seen best at joint {j + 1}"

@@ -1,4 +1,4 @@
-"""Drives with a past: motors that run ahead of their links, and effects that remember."""
+"""Drives with a state: motors that run ahead of their links, and stateful effects."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 from robodyn.drives.drive import Acting, JointDrive, Layer, Rates
 from robodyn.effects.effect import Coupler, Memory
-from robodyn.effects.scalars import exponential, held, is_duration, is_finite, is_zero, magnitude, sign
+from robodyn.effects.scalars import exponential, is_duration, is_finite, is_zero, magnitude, sign, updated_if
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,9 +55,9 @@ def next_twist(drive: JointDrive, passed: Any, before: TwistState, dt: Any) -> T
     acceleration = (rate - before.rate) * per_second * moving
     good = is_finite(magnitude(twist) + magnitude(rate) + magnitude(acceleration)) * is_duration(dt)
     return TwistState(
-        held(good, twist, before.twist),
-        held(good, rate, before.rate),
-        held(good, acceleration, before.acceleration),
+        updated_if(good, twist, before.twist),
+        updated_if(good, rate, before.rate),
+        updated_if(good, acceleration, before.acceleration),
     )
 
 

@@ -54,7 +54,7 @@ class JointDrive:
 
     @property
     def memories(self) -> tuple[Acting, ...]:
-        """Motor-side effects that remember."""
+        """Motor-side effects with a state."""
         return tuple(acting for acting in self.motor if acting.effect.memory is not None)
 
 
@@ -234,7 +234,7 @@ def at_motors(
 ) -> list[Any]:
     """Torques [n] of the motors, of the torques ``passed`` on to the drives.
 
-    ``remembered`` gives by joint the torques of effects that remember; without it they are at their steady
+    ``remembered`` gives by joint the torques of stateful effects; without it they are at their steady
     values.
     """
     torques: list[Any] = []

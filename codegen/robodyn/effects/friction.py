@@ -53,7 +53,7 @@ VISCOUS = Effect(
         fold=Fold("joint", "viscous", "coefficient", "friction"),
         candidates=(
             _COEFFICIENT,
-            # Dry friction that was found without it has taken some of its place.
+            # Dry friction that was identified without it has absorbed some of it.
             replace(
                 _COEFFICIENT, order=2, beside=("coulomb_friction",), feasible=lambda x: bool(x[0] > 0),
                 rubbing=True, rough=True,
@@ -126,7 +126,7 @@ POWER_LAW = Effect(
     dissipative=True,
     traits=Traits(
         candidates=(
-            # What viscous and dry friction leave is bent; before they are found, it is a rival of everything.
+            # A rival of everything until viscous and dry friction are identified: what they leave is curved.
             Law(
                 lambda values, at: (_power_law({"level": 1.0, "velocity": 1.0, **values}, at),), (1,),
                 lambda x, values: {"level": float(x[0]), **values}, 6,
@@ -224,8 +224,8 @@ ASYMMETRIC = Effect(
 def _stribeck(p: Values, at: Site) -> Any:
     ratio = at.qd / p["velocity"]
     exponent = p["exponent"]
-    bent = ratio * ratio if exponent == 2 else power(magnitude(ratio), exponent)
-    return (p["level"] + (p["static"] - p["level"]) * exponential(-bent)) * at.direction
+    decay = ratio * ratio if exponent == 2 else power(magnitude(ratio), exponent)
+    return (p["level"] + (p["static"] - p["level"]) * exponential(-decay)) * at.direction
 
 
 def _stribeck_fault(p: Values, revolute: bool) -> Fault | None:

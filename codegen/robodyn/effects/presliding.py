@@ -1,4 +1,4 @@
-"""The friction that remembers: a contact that bends before it slides."""
+"""Presliding friction: a contact that deflects elastically before it slides."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from robodyn.effects.effect import Effect, Memory, Parameter, Site, Values
 from robodyn.effects.friction import FORCE, SHARE, TORQUE
 from robodyn.effects.scalars import exponential, is_finite, is_positive, magnitude, power, sign
-from robodyn.effects.traits import Bristles, Form, Hidden, Traits, Usual, between
+from robodyn.effects.traits import Dahl, Form, Hidden, Traits, Usual, between
 
 #: Where it stands among the others, for a person who reads them.
 ORDER = 20
@@ -85,7 +85,7 @@ PRESLIDING = Effect(
         steady=("coulomb_friction", ("level",)),
         adds=("level",),
         candidates=(
-            Bristles(
+            Dahl(
                 "level", "stiffness", (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2), "coulomb_friction",
                 _bristle_read, 4,
             ),

@@ -132,7 +132,7 @@ def is_duration(dt: Any) -> Any:
     return is_finite(dt) * (1 - is_positive(-dt))
 
 
-def held(good: Any, new: Any, old: Any) -> Any:
+def updated_if(good: Any, new: Any, old: Any) -> Any:
     """``new`` where ``good`` is 1, bit for bit, and ``old`` where it is 0, whatever ``new`` is then."""
     return power(new, good) * good + old * (1 - good)
 

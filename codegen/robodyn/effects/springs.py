@@ -86,8 +86,8 @@ def _lag(p: Values, tau: Any) -> Any:
     return p["damping"] / p["stiffness"]
 
 
-#: Where a joint may swing on its spring [Hz], and on the teeth of its gear.
-_SWINGS, _TEETH = tuple(4.0 * 1.25**k for k in range(12)), (8.0, 12.0, 18.0, 30.0)
+#: Natural frequencies [Hz] tried for a joint on its spring, and for one on the teeth of its gear.
+_NATURAL_FREQUENCIES, _TEETH = tuple(4.0 * 1.25**k for k in range(12)), (8.0, 12.0, 18.0, 30.0)
 #: Widths of backlash that are tried [rad or m], and the torques of its rounding [N m or N].
 _GAPS, _ROUNDED, _TRANSITIONS = tuple(1e-3 * 1.25**k for k in range(17)), 0.05, (0.05, 0.5)
 #: How far steps of refinement go, in logarithms.
@@ -135,7 +135,7 @@ ELASTICITY = Effect(
         energy=lambda p, twist: p["stiffness"] * twist * twist / 2,
     ),
     traits=Traits(
-        candidates=(Twist(_SWINGS, _REACH, ({"stiffness": 1.0},), _soft_read, 5),),
+        candidates=(Twist(_NATURAL_FREQUENCIES, _REACH, ({"stiffness": 1.0},), _soft_read, 5),),
         reevaluate=True,
         wide=True,
         hidden=Hidden(_soft_form, needs="load"),

@@ -114,7 +114,7 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A straight line over the joint's position, found about the middle of the motion: ``read`` is given
+    """A straight line over the joint's position, fitted about the middle of the motion: ``read`` is given
     slope, torque in the middle, and ``middle``."""
 
     read: Read
@@ -132,13 +132,13 @@ class Wave:
 
 
 @dataclass(frozen=True, slots=True)
-class Bristles:
-    """Friction that bends before it slides, by the way since reversals: ``bends`` [rad or m] at which it
-    slides are tried; one that is shorter than the way between two samples is the friction ``sliding``."""
+class Dahl:
+    """Dahl friction, by the travel since reversals: ``deflections`` [rad or m] at which it starts to slide
+    are tried; one that is shorter than the travel between two samples is the friction ``sliding``."""
 
     level: str
     stiffness: str
-    bends: tuple[float, ...]
+    deflections: tuple[float, ...]
     sliding: str
     read: Read
     order: int
@@ -146,7 +146,7 @@ class Bristles:
 
 @dataclass(frozen=True, slots=True)
 class Twist:
-    """A link behind its motor, on springs on which it swings so often a second (``hertz``), and with each of
+    """A link behind its motor, on springs with these natural frequencies (``hertz``), and with each of
     ``more``; ``fixed`` values go along. ``ahead``: with the encoder at the link, unit values at which the
     motor's lead is linear in one number, and how that is read. ``reach``: how far steps of refinement go."""
 
@@ -168,7 +168,7 @@ class Shown:
     of_all: int | None = None
 
 
-Candidates = Law | Line | Wave | Bristles | Twist | Shown
+Candidates = Law | Line | Wave | Dahl | Twist | Shown
 
 
 @dataclass(frozen=True, slots=True)

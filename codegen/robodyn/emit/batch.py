@@ -72,7 +72,7 @@ def batch_files(unit: Unit) -> dict[str, str]:
         "sines": any(function.sines for function in functions),
         "tile": TILE,
         "chunk": CHUNK,
-        "head": head_of(unit.robot, _told(able[0][0], unit)),
+        "head": head_of(unit.robot, _notes(able[0][0], unit)),
     }
     return {
         f"{name}_{part}": environment().get_template(f"c/{part}.j2").render(context)
@@ -80,7 +80,7 @@ def batch_files(unit: Unit) -> dict[str, str]:
     }
 
 
-def _told(signature: Signature, unit: Unit) -> list[str]:
+def _notes(signature: Signature, unit: Unit) -> list[str]:
     real = f"{signature.robot}_real"
     arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
     notes = [

@@ -88,11 +88,11 @@ def _context(parallel: Parallel, plan: Lanes) -> dict[str, Any]:
         "spins": SPINS,
         "stride": 1 + max(map(len, plan.steps)),
         "lanes": [_lane(parallel, plan, k) for k in range(p)],
-        "head": head_of(parallel.robot, _told(parallel, plan)),
+        "head": head_of(parallel.robot, _notes(parallel, plan)),
     }
 
 
-def _told(parallel: Parallel, plan: Lanes) -> list[str]:
+def _notes(parallel: Parallel, plan: Lanes) -> list[str]:
     table = parallel.timetable
     waits = sum(len(step.waits) for lane in plan.steps for step in lane)
     meet = (

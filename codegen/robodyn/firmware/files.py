@@ -57,7 +57,7 @@ _C = {
     "CMakeLists.txt": "CMakeLists.txt.j2",
     "Makefile": "Makefile.j2",
 }
-_TOLD = {
+_NOTES = {
     "NAME_selftest.h": "Self-test of the kernel: test vectors, and a digest of its bits.",
     "NAME_selftest.c": "Self-test of the kernel. Test vectors: results evaluated to 40 digits{confirmed}, "
     "and as the tolerance of each the bound that a running error analysis of the kernel's operations gives, "
@@ -132,7 +132,7 @@ def firmware(
         files[file.replace("NAME", name)] = _template(template).render(context, head=heading, **own)
 
     for file, template in _C.items():
-        write(file, template, _TOLD[file].format(**figures))
+        write(file, template, _NOTES[file].format(**figures))
     for language in others:
         if language.selftest is not None:
             own = _in_language(language, context["numbers"], single=generated.options.scalar == "float")

@@ -51,7 +51,7 @@ class Batch:
         asked: object = threads  # nobody checks what is passed from Python
         if isinstance(asked, bool) or not isinstance(asked, (int, np.integer)) or asked < 1:
             raise InputError(
-                f"{where}: threads is no number of threads", found=repr(asked), expected="1 or more"
+                f"{where}: threads is not a number of threads", found=repr(asked), expected="1 or more"
             )
         names = [name for name, _ in function.signature.inputs]
         passed = [

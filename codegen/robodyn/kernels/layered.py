@@ -64,10 +64,10 @@ class Layered:
         SingularArm, ImplicitDynamics: there is no forward dynamics.
         """
         if function not in self._programs:
-            self._programs[function] = self._made(function)
+            self._programs[function] = self._build(function)
         return self._programs[function]
 
-    def _made(self, function: str) -> Program:
+    def _build(self, function: str) -> Program:
         record = function_named(function)
         check_solvable(self.robot, record)
         if not record.parts:

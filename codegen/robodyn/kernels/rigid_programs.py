@@ -39,7 +39,7 @@ class RigidPrograms:
 
     def __init__(self, robot: Robot, options: Options, pruning: Callable[[str], None] | None = None) -> None:
         self.robot, self.options = robot, options
-        self._told = pruning
+        self._pruning = pruning
         choices = options.choices() or fast_choices(robot)
         self._drafts: dict[str, Program] = {}
         self._after_passes: dict[str, Program] = {}
@@ -85,7 +85,7 @@ class RigidPrograms:
             return program
         plain = self._passed(function)
         smaller, self.prunings[function] = prune(
-            self.robot, function, program, self.options.prune, beside=(plain,), progress=self._told
+            self.robot, function, program, self.options.prune, beside=(plain,), progress=self._pruning
         )
         return smaller
 

@@ -102,7 +102,7 @@ class _Layered:
         self.graph = Graph()
         self._layer = layer_of(robot, as_is, self.graph.input)
         self._robot, self._rigid, self._formulation = robot, rigid, formulation
-        #: Whether what remembers takes a step; else it is in its steady form.
+        #: Whether states take a step; else effects are in their steady form.
         self._remembers = function.is_recursion
         #: The states after the step.
         self.states: list[Any] = []
@@ -177,7 +177,7 @@ def outputs(
 
 
 def _given_states(layer: Layer, graph: Graph) -> tuple[dict[int, TwistState], dict[int, list[list[Any]]]]:
-    """The states before the step, by joint: of couplers, and of effects that remember."""
+    """The states before the step, by joint: of couplers, and of stateful effects."""
     names = iter(range(len(layer.state_names)))
     twists: dict[int, TwistState] = {}
     memories: dict[int, list[list[Any]]] = {}

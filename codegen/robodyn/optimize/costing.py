@@ -14,7 +14,7 @@ from robodyn.optimize.base_parameters import base_newton_euler
 from robodyn.optimize.factoring import saved
 from robodyn.optimize.gauge import (
     AT_TIP,
-    Given,
+    Handed,
     Regrouped,
     Unsuited,
     assembled,
@@ -43,7 +43,7 @@ class Costing:
     def __init__(self, robot: Robot) -> None:
         self.robot = robot
         self.circle = Circle()
-        self._given: dict[Any, Given | Unsuited] = {}
+        self._handed: dict[Any, Handed | Unsuited] = {}
         self._plain = not robot.parameters
         tally = Tally(self.circle)
         self.arm: Arm = build_arm(robot, exact, tally.input)
@@ -73,13 +73,13 @@ class Costing:
         check_size(self.arm, variant)
         tally = Tally(self.circle)
         if self._plain:
-            field, lumps = self._field, self._all_given(variant)
+            field, lumps = self._field, self._all_handed(variant)
             links, unit = assembled(self.arm, variant, lumps)
         else:
             # Parameters are values of the tally that they are counted in.
             arm = build_arm(self.robot, exact, tally.input)
             field = build_arm(self.robot, in_field, tally.input)
-            links, unit = assembled(arm, variant, _all_given(arm, variant))
+            links, unit = assembled(arm, variant, _all_handed(arm, variant))
         numbers = [in_scalars(link, in_field) for link in links]
         return tally, self._outputs(tally, field, numbers, unit, variant)
 
@@ -93,25 +93,25 @@ class Costing:
         per_unit = 1 if unit == 1 else in_field(1 / Fraction(unit))
         return base_newton_euler(arm, motion, turns, numbers, variant, per_unit)
 
-    def _all_given(self, variant: Variant) -> list[Given]:
+    def _all_handed(self, variant: Variant) -> list[Handed]:
         n = self.robot.n
-        lumps: list[Given] = [AT_TIP] * (n + 1)
+        lumps: list[Handed] = [AT_TIP] * (n + 1)
         tail: tuple[Any, ...] = ()
         for i in reversed(range(n)):
             how = variant.links[i]
             tail = (how.mass, how.first, how.second, how.slide, tail)
-            cached = self._given.get(tail)
+            cached = self._handed.get(tail)
             if cached is None:
-                if len(self._given) > _MANY:
-                    self._given.clear()
-                cached = self._given[tail] = self._give(i, how, lumps[i + 1])
+                if len(self._handed) > _MANY:
+                    self._handed.clear()
+                cached = self._handed[tail] = self._give(i, how, lumps[i + 1])
             if isinstance(cached, Unsuited):
                 raise cached
             point_of(i, cached.own, how)  # a form that does not suit says so before the links below are made
             lumps[i] = cached
         return lumps
 
-    def _give(self, i: int, how: LinkVariant, child: Given) -> Given | Unsuited:
+    def _give(self, i: int, how: LinkVariant, child: Handed) -> Handed | Unsuited:
         try:
             return give(self.arm, self._lumps, i, how, child)
         except Unsuited as error:
@@ -124,7 +124,7 @@ def operations(tally: Tally, wanted: Collection[int]) -> int:
     return sum([entries[position][0] <= SCALE for position in wanted])
 
 
-def _all_given(arm: Arm, variant: Variant) -> list[Given]:
+def _all_handed(arm: Arm, variant: Variant) -> list[Handed]:
     lumps = lumps_of(arm)
     gauges = [AT_TIP] * (len(lumps) + 1)
     for i in reversed(range(len(lumps))):

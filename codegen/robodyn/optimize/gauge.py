@@ -58,7 +58,7 @@ class Regrouped:
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
+class Handed:
     """What a link gives to its parent: ``moved``, in the parent's frame, and by how far the link's origin
     slid along its axis. ``own`` is the link's lump, ``d`` its displacement; ``x`` is the parent's."""
 
@@ -69,7 +69,7 @@ class Given:
 
 
 NO_LUMP = Lump(0, (0, 0, 0), Symmetric(0, 0, 0, 0, 0, 0))
-AT_TIP = Given(NO_LUMP, NO_LUMP, 0, 0)
+AT_TIP = Handed(NO_LUMP, NO_LUMP, 0, 0)
 
 
 def check_size(arm: Arm, variant: Variant) -> None:
@@ -112,7 +112,7 @@ def with_displacements(arm: Arm, links: Sequence[Regrouped], unit: Any) -> Arm:
     return replace(arm, bodies=tuple(replace(body, d=link.d * unit) for body, link in bodies))
 
 
-def assembled(arm: Arm, variant: Variant, gauges: Sequence[Given]) -> tuple[list[Regrouped], Any]:
+def assembled(arm: Arm, variant: Variant, gauges: Sequence[Handed]) -> tuple[list[Regrouped], Any]:
     """The links, from what each gave, lengths in the unit of ``variant``; and that unit [m]."""
     links = []
     for i, body in enumerate(arm.bodies):
@@ -131,7 +131,7 @@ def assembled(arm: Arm, variant: Variant, gauges: Sequence[Given]) -> tuple[list
     return [_in_unit(link, length) for link in links], length
 
 
-def give(arm: Arm, lumps: Sequence[Lump], i: int, rules: LinkVariant, child: Given) -> Given:
+def give(arm: Arm, lumps: Sequence[Lump], i: int, rules: LinkVariant, child: Handed) -> Handed:
     """What link ``i`` (from 0) has and gives, its child having given."""
     body = arm.bodies[i]
     lump = merged(lumps[i], child.moved) if child is not AT_TIP else lumps[i]
@@ -149,7 +149,7 @@ def give(arm: Arm, lumps: Sequence[Lump], i: int, rules: LinkVariant, child: Giv
         moved = NO_LUMP if rules.second == "keep" else Lump(0, (0, 0, 0), lump.second)
         kept = _less(lump, moved)
         moved = about_axis_z(moved, body.theta.cos, body.theta.sin)
-    return Given(kept, in_parent(moved, body, d) if i else NO_LUMP, d, slid)
+    return Handed(kept, in_parent(moved, body, d) if i else NO_LUMP, d, slid)
 
 
 def in_parent(lump: Lump, body: Body, d: Any) -> Lump:
@@ -168,7 +168,7 @@ def _ratio(a: Any, b: Any) -> Any:
     return (Fraction(a) if isinstance(a, int) else a) / b
 
 
-def _slide(arm: Arm, i: int, rules: LinkVariant, lump: Lump, child: Given) -> Any:
+def _slide(arm: Arm, i: int, rules: LinkVariant, lump: Lump, child: Handed) -> Any:
     """How far the origin of link ``i`` moves along its axis [m]."""
     if rules.slide == "none":
         return 0

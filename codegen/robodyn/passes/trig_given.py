@@ -14,12 +14,12 @@ from robodyn.passes.dce import dce
 
 #: One element of ``sc``: "cos" or "sin" of multiples of joint angles plus a constant [rad], or
 #: "q", a prismatic joint's displacement.
-Given = tuple[str, tuple[tuple[Input, int | Fraction], ...], Fraction]
+AngleInput = tuple[str, tuple[tuple[Input, int | Fraction], ...], Fraction]
 
 
-def given_layout(programs: Sequence[Program]) -> tuple[Given, ...]:
+def given_layout(programs: Sequence[Program]) -> tuple[AngleInput, ...]:
     """What ``sc`` holds for all of ``programs``: sines and cosines, then displacements, by joint."""
-    angles: set[Given] = set()
+    angles: set[AngleInput] = set()
     for program in programs:
         for op, args, _ in program.operations:
             if op in ("sin", "cos") and _of_positions(program, args[0]):
@@ -50,7 +50,7 @@ def _displacements(program: Program) -> list[Input]:
     return list(displacements)
 
 
-def trig_given(program: Program, layout: Sequence[Given]) -> Program:
+def trig_given(program: Program, layout: Sequence[AngleInput]) -> Program:
     """``program`` with the elements of ``layout`` read from ``sc``."""
     place = {angle: Input("sc", k) for k, angle in enumerate(layout)}
     values: list[Operand] = []
@@ -73,7 +73,7 @@ def trig_given(program: Program, layout: Sequence[Given]) -> Program:
     return dce(Program(tuple(operations), outputs))
 
 
-def describe(angle: Given) -> str:
+def describe(angle: AngleInput) -> str:
     """``cos(q2 + q3)``, or ``q3`` for a displacement."""
     kind, terms, constant = angle
     if kind == "q":

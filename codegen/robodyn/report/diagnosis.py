@@ -9,10 +9,10 @@ import numpy as np
 
 from robodyn.diagnose.result import Diagnosis, Series, Window
 from robodyn.draw.markup import markup_template
-from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, told_of
+from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, range_text
 from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, next_of, part
 from robodyn.report.diagnosis_gap import ladder, tables, units_at
-from robodyn.report.diagnosis_summary import advice, tiles, told_about
+from robodyn.report.diagnosis_summary import advice, main_joint, tiles
 from robodyn.report.diagnosis_text import (
     VERDICTS,
     formatted,
@@ -61,7 +61,7 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
         tiles=tiles(diagnosis, validated, places),
         findings=cards(diagnosis, places, trained),
         more_findings=max(0, len(diagnosis.findings) - MOST_CARDS),
-        looks=looks(diagnosis, told_about(diagnosis, places), trained)
+        looks=looks(diagnosis, main_joint(diagnosis, places), trained)
         if diagnosis.verdict == "unexplained"
         else [],
         is_changed=diagnosis.verdict == "missing_effect" and not is_touched_only(diagnosis),
@@ -153,7 +153,7 @@ def _joint(
     units, floor = units_at(diagnosis, j), float(diagnosis.gap.noise_floor[j])
     return {
         "joint": j + 1,
-        "told": told_of(one, j, units["tau"]),
+        "told": range_text(one, j, units["tau"]),
         "time": over_time(one, j, units["tau"], floor, windows, columns=columns),
         "over": [over(one, j, across(one, j, name, units), units["tau"], floor, dots=dots) for name in _OVER],
     }

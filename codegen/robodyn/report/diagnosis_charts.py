@@ -59,7 +59,7 @@ def over_time(
         for start, end in ([min(max(frame.across(x), 0.0), 100.0) for x in (window.start, window.end)],)
         if end > 0 and start < 100
     ]
-    caption = f"{told_of(series, j, unit)}{''.join(f'; {s.what} shaded' for s in shades)}"
+    caption = f"{range_text(series, j, unit)}{''.join(f'; {s.what} shaded' for s in shades)}"
     title = f"Joint {j + 1} over time"
     return frame.chart(title, caption, ("t [s]", f"[{unit}]"), marks, most=(9, 3), shades=shades)
 
@@ -92,12 +92,12 @@ def over(
                 means.append(Mark(f"mean {css} {way}", frame.line(centre, mean), f"mean {css}"))
     title = f"Joint {j + 1} over {across.name}"
     return frame.chart(
-        title, told_of(series, j, unit), (across.label, f"[{unit}]"), [*marks, *bands, *means],
+        title, range_text(series, j, unit), (across.label, f"[{unit}]"), [*marks, *bands, *means],
         most=(7, 5) if wide else (4, 3),
     )  # fmt: skip
 
 
-def told_of(series: Series, j: int, unit: str) -> str:
+def range_text(series: Series, j: int, unit: str) -> str:
     """The residual of joint ``j`` (from 0) in words."""
     edge = int(END * len(series.times))
     kept = slice(edge, len(series.times) - edge)

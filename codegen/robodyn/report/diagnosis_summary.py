@@ -70,7 +70,7 @@ def tiles(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) ->
     return [*summary, _next(diagnosis)]
 
 
-def told_about(diagnosis: Diagnosis, places: Sequence[Localised]) -> Localised:
+def main_joint(diagnosis: Diagnosis, places: Sequence[Localised]) -> Localised:
     """The joint that matters most: where nothing explains it, that of the headline."""
     worst = worst_joint(diagnosis.left) if diagnosis.verdict == "unexplained" else None
     return max(places, key=lambda p: p.share) if worst is None else places[worst - 1]
@@ -79,7 +79,7 @@ def told_about(diagnosis: Diagnosis, places: Sequence[Localised]) -> Localised:
 def _worst(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) -> int:
     """The joint (from 1) whose gap is told: where most of it was, in units of the noise."""
     if diagnosis.verdict == "unexplained":
-        return told_about(diagnosis, places).joint
+        return main_joint(diagnosis, places).joint
     before, _ = chosen(diagnosis, validated)
     with np.errstate(all="ignore"):
         size = np.nan_to_num(before / diagnosis.gap.noise_floor, nan=-1.0, posinf=0.0)
@@ -104,7 +104,7 @@ def _missing(diagnosis: Diagnosis, validated: bool) -> tuple[str, str, str]:
 
 
 def _where(diagnosis: Diagnosis, places: Sequence[Localised]) -> tuple[str, str, str]:
-    top = told_about(diagnosis, places)
+    top = main_joint(diagnosis, places)
     over = _shown(top.best)
     share = f"{100 * top.share:.0f} % of the excess is at joint {top.joint}"
     if diagnosis.verdict == "consistent":

@@ -102,7 +102,7 @@ def repr_of(path: str) -> str:
     return path if path.isprintable() else ascii(path)
 
 
-def doubts(run: Simulation, balanced: float, reference: Trajectory | None = None) -> list[str]:
+def warnings_of(run: Simulation, balanced: float, reference: Trajectory | None = None) -> list[str]:
     """What about ``run`` a reader should know: energies off by more than the share ``balanced``, joints that
     run away from their ``reference``, drives at their limits, torques above what the description allows."""
     warnings = []

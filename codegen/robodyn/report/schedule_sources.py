@@ -132,7 +132,7 @@ def robot_source(
         pattern = TABLE_4_4 if robot.name == STANFORD else None
         step_3: StepThree = "own" if robot.name == STANFORD else "before"
         own, plain = (robot_graph(robot, pattern, step_3, one) for one in (rubbing, {}))
-        return with_friction(robot.name, own, plain, _doubts(robot))
+        return with_friction(robot.name, own, plain, _unsuited(robot))
     stanford = robot.name == STANFORD
     if as_printed and not stanford:
         raise InputError(
@@ -140,7 +140,7 @@ def robot_source(
             remedy=f"leave out --as-printed, or take {STANFORD} or --links {SIX}",
         )
     if not stanford:
-        return Source(robot.name, BY_RULE, robot_graph(robot, friction={}), notes=_doubts(robot))
+        return Source(robot.name, BY_RULE, robot_graph(robot, friction={}), notes=_unsuited(robot))
     printed, by_rule = graph_of(STANFORD, printed_schedule("4.7").tasks), rule_graph(STANFORD)
     own = robot_graph(robot)
     layers = len(printed_schedule("4.7").levels)
@@ -180,7 +180,7 @@ def _more(graph: TaskGraph, than: TaskGraph) -> str:
     )
 
 
-def _doubts(robot: Robot) -> tuple[str, ...]:
+def _unsuited(robot: Robot) -> tuple[str, ...]:
     """What of the robot the tasks of Table 4.1 are not cut for."""
     lines = []
     if any(link.joint.alpha.quarter is None for link in robot.links):

@@ -67,7 +67,7 @@ def _faults(solved: Solved) -> list[str]:
 
 def to_text(source: Source, solved: Solved) -> str:
     """A schedule for a person: what it is, its figures, and the table itself."""
-    return "\n".join([*_head(source, solved), "", *_grid(solved), *_told(source.notes)]) + "\n"
+    return "\n".join([*_head(source, solved), "", *_grid(solved), *_wrapped(source.notes)]) + "\n"
 
 
 def _head(source: Source, solved: Solved) -> list[str]:
@@ -128,7 +128,7 @@ def _grid(solved: Solved) -> list[str]:
     return rows
 
 
-def _told(notes: Sequence[str]) -> list[str]:
+def _wrapped(notes: Sequence[str]) -> list[str]:
     import textwrap
 
     lines = [line for note in notes for line in textwrap.wrap(note, 110, subsequent_indent="  ")]
@@ -161,7 +161,7 @@ def sweep_text(source: Source, solutions: Sequence[Solved]) -> str:
         TITLES[solutions[0].method] if solutions else "",
         "",
         *("  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows),
-        *_told(source.notes),
+        *_wrapped(source.notes),
     ]
     return "\n".join(lines) + "\n"
 

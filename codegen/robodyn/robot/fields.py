@@ -87,7 +87,7 @@ class Section:
         self.label = label
         self.node = node
         self.keys = {key.name: key for key in table}
-        self.doubts = 0
+        self.doubt_count = 0
         self.values: dict[str, Node] = {}
         example = ", ".join(f"{key.name}: ..." for key in table[:3])
         whole = label or "the description"
@@ -126,7 +126,7 @@ class Section:
 
     def doubt(self, node: Node, what: str, remedy: str) -> None:
         """As :meth:`Source.doubt`; no warning where the section acknowledges its doubts."""
-        self.doubts += 1
+        self.doubt_count += 1
         if self.source.strict or "acknowledged" not in self.values:
             self.source.doubt(node, what, remedy)
 

@@ -41,7 +41,7 @@ def inertia_doubt(inertia: Inertia) -> str | None:
         (("y", yy), ("z", zz), ("x", xx)),
     ):
         if one + two + noise < three:
-            left, right = _told_apart(one + two, three)
+            left, right = _distinct(one + two, three)
             return f"I{p}{p} + I{q}{q} = {left} < I{r}{r} = {right} kg m^2"
     # The diagonal is fine: the products of inertia are too large for it.
     low, middle, high = _principal_moments((xx, yy, zz, xy, xz, yz))
@@ -89,7 +89,7 @@ def _principal_moments(entries: _Entries) -> tuple[float, float, float]:
     return low, middle, high
 
 
-def _told_apart(left: Fraction, right: Fraction) -> tuple[str, str]:
+def _distinct(left: Fraction, right: Fraction) -> tuple[str, str]:
     """Both for a message, with as many digits as it takes to see that they differ."""
     if brief(left) != brief(right):
         return brief(left), brief(right)

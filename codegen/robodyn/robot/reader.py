@@ -151,7 +151,7 @@ def _links(section: Section, convention: str) -> tuple[tuple[Link, ...], tuple[W
                 "check the table, or move a rotor's share to motor_inertia"
                 + ("" if source.strict else ", or say why it stands (acknowledged: ...)"),
             )
-        if link.acknowledged and not part.doubts and is_judged(link.inertia):
+        if link.acknowledged and not part.doubt_count and is_judged(link.inertia):
             source.note(
                 part.values["acknowledged"],
                 f"{part.path('acknowledged')}: nothing about this link is implausible",

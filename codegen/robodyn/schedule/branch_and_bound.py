@@ -20,7 +20,7 @@ from robodyn.schedule.machine import Schedule
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class Bounded:
     """The best schedule found, whether nothing shorter exists, and what nothing can beat."""
 
     schedule: Schedule
@@ -68,7 +68,7 @@ class _State:
 
 def one_processor_a_joint(
     graph: TaskGraph, *, seconds: float = 5.0, clock: Callable[[], float] = time.monotonic
-) -> Found:
+) -> Bounded:
     """The shortest schedule that does the tasks of a link on the processor of that link, or the best found
     within ``seconds`` (the first schedule is found whatever they are)."""
     links = sorted({graph.link(task) for task in graph.tasks})
@@ -77,7 +77,7 @@ def one_processor_a_joint(
     waiting = {task: len(needed) for task, needed in graph.after.items()}
     root = _State(waiting, tuple(task for task in graph.tasks if not waiting[task]), (), None)
     if not root.ready:
-        return Found(Schedule(max(1, len(links)), ()), 0, True)
+        return Bounded(Schedule(max(1, len(links)), ()), 0, True)
     bound = _left(search, root)
     width, whole = 1, False
     while not whole and not search.late and (search.best is None or len(search.best) > bound):
@@ -91,7 +91,7 @@ def one_processor_a_joint(
             row[owner[task]] = task
         rows.append(tuple(row))
     proven = whole or len(rows) == bound
-    return Found(Schedule(len(links), tuple(rows)), len(rows) if proven else bound, proven)
+    return Bounded(Schedule(len(links), tuple(rows)), len(rows) if proven else bound, proven)
 
 
 def _widened(search: _Search, root: _State, width: int) -> bool:

@@ -60,7 +60,7 @@ def optimum(
 ) -> Optimum:
     """The shortest schedule of ``graph`` on ``machine``, or the best found within ``seconds``.
 
-    With one worker and time enough the same schedule at any time; with more, whichever comes first.
+    With one worker and enough time, the same schedule at any time; with more, whichever comes first.
     ``stop_at``: a length with which to be content.
 
     Raises
@@ -74,10 +74,10 @@ def optimum(
             remedy="add --no-levels, or leave out --cost and --communication",
         )
     best, bound = _known(graph, machine)
-    enough = max(bound, stop_at or 0)
-    if best.levels <= enough:
+    target = max(bound, stop_at or 0)
+    if best.levels <= target:
         return Optimum(best, bound, best.levels == bound)
-    return _solved(graph, machine, best, bound, enough, seconds, seed, workers)
+    return _solved(graph, machine, best, bound, target, seconds, seed, workers)
 
 
 def _known(graph: TaskGraph, machine: Machine) -> tuple[Timetable, int]:
@@ -98,7 +98,7 @@ def _solved(
     machine: Machine,
     best: Timetable,
     bound: int,
-    enough: int,
+    target: int,
     seconds: float,
     seed: int,
     workers: int,
@@ -116,7 +116,7 @@ def _solved(
         for task, needed in graph.after.items():
             for other in needed:
                 model.add(starts[task] >= starts[other] + graph.length(other))
-    span = model.new_int_var(enough, horizon, "span")
+    span = model.new_int_var(target, horizon, "span")
     for task in graph.tasks:
         model.add(span >= starts[task] + graph.length(task))
     model.minimize(span)
@@ -140,9 +140,9 @@ def _solved(
         solution = placed(graph, machine, when, where)
     known = max(bound, -int(-run.best_objective_bound // 1)) if status != cp.UNKNOWN else bound
     # A length with which to be content is no bound.
-    known = min(known, solution.levels) if enough == bound or not proven else bound
+    known = min(known, solution.levels) if target == bound or not proven else bound
     return Optimum(
-        solution, solution.levels if proven and enough == bound else known, proven and enough == bound
+        solution, solution.levels if proven and target == bound else known, proven and target == bound
     )
 
 

@@ -50,7 +50,7 @@ _SHORT = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class Progress:
     """How far a search is: the stage, the seconds gone of those it has, and the least cost so far."""
 
     stage: str
@@ -70,7 +70,7 @@ def improved(
     processes: int = 2,
     folders: Sequence[Path] = (),
     resume: bool = True,
-    progress: Callable[[Told], None] | None = None,
+    progress: Callable[[Progress], None] | None = None,
 ) -> Record:
     """The best program of ``function`` that is found in ``seconds``, as a record.
 
@@ -106,7 +106,7 @@ def improved(
         def tell(at: Climbed) -> None:
             nonlocal saved
             if progress is not None:
-                progress(Told("algebra", at.seconds, left, at.best))
+                progress(Progress("algebra", at.seconds, left, at.best))
             if resume and at.best < saved[1] and at.seconds > saved[0] + _SAVE_AFTER:
                 saved = (at.seconds, at.best)
                 if (better := _proved(robot, function, at.program, recursion, objective, how)) is not None:
@@ -156,11 +156,11 @@ def _written(
     seed: int,
     objective: Objective,
     processes: int,
-    progress: Callable[[Told], None] | None,
+    progress: Callable[[Progress], None] | None,
 ) -> list[Program]:
     def tell(at: Any) -> None:
         if progress is not None:
-            progress(Told("variants", at.seconds, seconds, at.best))
+            progress(Progress("variants", at.seconds, seconds, at.best))
 
     results = search(
         robot, seconds=seconds, seed=seed, objective=objective, processes=processes, progress=tell
@@ -246,4 +246,4 @@ def write_record(record: Record, folder: Path) -> Path:
     return path
 
 
-__all__ = ["BUDGET", "Told", "cost", "improved", "kept_folder", "write_record"]
+__all__ = ["BUDGET", "Progress", "cost", "improved", "kept_folder", "write_record"]

@@ -41,7 +41,7 @@ def layout_of(names: Sequence[str], n: int | None, where: Place) -> Layout:
     twice = sorted(name for name, count in Counter(names).items() if count > 1 and _known(name))
     if twice:
         raise InputError(
-            "the log has columns of one name",
+            "the log has two columns with the same name",
             where=where,
             found=_short(twice),
             remedy="delete or rename all but one",

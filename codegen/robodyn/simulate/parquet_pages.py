@@ -140,7 +140,7 @@ def check_pages(file: IO[bytes], size: int, chunk: Chunk) -> None:
         raise Damaged(f"{name} has {chunk.values} values in {chunk.rows} rows")
     end = chunk.start + chunk.size
     if not 0 < chunk.start <= end <= size:
-        raise Damaged(f"{name} is said to lie outside of the file")
+        raise Damaged(f"{name} claims to lie outside of the file")
     place, seen = chunk.start, 0
     while seen < chunk.values:
         if place >= end:
@@ -149,7 +149,7 @@ def check_pages(file: IO[bytes], size: int, chunk: Chunk) -> None:
         kind, unpacked, packed = (_whole(head.get(key)) for key in (1, 2, 3))
         place += length + packed
         if packed < 0 or place > end:
-            raise Damaged(f"a page of {name} is said to have {packed} bytes")
+            raise Damaged(f"a page of {name} claims to have {packed} bytes")
         if kind not in _HEADS:
             continue  # a page of neither values nor their dictionary is passed over by all readers
         own = head.get(_HEADS[kind])

@@ -47,7 +47,7 @@ def build_plant(
     """``robot`` compiled with the engine.
 
     ``model`` is what controllers take the robot for (default: the robot itself, effects
-    that remember at their steady values); ``energy`` integrates work and loss along.
+    with a state at their steady values); ``energy`` integrates work and loss along.
 
     Raises
     ------

@@ -86,7 +86,9 @@ def resolution_of(bits: int) -> float:
     InputError: not 1 to 64 bits.
     """
     if not 1 <= bits <= 64:
-        raise InputError("an encoder has no so many bits", found=str(bits), expected="1 to 64 bits a turn")
+        raise InputError(
+            "the resolution of an encoder is out of range", found=str(bits), expected="1 to 64 bits a turn"
+        )
     return math.tau / float(2**bits)
 
 

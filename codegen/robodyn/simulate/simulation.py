@@ -233,7 +233,7 @@ def _duration(drive: Drive | None, duration: float | None) -> float:
         return drive.trajectory.duration
     if isinstance(drive, Torques):
         return (len(np.asarray(drive.table)) - 1) * drive.period
-    raise InputError("how long to simulate is not said", expected="duration [s]")
+    raise InputError("the duration of the simulation is missing", expected="duration [s]")
 
 
 def _start(
@@ -301,7 +301,7 @@ def _control(
 
 
 def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, float] | None = None) -> Floats:
-    """The torques [K, n] of the plant's model along ``motion``; effects that remember, at their steady
+    """The torques [K, n] of the plant's model along ``motion``; stateful effects, at their steady
     values."""
     values = parameter_values(plant.robot, parameters)
     numbers = [values[name] for name in plant.robot.parameters]
@@ -309,7 +309,7 @@ def model_torques(plant: Plant, motion: Trajectory, parameters: Mapping[str, flo
 
 
 def drive_limits(robot: Robot, values: Mapping[str, float]) -> Floats | None:
-    """What the drives give at most [n] (N m or N), infinity where nothing is said; None: nothing anywhere."""
+    """What the drives give at most [n] (N m or N), infinity where there is no limit; None: none at all."""
     limits = np.full(robot.n, np.inf)
     for entry, channel in acting_on(robot.effects, "limit"):
         if entry.text(channel.who) == "drive":

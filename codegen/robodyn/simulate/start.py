@@ -28,7 +28,7 @@ def start_state(
     robot, n = system.robot, system.robot.n
     y, v = np.concatenate([q, q[list(system.coupled)]]), np.concatenate([qd, qd[list(system.coupled)]])
     if system.coupled:
-        passed = _held(system, [float(x) for x in q], parameters)
+        passed = _static_torques(system, [float(x) for x in q], parameters)
         layer = layer_of(robot, float, parameters.__getitem__, bare=True)
         for k, i in enumerate(system.coupled):
             acting = layer.joints[i].coupler
@@ -37,7 +37,7 @@ def start_state(
     return y, v, np.zeros(len(system.states))
 
 
-def _held(system: System, q: list[float], parameters: Mapping[str, float]) -> list[Any]:
+def _static_torques(system: System, q: list[float], parameters: Mapping[str, float]) -> list[Any]:
     """Torques [n] that the links ask of their drives at rest."""
     robot = system.robot
     arm = build_arm(rigid_part(robot, bare=True), float, parameters.__getitem__)

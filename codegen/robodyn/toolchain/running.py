@@ -19,7 +19,7 @@ from robodyn.process import Held
 #: What a program may take unless told otherwise [s]: far more than any compiler here has needed.
 SECONDS: Final = 600.0
 #: Of what a program says so much is kept [bytes].
-SAID: Final = 1 << 22
+MOST_OUTPUT: Final = 1 << 22
 #: How long is waited for the end of what a program says, or of the program, where it has been ended [s].
 _LAST: Final = 2.0
 
@@ -105,7 +105,7 @@ def _listen(stream: IO[bytes], output: bytearray) -> None:
     """Keep the beginning of what comes, and let the rest pass, so that nobody waits to be heard."""
     with stream:
         while data := os.read(stream.fileno(), 1 << 16):
-            output += data[: max(0, SAID - len(output))]
+            output += data[: max(0, MOST_OUTPUT - len(output))]
 
 
 def _end(process: subprocess.Popen[Any]) -> None:

@@ -49,7 +49,7 @@ Progress = Callable[[int, int], None]
 Trig = Callable[[Floats], Floats]
 
 #: A step of what remembers [s], and how far memories are from rest [rad, m, per second ...].
-_STEP, _BENT = 1e-3, 1e-3
+_STEP, _DEFLECTION = 1e-3, 1e-3
 
 
 @np.errstate(all="ignore")  # what overflows is judged, not warned of
@@ -162,7 +162,7 @@ class _Run:
         self.results: dict[str, Floats] = {}
         self.stepping = Stepping(robot, values)
         random = np.random.default_rng([seed, 2])
-        memory = random.uniform(-1, 1, (len(self.regular), self.stepping.states)) * _BENT
+        memory = random.uniform(-1, 1, (len(self.regular), self.stepping.states)) * _DEFLECTION
         self.memory: Floats = memory.astype(kernel.dtype).astype(np.float64)
 
     def obstacle(self, function: str) -> str | None:

@@ -28,7 +28,7 @@ from robodyn.verify.numbers import real as rounded
 #: Newton's rounds for accelerations under friction that depends on them, and halvings of a step.
 _ROUNDS, _HALVINGS = 60, 40
 #: What share of the torques may be left over: what ends the search, and what is refused after it.
-_ENOUGH, _TOO_MUCH = 1e-14, 1e-9
+_CONVERGED, _TOO_MUCH = 1e-14, 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +154,7 @@ class Reference:
                 change = self._torque(q, qd, moved) - tau - left
                 slopes[:, :, j] = change / (moved - qdd)[:, j, None]
             step = -_solve(slopes, left)
-            near = np.abs(left).max(1) <= _ENOUGH * yardstick
+            near = np.abs(left).max(1) <= _CONVERGED * yardstick
             gone = near.copy()
             for halvings in range(_HALVINGS):
                 tried = np.where(gone[:, None], qdd, qdd + step * 0.5**halvings)

@@ -18,7 +18,7 @@ from robodyn.verify.reference import Reference
 from robodyn.verify.stateful import Twist, bristle_step, twist_step
 
 _COUPLERS = ("joint_elasticity", "backlash")
-_BRISTLES = "presliding_hysteresis"
+_DAHL = "presliding_hysteresis"
 _LINK_SIDE = ("link", "bearing", "rigid")
 
 
@@ -34,15 +34,15 @@ class Stepping:
         values = filled(robot, parameters)
         self._n = robot.n
         link = tuple(e for e in robot.effects if place_of(e.effect) in _LINK_SIDE)
-        motor = tuple(e for e in robot.effects if e not in link and e.effect not in (*_COUPLERS, _BRISTLES))
+        motor = tuple(e for e in robot.effects if e not in link and e.effect not in (*_COUPLERS, _DAHL))
         self._links = Reference(replace(robot, torque_side="link", effects=link), values)
         self._motors = Drives(replace(robot, effects=motor), values)
         self._memories: list[tuple[EffectEntry, slice]] = []
         k = 0
         for i in range(1, robot.n + 1):
-            entries = [e for e in robot.effects_at(i) if e.effect in (*_COUPLERS, _BRISTLES)]
-            for entry in sorted(entries, key=lambda e: e.effect == _BRISTLES):
-                count = 1 if entry.effect == _BRISTLES else 3
+            entries = [e for e in robot.effects_at(i) if e.effect in (*_COUPLERS, _DAHL)]
+            for entry in sorted(entries, key=lambda e: e.effect == _DAHL):
+                count = 1 if entry.effect == _DAHL else 3
                 self._memories.append((entry, slice(k, k + count)))
                 k += count
         self.states = k
@@ -71,7 +71,7 @@ class Stepping:
         nothing = np.zeros((len(q), self._n, 3))
         tau = self._motors.torque(moved[0], moved[1], moved[2], Reactions(passed, nothing, nothing))
         for entry, part in self._memories:
-            if entry.effect == _BRISTLES:
+            if entry.effect == _DAHL:
                 assert entry.joint is not None
                 i = entry.joint - 1
                 z, torque = bristle_step(self._settings[id(entry)], moved[1][:, i], state[:, part.start], dt)

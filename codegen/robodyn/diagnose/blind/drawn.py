@@ -32,7 +32,7 @@ Parameters = dict[str, float | str]
 class Usual:
     """What is usual of a robot on a motion, [n] each: RMS torque ``tau`` and largest torque ``peak``, RMS
     ``speed`` and ``rate`` (of acceleration), the speed below which a tenth of the time is spent (``slow``),
-    the inertia that a joint's spring carries (``weight``), RMS torque of gravity (``held``), the ``middle``
+    the inertia that a joint's spring carries (``weight``), the RMS torque of ``gravity``, the ``middle``
     of the motion."""
 
     robot: Robot
@@ -43,7 +43,7 @@ class Usual:
     rate: Floats
     slow: Floats
     weight: Floats
-    held: Floats
+    gravity: Floats
     middle: Floats
 
     def at(self, joint: int | None) -> UsualJoint:
@@ -74,9 +74,9 @@ def usual(robot: Robot, motion: Trajectory) -> Usual:
     rms = [np.maximum(np.sqrt(np.mean(x**2, axis=0)), 1e-9) for x in (tau, qd, qdd)]
     slow = np.maximum(np.quantile(np.abs(qd), 0.1, axis=0), 1e-3 * np.abs(qd).max() + 1e-9)
     middle = (q.max(axis=0) + q.min(axis=0)) / 2
-    held = np.sqrt(np.mean(resting**2, axis=0))
+    gravity = np.sqrt(np.mean(resting**2, axis=0))
     peak = np.abs(tau).max(axis=0)
-    return Usual(robot, motion.duration, rms[0], peak, rms[1], rms[2], slow, weight, held, middle)
+    return Usual(robot, motion.duration, rms[0], peak, rms[1], rms[2], slow, weight, gravity, middle)
 
 
 def places(id: str, u: Usual) -> list[int | None]:
@@ -91,7 +91,7 @@ def places(id: str, u: Usual) -> list[int | None]:
     for j, link in enumerate(u.robot.links):
         if hidden.needs and u.tau[j] < LOADED_SHARE * u.tau.max():
             continue
-        if hidden.needs == "gravity" and u.held[j] <= LOADED_SHARE * u.held.max():
+        if hidden.needs == "gravity" and u.gravity[j] <= LOADED_SHARE * u.gravity.max():
             continue
         if known.coupler is not None and link.joint.motor_inertia == 0:
             continue

@@ -1,7 +1,7 @@
 """What the whole library can explain of a log, and so what is noise to it: all linear candidates at once.
 
-A real arm has more in it than any catalogue. What nothing explains is no smaller an error than the noise of
-the sensors: judged by the sensors' alone, everything would seem to matter.
+A real arm has more in it than any catalogue. What nothing explains counts as error like the noise of the
+sensors: against sensor noise alone, everything would seem to matter.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ Floats = NDArray[np.float64]
 
 
 def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floats:
-    """What the library leaves in parts of the log that it was not fitted to, [n], by its middle (joints that
-    stick at reversals make bursts) and in units of the noise; 1 where that is about the noise."""
+    """The median [n] of what the library leaves in held-out parts of the log, in units of the noise (a
+    median, since joints that stick at reversals make bursts); 1 where that is about the noise."""
     ratio = np.ones(p.n)
     for j in range(p.n):
         columns = [p.A[:, j]]

@@ -1,4 +1,4 @@
-"""One candidate beside what is known already, and the best of all: who passes, who is a rival."""
+"""One candidate beside what is known already, and the best of all: which pass, and which are rivals."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from robodyn.diagnose.select.limits import (
     LEAST_T,
     MANY_POWER,
     NEARLY,
+    OSCILLATOR_DIRECTIONS,
+    OSCILLATOR_FARTHEST,
+    OSCILLATOR_GAIN,
+    OSCILLATOR_STARTS,
     REFINING_ROUNDS,
     RELIEF,
     ROUGH,
     ROUGH_T,
-    SWING_DIRECTIONS,
-    SWING_FARTHEST,
-    SWING_GAIN,
-    SWING_STARTS,
     TIE,
     TIE_LOSS,
 )
@@ -60,9 +60,9 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
     else:
         fit = fitted(now, candidate.rows, columns, candidate.signs)
     weight = now.independent / BLOCKS / 2
-    floor = np.maximum(fit.held.mean(axis=0), 1.0)
-    per_part = weight * ((current.held - fit.held) / floor).sum(axis=1)
-    relief = current.strain - fit.strain
+    floor = np.maximum(fit.held_out.mean(axis=0), 1.0)
+    per_part = weight * ((current.held_out - fit.held_out) / floor).sum(axis=1)
+    relief = current.prior_penalty - fit.prior_penalty
     gain = float(per_part.sum()) + relief
     error = float(per_part.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
     rows = list(candidate.rows)
@@ -101,11 +101,9 @@ def best_of(
 
     def passes(one: Trial) -> bool:
         c = one.candidate
-        wanted = enough(now, numbers_of(one))
-        if (
-            c.definition.coupler is not None
-        ):  # smoother than the motor, a link takes noise of the encoders away
-            wanted += now.independent / 2 * float(np.sum((now.shaken / now.sigma) ** 2))
+        wanted = evidence_threshold(now, numbers_of(one))
+        if c.definition.coupler is not None:  # a link moves smoother than its motor and hides encoder noise
+            wanted += now.independent / 2 * float(np.sum((now.encoder_noise / now.sigma) ** 2))
         better = int(np.sum(one.per_part > 0))
         steady = one.t >= LEAST_T or (one.t >= LEAST_T / 2 and better >= BLOCKS - 1)
         steady = steady or (one.t >= LEAST_T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
@@ -119,7 +117,7 @@ def best_of(
 
     one_way = _one_way(contexts)
     good = [one for one in nearest(now, current, tried, least, contexts) if passes(one)]
-    # Two levels by direction cannot be told of one direction.
+    # Two levels by direction cannot be identified from one direction.
     good = [
         one
         for one in good
@@ -127,7 +125,7 @@ def best_of(
     ]
     if not good:
         return None
-    # Of each effect at each place the best of its grid, made better there.
+    # Of each effect at each place the best of its grid, refined.
     best: dict[tuple[str, int | None], Trial] = {}
     for one in good:
         best.setdefault((one.candidate.effect, one.candidate.joint), one)
@@ -136,8 +134,8 @@ def best_of(
         if one.candidate.values and one.gain > 0.5 * top:
             best[key] = _refined(now, current, one, least, contexts)
     most = max(best.values(), key=lambda one: one.gain)
-    left = np.median(most.fit.held[:, list(most.candidate.rows)], axis=0).max()
-    if rough or left > ROUGH:  # nothing explains all there is: many numbers must bring that much more
+    left = np.median(most.fit.held_out[:, list(most.candidate.rows)], axis=0).max()
+    if rough or left > ROUGH:  # nothing explains it all: candidates with many numbers must gain more
         ranked = sorted(best.values(), key=lambda one: -one.gain / numbers_of(one) ** MANY_POWER)
     else:
         ranked = sorted(best.values(), key=lambda one: -one.gain)
@@ -161,28 +159,31 @@ def _one_way(contexts: Sequence[Context]) -> NDArray[np.bool_]:
 
 
 def numbers_of(one: Trial) -> int:
-    """How many free numbers a candidate has, as far as most motions show them."""
+    """Number of free parameters of a candidate that most motions can show."""
     return min(len(one.candidate.signs), BODY_NUMBERS) + len(one.candidate.values)
 
 
-def enough(now: Problem, numbers: int) -> float:
-    """The gain that so many free numbers must bring, and the choice of a candidate."""
+def evidence_threshold(now: Problem, numbers: int) -> float:
+    """The gain [log-likelihood] that a candidate with so many free parameters must reach: as in BIC, with the
+    cost of the choice."""
     return float((numbers + 3) * np.log(now.independent) / 2)
 
 
 def nearest(
     now: Problem, current: Fit, tried: Sequence[Trial], least: Floats, contexts: Sequence[Context]
 ) -> list[Trial]:
-    """The trials, best first, and for what swings the best of its grid refined: a swing a little off is in
-    step for a while and then worse than none."""
+    """The trials, best first, and of oscillators the best of the grid refined: one that is slightly out of
+    tune runs in phase for a while and then fits worse than none."""
     kept, count = list(tried), dict[tuple[str, int | None], int]()
-    least_gain = max(SWING_GAIN * max((one.gain for one in tried), default=0.0), enough(now, 3))
+    least_gain = max(
+        OSCILLATOR_GAIN * max((one.gain for one in tried), default=0.0), evidence_threshold(now, 3)
+    )
     for one in tried:
         key = (one.candidate.effect, one.candidate.joint)
         if not one.candidate.reach or one.gain < least_gain:
             continue
         count[key] = count.get(key, 0) + 1
-        if count[key] <= SWING_STARTS and sum(count.values()) <= 2 * SWING_STARTS:
+        if count[key] <= OSCILLATOR_STARTS and sum(count.values()) <= 2 * OSCILLATOR_STARTS:
             kept.append(_refined(now, current, one, least, contexts))
     return sorted(kept, key=lambda one: -one.gain)
 
@@ -200,8 +201,8 @@ def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
     if other.gain > (1 - TIE_LOSS) * winner.gain:
         return True
     # Where nearly all is explained, a small share of the gain may be much more than noise, or no more.
-    left = np.maximum(winner.fit.held.mean(axis=0), 1.0)
-    apart = float(((other.fit.held - winner.fit.held) / left).sum()) * now.independent / BLOCKS / 2
+    left = np.maximum(winner.fit.held_out.mean(axis=0), 1.0)
+    apart = float(((other.fit.held_out - winner.fit.held_out) / left).sum()) * now.independent / BLOCKS / 2
     if apart < CLOSE and other.gain > NEARLY * winner.gain:
         return True
     worse = winner.per_part - other.per_part
@@ -210,8 +211,8 @@ def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
 
 
 def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
-    """The candidate with its nonlinear values improved, one factor at a time; of what swings, all at once in
-    random directions, for it has many optima."""
+    """The candidate with its nonlinear values improved, one factor at a time; those of an oscillator all at
+    once in random directions, for it has many optima."""
 
     def at(values: dict[str, float]) -> Trial:
         again = one.candidate.again
@@ -250,11 +251,13 @@ def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
     size = np.array([one.candidate.reach[name] for name in start])
     for _ in range(REFINING_ROUNDS):
         settings = one.candidate.values
-        steps = np.exp(size * rng.standard_normal((SWING_DIRECTIONS, len(size))))
+        steps = np.exp(size * rng.standard_normal((OSCILLATOR_DIRECTIONS, len(size))))
         tried = []
         for row in steps:
             values = {name: settings[name] * float(f) for name, f in zip(settings, row, strict=True)}
-            if all(1 / SWING_FARTHEST < x / start[name] < SWING_FARTHEST for name, x in values.items()):
+            if all(
+                1 / OSCILLATOR_FARTHEST < x / start[name] < OSCILLATOR_FARTHEST for name, x in values.items()
+            ):
                 tried.append(at(values))
         if not tried:
             continue

@@ -23,8 +23,8 @@ class Problem:
 
     ``rest`` [N, n] and known columns ``A`` [N, n, p], both in standard deviations ``sigma`` [n] of the
     noise; ``prior`` [p] precisions; ``parts`` their slices; ``grams`` [BLOCKS, p, p], ``rights`` [BLOCKS,
-    p]; ``thin``: how many neighbouring samples say the same; ``nuisance``: how many of the columns are
-    nuisance; ``shaken`` [n]: how much of ``sigma`` is noise of the encoders."""
+    p]; ``thin``: how many neighbouring samples are correlated; ``nuisance``: how many of the columns are
+    nuisance; ``encoder_noise`` [n]: the part of ``sigma`` that comes from the encoders."""
 
     rest: Floats
     A: Floats
@@ -35,7 +35,7 @@ class Problem:
     rights: Floats
     thin: float
     nuisance: int
-    shaken: Floats
+    encoder_noise: Floats
 
     @property
     def n(self) -> int:
@@ -44,7 +44,7 @@ class Problem:
 
     @property
     def independent(self) -> float:
-        """Number of samples that say something of their own."""
+        """Number of independent samples."""
         return len(self.rest) / self.thin
 
     def with_columns(self, rows: tuple[int, ...], columns: Floats) -> Problem:
@@ -58,7 +58,7 @@ class Problem:
 
 
 def without(p: Problem, mask: NDArray[np.bool_]) -> Problem:
-    """The problem without the rows of ``mask`` [N], which say nothing any more."""
+    """The problem without the rows of ``mask`` [N], which no longer count."""
     kept = ~mask
     rest, A = p.rest * kept[:, None], p.A * kept[:, None, None]
     grams, rights = _grams(A, rest, p.parts)
@@ -87,16 +87,19 @@ def tighter(p: Problem, share: float) -> Problem:
     return replace(p, prior=prior)
 
 
-def problem(rest: Floats, Y: Floats, sigma: Floats, thin: float, shaken: Floats | None = None) -> Problem:
+def problem(
+    rest: Floats, Y: Floats, sigma: Floats, thin: float, encoder_noise: Floats | None = None
+) -> Problem:
     """The problem of the residual ``rest`` [N, n] and the nuisance ``Y`` [N, n, p], a unit of each column
-    being a standard deviation of its prior; ``shaken`` [n] of ``sigma`` are noise of the encoders."""
+    being a standard deviation of its prior; ``encoder_noise`` [n] is the part of
+    ``sigma`` that comes from the encoders."""
     edges = np.linspace(0, len(rest), BLOCKS + 1).astype(int)
     parts = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
     A, b = Y / sigma[None, :, None], rest / sigma
     grams, rights = _grams(A, b, parts)
     prior = np.full(Y.shape[2], thin)
-    eaten = np.zeros_like(sigma) if shaken is None else shaken
-    return Problem(b, A, prior, sigma, parts, grams, rights, thin, Y.shape[2], eaten)
+    by_encoders = np.zeros_like(sigma) if encoder_noise is None else encoder_noise
+    return Problem(b, A, prior, sigma, parts, grams, rights, thin, Y.shape[2], by_encoders)
 
 
 def _grams(A: Floats, b: Floats, parts: tuple[slice, ...]) -> tuple[Floats, Floats]:
@@ -111,14 +114,14 @@ def _rights(A: Floats, b: Floats, parts: tuple[slice, ...]) -> Floats:
 @dataclass(frozen=True, slots=True, eq=False)
 class Fit:
     """``x`` [c]: coefficients of the columns tried, ``cov`` [c, c]; ``known`` [p] those of the problem's own;
-    ``held`` [BLOCKS, n]: mean squares left in parts that the fit had not seen, in units of the noise;
-    ``strain``: how far the nuisance had to go, in units of log-likelihood."""
+    ``held_out`` [BLOCKS, n]: mean square errors on the parts that were held out, in units of the noise;
+    ``prior_penalty`` of the nuisance, in units of log-likelihood."""
 
     x: Floats
     cov: Floats
     known: Floats
-    held: Floats
-    strain: float
+    held_out: Floats
+    prior_penalty: float
 
 
 def fitted(
@@ -151,16 +154,18 @@ def fitted(
     solutions = np.linalg.solve(systems, right[:, :, None])[:, :, 0]
     for k in range(BLOCKS + 1):
         solutions[k] = _signed(systems[k], right[k], solutions[k], P, signs)
-    held = np.empty((BLOCKS, p.n))
+    held_out = np.empty((BLOCKS, p.n))
     for k, part in enumerate(p.parts):
         left = p.rest[part] - p.A[part] @ solutions[k, :P]
         if c:
             left[:, at] -= X[part] @ solutions[k, P:]
-        held[k] = np.mean(left**2, axis=0)
+        held_out[k] = np.mean(left**2, axis=0)
     whole = solutions[-1]
-    spread = p.thin * np.linalg.inv(systems[-1])[P:, P:] * max(float(held.mean()), 1e-300)
-    strain = float(np.sum(p.prior[: p.nuisance] * whole[: p.nuisance] ** 2)) / p.thin / 2
-    return Fit(whole[P:] / size, spread / np.outer(size, size) if c else spread, whole[:P], held, strain)
+    spread = p.thin * np.linalg.inv(systems[-1])[P:, P:] * max(float(held_out.mean()), 1e-300)
+    prior_penalty = float(np.sum(p.prior[: p.nuisance] * whole[: p.nuisance] ** 2)) / p.thin / 2
+    return Fit(
+        whole[P:] / size, spread / np.outer(size, size) if c else spread, whole[:P], held_out, prior_penalty
+    )
 
 
 def _signed(system: Floats, right: Floats, x: Floats, P: int, signs: tuple[int, ...]) -> Floats:

@@ -70,7 +70,7 @@ ROUGH: Final = 3.0
 """[mean squares of the noise] If no candidate leaves less, the log has what is not in the catalogue."""
 
 ROUGH_T: Final = 1.3
-"""[standard errors] In such a log this t is enough with twice the evidence."""
+"""[standard errors] In such a log this t suffices with twice the evidence."""
 
 MANY_POWER: Final = 0.25
 """[exponent of the number of numbers] There a candidate of several must explain more by this power."""
@@ -78,16 +78,16 @@ MANY_POWER: Final = 0.25
 REFINING_ROUNDS: Final = 12
 """[rounds] of refining what is not linear in a candidate."""
 
-SWING_STARTS: Final = 2
+OSCILLATOR_STARTS: Final = 2
 """[places] As many of the best on a grid of springs are refined,"""
 
-SWING_GAIN: Final = 0.1
+OSCILLATOR_GAIN: Final = 0.1
 """[share of the largest gain] if they gain as much,"""
 
-SWING_DIRECTIONS: Final = 16
+OSCILLATOR_DIRECTIONS: Final = 16
 """[directions] by steps in as many,"""
 
-SWING_FARTHEST: Final = 8.0
+OSCILLATOR_FARTHEST: Final = 8.0
 """[-] never farther than by this factor."""
 
 # --- contact --------------------
@@ -121,7 +121,7 @@ DAMPED: Final = 0.05
 TWIST_CUTOFF: Final = 6.0
 """[Hz] Cutoff of what is differentiated twice: at 15 Hz that was noise (docs/decisions/0012)."""
 
-SWING_RATE: Final = 300.0
+OSCILLATOR_RATE: Final = 300.0
 """[steps/s] The fewest in which the motion of a spring is integrated."""
 
 # --- sensors --------------------
@@ -155,7 +155,7 @@ TILT: Final = 0.3
 # --- refine --------------------
 
 REFINE_ROUNDS: Final = 4
-"""[rounds] of Gauss and Newton over all that was found,"""
+"""[rounds] of Gauss and Newton over all findings,"""
 
 REFINE_STEP: Final = 1e-3
 """[share] with differences over so much of each number."""

@@ -1,4 +1,4 @@
-"""What was found, refitted together: all its numbers at once, as the equations have them.
+"""The findings refitted together: all their parameters at once, in the full equations.
 
 Candidates are fitted where the model stood when they were tried, and some along a tangent. Left so, what they
 miss would look like something else.
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
-from robodyn.diagnose.select.library.laws import bent
+from robodyn.diagnose.select.library.laws import dahl_deflection
 from robodyn.diagnose.select.limits import (
     HUBER,
     HUBER_ROUNDS,
@@ -28,7 +28,7 @@ from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.twist import behind_motors
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
-from robodyn.effects.traits import Bristles
+from robodyn.effects.traits import Dahl
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_torque
@@ -134,7 +134,7 @@ def _own(start: Problem) -> tuple[Floats, Floats]:
 
 
 def _usual(left: Floats) -> Floats:
-    """The middle size [n] of what is left [N, n]."""
+    """The median size [n] of what is left [N, n]."""
     return np.asarray(np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1e-3))
 
 
@@ -142,7 +142,7 @@ def _weights(
     left: Floats, nuisance: Floats, prior: Floats, usual: Floats | None = None
 ) -> tuple[Floats, Floats]:
     """Weights [N n] that keep a few bursts (joints that stick at reversals) from having their way (Huber
-    1964), as factors of rows, and the middle sizes [n]; by what the nuisance too leaves of ``left``
+    1964), as factors of rows, and the median sizes [n]; by what the nuisance too leaves of ``left``
     [N, n]."""
     weight, size = np.ones(left.size), np.ones(left.shape[1])
     for _ in range(HUBER_ROUNDS):
@@ -171,10 +171,10 @@ def _rest(robot: Robot, c: Context) -> Floats:
     total = torque.total
     for entry in robot.effects:
         for law in entry.definition.traits.candidates:
-            if isinstance(law, Bristles) and entry.joint:  # the model has them sliding
+            if isinstance(law, Dahl) and entry.joint:  # the model has them sliding
                 j, level = entry.joint - 1, entry.number(law.level)
                 if level > 0:
-                    bristles = bent(s.q[:, j], level / entry.number(law.stiffness))
-                    total[:, j] += level * (bristles - model.direction(s.qd[:, j]))
+                    deflection = dahl_deflection(s.q[:, j], level / entry.number(law.stiffness))
+                    total[:, j] += level * (deflection - model.direction(s.qd[:, j]))
     tau = measured_torque(total, s.t, robot.effects)
     return s.thinned(s.filtered(given_torque(s.tau, robot) - tau))

@@ -50,7 +50,7 @@ class Evaluated:
 
 
 class Model:
-    """A robot on arrays: ``q, qd, qdd`` [K, n]. Effects that remember are at their steady values."""
+    """A robot on arrays: ``q, qd, qdd`` [K, n]. Stateful effects are at their steady values."""
 
     def __init__(self, robot: Robot, parameters: Mapping[str, float] | None = None) -> None:
         self.robot = robot

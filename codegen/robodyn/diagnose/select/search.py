@@ -1,4 +1,4 @@
-"""The search: one effect after another, all refitted together, and what is not needed in the end left out."""
+"""The search: one effect after another, all refitted together, and those not needed in the end removed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.gate.gate import Gate
-from robodyn.diagnose.select.choice import enough, numbers_of
+from robodyn.diagnose.select.choice import evidence_threshold, numbers_of
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
@@ -25,8 +25,8 @@ Key = tuple[str, int | None]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
-    """What was found: its evidence, and all that is added for it."""
+class Detected:
+    """A detected effect: the evidence for it, its parameters with errors, and the selection it is from."""
 
     named: Named
     parameters: dict[str, float | str]
@@ -36,10 +36,10 @@ class Found:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
-    """What was found by effect and joint, the ``model`` with it, the ``first`` look at the logs and the
+    """The detected effects by effect and joint, the ``model`` with it, the ``first`` look at the logs and the
     ``last``."""
 
-    findings: dict[Key, Found]
+    findings: dict[Key, Detected]
     model: Robot
     first: Selection
     last: Selection
@@ -55,7 +55,7 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
 
     tell("fitting the catalogue")
     first = last = look(robot)
-    model, findings, seen = robot, dict[Key, Found](), set[frozenset[Key]]()
+    model, findings, seen = robot, dict[Key, Detected](), set[frozenset[Key]]()
     for _ in range(PASSES):
         if not last.findings:
             break
@@ -74,8 +74,8 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
     return Outcome(findings, model, first, last)
 
 
-def _pruned(robot: Robot, findings: dict[Key, Found], first: Selection) -> None:
-    """Leave out, one by one, what the others make up for."""
+def _pruned(robot: Robot, findings: dict[Key, Detected], first: Selection) -> None:
+    """Remove, one by one, the effects for which the others compensate."""
     while len(findings) > 1:
         without = []
         for key in findings:
@@ -86,7 +86,7 @@ def _pruned(robot: Robot, findings: dict[Key, Found], first: Selection) -> None:
         models = [_amendments(findings), *(_amendments(others) for others in without)]
         whole, *less = costs(robot, models, first.contexts, first.start)
         spare = [
-            cost - whole - PRICE * enough(first.start, numbers_of(one.named.trial))
+            cost - whole - PRICE * evidence_threshold(first.start, numbers_of(one.named.trial))
             for cost, one in zip(less, findings.values(), strict=True)
         ]
         laws = {(part, joint) for effect, joint in findings for part in CATALOGUE[effect].traits.one_law_with}
@@ -101,18 +101,18 @@ def _pruned(robot: Robot, findings: dict[Key, Found], first: Selection) -> None:
         findings.update(without[k])
 
 
-def _amendments(findings: Mapping[Key, Found]) -> list[Amendment]:
+def _amendments(findings: Mapping[Key, Detected]) -> list[Amendment]:
     return [Amendment(effect, joint, one.parameters) for (effect, joint), one in findings.items()]
 
 
-def _refit(robot: Robot, findings: dict[Key, Found], begun: Selection) -> None:
-    """All that was found, fitted together to the logs as they were at first."""
+def _refit(robot: Robot, findings: dict[Key, Detected], begun: Selection) -> None:
+    """All detected effects, fitted together to the logs as they were at first."""
     better = refined(robot, _amendments(findings), begun.contexts, begun.start)
     for key, one in zip(list(findings), better, strict=True):
         findings[key] = replace(findings[key], parameters=dict(one.parameters))
 
 
-def _levelled(findings: dict[Key, Found], begun: Selection) -> bool:
+def _levelled(findings: dict[Key, Detected], begun: Selection) -> bool:
     """Whether an effect was no more than its limit, as a power of the speed may be a level: it is Coulomb
     friction then."""
     limits = [(key, CATALOGUE[key[0]].traits.limit) for key in findings]
@@ -133,11 +133,11 @@ def _levelled(findings: dict[Key, Found], begun: Selection) -> bool:
         )
         named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
         errors = {name: one.errors[name] for name in parameters if name in one.errors}
-        findings[plain] = Found(named, parameters, errors, one.first)
+        findings[plain] = Detected(named, parameters, errors, one.first)
     return bool(flat)
 
 
-def _take(step: Selection, findings: dict[Key, Found], digest: str) -> None:
+def _take(step: Selection, findings: dict[Key, Detected], digest: str) -> None:
     """A step's findings join those of the same effect and place."""
     for named in step.findings:
         candidate = named.trial.candidate
@@ -154,7 +154,7 @@ def _take(step: Selection, findings: dict[Key, Found], digest: str) -> None:
                 joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
             findings[key] = replace(before, parameters=joined)
         else:
-            findings[key] = Found(named, values, errors, step)
+            findings[key] = Detected(named, values, errors, step)
 
 
 def _piece(log: Log, part: slice) -> Log:

@@ -18,7 +18,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.ceiling import unexplained
-from robodyn.diagnose.select.choice import Trial, best_of, enough, nearest, numbers_of, prepared, trial
+from robodyn.diagnose.select.choice import (
+    Trial,
+    best_of,
+    evidence_threshold,
+    nearest,
+    numbers_of,
+    prepared,
+    trial,
+)
 from robodyn.diagnose.select.contact import Contact, contact_in
 from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, less, problem, tighter, without
 from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
@@ -46,7 +54,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Named:
-    """An effect that was found, ids of what explains as much, and the trials ``beside`` it, best first."""
+    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first."""
 
     trial: Trial
     rivals: tuple[str, ...]
@@ -58,9 +66,9 @@ class Named:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Selection:
-    """What was found in the parts of a log; ``first`` and ``last`` fits; all trials of the first step, best
-    first; ``residue`` [n]: what is left in units of the noise, by its middle, so that short bursts (joints
-    that stick at reversals) do not count."""
+    """The effects selected in the parts of a log; ``first`` and ``last`` fits; all trials of the first step,
+    best first; ``residue`` [n]: the median of what is left, in units of the noise (a median, so that short
+    bursts of joints that stick at reversals do not count)."""
 
     contexts: tuple[Context, ...]
     start: Problem
@@ -95,7 +103,7 @@ def start_of(contexts: Sequence[Context]) -> Problem:
     Y = np.concatenate(nuisances)
     Y = Y[:, :, np.abs(Y).max(axis=(0, 1)) > 0]
     thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
-    by_encoders = shaken(contexts[0])
+    by_encoders = encoder_torque_noise(contexts[0])
     sigma = np.hypot(passed_noise(s), by_encoders)
     return problem(np.concatenate(rests), Y, sigma, thin, by_encoders)
 
@@ -114,11 +122,11 @@ def passed_noise(s: Signals) -> Floats:
     return np.asarray(np.maximum(passed, np.maximum(floor, 1e-9)))
 
 
-def shaken(c: Context) -> Floats:
-    """Standard deviations [n] of what the noise of the encoders makes of the model's torques, through the
+def encoder_torque_noise(c: Context) -> Floats:
+    """Standard deviations [n] of the encoders' noise, carried into the model's torques by the
     accelerations."""
     s = c.signals
-    if s.shaken is None:
+    if s.acceleration_noise is None:
         return np.zeros(c.n)
     q = s.q[:: max(1, len(s.q) // POSES)]
     zeros = np.zeros_like(q)
@@ -126,7 +134,7 @@ def shaken(c: Context) -> Floats:
     squares = np.zeros(c.n)
     for j in range(c.n):
         ahead = zeros.copy()
-        ahead[:, j] = s.shaken[j]
+        ahead[:, j] = s.acceleration_noise[j]
         squares += np.mean((c.model.torque(q, zeros, ahead) - still) ** 2, axis=0)
     return np.sqrt(squares)
 
@@ -135,8 +143,8 @@ def what_matters(c: Context) -> Floats:
     """RMS [n] that an effect must explain at a joint to be worth a name."""
     s = c.signals
     large = np.maximum(OF_NOISE * raw_noise(s), OF_TORQUE * np.sqrt(np.mean(s.tau**2, axis=0)))
-    # What swings behind its motor looks like a smoother motion, and so takes noise of the encoders away.
-    return np.asarray(np.maximum(large, OF_ENCODER_NOISE * shaken(c)))
+    # A link on its spring looks like a smoother motion, and so hides noise of the encoders.
+    return np.asarray(np.maximum(large, OF_ENCODER_NOISE * encoder_torque_noise(c)))
 
 
 def select(
@@ -147,7 +155,7 @@ def select(
     cutoff: float | None = None,
 ) -> Selection:
     """What ``robot`` lacks to explain ``logs``, each evenly sampled; parts too short to be filtered are
-    left."""
+    left out."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     pieces.sort(key=lambda log: -log.samples)
     seen = signals_of(pieces[0], cutoff=cutoff)
@@ -167,13 +175,13 @@ def select(
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
-    touched = contact_in(context, start) if len(contexts) == 1 else None
-    if touched is not None and (
-        _clipped_there(start, touched, library) or _otherwise(start, touched, library, least)
+    contact = contact_in(context, start) if len(contexts) == 1 else None
+    if contact is not None and (
+        _clipped_there(start, contact, library) or _otherwise(start, contact, library, least)
     ):
-        touched = None
-    if touched is not None:
-        start = without(start, touched.mask)
+        contact = None
+    if contact is not None:
+        start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
     chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
     if not chosen.findings:
@@ -187,8 +195,8 @@ def select(
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
-    if touched is not None:
-        estimated = (*estimated, _named_contact(touched, first))
+    if contact is not None:
+        estimated = (*estimated, _named_contact(contact, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
     return Selection(tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue)
@@ -258,15 +266,14 @@ def _evidence(start: Problem, chosen: _Chosen) -> float:
     floor = np.maximum(np.mean(left**2, axis=0), 1.0)
     known = chosen.current.known[: p.nuisance]
     misfit = float(np.sum(np.mean(left**2, axis=0) / floor)) * len(left) / p.thin / 2
-    strain = float(np.sum(p.prior[: p.nuisance] * known**2)) / p.thin / 2
+    penalty = float(np.sum(p.prior[: p.nuisance] * known**2)) / p.thin / 2
     gram = start.grams.sum(axis=0)[: p.nuisance, : p.nuisance] / np.sqrt(
         np.outer(start.prior[: p.nuisance], start.prior[: p.nuisance])
     )
     width = float(np.linalg.slogdet(np.eye(len(gram)) + gram)[1]) / 2
     spread = float(np.sum(np.log(floor))) * len(left) / p.thin / 2
-    return (
-        -misfit - spread - strain - width - sum(enough(start, numbers_of(f.trial)) for f in chosen.findings)
-    )
+    choice = sum(evidence_threshold(start, numbers_of(f.trial)) for f in chosen.findings)
+    return -misfit - spread - penalty - width - choice
 
 
 def _factor(
@@ -277,47 +284,47 @@ def _factor(
     if np.all(factor == 1):
         return factor
     current = fitted(start)
-    # A burst that happens once may have bent all these fits.
+    # A single burst may have biased all these fits.
     for left in (start.rest, start.rest - start.A @ current.known):
         factor = np.where(1.4826 * np.median(np.abs(left), axis=0) < STANDS_OUT, 1.0, factor)
     tried = [trial(start, current, c, columns, least) for c, columns in library]
     tried.sort(key=lambda one: -one.gain)
     for one in nearest(start, current, tried, least, contexts):
-        left = np.sqrt(np.median(one.fit.held, axis=0))
+        left = np.sqrt(np.median(one.fit.held_out, axis=0))
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
 
 
 def _otherwise(
-    start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]], least: Floats
+    start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]], least: Floats
 ) -> bool:
     """Whether an effect that acts all along explains more of a log than a contact does of its window."""
     current = fitted(start)
-    by_force = touched.explained * float((start.rest[touched.mask] ** 2).sum()) / 2 / start.thin
+    by_force = contact.explained * float((start.rest[contact.mask] ** 2).sum()) / 2 / start.thin
     best = max(trial(start, current, c, columns, least).gain for c, columns in library)
     return best > by_force
 
 
-def _clipped_there(start: Problem, touched: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
+def _clipped_there(start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
     """Whether a torque that is cut off explains the burst as well as a force does."""
-    b = start.rest[touched.mask]
+    b = start.rest[contact.mask]
     for candidate, columns in library:
         channel = candidate.definition.traits.channel
         if channel is not None and channel.acts == "limit":
             left = b.copy()
             rows = list(candidate.rows)
-            left[:, rows] -= columns[touched.mask][:, :, 0] / start.sigma[rows]
-            if 1 - float(np.sum(left**2) / np.sum(b**2)) > touched.explained - CLIPPED_MARGIN:
+            left[:, rows] -= columns[contact.mask][:, :, 0] / start.sigma[rows]
+            if 1 - float(np.sum(left**2) / np.sum(b**2)) > contact.explained - CLIPPED_MARGIN:
                 return True
     return False
 
 
-def _named_contact(touched: Contact, first: Fit) -> Named:
+def _named_contact(contact: Contact, first: Fit) -> Named:
     """A contact as a finding: judged in its window, not on parts of the log."""
-    gain = 100.0 * touched.explained
-    fit = Fit(touched.x, np.diag(touched.stderr**2), first.known, first.held, 0.0)
-    one = Trial(touched.candidate, touched.columns, fit, gain, np.inf, np.inf, np.full(BLOCKS, gain))
-    return Named(one, (), 0.9, touched.x, touched.stderr)
+    gain = 100.0 * contact.explained
+    fit = Fit(contact.x, np.diag(contact.stderr**2), first.known, first.held_out, 0.0)
+    one = Trial(contact.candidate, contact.columns, fit, gain, np.inf, np.inf, np.full(BLOCKS, gain))
+    return Named(one, (), 0.9, contact.x, contact.stderr)
 
 
 def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
@@ -325,7 +332,7 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
     done = []
     at = now.nuisance
     spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
-    spread = spread * max(float(last.held.mean()), 1e-300)
+    spread = spread * max(float(last.held_out.mean()), 1e-300)
     for one in findings:
         if one.trial.candidate.fixed:
             done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
@@ -334,7 +341,7 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
         x = last.known[at : at + wide]
         signs = np.array(one.trial.candidate.signs)
         if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
-            x = one.trial.fit.x  # all together they cannot be told apart
+            x = one.trial.fit.x  # the fit of all together cannot separate them
         error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
         done.append(Named(one.trial, one.rivals, one.confidence, x, error, one.beside))
         at += wide

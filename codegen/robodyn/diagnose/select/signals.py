@@ -27,8 +27,8 @@ Floats = NDArray[np.float64]
 class Signals:
     """A log's motion and torque: ``t`` [K] in s, even; ``q, qd, qdd`` [K, n] of filtered positions; ``tau``
     [K, n] as logged; ``cutoff`` [Hz] of the filter of :meth:`filtered`; ``every``: what :meth:`thinned`
-    keeps, but for ``edge`` samples at either end; ``shaken`` [n]: standard deviations of the noise that the
-    accelerations have from the encoders, after :meth:`filtered`."""
+    keeps, but for ``edge`` samples at either end; ``acceleration_noise`` [n]: standard deviations of
+    the noise that the accelerations have from the encoders, after :meth:`filtered`."""
 
     t: Floats
     q: Floats
@@ -38,7 +38,7 @@ class Signals:
     cutoff: float
     every: int
     edge: int
-    shaken: Floats | None = None
+    acceleration_noise: Floats | None = None
 
     @property
     def period(self) -> float:
@@ -65,7 +65,9 @@ class Signals:
             return self
         arrays = (self.t, self.q, self.qd, self.qdd, self.filtered(self.tau))
         t, q, qd, qdd, tau = (x[::step] for x in arrays)
-        return Signals(t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step, self.shaken)
+        return Signals(
+            t, q, qd, qdd, tau, self.cutoff, self.every // step, self.edge // step, self.acceleration_noise
+        )
 
 
 def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
@@ -81,12 +83,14 @@ def signals_of(log: Log, *, cutoff: float | None = None) -> Signals:
     edge = every * max(1, round(min(1.5 / chosen * rate, len(t) / 20) / every))
     # So many samples that coarse signals have the same places.
     count = (len(t) - 1) // every * every + 1
-    shaken = 1.4826 * np.median(np.abs(log.q - smooth), axis=0) * _shaking(chosen, rate)
+    acceleration_noise = (
+        1.4826 * np.median(np.abs(log.q - smooth), axis=0) * _acceleration_noise(chosen, rate)
+    )
     t, smooth, qd, qdd, tau = (x[:count] for x in (t, smooth, qd, qdd, log.tau))
-    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, shaken)
+    return Signals(t, smooth, qd, qdd, tau, chosen, every, edge, acceleration_noise)
 
 
-def _shaking(cutoff: float, rate: float) -> float:
+def _acceleration_noise(cutoff: float, rate: float) -> float:
     """The acceleration [1/s^2] by white noise of size 1 in positions, as two passes of :func:`low_pass` leave
     it."""
     f = np.linspace(0.0, min(3 * cutoff, rate / 2), 500)

@@ -1,8 +1,8 @@
 """Motors that run ahead of their links: where the links are, from the motors' motion alone.
 
 The arm's motion is taken to be the motors', and how far the link of a joint lags behind is the answer of an
-oscillator to the torque of that: the inertia that the joint feels, on the spring (or the play) between. The
-arm is linear in a lag so small; the spring need not be.
+oscillator to the torque of that: the inertia that the joint feels, on the spring or in the backlash between.
+The arm is linear in a lag so small; the spring need not be.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.limits import LAG_BEGIN, LAG_PIECE, LAG_TRIES, SWEEPS, TWIST_BEYOND, TWIST_PLACES
+from robodyn.diagnose.select.oscillator import oscillation
 from robodyn.diagnose.select.rigid import Evaluated, Model
-from robodyn.diagnose.select.swing import swung
 from robodyn.effects.catalogue import CATALOGUE
 
 Floats = NDArray[np.float64]
@@ -59,7 +59,7 @@ def lag_of(
 ) -> Floats:
     """How far [K, 3] the link is behind its motor, with rates, under the ``torque`` [K] that the arm would
     take without; ``felt``: that torque's slopes [K] over acceleration, velocity and position of the joint.
-    Samples are a ``period`` [s] apart. Not finite from where the link flies off.
+    Samples are a ``period`` [s] apart. Not finite from where the link diverges.
 
     How it begins follows from the torque that was measured to pass, ``passed`` [K], over the first samples;
     without that it begins at rest.
@@ -69,7 +69,7 @@ def lag_of(
     begin = np.array([spring.at_rest(float(torque[0])), 0.0])
     if passed is not None and len(passed) * period > LAG_PIECE:  # two numbers more for each piece of a log
         begin = _begun(spring, inputs, period, begin, passed)
-    return spring.swung(inputs, period, begin)
+    return spring.oscillation(inputs, period, begin)
 
 
 def _begun(
@@ -82,7 +82,7 @@ def _begun(
     sizes = spring.width * np.array([1.0, quick])
 
     def missed(at: Floats) -> Floats:
-        lag = spring.swung((load, mass, rub, stiff), step, at)
+        lag = spring.oscillation((load, mass, rub, stiff), step, at)
         return np.asarray(spring.torque(lag[:, 0]) + spring.damping * lag[:, 1] - passed[:count])
 
     left = missed(begin)
@@ -132,9 +132,11 @@ class _Spring:
         places = self.low + self.width * np.arange(len(self.force))
         return float(np.interp(torque, self.force, places))
 
-    def swung(self, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats) -> Floats:
+    def oscillation(
+        self, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats
+    ) -> Floats:
         """Place, rate and acceleration [K, 3] of a link on it."""
-        return swung(
+        return oscillation(
             inputs, step, (self.force, self.low, self.width), self.damping, (float(begin[0]), float(begin[1]))
         )
 
@@ -143,7 +145,7 @@ def behind_motors(
     model: Model, q: Floats, qd: Floats, qdd: Floats, period: float, tau: Floats | None = None
 ) -> Evaluated:
     """``model`` along a motion [K, n] that its encoders saw, some of them on motors that run ahead; samples
-    are a ``period`` [s] apart. The torque ``tau`` [K, n] that was measured tells how it began."""
+    are a ``period`` [s] apart. The torque ``tau`` [K, n] that was measured gives its initial state."""
     seen = model.evaluate(q, qd, qdd)
     couplers = model.couplers
     if not couplers:

@@ -114,7 +114,7 @@ class Extraction:
         self.work = 0
         #: The factors taken, in order.
         self.taken: list[Factor] = []
-        self._made: dict[Factor, int] = {}
+        self._entries: dict[Factor, int] = {}
         self._own: dict[int, Factor] = {}
         #: Operations saved by each factor, its own taken off while it is no variable yet.
         self._sums: dict[Sum, int] = {}
@@ -177,7 +177,7 @@ class Extraction:
 
     def _count(self, v: int, m: Monomial, k: int, sense: int) -> None:
         """Count the factors that the term ``k m`` makes with the others of the polynomial of ``v``."""
-        sums, products, entries, own = self._sums, self._products, self._made, self._own.get(v)
+        sums, products, entries, own = self._sums, self._products, self._entries, self._own.get(v)
         memory = self.memory
         place = memory.place
         self.work += len(self.system.polynomials[v]) + 3
@@ -198,7 +198,7 @@ class Extraction:
     # -- taking out ------------------------------------------------------------------------------
     def _define(self, factor: Factor, terms: Terms) -> int:
         """A variable that is ``factor``."""
-        d = self._made[factor] = self.memory.name(factor)
+        d = self._entries[factor] = self.memory.name(factor)
         self._own[d] = factor
         self.system.polynomials[d] = {}
         for m, k in terms.items():
@@ -206,7 +206,7 @@ class Extraction:
         return d
 
     def _take_sum(self, pair: Sum) -> None:
-        d = self._made.get(pair)
+        d = self._entries.get(pair)
         if d is None:
             m, n, ratio = pair
             d = self._define(pair, {m: 1, n: ratio})
@@ -233,7 +233,7 @@ class Extraction:
 
     def _take_product(self, product: Product) -> None:
         x, y = product
-        d = self._made.get(product)
+        d = self._entries.get(product)
         if d is None:
             d = self._define(product, {(y,): -x} if x < 0 else {product: 1})
             self._products[product] += 1

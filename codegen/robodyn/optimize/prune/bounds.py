@@ -37,7 +37,7 @@ class Expansions:
     def __init__(self, graph: Graph, box: Box) -> None:
         self.graph, self.box = graph, box
         self._field: dict[Any, int] = {x: BITS * i for i, x in enumerate(box.inputs)}
-        self._made: dict[int, Polynomial] = {}
+        self._polynomials: dict[int, Polynomial] = {}
         self._first = len(graph.keys)
         self._terms = 0
 
@@ -52,7 +52,7 @@ class Expansions:
         """The value at position ``root`` expanded."""
         if self._terms > _REMEMBERED:
             self._forget()
-        cache, keys = self._made, self.graph.keys
+        cache, keys = self._polynomials, self.graph.keys
         stack = [root]
         while stack:
             p = stack[-1]
@@ -78,8 +78,8 @@ class Expansions:
 
     def _forget(self) -> None:
         """Forget what was expanded of the positions that came after the first."""
-        self._made = {p: value for p, value in self._made.items() if p < self._first}
-        self._terms = sum(len(value.terms) for value in self._made.values())
+        self._polynomials = {p: value for p, value in self._polynomials.items() if p < self._first}
+        self._terms = sum(len(value.terms) for value in self._polynomials.values())
 
     def difference(self, one: Scalar, other: Scalar) -> Polynomial:
         """``one - other``."""
@@ -113,20 +113,20 @@ class Expansions:
         return terms, error.rest + _LOST * error.size
 
     def bound(
-        self, error: Polynomial, enough: float, *, close: float = 1.01, hopeless: float = math.inf
+        self, error: Polynomial, threshold: float, *, close: float = 1.01, hopeless: float = math.inf
     ) -> float:
         """A bound of ``error`` on the whole box, ``close`` times what it need be.
 
-        Where two angles looked at together do not bring it down to ``enough``, three are, unless
+        Where two angles looked at together do not bring it down to ``threshold``, three are, unless
         it is above ``hopeless``.
         """
         best = error.bound
         terms, rest = self.waves(error)
         for angles, work in _WORK.items():
             waves = waves_of(terms, angles)
-            target = enough - rest if angles > 2 else 0.0
+            target = threshold - rest if angles > 2 else 0.0
             best = min(best, proven(waves, target, work, close) + rest)
-            if best <= enough or best > hopeless or len(waves.degree) < angles:
+            if best <= threshold or best > hopeless or len(waves.degree) < angles:
                 break
         return best
 
@@ -138,7 +138,7 @@ class Expansions:
         return best / budget
 
     def _operation(self, p: int, key: tuple[Any, ...]) -> Polynomial:
-        cache, op = self._made, key[0]
+        cache, op = self._polynomials, key[0]
         if op == "input":
             return self._input(key[1])
         if op == "const":
@@ -204,10 +204,10 @@ class Expansions:
         raise InputError("a sine of something that is no angle cannot be pruned", found=key[0])
 
 
-def proven_errors(original: Program, pruned: Program, box: Box, enough: Sequence[float]) -> list[float]:
+def proven_errors(original: Program, pruned: Program, box: Box, threshold: Sequence[float]) -> list[float]:
     """For each output a bound of ``|pruned - original|`` over the whole ``box``, in exact arithmetic.
 
-    Nothing is known here of how ``pruned`` came about. More effort goes into bounds above ``enough``.
+    Nothing is known here of how ``pruned`` came about. More effort goes into bounds above ``threshold``.
     """
     graph = Graph()
     true: Sequence[Scalar] = graph.replay(original)
@@ -215,5 +215,5 @@ def proven_errors(original: Program, pruned: Program, box: Box, enough: Sequence
     expansions = Expansions(graph, box)
     return [
         0.0 if one == other else expansions.bound(expansions.difference(one, other), limit)
-        for one, other, limit in zip(copies, true, enough, strict=True)
+        for one, other, limit in zip(copies, true, threshold, strict=True)
     ]

@@ -61,7 +61,7 @@ class _Descent:
         for c in sorted(candidates, key=self._rank):
             if (done and c.share > room) or c.position in self.state.edits:
                 continue
-            if self._made(c):
+            if self._try_edit(c):
                 done += 1
                 room -= c.share
                 if done == _AT_ONCE or room < _IN_ONE_GO:
@@ -73,7 +73,7 @@ class _Descent:
         bargain = float(f"{c.gain**self.notion / (c.share + _CHEAP):.6g}")
         return -bargain, c.position, c.edit or (0, 0)
 
-    def _made(self, c: Candidate) -> bool:
+    def _try_edit(self, c: Candidate) -> bool:
         """Make the edit if it saves something and the errors stay within the budgets."""
         edits = {**self.state.edits, c.position: c.edit}
         nodes, outputs = self.editor.edited(edits)

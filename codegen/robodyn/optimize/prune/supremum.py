@@ -174,10 +174,10 @@ def lower_estimate(waves: Waves, levels: int = 2) -> float:
     return best
 
 
-def proven(waves: Waves, enough: float = 0.0, work: int = _WORK, close: float = 1.01) -> float:
-    """An upper bound of the largest F: as close as ``work`` allows, or at most ``enough``.
+def proven(waves: Waves, threshold: float = 0.0, work: int = _WORK, close: float = 1.01) -> float:
+    """An upper bound of the largest F: as close as ``work`` allows, or at most ``threshold``.
 
-    Where F is found to be above ``enough`` the bound is no longer made close.
+    Where F is found to be above ``threshold`` the bound is no longer made close.
     """
     if waves.constant:
         return waves.rest
@@ -190,7 +190,7 @@ def proven(waves: Waves, enough: float = 0.0, work: int = _WORK, close: float = 
         # Of F - rest the share holds, and F - rest >= share * (S - rest).
         if share > 0:
             bound = min(bound, (float(values.max()) - waves.rest) / share + waves.rest)
-        if bound <= enough or best > enough > 0 or bound <= best * close:
+        if bound <= threshold or best > threshold > 0 or bound <= best * close:
             break
         kept = values - waves.rest >= (best - waves.rest) * share * (1 - 1e-9) - _ROUND * waves.size
         centres, half = _halved(centres[:, kept], half, waves.degree)

@@ -52,7 +52,7 @@ def trapezoid(
     n = len(ends[0])
     way = np.abs(ends[1] - ends[0])
     if way.max() < _NO_WAY:
-        raise InputError("a motion without a way", found="the end is the start", expected="two positions")
+        raise InputError("the motion has no length", found="the end is the start", expected="two positions")
     fastest = _limit("velocity", velocity, n)
     hardest = _limit("acceleration", acceleration, n)
     moved = way > _NO_WAY
@@ -101,12 +101,12 @@ def via(points: ArrayLike, times: ArrayLike, *, period: float = PERIOD) -> Traje
     still = np.zeros((2, x.shape[1]))
     v, a = least_jerk(knots, x, still, still)
     t = sample_times(float(knots[-1]), period, beyond=True)
-    law = partial(_held, partial(hermite, knots, x, v, a), float(knots[-1]))
+    law = partial(_stopped, partial(hermite, knots, x, v, a), float(knots[-1]))
     provenance = {"kind": "via", "points": x.tolist(), "times": knots.tolist()}
     return Trajectory(t, *law(t), provenance, law)
 
 
-def _held(
+def _stopped(
     law: Callable[[Floats], tuple[Floats, Floats, Floats]], end: float, t: Floats
 ) -> tuple[Floats, Floats, Floats]:
     """``law`` up to ``end``, and standing there afterwards."""

@@ -49,7 +49,7 @@ def make(table_id: str, progress: Progress = lambda _: None) -> Table:
         raise InputError(
             f"no table {table_id!r}",
             expected=f"one of {', '.join(TABLE_IDS)}",
-            remedy="leave it out for all of them",
+            remedy="omit the table for all of them",
         )
     build = importlib.import_module(f"robodyn.thesis.tables.{_HOMES[table_id]}").table
     table = build(progress) if "progress" in inspect.signature(build).parameters else build()

@@ -158,8 +158,8 @@ def _speedup(general: TaskGraph) -> Row:
         and ours["idle_pct"] == printed["idle_pct"]
     )
     first = critical_path_order(general)
-    enough = (p for p in range(1, MOST) if list_schedule(general, p, first).levels <= schedule.levels)
-    fewest = next(enough, MOST)
+    sufficient = (p for p in range(1, MOST) if list_schedule(general, p, first).levels <= schedule.levels)
+    fewest = next(sufficient, MOST)
     return _row(
         "speed-up",
         "8.55 with 13 processors, efficiency 65.81 %, idle 34.19 %",

@@ -320,15 +320,15 @@ def _sampling_rates(stanford: TaskGraph, load_robot: Load) -> Row:
     cycles = parse_objective(target.objective).cost(operations_of(kernel))
     call_us = cycles / target.chip.mhz
     wanted = [TIMES * frequency for frequency in RESONANCES]
-    enough = {hz: next((p for p, rate in printed.items() if rate >= hz), None) for hz in wanted}
+    fewest = {hz: next((p for p, rate in printed.items() if rate >= hz), None) for hz in wanted}
     return _row(
         "sampling rates",
         f"{printed['1']} Hz with one processor, {printed['8']} Hz with eight (Table 4.8)",
         {"hz": printed},
         f"{best} Hz at the longest chain; one {TODAY} of today {1e3 / call_us:.0f} kHz",
         {"best_hz": best, "kernel_us": round(call_us, 2), "kernel_khz": round(1e3 / call_us)},
-        judged(all(enough.values())),
-        f"{wanted[0]} Hz take {enough[wanted[0]]} processors and {wanted[1]} Hz {enough[wanted[1]]} by the "
+        judged(all(fewest.values())),
+        f"{wanted[0]} Hz take {fewest[wanted[0]]} processors and {wanted[1]} Hz {fewest[wanted[1]]} by the "
         f"printed times, and 1 kHz no number of them: the longest chain allows {best} Hz. Our kernel of the "
         f"Stanford arm needs no second processor: about {cycles:.0f} cycles at {target.chip.mhz:.0f} MHz by "
         "the weights of its operations, not measured, loads and stores not in it",

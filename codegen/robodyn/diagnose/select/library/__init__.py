@@ -13,13 +13,13 @@ from typing import Any, Final
 from robodyn.diagnose.select.library.candidate import Candidate, Context, Hints
 from robodyn.diagnose.select.library.context import context_of
 from robodyn.diagnose.select.library.elastic import twists
-from robodyn.diagnose.select.library.laws import bristles, laws
+from robodyn.diagnose.select.library.laws import dahl, laws
 from robodyn.diagnose.select.library.position import lines, waves
 from robodyn.diagnose.select.library.sensors import channels, late_channels
 from robodyn.diagnose.select.library.several import numbers, pairs
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
-from robodyn.effects.traits import Bristles, Law, Line, Shown, Twist, Wave
+from robodyn.effects.traits import Dahl, Law, Line, Shown, Twist, Wave
 
 __all__ = ["Candidate", "Context", "Hints", "candidates", "context_of"]
 
@@ -28,7 +28,7 @@ _AT_JOINT: Final[Mapping[type, Callable[[Context, Effect, Any, int], Iterator[Ca
     Law: laws,
     Line: lines,
     Wave: waves,
-    Bristles: bristles,
+    Dahl: dahl,
     Twist: twists,
     Shown: channels,
 }

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
-from robodyn.diagnose.select.limits import DAMPED, SWING_RATE, TWIST_CUTOFF
+from robodyn.diagnose.select.limits import DAMPED, OSCILLATOR_RATE, TWIST_CUTOFF
 from robodyn.diagnose.select.signals import low_pass
 from robodyn.diagnose.select.twist import lag_of, slopes_of
 from robodyn.effects.effect import Effect
@@ -18,28 +18,28 @@ Floats = NDArray[np.float64]
 
 
 def twists(c: Context, effect: Effect, twist: Twist, j: int) -> Iterator[Candidate]:
-    """A twist by the torque that is passed on. Measured at the motor, the link swings behind it; measured at
+    """A twist by the transmitted torque. Measured at the motor, the link oscillates behind it; measured at
     the link, the motor's inertia is ahead of it."""
     if any(entry.definition.coupler is not None for entry in c.model.robot.effects_at(j + 1)):
         return
     yield from _ahead(c, effect, twist, j)
-    swing = _swing(c, j)
-    if swing.inertia <= 0:
+    oscillator = _oscillator(c, j)
+    if oscillator.inertia <= 0:
         return
     for hertz in twist.hertz:
         for more in twist.more:
-            yield _behind(c, effect, twist, j, {**more, **swing.springs(hertz)})
+            yield _behind(c, effect, twist, j, {**more, **oscillator.springs(hertz)})
 
 
-class Swing:
-    """What the link of joint ``j`` (from 0) swings under: the arm's torque and its slopes along the motion,
-    at the coarse rate and at that of the steps."""
+class Oscillator:
+    """What drives the link of joint ``j`` (from 0) on its spring: the arm's torque and its slopes along the
+    motion, at the coarse rate and at that of the steps."""
 
     def __init__(self, c: Context, j: int) -> None:
         self.slow = slopes_of(c.model, c.slow.q, c.slow.qd, c.slow.qdd, c.plain, j)
         coarse = max(1, c.signals.every // 2)
         fine = [d for d in range(1, coarse + 1) if coarse % d == 0]
-        step = max((d for d in fine if 1 / (c.signals.period * d) >= SWING_RATE), default=1)
+        step = max((d for d in fine if 1 / (c.signals.period * d) >= OSCILLATOR_RATE), default=1)
         self.every, self.period = coarse // step, c.signals.period * step
         self.torque = c.at.passed[::step, j]
         self.passed = (c.signals.tau - c.at.total + c.at.passed)[::step, j]
@@ -54,7 +54,7 @@ class Swing:
         self.inertia = float(np.mean(self.slow.inertia[:, j]))
 
     def springs(self, hertz: float) -> dict[str, float]:
-        """A spring on which the link swings so often a second, lightly damped."""
+        """A spring on which the link has this natural frequency [Hz], lightly damped."""
         rate = 2 * np.pi * hertz
         return {"stiffness": self.inertia * rate**2, "damping": 2 * DAMPED * self.inertia * rate}
 
@@ -66,16 +66,16 @@ class Swing:
         return self.slow.of(lag[:: self.every][: len(self.slow.place)])
 
 
-def _swing(c: Context, j: int) -> Swing:
-    swing: Swing = c.kept.get(("swing", j)) or Swing(c, j)
-    c.kept["swing", j] = swing
-    return swing
+def _oscillator(c: Context, j: int) -> Oscillator:
+    oscillator: Oscillator = c.kept.get(("oscillator", j)) or Oscillator(c, j)
+    c.kept["oscillator", j] = oscillator
+    return oscillator
 
 
 def _behind(c: Context, effect: Effect, twist: Twist, j: int, settings: Mapping[str, float]) -> Candidate:
     """A link behind its motor, with all of the spring or the backlash as it is ``settings``."""
     values = {**settings, **twist.fixed}
-    column = _swing(c, j).column(effect.id, values)
+    column = _oscillator(c, j).column(effect.id, values)
     return Candidate(
         effect.id, j + 1, tuple(range(c.n)), column[:, :, None], (1,),
         lambda x: {**values, "encoder": "motor"}, twist.order, coarse=True, fixed=True, reach=twist.reach,

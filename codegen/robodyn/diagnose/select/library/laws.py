@@ -1,4 +1,4 @@
-"""Torques of one joint: laws by its motion and load, and friction by the way since it turned."""
+"""Torques of one joint: laws of its motion and load, and friction by the travel since its last reversal."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.library.candidate import Candidate, Context, rubs, single, site, unit_column
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
-from robodyn.effects.traits import Bristles, Law
+from robodyn.effects.traits import Dahl, Law
 
 Floats = NDArray[np.float64]
-Given = Mapping[str, float]
+Values = Mapping[str, float]
 
 
 def laws(c: Context, effect: Effect, law: Law, j: int) -> Iterator[Candidate]:
@@ -27,7 +27,7 @@ def laws(c: Context, effect: Effect, law: Law, j: int) -> Iterator[Candidate]:
             yield _fitted(c, effect, law, j, values)
 
 
-def _fitted(c: Context, effect: Effect, law: Law, j: int, settings: Given) -> Candidate:
+def _fitted(c: Context, effect: Effect, law: Law, j: int, settings: Values) -> Candidate:
     at = site(c, j)
     if effect.place == "gear":  # behind the bearings
         at = Site(at.revolute, at.q, at.qd, at.qdd, at.direction, c.at.passed[:, j])
@@ -41,35 +41,36 @@ def _fitted(c: Context, effect: Effect, law: Law, j: int, settings: Given) -> Ca
     )  # fmt: skip
 
 
-def bristles(c: Context, effect: Effect, law: Bristles, j: int) -> Iterator[Candidate]:
-    """Bristles of several lengths.
+def dahl(c: Context, effect: Effect, law: Dahl, j: int) -> Iterator[Candidate]:
+    """Dahl friction that slides at several deflections.
 
-    Between two samples the joint goes so far: bristles that bend less than that are sliding friction, of
-    which the direction is that of the way."""
+    A deflection that is shorter than the travel between two samples means sliding friction in the direction
+    of the travel."""
     q = c.signals.q[:, j]
     travel = float(np.sqrt(np.mean(np.diff(q) ** 2)))
     (sliding, *_) = (one for one in CATALOGUE[law.sliding].traits.candidates if isinstance(one, Law))
-    for bend in law.bends:
-        if bend < travel:
+    for limit in law.deflections:
+        if limit < travel:
             yield single(
-                law.sliding, j, [bent(q, bend)], sliding.signs, lambda x: sliding.read(x, {}),
+                law.sliding, j, [dahl_deflection(q, limit)], sliding.signs, lambda x: sliding.read(x, {}),
                 sliding.order, stand_in=True,
             )  # fmt: skip
         else:
-            yield _bristles(c, effect, law, j, {"bend": bend})
+            yield _dahl(c, effect, law, j, {"bend": limit})
 
 
-def _bristles(c: Context, effect: Effect, law: Bristles, j: int, settings: Given) -> Candidate:
-    column = bent(c.signals.q[:, j], settings["bend"])
+def _dahl(c: Context, effect: Effect, law: Dahl, j: int, settings: Values) -> Candidate:
+    column = dahl_deflection(c.signals.q[:, j], settings["bend"])
     return single(
         effect.id, j, [column], (1,), lambda x: law.read(x, settings), law.order, values=settings,
-        again=lambda c, values: _bristles(c, effect, law, j, values),
+        again=lambda c, values: _dahl(c, effect, law, j, values),
     )  # fmt: skip
 
 
-def bent(q: Floats, bend: float) -> Floats:
-    """Bristles over the bend of sliding [K], along positions ``q``: exact between samples."""
-    way = np.diff(q, prepend=q[0]) / bend
+def dahl_deflection(q: Floats, limit: float) -> Floats:
+    """Deflection of a Dahl contact [K] as a share of ``limit``, at which it slides, along positions ``q``;
+    exact between samples."""
+    way = np.diff(q, prepend=q[0]) / limit
     left = np.exp(-np.abs(way)).tolist()
     gone = (np.sign(way) * -np.expm1(-np.abs(way))).tolist()
     columns = []

@@ -1,4 +1,4 @@
-"""Elastic joints: kernels that do not diverge, links that swing as another engine has them."""
+"""Elastic joints: kernels that do not diverge, links that oscillate as another engine has them."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import pytest
 from diagnose.hidden.cases import Case
 from robodyn.diagnose.gate.gate import inspect
 from robodyn.diagnose.run import diagnose
+from robodyn.diagnose.select.oscillator import oscillation
 from robodyn.diagnose.select.predict import lacking
-from robodyn.diagnose.select.swing import swung
 from robodyn.kernels.robot_kernel import compile as compile_kernel
 
 ELASTIC = Case("puma560", (("joint_elasticity", 2),), 1, 4.855)
@@ -20,7 +20,7 @@ def test_a_swing_is_that_of_a_damped_oscillator() -> None:
     count, h = 4001, 5e-4
     one = np.ones(count)
     places = np.linspace(-1, 1, 401)
-    found = swung((0 * one, 2 * one, 0 * one, 0 * one), h, (800 * places, -1.0, 0.005), 3.0, (0.1, 0.0))
+    found = oscillation((0 * one, 2 * one, 0 * one, 0 * one), h, (800 * places, -1.0, 0.005), 3.0, (0.1, 0.0))
     t = h * np.arange(count)
     decay, turn = 3 / 4, np.sqrt(400 - (3 / 4) ** 2)
     exact = 0.1 * np.exp(-decay * t) * (np.cos(turn * t) + decay / turn * np.sin(turn * t))
@@ -29,7 +29,7 @@ def test_a_swing_is_that_of_a_damped_oscillator() -> None:
 
 def test_what_flies_off_is_not_finite() -> None:
     one = np.ones(50)
-    found = swung(
+    found = oscillation(
         (one, -1e-9 * one, 0 * one, 0 * one), 1.0, (1e-9 * np.arange(3.0), -1.0, 1.0), 0.0, (1e300, 1e300)
     )
     assert np.isnan(found[-1]).all()

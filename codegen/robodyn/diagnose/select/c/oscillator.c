@@ -9,9 +9,9 @@
 
 enum { CORRECTIONS = 8 };
 
-size_t swing(const double *load, const double *mass, const double *rub, const double *stiff, size_t count,
-             double step, const double *force, size_t places, double low, double width, double damping,
-             double x, double v, double *out)
+size_t oscillator(const double *load, const double *mass, const double *rub, const double *stiff,
+                  size_t count, double step, const double *force, size_t places, double low, double width,
+                  double damping, double x, double v, double *out)
 {
     const double half = step / 2.0, quarter = step * step / 4.0;
     double a = 0.0;

@@ -1,4 +1,4 @@
-"""The loop of ``c/swing.c``, compiled when it is first used: a link on its spring."""
+"""The loop of ``c/oscillator.c``, compiled when it is first used: a link on its spring."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from robodyn.toolchain.compiler import C_FLAGS, find_c
 Floats = NDArray[np.float64]
 
 _PROTOTYPE = """
-size_t swing(const double *load, const double *mass, const double *rub, const double *stiff, size_t count,
-             double step, const double *force, size_t places, double low, double width, double damping,
-             double x, double v, double *out);
+size_t oscillator(const double *load, const double *mass, const double *rub, const double *stiff,
+                  size_t count, double step, const double *force, size_t places, double low, double width,
+                  double damping, double x, double v, double *out);
 """
 
 
@@ -32,31 +32,31 @@ def _library() -> tuple[Any, Any]:
     """
     import cffi
 
-    text = resources("robodyn.diagnose.select").joinpath("c/swing.c").read_text(encoding="utf-8")
+    text = resources("robodyn.diagnose.select").joinpath("c/oscillator.c").read_text(encoding="utf-8")
     compiler = find_c(None)
 
     def build(folder: Path) -> str:
-        (folder / "swing.c").write_text(text, encoding="utf-8", newline="\n")
-        library = compiler.compile("swing.c", flags=C_FLAGS, folder=folder)
-        compiler.link([library], "swing.so", flags=C_FLAGS, folder=folder, extension=False)
-        return "swing.so"
+        (folder / "oscillator.c").write_text(text, encoding="utf-8", newline="\n")
+        library = compiler.compile("oscillator.c", flags=C_FLAGS, folder=folder)
+        compiler.link([library], "oscillator.so", flags=C_FLAGS, folder=folder, extension=False)
+        return "oscillator.so"
 
-    key = content_key(["swing", text, compiler.command, compiler.identity, *C_FLAGS])
+    key = content_key(["oscillator", text, compiler.command, compiler.identity, *C_FLAGS])
     ffi = cffi.FFI()
     ffi.cdef(_PROTOTYPE)
     return ffi, ffi.dlopen(str(Cache().fetch(key, build)))
 
 
-def swung(
+def oscillation(
     inputs: tuple[Floats, Floats, Floats, Floats],
     step: float,
     spring: tuple[Floats, float, float],
     damping: float,
     begin: tuple[float, float],
 ) -> Floats:
-    """Place, rate and acceleration [K, 3] of a link on its spring; ``inputs`` [K]: load, and what it changes
-    by over acceleration, velocity and place; ``spring``: forces at even places, the first place, their
-    distance; ``begin``: place and rate at first. Not finite (nan) from where it flies off.
+    """Place, rate and acceleration [K, 3] of a link on its spring; ``inputs`` [K]: load, and its
+    derivatives by acceleration, velocity and place; ``spring``: forces at even places, the first place, their
+    distance; ``begin``: place and rate at first. Not finite (nan) from where it diverges.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def swung(
     arrays = [np.ascontiguousarray(x, np.float64) for x in (*inputs, spring[0])]
     states = np.empty((len(arrays[0]), 3))
     view = [ffi.from_buffer("double[]", x) for x in arrays]
-    rows = library.swing(
+    rows = library.oscillator(
         *view[:4], len(states), step, view[4], len(arrays[4]), spring[1], spring[2], damping, *begin,
         ffi.from_buffer("double[]", states),
     )  # fmt: skip
