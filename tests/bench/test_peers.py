@@ -35,8 +35,8 @@ def test_the_textbook_gives_the_references_torques(name: str) -> None:
     at = states(robot.n)
     numbers = numbers_of(robot)
     found = [
-        inverse_dynamics(numbers, *(list(map(float, x)) for x in state), math.sin, math.cos)
-        for state in zip(*at, strict=True)
+        inverse_dynamics(numbers, q.tolist(), qd.tolist(), qdd.tolist(), math.sin, math.cos)
+        for q, qd, qdd in zip(*at, strict=True)
     ]
     assert hold_against("textbook", Reference(robot).inverse_dynamics(*at), np.array(found)) < 1e-13
 
@@ -98,8 +98,12 @@ def test_calls_are_timed_in_turn() -> None:
     asked: list[str] = []
     from robodyn.bench.peers.calls import Call
 
-    slow = Call("slow", "slow", lambda: asked.append("slow") or sum(range(3000)), 1, lambda k: k)
-    batch = Call("batch", "batch", lambda: asked.append("batch") or sum(range(3000)), 100, lambda k: k)
+    def ask(name: str) -> int:
+        asked.append(name)
+        return sum(range(3000))
+
+    slow = Call("slow", "slow", lambda: ask("slow"), 1, lambda k: k)
+    batch = Call("batch", "batch", lambda: ask("batch"), 100, lambda k: k)
     times = raced([slow, batch], 6, 1e-4)
     assert times.shape == (6, 2)
     assert (times > 0).all()

@@ -183,7 +183,8 @@ def test_robots_are_not_taken_for_files_of_the_proof(tmp_path: Path, name: str) 
     """The control file of MISRA's checker, Eva's driver: the kernel is what is looked at."""
     require_tool("cppcheck")
     require_tool("frama-c")
-    made = subject(*[replace(load("stanford_3dof"), name=name)] * 2, OPTIONS)
+    robot = replace(load("stanford_3dof"), name=name)
+    made = subject(robot, robot, OPTIONS)
     for part in (parts.prove_misra, parts.prove_eva):
         folder = tmp_path / part.__name__
         folder.mkdir()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
@@ -15,7 +16,7 @@ BARE = read_text("name: bare\nlinks: [{joint: revolute}, {joint: prismatic}, {jo
 PUMA = load("puma560", warn=lambda _: None)
 
 
-def limits(robot: Robot) -> list[tuple[object, object, object]]:
+def limits(robot: Robot) -> list[tuple[Any, Any, Any]]:
     joints = [link.joint.limits for link in robot.links]
     return [(limit.position, limit.velocity, limit.acceleration) for limit in joints]
 
@@ -38,7 +39,7 @@ def test_a_file_sets_the_same() -> None:
     found = limits(with_ranges(BARE, "r.yaml", text))
     assert [x[1] for x in found] == [1, Fraction(5, 2), 3]
     assert found[0][0] == (Fraction(-1, 2), 1)
-    (low, high) = found[2][0]  # type: ignore[misc]
+    low, high = found[2][0]
     assert abs(high - PI) < Fraction(1, 10**15)
     assert low == -high
 

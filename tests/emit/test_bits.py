@@ -133,7 +133,7 @@ def test_given_sines_give_the_same_bits(name: str) -> None:
     for kind, terms, constant in layout:
         total = np.zeros(STATES)
         for x, multiple in terms:  # in the kernel's order: no other sum has its bits
-            total = total + multiple * inputs["q"][:, x.index]
+            total = total + float(multiple) * inputs["q"][:, x.index]
         total = total + float(constant)
         element = {"cos": math.cos, "sin": math.sin, "q": float}[kind]  # numpy's own sine has other bits
         columns.append(np.array([element(float(x)) for x in total]))

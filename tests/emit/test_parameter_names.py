@@ -133,7 +133,7 @@ def test_names_that_are_accepted_compile(way: str, tmp_path: Path) -> None:
 def test_images_and_proofs_take_them_too(tmp_path: Path) -> None:
     files = WAYS["firmware"](arm("zq", GOOD))
     sources = [name for name in written(tmp_path, files) if not name.endswith("_main.c")]
-    flags = ("-mcpu=cortex-m4", "-mthumb", "-std=gnu17", *CLEAN)
+    flags: tuple[str, ...] = ("-mcpu=cortex-m4", "-mthumb", "-std=gnu17", *CLEAN)
     assert complaints(tmp_path, require_tool("arm-none-eabi-gcc"), *flags, *sources) == ""
     flags = ("-march=rv32imafc", "-mabi=ilp32f", "-std=gnu17", "-ffreestanding", *CLEAN)
     assert complaints(tmp_path, require_tool("riscv64-unknown-elf-gcc"), *flags, *sources) == ""

@@ -41,7 +41,7 @@ def test_the_pass_changes_nothing_but_the_order(robot: str, available: int) -> N
 def test_both_orders_give_the_same_bits(robot: str, language: str, scalar: str) -> None:
     require_tool("gfortran" if language == "fortran" else "cc")
     kernels = [
-        compiled(g.signatures, g.files((language,)), language=language)  # type: ignore[arg-type]
+        compiled(g.signatures, g.files((language,)), language=language)
         for g in (
             made(robot, order=order, trig="builtin", scalar=scalar) for order in ("recursion", "registers")
         )
@@ -127,7 +127,7 @@ def test_sines_of_what_is_remembered_and_of_positions_agree_with_libm(name: str)
     require_tool("gfortran")
     found = [_strange(name), _strange(name), generate(robots()[name])]
     kernels = [
-        compiled(g.signatures, g.files((language,)), language=language)  # type: ignore[arg-type]
+        compiled(g.signatures, g.files((language,)), language=language)
         for g, language in zip(found, ("c", "fortran", "c"), strict=True)
     ]
     random = np.random.default_rng(0)

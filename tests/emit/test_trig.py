@@ -10,7 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import mpmath  # type: ignore[import-untyped]
+import mpmath
 import numpy as np
 import pytest
 
@@ -20,7 +20,7 @@ from robodyn.robot import load
 from robodyn_testing import require_tool
 
 SCALARS = ("double", "float")
-TYPES = {"double": np.float64, "float": np.float32}
+TYPES: dict[str, type[np.floating[Any]]] = {"double": np.float64, "float": np.float32}
 OF = {"double": DOUBLE, "float": FLOAT}
 NAME = "stanford_3dof"
 

@@ -49,8 +49,7 @@ def require_firmware_tools(target: Target) -> None:
 
 def robot(name: str) -> Robot:
     """``tool``, or a bundled robot."""
-    silent = {"warn": lambda _: None}
-    return read_text(TOOL, **silent) if name == "tool" else load(name, **silent)
+    return read_text(TOOL, warn=lambda _: None) if name == "tool" else load(name, warn=lambda _: None)
 
 
 @cache

@@ -52,6 +52,7 @@ def test_cmake_keeps_its_own_variables_and_targets(name: str, tmp_path: Path) ->
     """CMAKE_C_FLAGS is a variable of CMake's; ``test``, ``all`` and ``install`` are targets."""
     cmake = require_tool("cmake")
     write(tmp_path, firmware(for_firmware(arm(name)), targets_named(()), ("c",)).files)
+    said = ""
     for command in ([cmake, "-B", "b"], [cmake, "--build", "b"], ["ctest", "--test-dir", "b"]):
         code, said = run(command, tmp_path)
         assert code == 0, said

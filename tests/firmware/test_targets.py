@@ -74,8 +74,9 @@ def test_all_processors_x86_and_fortran_give_the_same_bits(scalar: str, tools: N
             assert figures.undefined == ()
             assert cost.stack - 16 <= cost.stack_used <= cost.stack
         else:
-            assert TARGETS[target].board is not None
-            helper = HELPERS[TARGETS[target].board.architecture.name]
+            board = TARGETS[target].board
+            assert board is not None
+            helper = HELPERS[board.architecture.name]
             assert all(name.startswith(helper) for name in figures.undefined)
             assert figures.undefined
     assert len(set(found.values())) == 1, found
@@ -174,6 +175,7 @@ def test_a_larger_project_takes_the_library_alone(tmp_path: Path) -> None:
         f"    const double off = tau[1] - ({float(still)!r});\n    return off*off > 1e-20;\n}}\n",
         encoding="utf-8",
     )
+    said = ""
     for command in ([require_tool("cmake"), "-B", "b"], ["cmake", "--build", "b"]):
         code, said = run(command, tmp_path)
         assert code == 0, said

@@ -21,6 +21,7 @@ Of a test over all robots, effects, functions ... a few cases stay in ``make tes
 from __future__ import annotations
 
 from robodyn_testing.cases import covering, representative, sampled
+from robodyn_testing.exactly import constant, exactly
 from robodyn_testing.wanted import require_module, require_tool
 
-__all__ = ["covering", "representative", "require_module", "require_tool", "sampled"]
+__all__ = ["constant", "covering", "exactly", "representative", "require_module", "require_tool", "sampled"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from graphlib import TopologicalSorter
@@ -19,6 +20,8 @@ from robodyn.robot.model import EffectEntry
 from robodyn.schedule import TASKS, Machine, faults_of_levels, general_graph, robot_graph, solve
 from robodyn.schedule import friction_tasks as module
 from robodyn.schedule.friction_tasks import (
+    Bearing,
+    Efficiency,
     Friction,
     Site,
     asked_friction,
@@ -30,8 +33,8 @@ from robodyn.schedule.tasks import FLOPS_PER_TASK
 from robodyn.thesis.case_arm import robots
 from robodyn.thesis.tables import make
 
-BEARINGS = ("journal", "linear", "thrust", "radial", "torque")
-EFFICIENCIES = ("constant", "linear", "cubic")
+BEARINGS: tuple[Bearing, ...] = ("journal", "linear", "thrust", "radial", "torque")
+EFFICIENCIES: tuple[Efficiency, ...] = ("constant", "linear", "cubic")
 KINDS = [
     Friction(bearing, transmission)
     for bearing in (None, *BEARINGS)
@@ -52,22 +55,23 @@ def constants(friction: Friction) -> dict[str, Any]:
 
 def expected(friction: Friction, f: Any, n: Any, torque: float, direction: int) -> float:
     """By the equations, as the effects have them."""
-    rubbing = {
+    rubbing: dict[str | None, Callable[[], Any]] = {
         None: lambda: 0.0,
         "journal": lambda: thesis.journal_bearing(MU, R, D, f, n, direction),
         "linear": lambda: thesis.linear_bearing(MU, D, f, n, direction),
         "thrust": lambda: thesis.thrust_bearing(MU, R, f, direction),
         "radial": lambda: MU * R * math.hypot(f[0], f[1]) * direction,
         "torque": lambda: MU * abs(torque) * direction,
-    }[friction.bearing]
-    total = thesis.with_friction(torque, rubbing())
+    }
+    total = thesis.with_friction(torque, rubbing[friction.bearing]())
     if friction.transmission is None:
         return float(total)
-    efficiency = {
+    efficiencies: dict[str, Callable[[], Any]] = {
         "constant": lambda: E[0],
         "linear": lambda: thesis.linear_efficiency(abs(total), E),
         "cubic": lambda: thesis.cubic_efficiency(abs(total), E),
-    }[friction.transmission]()
+    }
+    efficiency = efficiencies[friction.transmission]()
     law = thesis.driving if total * direction > 0 else thesis.braking
     return float(law(total, efficiency, BREAKAWAY, direction))
 
@@ -209,7 +213,7 @@ def test_sources_with_friction_say_what_there_is_without() -> None:
     assert len(own.plain) == 154 == len(own.graph) - 5
     for refused in ({"as_printed": True}, {"costs": {"mul": 1, "add": 1}}):
         with pytest.raises(InputError, match="friction"):
-            links_source(6, friction=Friction("journal"), **refused)  # type: ignore[arg-type]
+            links_source(6, friction=Friction("journal"), **refused)
     with pytest.raises(InputError, match="no tasks of friction"):
         robot_source(stanford, as_printed=True, friction={1: Friction("journal")})
 

@@ -33,6 +33,7 @@ from robodyn.thesis.case_text import to_csv, to_dict, to_text
 from robodyn.thesis.printed_counts import TABLE_3_4
 from robodyn.verify.reference import Reference
 from robodyn_cli.main import main
+from robodyn_testing import constant
 
 SVG = "{http://www.w3.org/2000/svg}"
 DOCUMENT = Path(__file__).parents[2] / "docs" / "case-study.md"
@@ -120,16 +121,15 @@ def test_the_simulated_arm_follows_the_line(study: Study) -> None:
 def test_the_stored_energy_is_that_of_the_raised_masses(study: Study) -> None:
     """At rest at both ends: weight times height, from the frames alone."""
     kinematics = led_at(study.robots.rigid, -FOREARM).kinematics
+    masses = [constant(link.mass) for link in study.robots.rigid.links]
     energy = []
     for q in study.motion.q[[0, -1]]:
         origins, turns = kinematics.frames(q)
         heights = [
-            (origins[k] + turns[k] @ np.array([float(x) for x in link.com]))[2]
+            (origins[k] + turns[k] @ np.array([constant(x) for x in link.com]))[2]
             for k, link in enumerate(study.robots.rigid.links)
         ]
-        energy.append(
-            9.8 * sum(float(m.mass) * z for m, z in zip(study.robots.rigid.links, heights, strict=True))
-        )
+        energy.append(9.8 * sum(mass * z for mass, z in zip(masses, heights, strict=True)))
     assert study.closed_loop.energies["stored"] == pytest.approx(energy[1] - energy[0], rel=1e-2)
 
 

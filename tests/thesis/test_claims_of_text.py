@@ -9,10 +9,10 @@ import pytest
 from robodyn.counts import Count
 from robodyn.effects import thesis_friction
 from robodyn.robot import Robot
-from robodyn.schedule import TASKS, friction_tasks, task_counts
+from robodyn.schedule import TASKS, friction_tasks, general_graph, task_counts
 from robodyn.thesis.printed_tasks import TABLE_4_1_MISPRINTS
 from robodyn.thesis.tables import Row, claims_of_text, make, table_4_1
-from robodyn.thesis.tables.table_2_10 import load_quietly
+from robodyn.thesis.tables.table_2_10 import load_quietly, plain
 
 Patch = pytest.MonkeyPatch
 
@@ -47,7 +47,7 @@ def test_the_figures_of_each_claim(rows: dict[str, Row]) -> None:
 
 
 def test_they_follow_the_counts(monkeypatch: Patch) -> None:
-    genuine = claims_of_text.plain
+    genuine = plain
 
     def dearer(robot: Robot, formulation: str) -> Count:
         own = genuine(robot, formulation)
@@ -67,8 +67,8 @@ def test_they_follow_the_schedules_and_the_friction(monkeypatch: Patch) -> None:
     assert load.ours["percent"] == 2.9
     assert load.verdict == "reproduced"
     assert load.ours["tasks_percent"] < 10
-    plain = claims_of_text.general_graph(6)
-    fewer = replace(plain, after={task: frozenset() for task in plain.tasks})
+    graph = general_graph(6)
+    fewer = replace(graph, after={task: frozenset() for task in graph.tasks})
     assert claims_of_text._ideal("six", fewer, 6).verdict == "differs"  # nothing waits: all of them are busy
 
 

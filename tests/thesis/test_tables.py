@@ -13,9 +13,11 @@ import pytest
 from robodyn import InputError
 from robodyn.counts import count
 from robodyn.dynamics import lagrange, lagrange_4x4, steps
+from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.kernels.generate import Options, program
 from robodyn.optimize.programs import FORMULATIONS
 from robodyn.thesis import printed_counts as data
+from robodyn.thesis.other_tools import PEERS
 from robodyn.thesis.printed_counts import TABLE_1_1
 from robodyn.thesis.tables import (
     TABLE_IDS,
@@ -167,7 +169,7 @@ def test_table_2_9_shows_what_the_whole_recursion_takes(monkeypatch: Patch) -> N
         return int(table_2_9.table().row("revolute II, total").beside[0]["total"])
 
     assert beside() == 207
-    book = table_2_9.newton_euler
+    book = newton_euler
     monkeypatch.setattr(table_2_9, "newton_euler", lambda *given: [x + x for x in book(*given)])
     assert beside() == 208
 
@@ -197,7 +199,7 @@ def test_table_2_10_follows_the_robot_and_the_formulation(
 ) -> None:
     heavier = changed("puma560_d2", 6, com=(Fraction(1, 10), Fraction(1, 7), Fraction(1, 3)))
     monkeypatch.setattr(table_2_10, "ROBOTS", {**table_2_10.ROBOTS, "puma_3": "ur10"})
-    monkeypatch.setitem(table_2_10.PEERS, "ur10", ())
+    monkeypatch.setitem(PEERS, "ur10", ())
     rows = {row.name: row for row in table_2_10.table(load_robot=heavier).rows}
     before = {row.name: row for row in tables["2.10"].rows}
     for name in ("puma_6, I", "puma_6, VI", "puma_3, I"):

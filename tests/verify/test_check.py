@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -46,35 +47,32 @@ def scaled(x: Any) -> Any:
     return x * Fraction(10001, 10000)
 
 
+def com_scaled(link: Link, k: int) -> Link:
+    com: Any = tuple(scaled(x) if j == k else x for j, x in enumerate(link.com))
+    return replace(link, com=com)
+
+
+def inertia_scaled(link: Link, name: str) -> Link:
+    return replace(link, inertia=replace(link.inertia, **{name: scaled(getattr(link.inertia, name))}))
+
+
+def joint_scaled(link: Link, name: str) -> Link:
+    return replace(link, joint=replace(link.joint, **{name: scaled(getattr(link.joint, name))}))
+
+
+def turned(link: Link, name: str) -> Link:
+    new: Any = angle(Fraction(getattr(link.joint, name).radians) + Fraction(1, 10**5))
+    return replace(link, joint=replace(link.joint, **{name: new}))
+
+
 LINK: dict[str, Callable[[Link], Link]] = {
     "mass": lambda link: replace(link, mass=scaled(link.mass)),
+    **{f"com {'xyz'[k]}": partial(com_scaled, k=k) for k in range(3)},
     **{
-        f"com {'xyz'[k]}": lambda link, k=k: replace(
-            link, com=tuple(scaled(x) if j == k else x for j, x in enumerate(link.com))
-        )
-        for k in range(3)
+        f"inertia {name}": partial(inertia_scaled, name=name) for name in ("xx", "yy", "zz", "xy", "xz", "yz")
     },
-    **{
-        f"inertia {name}": lambda link, name=name: replace(
-            link, inertia=replace(link.inertia, **{name: scaled(getattr(link.inertia, name))})
-        )
-        for name in ("xx", "yy", "zz", "xy", "xz", "yz")
-    },
-    **{
-        name: lambda link, name=name: replace(
-            link, joint=replace(link.joint, **{name: scaled(getattr(link.joint, name))})
-        )
-        for name in ("a", "d", "motor_inertia", "viscous", "coulomb")
-    },
-    **{
-        name: lambda link, name=name: replace(
-            link,
-            joint=replace(
-                link.joint, **{name: angle(Fraction(getattr(link.joint, name).radians) + Fraction(1, 10**5))}
-            ),
-        )
-        for name in ("alpha", "theta")
-    },
+    **{name: partial(joint_scaled, name=name) for name in ("a", "d", "motor_inertia", "viscous", "coulomb")},
+    **{name: partial(turned, name=name) for name in ("alpha", "theta")},
 }
 
 
@@ -90,9 +88,8 @@ def test_any_wrong_number_is_found(number: str, arm: Robot) -> None:
 @pytest.mark.parametrize("function", INPUTS)
 @pytest.mark.parametrize("axis", range(3))
 def test_wrong_gravity_is_found_where_it_matters(function: str, axis: int, arm: Robot) -> None:
-    wrong = replace(
-        arm, gravity=tuple(g + Fraction(int(k == axis), 10**4) for k, g in enumerate(arm.gravity))
-    )
+    x, y, z = (g + Fraction(int(k == axis), 10**4) for k, g in enumerate(arm.gravity))
+    wrong = replace(arm, gravity=(x, y, z))
     report = check(arm, Stand(wrong, functions=(function,)), lagrangian=False)
     assert report.passed == (function == "mass_matrix")
 

@@ -15,7 +15,7 @@ from robodyn.errors import InputError
 from robodyn.robot.model import EffectEntry, Inertia, Robot
 from robodyn.robot.values import parameter
 from robodyn.verify import Reference
-from robodyn_testing import require_module
+from robodyn_testing import constant, require_module
 from robodyn_testing.random_robots import random_robot
 
 PUMA = robodyn.load("puma560", warn=lambda _: None)
@@ -144,7 +144,9 @@ def by_hand(q: float, qd: float, qdd: float, rigid: float, link_side: bool) -> f
         return total
     if way:
         total = (total / 0.8 if total * way > 0 else total * 0.8) + 2 * way
-    total += float(joint.motor_inertia) * qdd + float(joint.viscous) * qd + float(joint.coulomb) * way
+    total += (
+        constant(joint.motor_inertia) * qdd + constant(joint.viscous) * qd + constant(joint.coulomb) * way
+    )
     total += {1: 3, 0: 0, -1: -1}[way] + way * (2 + 3 * np.exp(-abs(qd) / 0.5)) + 7 * way
     return float(total + 0.5 * np.sin(9 * q + 0.25))
 
@@ -173,7 +175,9 @@ def test_directions_near_rest(rest: Fraction | None, band: Fraction | None) -> N
     v = qd[:, 1]
     s = np.tanh(v * 10) if rest else np.where(np.abs(v) < 1, 0, np.sign(v))
     tau = tau * (1 + ((1 / 0.8 + 0.8) / 2 - 1) * np.abs(s)) + np.abs(tau) * s * (1 / 0.8 - 0.8) / 2 + 2 * s
-    tau += float(joint.motor_inertia) * qdd[:, 1] + float(joint.viscous) * v + float(joint.coulomb) * s
+    tau += (
+        constant(joint.motor_inertia) * qdd[:, 1] + constant(joint.viscous) * v + constant(joint.coulomb) * s
+    )
     close(found, tau + (3 + 1) / 2 * s + (3 - 1) / 2 * np.abs(s))
     assert len(set(np.sign(s))) == (2 if rest else 3)
 
@@ -228,6 +232,7 @@ def loaded() -> Robot:
 def test_accelerations_under_friction_that_depends_on_them() -> None:
     q, qd, qdd = states(count=40)
     qd[0] = 0.0
+    tau = np.zeros_like(q)
     for robot in (loaded(), replace(loaded(), torque_side="link"), replace(loaded(), rest_velocity=F(1, 10))):
         reference = Reference(robot)
         tau = reference.inverse_dynamics(q, qd, qdd)

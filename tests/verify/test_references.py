@@ -18,7 +18,7 @@ from robodyn.verify import Reference, exact_mass_matrix, exact_torque, lagrangia
 from robodyn_testing.random_robots import random_robot
 
 #: Every angle general, nothing zero, nothing parallel: the robots on which no term vanishes.
-GENERIC: dict[str, float] = {"generic_angles": 1.0, "parallel": 0.0, "zeros": 0.0, "degenerate": 0.0}
+GENERIC: dict[str, Any] = {"generic_angles": 1.0, "parallel": 0.0, "zeros": 0.0, "degenerate": 0.0}
 
 
 def states(robot: Robot, count: int, seed: int = 0) -> Any:

@@ -22,7 +22,7 @@ def test_the_sample_stays_within_the_limits() -> None:
     turn = replace(robot.links[2], joint=replace(robot.links[2].joint, kind="revolute", limits=Limits()))
     sample = draw(replace(robot, links=(first, slide, turn)), 2000, 0, np.dtype(np.float32))
     moving = slice(0, -4)
-    bounds = {
+    bounds: dict[str, list[tuple[float, float]]] = {
         "q": [(0.25, 0.5), (-0.5, 0.5), (-3.1416, 3.1416)],
         "qd": [(-0.125, 0.125), (-3, 3), (-3, 3)],
         "qdd": [(-2, 2), (-10, 10), (-10, 10)],

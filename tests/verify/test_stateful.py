@@ -17,6 +17,7 @@ from robodyn.drives.drive import layer_of
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Site
 from robodyn.verify.stateful import Twist, bristle_step, twist, twist_step, twist_torque
+from robodyn_testing import exactly
 
 PUMA = robodyn.load("puma560", warn=lambda _: None)
 
@@ -32,6 +33,8 @@ def test_bristles_step_by_step() -> None:
     memory = effect("presliding_hysteresis").memory
     assert memory is not None
     rng = random.Random(1)
+    p: dict[str, Any] = {}
+    torque: Any = None
     for v, z, dt in (
         (0.8, 0.0, 0.1),
         (-2.0, 0.4, 0.3),
@@ -48,7 +51,7 @@ def test_bristles_step_by_step() -> None:
             end = solve_ivp(rate, (0, dt), [z], rtol=1e-11, atol=1e-13).y[0, -1]
             assert bristle_step(p, np.array([v]), np.array([z]), dt)[0] == pytest.approx([end], abs=1e-9)
         (found,), torque = memory.step(p, Site(True, qd=v), (z,), dt)
-        assert bristle_step(p, np.array([v]), np.array([z]), dt) == (
+        assert bristle_step(p, np.array([v]), np.array([z]), dt) == exactly(
             [pytest.approx(found)],
             [pytest.approx(torque)],
         )
