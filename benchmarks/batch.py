@@ -20,6 +20,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -108,9 +109,9 @@ def measured(robot: Robot, states: int, rounds: int) -> dict[str, list[float]]:
     ways |= {f"Workspace{kind}": (loop(ws), SINGLE) for kind, ws in workspaces.items()}
     for threads in (1, 2):
         also = "" if threads == 1 else f", {threads} threads"
-        ways[f"batch, rows{also}"] = (lambda t=threads: double.batch(*rows, out=out, threads=t), states)
+        ways[f"batch, rows{also}"] = (partial(double.batch, *rows, out=out, threads=threads), states)
         ways[f"batch, columns{also}"] = (
-            lambda t=threads: double.batch(*columns, out=turned, threads=t),
+            partial(double.batch, *columns, out=turned, threads=threads),
             states,
         )
     ways["batch, columns, float"] = (lambda: single.batch(*floats, out=turned_floats), states)

@@ -35,7 +35,7 @@ def recomputed() -> list[Row]:
         robot = load(name, warn=lambda text: None)
         for function in ("inverse_dynamics", "gravity", "bias", "mass_matrix"):
             for level in ("fast", "record"):
-                options = Options((function,), optimize=level)  # type: ignore[arg-type]  # one of the two
+                options = Options((function,), optimize=level)
                 found = count(program(robot, function, options))
                 numbers = (found.mul + found.div, found.add, found.total, found.sincos)
                 rows.append(dict(zip(FIELDS, (name, function, level, *map(str, numbers)), strict=True)))

@@ -15,6 +15,7 @@ import sys
 import time
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from robodyn.counts.count import count
@@ -44,7 +45,8 @@ def unnamed(robot: Robot) -> int:
         c, s = sympy.cos(total), sympy.sin(total)
         return cosine * c - sine * s, cosine * s + sine * c
 
-    arm = build_arm(robot, rational, {}.__getitem__)
+    names: dict[str, Any] = {}  # no run-time parameters
+    arm = build_arm(robot, rational, names.__getitem__)
     results = outputs_of(
         FUNCTION, arm, AS_IN_THE_BOOK, inputs, trigonometry, rational, lambda value, label: value
     )
@@ -74,6 +76,10 @@ def smallest(run: Callable[[], Any], runs: int) -> tuple[Any, float]:
     return result, 1000 * min(times)
 
 
+def _total(build: Callable[..., Any], robot: Robot) -> int:
+    return count(build(robot, FUNCTION, AS_IN_THE_BOOK)).total
+
+
 def main() -> None:
     """Print a line for each robot and way."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -86,11 +92,9 @@ def main() -> None:
     for name in asked.robots:
         robot = load(name, warn=lambda _: None)
         ways: dict[str, Callable[[], Any]] = {
-            "graph": lambda robot=robot: count(build(robot, FUNCTION, AS_IN_THE_BOOK)).total,
-            "sympy, named": lambda robot=robot: (
-                count(build_through_sympy(robot, FUNCTION, AS_IN_THE_BOOK)).total
-            ),
-            "sympy, unnamed": lambda robot=robot: unnamed(robot),
+            "graph": partial(_total, build, robot),
+            "sympy, named": partial(_total, build_through_sympy, robot),
+            "sympy, unnamed": partial(unnamed, robot),
         }
         for way, run in ways.items():
             operations, ms = smallest(run, asked.runs)

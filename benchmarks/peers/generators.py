@@ -69,8 +69,8 @@ def _wrenfold(arm: Numbers, folder: Path) -> None:
     column = Annotated[sym.MatrixExpr, Shape(rows=arm.n, cols=1)]
 
     def function(q, qd, qdd):  # type: ignore[no-untyped-def]
-        listed = [[x[i] for i in range(arm.n)] for x in (q, qd, qdd)]
-        tau = inverse_dynamics(arm, *listed, sym.sin, sym.cos)
+        y, yd, ydd = ([x[i] for i in range(arm.n)] for x in (q, qd, qdd))
+        tau = inverse_dynamics(arm, y, yd, ydd, sym.sin, sym.cos)
         return [code_generation.OutputArg(sym.vector(*tau), name="tau")]
 
     function.__annotations__ = {"q": column, "qd": column, "qdd": column}

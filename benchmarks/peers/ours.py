@@ -63,14 +63,15 @@ def batches(robot: Robot, folder: Path) -> list[Candidate]:
     made = []
     for scalar in ("double", "float"):
         for trig in ("builtin", "given"):
-            options = Options(("inverse_dynamics",), trig=trig, scalar=scalar)  # type: ignore[arg-type]
+            options = Options(("inverse_dynamics",), trig=trig, scalar=scalar)
             generated = generate(robot, options)
             place = folder / f"batch-{trig}-{scalar}"
             files = _write(place, generated.files(("c",), batch=True))
             defines = _defines(robot, f"{robot.name}_batch.h", "_batch")
             if trig == "given":
                 defines = (*defines, ("GIVEN", str(dict(generated.signatures[0].inputs)["sc"])))
-            sources = ("robodyn.c", *(file for file in files if file.name.endswith("_batch.c")))
+            kernels = [file for file in files if file.name.endswith("_batch.c")]
+            sources: tuple[str | Path, ...] = ("robodyn.c", *kernels)
             for width, vectors in VECTORS.items():
                 limit = (f"{robot.name.upper()}_BATCH_BYTES", str(width))
                 source = Source(sources, (f"-I{place}",), defines=(*defines, limit, ("BATCH", "1")))

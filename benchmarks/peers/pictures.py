@@ -12,7 +12,7 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 
 _OURS, _THEIRS = "#1f6f8b", "#b0b0b0"
-_PLAIN = {"svg.hashsalt": "robodyn", "svg.fonttype": "none", "font.size": 9}
+_PLAIN: Any = {"svg.hashsalt": "robodyn", "svg.fonttype": "none", "font.size": 9}
 
 
 def peers_picture(found: Mapping[str, Any], path: Path) -> None:

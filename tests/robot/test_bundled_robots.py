@@ -12,6 +12,7 @@ import pytest
 from robodyn.resources import data_dir
 from robodyn.robot import Comparison, Link, Robot, bundled_names, bundled_text, load, read_text
 from robodyn.robot.plausibility import inertia_doubt
+from robodyn_testing import exactly
 
 # Table 2.1: alpha_{i-1} in quarter turns, a_{i-1}, d_i. Table 2.2 with link 3 corrected.
 PUMA_DH = ((0, "0", "0"), (-1, "0", "0.2435"), (0, "0.4318", "-0.0934"),
@@ -135,15 +136,15 @@ def _check_link(link: Link, dh: tuple[int, str, str], row: tuple[str, str, str],
     assert (joint.a, joint.d) == (Fraction(a), Fraction(d))
     assert (link.mass, *link.com) == _row(body)
     assert (tensor.xx, tensor.yy, tensor.zz) == _row(moments)
-    assert (tensor.xy, tensor.xz, tensor.yz) == (0, 0, 0)
+    assert (tensor.xy, tensor.xz, tensor.yz) == exactly(0, 0, 0)
     assert joint.motor_inertia == Fraction(motor)
-    assert (joint.viscous, joint.coulomb) == (0, 0)
+    assert (joint.viscous, joint.coulomb) == exactly(0, 0)
 
 
 @pytest.mark.parametrize("name", TRANSCRIPTS)
 def test_the_thesis_robots_number_by_number(name: str) -> None:
     transcript, robot = TRANSCRIPTS[name], _load(name)
-    assert robot.gravity == (0, 0, Fraction(-98, 10))
+    assert robot.gravity == exactly(0, 0, Fraction(-98, 10))
     assert robot.compare == (Comparison("2.10", transcript.row) if transcript.row else None)
     assert robot.n == len(transcript.links)
     for i, (link, row) in enumerate(zip(robot.links, transcript.links, strict=True)):

@@ -10,6 +10,7 @@ import pytest
 from robodyn.errors import InputError
 from robodyn.robot import Comparison, DoubtfulRobot, Inertia, Limits, Link, Robot, read_text
 from robodyn.robot.values import ZERO, Affine, angle, parameter
+from robodyn_testing import exactly
 
 EVERYTHING = """\
 name: puma560
@@ -52,7 +53,7 @@ def test_everything_stated() -> None:
     assert robot.name == "puma560"
     assert robot.title == "PUMA 560: six joints"
     assert robot.source == "where the numbers come from"
-    assert robot.gravity == (0, f(1, 2), f(-98, 10))
+    assert robot.gravity == exactly(0, f(1, 2), f(-98, 10))
     assert robot.compare == Comparison("2.10", "puma_6")  # not 2.1: the text counts
     assert robot.torque_side == "link"
     assert robot.rest_velocity == f(1, 100)
@@ -87,7 +88,7 @@ def test_only_name_links_and_joint_are_required() -> None:
     assert robot.n == 2
     assert [link.name for link in robot.links] == ["link1", "link2"]
     assert robot.title == robot.source == ""
-    assert robot.gravity == (0, 0, Fraction(-981, 100))
+    assert robot.gravity == exactly(0, 0, Fraction(-981, 100))
     assert robot.compare is None
     assert robot.torque_side == "motor"
     assert robot.rest_velocity is None
@@ -145,7 +146,7 @@ def test_small_anchors_and_aliases_work() -> None:
         "name: arm\nlinks:\n  - {joint: revolute, com: &c [0, 0, 1]}\n  - {joint: revolute, com: *c}\n"
         "  - &l {joint: revolute, mass: &m 2}\n  - *l\n  - {joint: revolute, mass: *m}\n"
     )
-    assert robot.links[1].com == (0, 0, 1)
+    assert robot.links[1].com == exactly(0, 0, 1)
     assert [link.mass for link in robot.links] == [0, 0, 2, 2, 2]
     assert robot.links[3].name == "link4"
 
@@ -163,7 +164,7 @@ def test_free_text_is_one_line() -> None:
 def test_angles_are_recognised_and_exact() -> None:
     joint = _link("alpha: 90*pi/180, theta: pi/6").joint
     assert joint.alpha.quarter == 1
-    assert (joint.alpha.cos, joint.alpha.sin) == (0, 1)
+    assert (joint.alpha.cos, joint.alpha.sin) == exactly(0, 1)
     assert joint.theta.quarter is None
     assert joint.theta.radians == 0.5235987755982989  # rounded once: math.pi / 6 is not
     assert joint.theta.sin**2 + joint.theta.cos**2 == 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -23,6 +24,7 @@ from robodyn.robot import (
     to_yaml,
 )
 from robodyn.robot.values import PI, ZERO, Angle, Value, angle, parameter
+from robodyn_testing import exactly
 
 _NAMES = st.sampled_from(["m_tool", "x1", "i_rotor", "fv"])
 _DECIMALS = st.decimals(-1000, 1000, allow_nan=False, places=5).map(lambda d: Fraction(str(d)))
@@ -64,6 +66,10 @@ def _limits(draw: st.DrawFn) -> Limits:
     return Limits(position, *(draw(st.none() | _POSITIVE) for _ in range(3)))
 
 
+def _numbered(i: int, text: str) -> str:
+    return f"{i} {text}".strip()
+
+
 @st.composite
 def _robots(draw: st.DrawFn) -> Robot:
     links = []
@@ -81,7 +87,7 @@ def _robots(draw: st.DrawFn) -> Robot:
         )
         links.append(
             Link(
-                draw(st.just(f"link{i}") | _TEXTS.map(lambda text, i=i: f"{i} {text}".strip())),
+                draw(st.just(f"link{i}") | _TEXTS.map(partial(_numbered, i))),
                 joint,
                 draw(_amounts()),
                 draw(st.tuples(_values(), _values(), _values())),
@@ -188,7 +194,7 @@ def test_the_rotor_folds_into_the_link() -> None:
     assert first.mass == 1
     assert second.mass == Fraction(2782, 1000)
     assert second.inertia == Inertia()
-    assert second.com == (0, 0, 1)
+    assert second.com == exactly(0, 0, 1)
     assert third.inertia.zz == Fraction(1, 4) + parameter("j")
     assert all(link.joint.motor_inertia == ZERO for link in (first, second, third))
     assert fold_rotor(fold_rotor(robot)) == fold_rotor(robot)

@@ -12,6 +12,7 @@ from robodyn.robot import DoubtfulRobot, Inertia, Robot, read_text, to_yaml
 from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import ZERO, parameter
+from robodyn_testing import exactly
 
 F = Fraction
 
@@ -49,7 +50,7 @@ def test_what_has_two_spellings_is_one_thing(effects: str, link: str, kind: str)
 
 def test_the_other_half_of_friction_may_stand_in_the_shorthand() -> None:
     joint = _robot("{effect: coulomb_friction, level: 3}", link="    friction: {viscous: 2}\n").links[0].joint
-    assert (joint.viscous, joint.coulomb) == (2, 3)
+    assert (joint.viscous, joint.coulomb) == exactly(2, 3)
 
 
 def test_rotor_inertia_adds_to_motor_inertia() -> None:
@@ -65,7 +66,7 @@ def test_an_inertial_error_is_added_to_its_link() -> None:
     link = robot.links[0]
     assert robot.effects == ()
     assert link.mass == F(3, 2)
-    assert link.com == (1, parameter("dy") + 2, 3)
+    assert link.com == exactly(1, parameter("dy") + 2, 3)
     assert link.inertia == Inertia(F(51, 100), F(1, 2), F(1, 2), yz=F(-1, 100))
 
 

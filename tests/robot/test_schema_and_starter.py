@@ -142,7 +142,8 @@ def test_it_documents_every_effect_with_its_parameters_and_units() -> None:
 
 
 def _deep(schema: dict[str, Any], one: dict[str, Any]) -> dict[str, Any]:
-    return schema["$defs"][one["$ref"].rpartition("/")[2]]
+    deep: dict[str, Any] = schema["$defs"][one["$ref"].rpartition("/")[2]]
+    return deep
 
 
 @pytest.mark.parametrize("joints", [1, 2, 3, 7, 100])

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError
 from robodyn.robot import Inertia, Robot, read_text
 from robodyn.robot.values import Affine, Value
+from robodyn_testing import exactly
 
 Array = NDArray[np.float64]
 AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
@@ -188,8 +189,11 @@ def _joined(one: Body, other: Body) -> Body:
     return mass, centre, tensor
 
 
-def _six(tensor: Array) -> tuple[float, ...]:
-    return tuple(float(tensor[i, j]) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
+def _six(tensor: Array) -> tuple[float, float, float, float, float, float]:
+    xx, yy, zz, xy, xz, yz = (
+        float(tensor[i, j]) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+    )
+    return xx, yy, zz, xy, xz, yz
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -236,7 +240,9 @@ def test_effects_of_a_standard_arm() -> None:
     )
     spring, payload = robot.effects
     one, zero = Fraction(1), Fraction(0)
-    assert robot.links[0].com == (1, -1, Affine(zero, (("dy", one),)))  # an error is one of the standard row
+    assert robot.links[0].com == exactly(
+        1, -1, Affine(zero, (("dy", one),))
+    )  # an error is one of the standard row
     assert spring["stiffness"] == 2
     assert payload["com"] == (1, 0, Affine(zero, (("y", one),)))
     assert payload["inertia"] == Inertia(zz=one)
@@ -257,11 +263,11 @@ def test_rows_move_up_by_one() -> None:
         "  - {joint: prismatic, alpha: -pi/2, a: 0.3, d: 0.7, theta: pi}\n"
     )
     first, second = robot.links
-    assert (first.joint.a, first.joint.d, first.joint.alpha.quarter) == (0, Fraction(1, 2), 0)
+    assert (first.joint.a, first.joint.d, first.joint.alpha.quarter) == exactly(0, Fraction(1, 2), 0)
     assert (second.joint.a, second.joint.d) == (Fraction(1, 10), Fraction(7, 10))
     assert (second.joint.alpha.quarter, second.joint.theta.quarter) == (1, 2)
-    assert first.com == (Fraction(1, 10), Fraction(-2, 10), 0)
-    assert second.com == (0, 0, 0)  # no mass, no centre
+    assert first.com == exactly(Fraction(1, 10), Fraction(-2, 10), 0)
+    assert second.com == exactly(0, 0, 0)  # no mass, no centre
 
 
 def test_names_go_through() -> None:
@@ -292,7 +298,7 @@ def test_right_angles_stay_exact_and_others_are_doubles() -> None:
         "  - {joint: revolute, alpha: pi/2, a: 1/3, mass: 1, com: [1/3, 1/7, 0]}\n"
         "  - {joint: revolute, alpha: pi/3, a: 0.1, mass: 1, com: [1/3, 0.1, 0]}\n"
     )
-    assert robot.links[0].com == (Fraction(2, 3), 0, Fraction(1, 7))
+    assert robot.links[0].com == exactly(Fraction(2, 3), 0, Fraction(1, 7))
     assert robot.links[1].com[2] == Fraction(repr(float(np.sin(np.pi / 3) * 0.1)))
 
 

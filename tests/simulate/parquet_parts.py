@@ -160,7 +160,7 @@ def written(kind: int, value: Any) -> bytes:
     if kind in (4, I32, I64):
         return _signed(value)
     if kind == BINARY:
-        return _unsigned(len(value)) + value
+        return _unsigned(len(value)) + bytes(value)
     if kind == LIST:
         inner, values = value
         head = bytes([len(values) << 4 | inner]) if len(values) < 15 else bytes([0xF0 | inner])

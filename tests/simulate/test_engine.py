@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError, ToolError
 from robodyn.simulate import engine as engines
 from robodyn.simulate.control import Control
-from robodyn.simulate.engine import Record, build_engine
+from robodyn.simulate.engine import build_engine
+from robodyn.simulate.run import Record
 from robodyn_testing import require_module, require_tool
 from simulate.systems import BLOCK, BRISTLE, LIFT, PENDULUM, STRICT, energy, engine
 
@@ -94,6 +95,9 @@ def test_energy_of_a_free_double_pendulum_stays() -> None:
         assert np.abs(made.work).max() == 0.0
 
 
+Method = Literal["rk4", "adaptive"]
+
+
 @pytest.mark.parametrize(("method", "step", "most"), [("adaptive", None, 1e-8), ("rk4", 1e-3, 1e-8)])
 def test_energy_is_work_less_loss(method: str, step: float | None, most: float) -> None:
     t = np.arange(0, 2.01, 0.05)
@@ -124,7 +128,7 @@ def test_fast_internal_states_are_stepped_as_fast_as_they_need() -> None:
 
 
 @pytest.mark.parametrize("method", ["rk4", "adaptive"])
-def test_a_run_in_parts_is_the_run(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_run_in_parts_is_the_run(method: Method, monkeypatch: pytest.MonkeyPatch) -> None:
     def run() -> tuple[Record, list[float]]:
         times: list[float] = []
         made = engine(BLOCK).run(
@@ -146,7 +150,7 @@ def test_a_run_in_parts_is_the_run(method: str, monkeypatch: pytest.MonkeyPatch)
 
 
 @pytest.mark.parametrize("method", ["rk4", "adaptive"])
-def test_what_is_not_finite_ends_the_run(method: str) -> None:
+def test_what_is_not_finite_ends_the_run(method: Method) -> None:
     made = engine(PENDULUM).run(
         [0, 0], [0, 0], duration=10, sample_period=0.01, method=method, parameters=[0.0, 0.0],
         control=Control.held([[0.0, 0.0], [1e200, 0.0]], 0.5),
@@ -178,7 +182,7 @@ def test_no_acceleration() -> None:
 def test_input_is_checked() -> None:
     pendulum = engine(PENDULUM)
     good: dict[str, Any] = {"duration": 1.0, "sample_period": 0.1, "parameters": [1.0, 0.0]}
-    for y, options, message in [
+    cases: list[tuple[list[float], dict[str, Any], str]] = [
         ([0.0], {}, "y has the wrong length; found 1; expected 2"),
         ([0.0, math.nan], {}, "y has a number that is not finite"),
         ([0, 0], {"parameters": []}, "parameters has the wrong length; found 0; expected 2"),
@@ -187,7 +191,8 @@ def test_input_is_checked() -> None:
         ([0, 0], {"duration": math.inf}, "duration is not a time"),
         ([0, 0], {"method": "euler"}, "no such method; found 'euler'; expected rk4 or adaptive"),
         ([0, 0], {"control": Control.held(np.zeros((1, 3)), 1.0)}, "motors that the system does not"),
-    ]:
+    ]
+    for y, options, message in cases:
         with pytest.raises(InputError, match=message):
             pendulum.run(y, [0, 0], **{**good, **options})
     control = Control.computed([[0.0]], [[0.0]], [[0.0]], 1.0, 1.0, 1.0)

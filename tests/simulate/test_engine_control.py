@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError
 from robodyn.simulate.control import Control
-from robodyn.simulate.engine import Record
+from robodyn.simulate.run import Record
 from simulate.systems import BLOCK, PENDULUM, energy, engine
 
 Floats = NDArray[np.float64]
@@ -150,7 +151,7 @@ def test_ctrl_c_keeps_what_there_is(where: str) -> None:
 
 
 def test_controls_are_checked() -> None:
-    for make, message in [
+    cases: list[tuple[Callable[[], Control], str]] = [
         (lambda: Control.held([1.0], 0.1), r"table torque has the wrong shape; found \[1\]"),
         (lambda: Control.held([[np.nan]], 0.1), "not finite; found row 0"),
         (lambda: Control.held([[1.0]], 0.0), "not a time"),
@@ -158,6 +159,7 @@ def test_controls_are_checked() -> None:
         (lambda: Control.held([[1.0]], 0.1, place=[0, 1]), "place does not fit"),
         (lambda: Control.pd([[1.0]], [[1.0], [2.0]], 0.1, 1, 1), "table qd has the wrong shape"),
         (lambda: Control.pd([[1.0]], [[1.0]], 0.1, [1, 2], 1), "kp does not fit"),
-    ]:
+    ]
+    for make, message in cases:
         with pytest.raises(InputError, match=message):
             make()

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from robodyn.simulate.control import Control
-from robodyn.simulate.engine import Record
+from robodyn.simulate.run import Record
 from robodyn_testing import require_module
 from simulate.systems import BLOCK, COUPLED, GEARS, LIFT, engine
 
@@ -145,8 +145,7 @@ def accelerations(M: Floats, levels: Floats, load: Floats, v: Floats, most: floa
             tol=1e-15,
         )
         free = free - ROWS[rest].T @ found.x
-    result: Floats = np.linalg.solve(M, free)
-    return result
+    return np.asarray(np.linalg.solve(M, free), dtype=np.float64)
 
 
 def coupled(rng: np.random.Generator) -> tuple[Floats, Floats, Floats]:

@@ -175,7 +175,7 @@ def test_a_joint_at_its_limit_leaves_the_way_to_others() -> None:
     rows = "  - {joint: revolute, mass: 1}\n" + "  - {joint: revolute, a: 0.4, mass: 1}\n" * 3
     kinematics = Kinematics(read_text(f"name: plane\nlinks:\n{rows}", "plane.yaml"), point=(0.4, 0, 0))
     flat = kinematics.pose([0.1, 1.2, 0.5, -0.3])
-    limits = [[-0.1, 0.1], *[[-3, 3]] * 3]
+    limits: list[list[float]] = [[-0.1, 0.1], *[[-3.0, 3.0]] * 3]
     search = InverseKinematics(kinematics, limits, starts=1)
     for point, rotation in (flat, (flat[0], None)):
         found = search.solve(point, rotation, start=[0.1, 0.1, 0.1, 0.1])

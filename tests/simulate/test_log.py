@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from robodyn.errors import InputError
 from robodyn.simulate import log_csv
@@ -31,7 +32,12 @@ def made(samples: int = 50, n: int = 2, *, rates: bool = True, seed: int = 0) ->
         return rng.normal(size=(samples, n)) * 10.0 ** rng.integers(-30, 30, size=(samples, n))
 
     q, tau = array(), array()
-    return Log(np.arange(samples) * 1e-3, q, array() if rates else None, array() if rates else None, tau)
+    return Log(times(samples), q, array() if rates else None, array() if rates else None, tau)
+
+
+def times(samples: int) -> NDArray[np.float64]:
+    """A thousand samples a second."""
+    return np.asarray(np.arange(samples) * 1e-3, dtype=np.float64)
 
 
 def same(one: Log, other: Log) -> bool:
@@ -60,9 +66,11 @@ def complaint(path: str, n: int | None = None) -> str:
 
 
 def test_the_text_is_the_format() -> None:
-    log = Log(
-        [0, 0.1], [[1, -0.0], [1e-300, np.nan]], None, [[1, 2], [3, 4]], [[np.inf, -np.inf], [0.1, 1 / 3]]
-    )  # type: ignore[arg-type]
+    t: Any = [0, 0.1]  # lists do too
+    q: Any = [[1, -0.0], [1e-300, np.nan]]
+    qdd: Any = [[1, 2], [3, 4]]
+    tau: Any = [[np.inf, -np.inf], [0.1, 1 / 3]]
+    log = Log(t, q, None, qdd, tau)
     assert log.csv() == (
         "t,q1,q2,qdd1,qdd2,tau1,tau2\n"
         "0.0,1.0,-0.0,1.0,2.0,inf,-inf\n"
@@ -122,9 +130,11 @@ def test_blocks_do_not_show(
 ) -> None:
     monkeypatch.setattr(log_csv, "BLOCK", block)
     # Lines grow shorter on the way, so that the first estimate of their number is too low.
-    long, short = made(40, 2), Log(np.arange(300.0), *[np.ones((300, 2))] * 4)
+    ones = np.ones((300, 2))
+    long, short = made(40, 2), Log(np.arange(300.0), ones, ones, ones, ones)
     parts = [np.concatenate(pair) for pair in zip(long.arrays(), short.arrays(), strict=True)]
-    both = Log(parts[0], *(np.stack(parts[i : i + 2], axis=1) for i in (1, 3, 5, 7)))
+    q, qd, qdd, tau = (np.stack(parts[i : i + 2], axis=1) for i in (1, 3, 5, 7))
+    both = Log(parts[0], q, qd, qdd, tau)
     text = both.csv().replace("\n", end)
     assert same(read_log(written(text)), both)
     wrong = text.splitlines(keepends=True)

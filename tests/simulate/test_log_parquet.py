@@ -22,7 +22,7 @@ from robodyn_testing import require_module
 
 def made(samples: int = 50) -> Log:
     q, tau = np.random.default_rng(0).normal(size=(2, samples, 2))
-    return Log(np.arange(samples) * 1e-3, q, None, 3 * q, tau)
+    return Log(np.asarray(np.arange(samples) * 1e-3, dtype=np.float64), q, None, 3 * q, tau)
 
 
 def complaint(path: str) -> str:
@@ -54,7 +54,7 @@ def test_parquet_of_others(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
         return str(path)
 
     numbers = [1.0, 2.0, 3.0]
-    read = read_log(write(word=["a", "b", "c"], tau1=[1, 2, 3], q1=np.float32(numbers), t=numbers))
+    read = read_log(write(word=["a", "b", "c"], tau1=[1, 2, 3], q1=np.array(numbers, np.float32), t=numbers))
     assert (read.q.tolist(), read.tau.tolist()) == ([[1.0], [2.0], [3.0]],) * 2
     assert read.ignored == ("word",)
     assert "found no tau1" in complaint(write(t=numbers, q1=numbers))

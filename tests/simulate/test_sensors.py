@@ -31,7 +31,7 @@ def entry(kind: str, joint: int | None = None, **settings: Any) -> EffectEntry:
 
 
 def smooth(samples: int = 400, n: int = 3) -> Log:
-    t = np.arange(samples) * STEP
+    t = np.asarray(np.arange(samples) * STEP, dtype=np.float64)
     w = np.arange(1.0, n + 1)
     x = np.multiply.outer(t, w)
     return Log(t, np.sin(x), w * np.cos(x), -w * w * np.sin(x), 10 * np.cos(x))
@@ -197,6 +197,7 @@ def test_rates_that_are_absent() -> None:
     log = measure(TRUE, Sensors(velocity="none", acceleration="difference"))
     assert log.qd is None
     assert log.qdd is not None
+    assert TRUE.qdd is not None
     assert np.abs(log.qdd - TRUE.qdd)[3:].max() < 30 * STEP
     with pytest.raises(InputError, match="no true velocity to show; choose difference"):
         measure(replace(TRUE, qd=None), Sensors())
@@ -207,7 +208,7 @@ def test_rates_that_are_absent() -> None:
 def test_the_low_pass_is_scipys(order: int, cutoff: float) -> None:
     signal = require_module("scipy.signal")
     x = np.random.default_rng(0).normal(size=(500, 2)) + 3
-    t = 7 + np.arange(500) * STEP
+    t = np.asarray(7 + np.arange(500) * STEP, dtype=np.float64)
     b, a = signal.butter(order, cutoff, fs=1 / STEP)
     settled = signal.lfilter_zi(b, a)[:, None] * x[0]
     want, _ = signal.lfilter(b, a, x, axis=0, zi=settled)
@@ -216,14 +217,14 @@ def test_the_low_pass_is_scipys(order: int, cutoff: float) -> None:
 
 @pytest.mark.parametrize("order", [1, 2])
 def test_at_its_cutoff_a_sine_keeps_half_its_power(order: int) -> None:
-    t = np.arange(4000) * STEP
+    t = np.asarray(np.arange(4000) * STEP, dtype=np.float64)
     x = np.sin(2 * math.pi * 20 * t)[:, None]
     settled = low_pass(t, x, 20.0, order)[2000:, 0]
     assert np.abs(2 * np.mean(settled**2) - 0.5) < 1e-6
 
 
 def test_the_filter_looks_only_back_and_starts_settled() -> None:
-    t = np.arange(100) * STEP
+    t = np.asarray(np.arange(100) * STEP, dtype=np.float64)
     x = np.full((100, 1), 4.0)
     np.testing.assert_allclose(low_pass(t, x, 10.0), x, rtol=1e-14)
     other = x.copy()
@@ -244,7 +245,8 @@ def test_filtered_rates() -> None:
 
 def test_noise_is_gaussian_of_its_size() -> None:
     stats = require_module("scipy.stats")
-    still = Log(np.arange(20_000.0), *[np.zeros((20_000, 2))] * 4)
+    zeros = np.zeros((20_000, 2))
+    still = Log(np.arange(20_000.0), zeros, zeros, zeros, zeros)
     log = measure(still, Sensors(position_noise=(0.01, 0.02), torque_noise=3.0), seed=1)
     for values, size in (
         (log.q[:, 0], 0.01),

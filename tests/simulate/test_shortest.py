@@ -57,6 +57,12 @@ def test_most_numbers_do_not_go_through_repr(monkeypatch: pytest.MonkeyPatch) ->
 
     asked: list[int] = []
     fill = shortest._fill
-    monkeypatch.setattr(shortest, "_fill", lambda *rest: asked.append(len(left := fill(*rest))) or left)
+
+    def counted(*rest: Any) -> Any:
+        left = fill(*rest)
+        asked.append(len(left))
+        return left
+
+    monkeypatch.setattr(shortest, "_fill", counted)
     table_text(RNG.normal(size=(1000, 10)))
     assert asked[0] < 1000

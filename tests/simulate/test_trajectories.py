@@ -21,7 +21,7 @@ from robodyn.simulate.kinematics import Kinematics
 from robodyn.simulate.puma_inverse import PumaArm
 from robodyn.simulate.trajectories import Trajectory, fourier, line, quintic, trapezoid, via
 from robodyn.simulate.trajectories.spline import hermite, least_jerk
-from robodyn_testing import require_module
+from robodyn_testing import exactly, require_module
 
 START, END = [0.4, 0.1, 0.1], [0.2, 0.5, 0.3]
 POSE = [0.3, -0.5, 0.2, 0.4, 0.9, 0.1]
@@ -108,7 +108,7 @@ def test_quintic() -> None:
         np.abs(motion.qdd).max(axis=0), np.array([1, 3]) * 10 / math.sqrt(3) / 4, rtol=1e-5
     )
     odd = quintic([0], [1], 0.1234, period=0.01)  # the last sample is after the end, where the arm stands
-    assert (len(odd), odd.duration, odd.q[-1, 0], odd.qd[-1, 0]) == (14, pytest.approx(0.13), 1, 0)
+    assert (len(odd), odd.duration, odd.q[-1, 0], odd.qd[-1, 0]) == exactly(14, pytest.approx(0.13), 1, 0)
 
 
 number = st.floats(0.01, 20)
