@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import json
 import re
 import shlex
 import shutil
@@ -19,6 +20,7 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.kernels.generate import Options, generate
 from robodyn.kernels.generate import program as program_of
 from robodyn.robot import bundled_names, load
+from robodyn.thesis.other_tools import OPENSYMORO, PEERS
 from robodyn_cli.main import COMMANDS
 
 ROOT = Path(__file__).parents[1]
@@ -55,9 +57,28 @@ def test_the_table_of_counts_has_every_robot_its_joints_and_its_thesis() -> None
         made = program_of(robot, "inverse_dynamics", Options(optimize="none"))
         counted = sum(operation.op in ("add", "sub", "mul", "div") for operation in made.operations)
         assert none == str(counted), name
+        others = {peer.tool: peer.total for peer in PEERS.get(name, ())}
+        assert rows[name][5] == str(others.get(OPENSYMORO, "")), name
         compared = robot.compare
         printed = TABLE_2_10.get(compared.row) if compared is not None and compared.table == "2.10" else None
         assert thesis == ("" if printed is None else str(printed[0] + printed[1])), name
+
+
+def test_ratios_to_peers_are_those_of_the_last_race() -> None:
+    results = json.loads((ROOT / "benchmarks" / "results" / "peers.json").read_text(encoding="utf-8"))
+    ratio = {row["key"]: row["ratio"][0] for row in results["native"]["rows"]}
+    text = " ".join(README.split())
+    for shown, value in (
+        (f"Pinocchio's C++ takes {ratio['pinocchio']:.0f} times as long", ratio["pinocchio"]),
+        (f"({ratio['pinocchio-checked']:.0f} times without `-DNDEBUG`)", ratio["pinocchio-checked"]),
+        (f"Pinocchio's generated C {ratio['pinocchio_casadi']:.1f} times", ratio["pinocchio_casadi"]),
+        (f"SymForce's {ratio['symforce']:.1f} times", ratio["symforce"]),
+        (
+            f"{ratio['pinocchio'] / ratio['batch-builtin-double-64']:.0f} times as fast as Pinocchio",
+            ratio["batch-builtin-double-64"],
+        ),
+    ):
+        assert shown in text, (shown, value)
 
 
 def test_the_exit_codes_are_those_of_the_errors() -> None:
