@@ -239,6 +239,7 @@ def test_the_command_writes_a_proof(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert "above the tolerance" in capsys.readouterr().out
 
 
+@pytest.mark.thorough
 def test_the_same_proof_gives_the_same_bytes() -> None:
     for tool in ("frama-c", "gcc", "cppcheck"):
         require_tool(tool)

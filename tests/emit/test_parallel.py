@@ -106,6 +106,7 @@ def test_other_functions_in_single_precision(function: str, tmp_path: Path) -> N
     assert said.startswith("states 200 differing 0 ")
 
 
+@pytest.mark.thorough
 def test_the_thesis_s_tasks_run(tmp_path: Path) -> None:
     """Table 4.1's tasks as a program of their own, serial and parallel."""
     from dataclasses import replace
@@ -136,6 +137,7 @@ def test_a_race_would_be_found(tmp_path: Path) -> None:
     assert "data race" in done.stderr
 
 
+@pytest.mark.thorough
 def test_thread_sanitizer_has_nothing_to_say(tmp_path: Path) -> None:
     said = ran(tmp_path, all_files("puma560", 4, 3, "barrier"), 1000, "-fsanitize=thread")
     assert said.startswith("states 1000 differing 0 ")

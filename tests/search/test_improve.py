@@ -28,6 +28,8 @@ from robodyn_testing.clocks import ticking
 from search.arms import SPECIAL, bundled
 from search.moment import search_for_a_moment
 
+pytestmark = pytest.mark.thorough  # whole searches: CI runs them
+
 ROBOT = arm(ELBOW)
 NAME = "elbow.inverse_dynamics.total.record"
 

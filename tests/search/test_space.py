@@ -30,6 +30,8 @@ from robodyn.robot import Robot
 from robodyn.search.candidate import Candidates
 from robodyn.search.space import Space
 
+pytestmark = pytest.mark.thorough  # whole searches: CI runs them
+
 BUNDLED = ("puma560_d2", "stanford_d3", "ur10", "stanford_3dof_d3", "puma560_full")
 
 

@@ -23,6 +23,8 @@ from robodyn.search.workers import Workers
 from robodyn_testing import sampled
 from robodyn_testing.clocks import ticking
 
+pytestmark = pytest.mark.thorough  # whole searches: CI runs them
+
 SHORT: Final[dict[str, Any]] = {"steps": 60, "rounds": 1, "processes": 1}
 
 
