@@ -129,7 +129,7 @@ def _diagnosed(
     values: Mapping[str, float] | None,
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
-    from robodyn.simulate.log import read_log
+    from robodyn.logs.log import read_log
 
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:

@@ -24,8 +24,8 @@ from robodyn_cli.common import (
 from robodyn_cli.simulate_options import Asked, exactly, simulation_options, spread, whole
 
 if TYPE_CHECKING:
+    from robodyn.logs.log import Log
     from robodyn.robot import Robot
-    from robodyn.simulate.log import Log
     from robodyn.simulate.sensors import Sensors
     from robodyn.simulate.simulation import Simulation
     from robodyn_cli.driving import Driven
@@ -231,8 +231,8 @@ def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: st
     """The log of the sensors, with its provenance."""
     from dataclasses import replace
 
+    from robodyn.logs.log import provenance
     from robodyn.robot import bundled_text
-    from robodyn.simulate.log import provenance
 
     robot = run.plant.robot
     options: dict[str, Any] = {

@@ -15,8 +15,8 @@ import pytest
 from robodyn.diagnose import run
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Series
 from robodyn.errors import InputError
+from robodyn.logs.log import Log
 from robodyn.robot import Robot, read_text
-from robodyn.simulate.log import Log
 from robodyn_cli.main import main
 
 Capture = pytest.CaptureFixture[str]

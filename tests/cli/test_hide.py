@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from robodyn.simulate.log import read_log
+from robodyn.logs.log import read_log
 from robodyn.simulate.trajectories import from_file
 from robodyn_cli.main import main
 

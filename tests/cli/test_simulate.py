@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from cli.simulated import SLIDE, Capture, made, simulate
-from robodyn.simulate.log import Log, read_log
+from robodyn.logs.log import Log, read_log
 from robodyn_testing import require_module
 
 Floats = NDArray[np.float64]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from cli.simulated import Capture, made, simulate
-from robodyn.simulate.log import read_log
+from robodyn.logs.log import read_log
 
 pytestmark = pytest.mark.usefixtures("among_robots")
 

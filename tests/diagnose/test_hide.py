@@ -19,11 +19,11 @@ from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
+from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import read_text
 from robodyn.simulate.limits import with_limits
-from robodyn.simulate.log import Log
 from robodyn.simulate.trajectories.fourier import fourier
 
 Floats = NDArray[np.float64]

@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from robodyn import diagnose
+import robodyn
 
-ROOM = Path(diagnose.__file__).parent
-FILES = sorted(path.relative_to(ROOM).as_posix() for path in ROOM.rglob("*.py"))
+ROOT = Path(robodyn.__file__).parent
+ROOMS = ("gate", "identify", "diagnose")
+FILES = sorted(path.relative_to(ROOT).as_posix() for room in ROOMS for path in (ROOT / room).rglob("*.py"))
 LIMITS = [file for file in FILES if Path(file).name == "limits.py"]
 
 
@@ -44,13 +45,13 @@ def is_number(value: ast.expr) -> bool:
 
 @pytest.mark.parametrize("file", [file for file in FILES if file not in LIMITS])
 def test_no_number_stands_elsewhere(file: str) -> None:
-    tree = ast.parse((ROOM / file).read_text(encoding="utf-8"))
+    tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
     assert [name for name, value in constants(tree) if is_number(value)] == []
 
 
 @pytest.mark.parametrize("file", LIMITS)
 def test_every_number_has_its_unit_and_meaning(file: str) -> None:
-    _, *body = ast.parse((ROOM / file).read_text(encoding="utf-8")).body
+    _, *body = ast.parse((ROOT / file).read_text(encoding="utf-8")).body
     body = [statement for statement in body if not isinstance(statement, ast.ImportFrom)]
     assert len(body) > 2
     for number, text in zip(body[::2], body[1::2], strict=True):

@@ -11,9 +11,9 @@ from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.library import context_of
 from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.selection import encoder_torque_noise, select
-from robodyn.diagnose.select.signals import signals_of
+from robodyn.logs.log import Log
+from robodyn.logs.signals import signals_of
 from robodyn.robot import load
-from robodyn.simulate.log import Log
 
 
 def diagnosed(case: Case) -> Diagnosis:

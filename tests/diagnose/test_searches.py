@@ -10,9 +10,9 @@ import pytest
 from diagnose.hidden.cases import Case
 from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.selection import select
-from robodyn.diagnose.select.signals import smoothed_motion
+from robodyn.logs.log import Log, read_log
+from robodyn.logs.signals import smoothed_motion
 from robodyn.robot import load
-from robodyn.simulate.log import Log, read_log
 from robodyn_testing import representative, sampled
 
 TX40 = Path(__file__).parents[2] / "examples" / "tx40"

@@ -12,9 +12,9 @@ import pytest
 
 from robodyn.draw.curves import Curve, Panel, figure
 from robodyn.draw.markup import markup_template
+from robodyn.logs.log import Log
 from robodyn.report.motion import motion_picture
 from robodyn.robot import load
-from robodyn.simulate.log import Log
 from robodyn_testing import require_module
 
 CODE = Path(__file__).parents[2] / "codegen"

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from report.made_up import made, series
 from robodyn.diagnose.evidence import log_facts
-from robodyn.diagnose.gate.gate import inspect
 from robodyn.diagnose.result import Estimate, Finding, Gap, Rival
+from robodyn.gate.gate import inspect
+from robodyn.logs.log import Log
 from robodyn.report.diagnosis import MOST_JOINTS, page
 from robodyn.report.diagnosis_text import summary
 from robodyn.robot import Robot, load, read_text
-from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
 

@@ -14,10 +14,10 @@ import pytest
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Site
 from robodyn.errors import InputError
+from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import Affine
 from robodyn.simulate.differences import difference, low_pass
-from robodyn.simulate.log import Log
 from robodyn.simulate.sensors import Sensors, measure, measured_position, measured_torque, resolution_of
 from robodyn_testing import require_module
 

@@ -7,13 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
 from robodyn.counts.count import Count, count
-from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.limits import MOST_TRIED
 from robodyn.diagnose.result import Finding, Tried, Window
 from robodyn.diagnose.select.choice import Trial
 from robodyn.diagnose.select.limits import TIE_LOSS
 from robodyn.diagnose.select.selection import Selection
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.gate.gate import Gate
 from robodyn.robot.model import Robot
 
 #: Flags of motions that show little.

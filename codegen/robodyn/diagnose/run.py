@@ -21,7 +21,6 @@ from robodyn.diagnose.evidence import (
     why_not,
     windows,
 )
-from robodyn.diagnose.gate.gate import Gate, inspect
 from robodyn.diagnose.limits import (
     CONFIRMED_SHARE,
     DRAWN_POINTS,
@@ -38,9 +37,10 @@ from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.search import Detected, search
 from robodyn.diagnose.select.selection import Named, Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.gate.gate import Gate, inspect
+from robodyn.logs.log import Log, read_log
 from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
-from robodyn.simulate.log import Log, read_log
 
 Floats = NDArray[np.float64]
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.errors import ToolError
+from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
-from robodyn.simulate.log import Log
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
 Floats = NDArray[np.float64]

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 
 from robodyn.effects.traits import Acts, Channel
 from robodyn.errors import InputError
+from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry
 from robodyn.simulate.differences import difference, low_pass
-from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
 #: One number for all joints, or one for each.

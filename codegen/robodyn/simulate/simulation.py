@@ -18,13 +18,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.errors import InputError
 from robodyn.kernels.generate import Options
+from robodyn.logs.log import Log
 from robodyn.robot.bundled import robot_of
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
 from robodyn.simulate.balance import Balance, stored_energy
 from robodyn.simulate.control import Callback, Control
 from robodyn.simulate.engine import Method
-from robodyn.simulate.log import Log
 from robodyn.simulate.plant import Plant, build_plant
 from robodyn.simulate.run import Record
 from robodyn.simulate.sensors import Sensors, acting_on, measure

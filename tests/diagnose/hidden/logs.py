@@ -15,10 +15,10 @@ from diagnose.hidden.motion import Drive, Run, felt_inertia, inverse, reference,
 from diagnose.hidden.now import Scale, width_of
 from peers.numbers import Array, number
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.logs.log import Log
 from robodyn.robot.effects import default_of
 from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry, Limits, Robot
-from robodyn.simulate.log import Log
 from robodyn.simulate.trajectories.fourier import fourier
 from robodyn.simulate.trajectories.trajectory import Law
 

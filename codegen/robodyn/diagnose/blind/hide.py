@@ -33,10 +33,10 @@ from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
+from robodyn.logs.log import Log, provenance
 from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot
 from robodyn.simulate.limits import with_limits
-from robodyn.simulate.log import Log, provenance
 from robodyn.simulate.sensors import Sensors, measure, resolution_of
 from robodyn.simulate.trajectories.fourier import fourier
 from robodyn.simulate.trajectories.trajectory import Trajectory

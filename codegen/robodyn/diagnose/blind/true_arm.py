@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.predict import model_torque, offsets
 from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 from robodyn.simulate.gains import default_gains
-from robodyn.simulate.log import Log
 from robodyn.simulate.plant import build_plant
 from robodyn.simulate.sensors import measured_position, measured_torque
 from robodyn.simulate.simulation import Follow, simulate

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.limits import ONE_WAY_SHARE
 from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.limits import (
@@ -31,6 +30,7 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.diagnose.select.predict import delays
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.gate.limits import ONE_WAY_SHARE
 
 Floats = NDArray[np.float64]
 

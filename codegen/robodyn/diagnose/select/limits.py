@@ -9,24 +9,6 @@ from __future__ import annotations
 
 from typing import Final
 
-# --- signals --------------------
-
-LOWEST_CUTOFF: Final = 6.0
-"""[Hz] The filter through which all signals are seen cuts off no lower,"""
-
-HIGHEST_CUTOFF: Final = 0.2
-"""[share of the sampling rate] no higher than this,"""
-
-ENOUGH_CUTOFF: Final = 15.0
-"""[Hz] and no higher than this: steps of friction reach far up, and what is worth naming shows below
-(docs/decisions/0012)."""
-
-FILTER_ORDER: Final = 4
-"""[-] Order of that filter (Butterworth, forth and back)."""
-
-CONTINUED: Final = 1.5
-"""[periods of the cutoff] The ends of a motion are continued so far before it is filtered."""
-
 # --- fit --------------------
 
 BLOCKS: Final = 10

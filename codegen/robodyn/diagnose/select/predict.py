@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.select.rigid import Model
-from robodyn.diagnose.select.signals import Signals, knee, smoothed_motion
 from robodyn.diagnose.select.twist import behind_motors
 from robodyn.effects.traits import Acts
+from robodyn.gate.gate import Gate
 from robodyn.kernels.kernel import Kernel
+from robodyn.logs.log import Log
+from robodyn.logs.signals import Signals, knee, smoothed_motion
 from robodyn.robot.model import Robot
-from robodyn.simulate.log import Log
 from robodyn.simulate.sensors import acting_on, measured_torque
 
 Floats = NDArray[np.float64]

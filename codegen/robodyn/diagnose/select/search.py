@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
-from robodyn.diagnose.gate.gate import Gate
 from robodyn.diagnose.select.choice import evidence_threshold, numbers_of
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
@@ -17,8 +16,9 @@ from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.rigid import Model, physical
 from robodyn.diagnose.select.selection import Named, Selection, select
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.gate.gate import Gate
+from robodyn.logs.log import Log
 from robodyn.robot.model import AXES, Robot
-from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
 Key = tuple[str, int | None]

@@ -45,9 +45,9 @@ from robodyn.diagnose.select.limits import (
     TIGHT_EVIDENCE,
 )
 from robodyn.diagnose.select.rigid import Model
-from robodyn.diagnose.select.signals import Signals, signals_of
+from robodyn.logs.log import Log
+from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
-from robodyn.simulate.log import Log
 
 Floats = NDArray[np.float64]
 

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.rigid import Evaluated, Model
-from robodyn.diagnose.select.signals import Signals
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import anything
+from robodyn.logs.signals import Signals
 from robodyn.robot.model import EffectEntry
 
 Floats = NDArray[np.float64]

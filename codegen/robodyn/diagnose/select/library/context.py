@@ -10,8 +10,8 @@ from robodyn.diagnose.select.library.candidate import Context, Hints
 from robodyn.diagnose.select.library.position import cycles_in
 from robodyn.diagnose.select.predict import given_torque, model_torque
 from robodyn.diagnose.select.rigid import Model
-from robodyn.diagnose.select.signals import Signals
 from robodyn.diagnose.select.twist import behind_motors
+from robodyn.logs.signals import Signals
 
 
 def context_of(model: Model, signals: Signals, hints: Hints | None = None) -> Context:

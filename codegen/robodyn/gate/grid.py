@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from robodyn.diagnose.gate.flag import Flag, Floats, Rows, Span, span, spans_of
-from robodyn.diagnose.gate.limits import FAST_RATE, MOVING_SHARE, WINDOWS
-from robodyn.diagnose.gate.rows import Usable
-from robodyn.simulate.log import Log
+from robodyn.gate.flag import Flag, Floats, Rows, Span, span, spans_of
+from robodyn.gate.limits import FAST_RATE, MOVING_SHARE, WINDOWS
+from robodyn.gate.rows import Usable
+from robodyn.logs.log import Log
 
 
 @dataclass(frozen=True, slots=True, eq=False)

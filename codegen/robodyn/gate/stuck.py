@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from robodyn.diagnose.gate.flag import Flag, Floats, Rows, refuse
-from robodyn.diagnose.gate.grid import Grid
-from robodyn.diagnose.gate.limits import BEFORE_STAY, STAY_ROWS, STAY_TIME, STUCK_SHARE, STUCK_SPEED
+from robodyn.gate.flag import Flag, Floats, Rows, refuse
+from robodyn.gate.grid import Grid
+from robodyn.gate.limits import BEFORE_STAY, STAY_ROWS, STAY_TIME, STUCK_SHARE, STUCK_SPEED
 
 
 def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from robodyn.diagnose.gate.flag import Floats, named
-from robodyn.diagnose.gate.likeness import Likeness, Trial
-from robodyn.diagnose.gate.limits import BEYOND_LIMITS, FAR, TURNS
-from robodyn.diagnose.gate.smooth import Smooth
+from robodyn.gate.flag import Floats, named
+from robodyn.gate.likeness import Likeness, Trial
+from robodyn.gate.limits import BEYOND_LIMITS, FAR, TURNS
+from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import Robot
 
 Model = Callable[[Floats, Floats, Floats], Floats]

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from robodyn.diagnose.gate.flag import Floats
-from robodyn.diagnose.gate.limits import EXACT_FLOOR, LEAST, LIKENESS_FLOOR, MOST
+from robodyn.gate.flag import Floats
+from robodyn.gate.limits import EXACT_FLOOR, LEAST, LIKENESS_FLOOR, MOST
 
 
 @dataclass(frozen=True, slots=True, eq=False)

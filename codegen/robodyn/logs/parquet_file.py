@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place, ToolError
 from robodyn.files import open_regular
+from robodyn.logs.columns import LARGEST, Layout, layout_of, too_large
+from robodyn.logs.parquet_pages import Damaged, check_pages, read_footer
 from robodyn.robot.names import shown
-from robodyn.simulate.log_columns import LARGEST, Layout, layout_of, too_large
-from robodyn.simulate.parquet_pages import Damaged, check_pages, read_footer
 
 Floats = NDArray[np.float64]
 

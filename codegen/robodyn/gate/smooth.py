@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.flag import Floats
-from robodyn.diagnose.gate.limits import SMOOTHING_LEAST, SMOOTHING_REACH
-from robodyn.simulate.log import Log
+from robodyn.gate.flag import Floats
+from robodyn.gate.limits import SMOOTHING_LEAST, SMOOTHING_REACH
+from robodyn.logs.log import Log
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from robodyn.simulate.shortest import table_text
+from robodyn.logs.shortest import table_text
 
 RNG = np.random.default_rng(2)
 
@@ -53,7 +53,7 @@ def test_halves_lie_between_two_decimals() -> None:
 
 
 def test_most_numbers_do_not_go_through_repr(monkeypatch: pytest.MonkeyPatch) -> None:
-    from robodyn.simulate import shortest
+    from robodyn.logs import shortest
 
     asked: list[int] = []
     fill = shortest._fill

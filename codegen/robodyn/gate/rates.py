@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from robodyn.diagnose.gate.flag import Flag, Floats, named, refuse
-from robodyn.diagnose.gate.limits import (
+from robodyn.gate.flag import Flag, Floats, named, refuse
+from robodyn.gate.limits import (
     KNOWN_RATE_SCALE,
     LONGEST_LAG,
     NO_CORRELATION,
     RATE_SCALE,
     SURE_CORRELATION,
 )
-from robodyn.diagnose.gate.smooth import Smooth
+from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import Robot
 
 

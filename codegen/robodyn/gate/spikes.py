@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from robodyn.diagnose.gate.flag import Flag, Floats, Rows, chunks, count, span, spans_of
-from robodyn.diagnose.gate.limits import (
+from robodyn.gate.flag import Flag, Floats, Rows, chunks, count, span, spans_of
+from robodyn.gate.limits import (
     FASTEST,
     FEWEST_CHANGES,
     JUMP_FACTOR,
@@ -14,7 +14,7 @@ from robodyn.diagnose.gate.limits import (
     LONGEST_SPIKE,
     MOST_JUMPS,
 )
-from robodyn.simulate.log import Log
+from robodyn.logs.log import Log
 
 
 def without_spikes(log: Log, index: Rows, flags: list[Flag]) -> Rows:

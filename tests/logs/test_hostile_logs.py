@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 import pytest
 
+from logs.parquet_parts import BINARY, I32, STRUCT, Page, Parts, Struct, put, taken_apart, written
 from robodyn.errors import InputError, Place
-from robodyn.simulate import log_columns, log_csv, log_parquet, parquet_pages
-from robodyn.simulate.log import read_log, read_provenance
-from robodyn.simulate.log_columns import LARGEST, layout_of
+from robodyn.logs import columns, csv_file, parquet_file, parquet_pages
+from robodyn.logs.columns import LARGEST, layout_of
+from robodyn.logs.log import read_log, read_provenance
 from robodyn.simulate.torque_file import read_torques
 from robodyn.simulate.trajectories import from_file
 from robodyn_testing import require_module
-from simulate.parquet_parts import BINARY, I32, STRUCT, Page, Parts, Struct, put, taken_apart, written
 
 ROWS = 100
 TIMES = np.arange(ROWS) * 1e-3
@@ -57,7 +57,7 @@ def packs_nothing_out(monkeypatch: pytest.MonkeyPatch) -> None:
     def never(*_: Any, **__: Any) -> Any:
         pytest.fail("the columns are unpacked")
 
-    monkeypatch.setattr(log_parquet, "_tables", never)
+    monkeypatch.setattr(parquet_file, "_tables", never)
 
 
 # --- Parquet: what is claimed -----------------------------------------------------------------------------
@@ -289,9 +289,9 @@ def test_half_a_million_columns(tmp_path: Path) -> None:
 def test_a_text_of_more_samples_than_are_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shorter: bool
 ) -> None:
-    monkeypatch.setattr(log_columns, "LARGEST", 300)
-    monkeypatch.setattr(log_csv, "LARGEST", 300)
-    monkeypatch.setattr(log_csv, "BLOCK", 200)
+    monkeypatch.setattr(columns, "LARGEST", 300)
+    monkeypatch.setattr(csv_file, "LARGEST", 300)
+    monkeypatch.setattr(csv_file, "BLOCK", 200)
     path = tmp_path / "log.csv"
     long = "0.000000,0.000000,0.000000\n" if shorter else "0,0,0\n"
     path.write_text("t,q1,tau1\n" + long + "0,0,0\n" * 99)

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from diagnose.gated import GIVEN, WRONG, at, flag_of, put, rows_of, swapped
-from robodyn.diagnose.gate.gate import inspect
+from gate.gated import GIVEN, WRONG, at, flag_of, put, rows_of, swapped
 from robodyn.errors import InputError
-from robodyn.simulate.log import Log
+from robodyn.gate.gate import inspect
+from robodyn.logs.log import Log
 
 Floats = NDArray[np.float64]
 Rng = np.random.Generator

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.flag import Flag, Floats, Rows, chunks, count, refuse, span, spans_of
-from robodyn.diagnose.gate.limits import (
+from robodyn.gate.flag import Flag, Floats, Rows, chunks, count, refuse, span, spans_of
+from robodyn.gate.limits import (
     BOUNDS,
     FEWEST_ROWS,
     FILLED_ROWS,
@@ -22,8 +22,8 @@ from robodyn.diagnose.gate.limits import (
     REPEATED_SHARE,
     SLOWEST_PERIOD,
 )
-from robodyn.diagnose.gate.spikes import without_held, without_spikes
-from robodyn.simulate.log import Log
+from robodyn.gate.spikes import without_held, without_spikes
+from robodyn.logs.log import Log
 
 Mask = NDArray[np.bool_]
 

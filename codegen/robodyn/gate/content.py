@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.flag import Flag, Floats, Rows, named
-from robodyn.diagnose.gate.grid import Grid
-from robodyn.diagnose.gate.limits import (
+from robodyn.gate.flag import Flag, Floats, Rows, named
+from robodyn.gate.grid import Grid
+from robodyn.gate.limits import (
     FEW_REVERSALS,
     LOAD_STATES,
     NARROW_ANGLE,
@@ -24,8 +24,8 @@ from robodyn.diagnose.gate.limits import (
     STANDSTILL,
     STILL_SPEED,
 )
-from robodyn.diagnose.gate.rates import moving_joints
-from robodyn.diagnose.gate.smooth import Smooth
+from robodyn.gate.rates import moving_joints
+from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import Robot
 from robodyn.verify.reference import Reference
 

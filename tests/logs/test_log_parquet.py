@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from robodyn.errors import InputError, ToolError
+from robodyn.logs import parquet_file
+from robodyn.logs.log import Log, provenance, provenance_text, read_log, read_provenance
 from robodyn.robot import bundled_text, load
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import Affine
-from robodyn.simulate import log_parquet
-from robodyn.simulate.log import Log, provenance, provenance_text, read_log, read_provenance
 from robodyn_testing import require_module
 
 
@@ -46,7 +46,7 @@ def test_parquet_is_the_same_log(tmp_path: Path) -> None:
 
 def test_parquet_of_others(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pyarrow, parquet = require_module("pyarrow"), require_module("pyarrow.parquet")
-    monkeypatch.setattr(log_parquet, "BATCH", 2)
+    monkeypatch.setattr(parquet_file, "BATCH", 2)
     path = tmp_path / "log.parquet"
 
     def write(**columns: Any) -> str:

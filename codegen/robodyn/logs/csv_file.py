@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
+from robodyn.logs.columns import LARGEST, Layout, layout_of, number_of, too_large
+from robodyn.logs.shortest import table_text
 from robodyn.robot.names import shown
-from robodyn.simulate.log_columns import LARGEST, Layout, layout_of, number_of, too_large
-from robodyn.simulate.shortest import table_text
 
 Floats = NDArray[np.float64]
 

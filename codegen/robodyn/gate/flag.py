@@ -9,8 +9,8 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.limits import CHUNK, MOST_SPANS
 from robodyn.errors import InputError, Place
+from robodyn.gate.limits import CHUNK, MOST_SPANS
 
 Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from diagnose.gated import GIVEN, WRONG, arm, at, entry, flag_of, put, rows_of, swapped
-from robodyn.diagnose.gate.gate import inspect
+from gate.gated import GIVEN, WRONG, arm, at, entry, flag_of, put, rows_of, swapped
 from robodyn.errors import InputError
+from robodyn.gate.gate import inspect
+from robodyn.logs.log import Log
 from robodyn.robot.folding import folded
 from robodyn.robot.model import EffectEntry, Robot
-from robodyn.simulate.log import Log
 from robodyn.simulate.sensors import Sensors, measure, resolution_of
 from robodyn.simulate.trajectories import fourier
 from robodyn.verify.reference import Reference
@@ -22,7 +22,8 @@ from robodyn_testing import representative
 
 
 def test_velocities_that_are_late(log: Log) -> None:
-    late = np.roll(log.qd, 12, axis=0)  # type: ignore[arg-type]
+    assert log.qd is not None
+    late = np.roll(log.qd, 12, axis=0)
     gate = inspect(replace(log, qd=late), GIVEN)
     np.testing.assert_allclose([one.lag for one in gate.joints], 12.5e-3, atol=0.5e-3)
     assert gate.flags_of("velocity_lag")
@@ -104,7 +105,7 @@ def test_little_motion_is_told(log: Log) -> None:
 def test_a_long_log_is_cut_down_to_windows_of_its_motion(log: Log) -> None:
     rest = np.zeros(3 * log.samples, dtype=int)
     long = at(log, np.r_[rest, 0 : log.samples, rest])
-    long = replace(long, t=1e-3 * np.arange(long.samples))
+    long = replace(long, t=np.asarray(1e-3 * np.arange(long.samples), np.float64))
     gate = inspect(long, GIVEN, most=5000)
     assert gate.log.samples <= 5000
     assert gate.flags_of("cut_down")
@@ -116,7 +117,7 @@ def test_a_long_log_is_cut_down_to_windows_of_its_motion(log: Log) -> None:
 @pytest.mark.slow
 def test_ten_million_samples_fit() -> None:
     rng = np.random.default_rng(0)
-    t = 1e-3 * np.arange(10_000_000)
+    t = np.asarray(1e-3 * np.arange(10_000_000), np.float64)
     q = np.stack([np.sin((0.7 + 0.13 * j) * t) for j in range(6)], axis=1)
     t[7_000_000] = 2.7e154
     tau = rng.standard_normal((1000, 6))[np.arange(len(t)) % 1000]

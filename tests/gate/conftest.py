@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from diagnose.gated import GIVEN, entry
+from gate.gated import GIVEN, entry
+from robodyn.logs.log import Log
 from robodyn.robot.folding import folded
-from robodyn.simulate.log import Log
 from robodyn.simulate.sensors import Sensors, resolution_of
 from robodyn.simulate.simulation import Follow, simulate
 from robodyn.simulate.trajectories import fourier

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from robodyn.diagnose.gate.gate import Flag, Gate
+from robodyn.gate.gate import Flag, Gate
+from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.model import EffectEntry, Limits, Robot
-from robodyn.simulate.log import Log
 
 ANGLE = Limits((Fraction(-2), Fraction(2)), Fraction(2), Fraction(8))
 WAY = Limits((Fraction(1, 5), Fraction(9, 10)), Fraction(1), Fraction(4))

@@ -12,17 +12,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.content import JointContent, content, steps_of
-from robodyn.diagnose.gate.flag import Flag, Floats, Span, count, refuse
-from robodyn.diagnose.gate.grid import on_grid
-from robodyn.diagnose.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_REACH
-from robodyn.diagnose.gate.model import check_model
-from robodyn.diagnose.gate.rates import check_rates
-from robodyn.diagnose.gate.rows import usable
-from robodyn.diagnose.gate.smooth import noise_of, smoothed
-from robodyn.diagnose.gate.stuck import check_stuck
+from robodyn.gate.content import JointContent, content, steps_of
+from robodyn.gate.flag import Flag, Floats, Span, count, refuse
+from robodyn.gate.grid import on_grid
+from robodyn.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_REACH
+from robodyn.gate.model import check_model
+from robodyn.gate.rates import check_rates
+from robodyn.gate.rows import usable
+from robodyn.gate.smooth import noise_of, smoothed
+from robodyn.gate.stuck import check_stuck
+from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
-from robodyn.simulate.log import Log
 
 __all__ = ["MOST_SAMPLES", "Flag", "Gate", "JointContent", "Span", "inspect"]
 

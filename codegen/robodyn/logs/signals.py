@@ -11,14 +11,14 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.limits import (
+from robodyn.logs.limits import (
     CONTINUED,
     ENOUGH_CUTOFF,
     FILTER_ORDER,
     HIGHEST_CUTOFF,
     LOWEST_CUTOFF,
 )
-from robodyn.simulate.log import Log
+from robodyn.logs.log import Log
 
 Floats = NDArray[np.float64]
 

@@ -22,11 +22,11 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label, parsed_json, read_bytes
+from robodyn.logs.csv_file import read_csv, write_csv
+from robodyn.logs.parquet_file import read_parquet, write_parquet
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Affine
-from robodyn.simulate.log_csv import read_csv, write_csv
-from robodyn.simulate.log_parquet import read_parquet, write_parquet
 
 Floats = NDArray[np.float64]
 

@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from robodyn.diagnose.gate.gate import inspect
 from robodyn.diagnose.run import diagnose
+from robodyn.gate.gate import inspect
+from robodyn.logs.log import Log, read_log
 from robodyn.robot import load, read_text
 from robodyn.robot.model import Robot
-from robodyn.simulate.log import Log, read_log
 from robodyn.simulate.trajectories import fourier
 from robodyn.verify.reference import Reference
 from robodyn_cli.main import main
@@ -159,7 +159,7 @@ def test_rate_and_names_change_no_name(arm: Robot, log: Log) -> None:
 
 def test_a_long_log_takes_little_memory_beside_its_own(arm: Robot) -> None:
     samples = 1_000_000
-    t = 1e-3 * np.arange(samples)
+    t = np.asarray(1e-3 * np.arange(samples), np.float64)
     q = np.stack([np.sin(0.7 * t), np.sin(1.1 * t)], axis=1)
     tau = np.random.default_rng(0).standard_normal((samples, 2)) + 40 * q
     t[700_000], q[300_000, 1] = 2.7e154, np.nan
@@ -186,8 +186,8 @@ def test_ten_million_rows_of_text_fit_into_little_memory(tmp_path: Path) -> None
         for start in range(0, 10_000_000, 10_000):
             file.write("".join(f"{(start + k) / 1000:.3f},{end}\n" for k, end in enumerate(ends)))
     code = (
-        "import resource, sys; from robodyn.diagnose.gate import inspect; from robodyn.robot import load;"
-        "from robodyn.simulate.log import read_log;"
+        "import resource, sys; from robodyn.gate import inspect; from robodyn.robot import load;"
+        "from robodyn.logs.log import read_log;"
         "log = read_log(sys.argv[1], 6); inspect(log, load('puma560', warn=lambda _: None));"
         "print(log.samples, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
     )

@@ -13,9 +13,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.gate.flag import Flag, Floats, named, refuse
-from robodyn.diagnose.gate.likeness import Likeness, Trial, gain_of, likeness
-from robodyn.diagnose.gate.limits import (
+from robodyn.gate.flag import Flag, Floats, named, refuse
+from robodyn.gate.likeness import Likeness, Trial, gain_of, likeness
+from robodyn.gate.limits import (
     ALIKE_GAIN,
     COMPARED_STATES,
     DRIVING_SHARE,
@@ -36,8 +36,8 @@ from robodyn.diagnose.gate.limits import (
     WORSE_EXACT,
     WORSE_FACTOR,
 )
-from robodyn.diagnose.gate.readings import Change, signs_and_order, units
-from robodyn.diagnose.gate.smooth import Smooth
+from robodyn.gate.readings import Change, signs_and_order, units
+from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import ZERO
 from robodyn.simulate.sensors import measured_position
