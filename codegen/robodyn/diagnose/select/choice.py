@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
+from robodyn.diagnose.select.beside import Library, fits
+from robodyn.diagnose.select.fit import Fit, Problem
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.limits import (
     BLOCKS,
@@ -53,25 +54,37 @@ class Trial:
     per_part: Floats
 
 
-def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, least: Floats) -> Trial:
-    """The candidate beside what was chosen before."""
-    if candidate.fixed:  # its size is known: 1
-        fit = replace(fitted(less(now, candidate.rows, columns[:, :, 0])), x=np.ones(1), cov=np.zeros((1, 1)))
-    else:
-        fit = fitted(now, candidate.rows, columns, candidate.signs)
+def without_columns(one: Trial) -> Trial:
+    """The trial without its columns [0, rows, c], which take most of its memory."""
+    return replace(one, columns=one.columns[:0].copy())
+
+
+def trials(
+    now: Problem, current: Fit, library: Library, least: Floats, which: Sequence[int] | None = None
+) -> list[Trial]:
+    """Each candidate of the library (or those ``which``) beside what was chosen before, best first."""
+    outcome = fits(now, current, library, range(len(library)) if which is None else which)
+    if not outcome.which:
+        return []
+    held_out = np.array([fit.held_out for fit in outcome.fits])
+    floor = np.maximum(held_out.mean(axis=1), 1.0)
     weight = now.independent / BLOCKS / 2
-    floor = np.maximum(fit.held_out.mean(axis=0), 1.0)
-    per_part = weight * ((current.held_out - fit.held_out) / floor).sum(axis=1)
-    relief = current.prior_penalty - fit.prior_penalty
-    gain = float(per_part.sum()) + relief
-    error = float(per_part.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
-    rows = list(candidate.rows)
-    explained = np.sqrt(np.mean((columns @ fit.x) ** 2, axis=0)) / now.sigma[rows]
-    matters = float(np.max(explained / least[rows]))
-    t = float(per_part.mean()) / error
-    if relief > max(0.5 * gain, RELIEF):
-        t = max(t, LEAST_T)  # the residual is small either way: the arm's numbers would be wrong
-    return Trial(candidate, columns, fit, gain, t, matters, per_part)
+    per_part = weight * ((current.held_out - held_out) / floor[:, None]).sum(axis=2)
+    relief = current.prior_penalty - np.array([fit.prior_penalty for fit in outcome.fits])
+    gains = per_part.sum(axis=1) + relief
+    errors = per_part.std(axis=1, ddof=1) / np.sqrt(BLOCKS) + 1e-12
+    ts = per_part.mean(axis=1) / errors
+    # The residual is small either way: the arm's numbers would be wrong.
+    ts = np.where(relief > np.maximum(0.5 * gains, RELIEF), np.maximum(ts, LEAST_T), ts)
+    tried = []
+    for m, (k, fit, explained) in enumerate(zip(outcome.which, outcome.fits, outcome.explained, strict=True)):
+        candidate = library.candidates[k]
+        matters = float(np.max(explained / least[list(candidate.rows)]))
+        columns = library.of_candidate(k)
+        tried.append(Trial(candidate, columns, fit, float(gains[m]), float(ts[m]), matters, per_part[m]))
+    # Those that gain alike stay in the catalogue's order.
+    order = np.lexsort((outcome.which, -gains))
+    return [tried[m] for m in order]
 
 
 def prepared(context: Context, candidate: Candidate) -> Floats:
@@ -214,19 +227,21 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
     """The candidate with its nonlinear values improved, one factor at a time; those of an oscillator all at
     once in random directions, for it has many optima."""
 
-    def at(values: dict[str, float]) -> Trial:
+    def at(settings: Sequence[dict[str, float]]) -> list[Trial]:
         again = one.candidate.again
         assert again is not None
-        candidates = [again(c, values) for c in contexts]
-        columns = [prepared(c, each) for c, each in zip(contexts, candidates, strict=True)]
-        return trial(now, current, candidates[0], np.concatenate(columns), least)
+        pairs = []
+        for values in settings:
+            candidates = [again(c, values) for c in contexts]
+            columns = [prepared(c, each) for c, each in zip(contexts, candidates, strict=True)]
+            pairs.append((candidates[0], np.concatenate(columns)))
+        return trials(now, current, Library.of(pairs), least)
 
     if one.candidate.reach:
         return _wandered(one, at)
     spread, fine = one.candidate.spread
     for _ in range(REFINING_ROUNDS):
-        better = one
-        start = dict(one.candidate.values)
+        start, settings = dict(one.candidate.values), list[dict[str, float]]()
         for name, value in start.items():
             for factor in (1 / spread, spread):
                 other = value * factor
@@ -234,9 +249,9 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
                     other = 1 - (1 - value) * factor
                     if not 0.05 < other < 0.995:
                         continue
-                once = at({**start, name: other})
-                if once.gain > better.gain:
-                    better = once
+                settings.append({**start, name: other})
+        best = at(settings)[0] if settings else one
+        better = best if best.gain > one.gain else one
         if better is one:
             spread = spread**0.5
             if spread < fine:
@@ -245,23 +260,23 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
     return one
 
 
-def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
+def _wandered(one: Trial, at: Callable[[Sequence[dict[str, float]]], list[Trial]]) -> Trial:
     """The best of steps in random directions, shorter and shorter."""
     rng, start = np.random.default_rng(0), one.candidate.values
     size = np.array([one.candidate.reach[name] for name in start])
     for _ in range(REFINING_ROUNDS):
         settings = one.candidate.values
         steps = np.exp(size * rng.standard_normal((OSCILLATOR_DIRECTIONS, len(size))))
-        tried = []
+        wanted = []
         for row in steps:
             values = {name: settings[name] * float(f) for name, f in zip(settings, row, strict=True)}
             if all(
                 1 / OSCILLATOR_FARTHEST < x / start[name] < OSCILLATOR_FARTHEST for name, x in values.items()
             ):
-                tried.append(at(values))
-        if not tried:
+                wanted.append(values)
+        if not wanted:
             continue
-        best = max(tried, key=lambda each: each.gain)
+        best = at(wanted)[0]
         size = size * (1.0 if best.gain > one.gain else 0.6)
         one = best if best.gain > one.gain else one
     return one

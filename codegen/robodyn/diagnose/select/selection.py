@@ -12,11 +12,12 @@ much as its prior says."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.ceiling import unexplained
 from robodyn.diagnose.select.choice import (
     Trial,
@@ -25,7 +26,8 @@ from robodyn.diagnose.select.choice import (
     nearest,
     numbers_of,
     prepared,
-    trial,
+    trials,
+    without_columns,
 )
 from robodyn.diagnose.select.contact import Contact, contact_in
 from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, less, problem, tighter, without
@@ -168,10 +170,10 @@ def select(
     start = start_of(contexts)
     least = what_matters(context) / start.sigma
     columns = zip(*(candidates(each) for each in contexts), strict=True)
-    library = [
+    library = Library.of(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in columns
-    ]
+    )
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
@@ -188,8 +190,7 @@ def select(
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, TIGHT)
         # Not their errors, which are within what is said of them.
-        others = [pair for pair in library if not _is_of_link(pair[0])]
-        other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
+        other = _chosen(tight, library, least, contexts, rough=rough, links=False, progress=progress)
         if other.findings and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = tight, other
     now, current, findings = chosen.now, chosen.current, chosen.findings
@@ -215,31 +216,35 @@ class _Chosen:
 
 def _chosen(
     start: Problem,
-    library: Sequence[tuple[Candidate, Floats]],
+    library: Library,
     least: Floats,
     contexts: Sequence[Context],
     *,
     rough: bool,
+    links: bool = True,
     progress: Callable[[str], object] | None,
 ) -> _Chosen:
-    """One effect after another until none passes, or the columns of all others change."""
+    """One effect after another until none passes, or the columns of all others change; errors of the arm's
+    own numbers only with ``links``."""
     now, current = start, fitted(start)
     findings: list[Named] = []
-    trials: list[Trial] = []
+    begun: list[Trial] = []
     while len(findings) < MOST_EFFECTS:
         taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
-        tried = [
-            trial(now, current, c, columns, least)
-            for c, columns in library
-            if (c.effect, c.joint) not in taken and (rough or not c.rough)
+        which = [
+            k
+            for k, c in enumerate(library.candidates)
+            if (c.effect, c.joint) not in taken and (rough or not c.rough) and (links or not _is_of_link(c))
         ]
-        tried.sort(key=lambda one: -one.gain)
-        trials = trials or tried
+        tried = trials(now, current, library, least, which)
+        begun = begun or [without_columns(one) for one in tried]
         best = best_of(now, current, tried, least, contexts, rough=rough)
         if best is None:
             break
         one, rivals, confidence = best
-        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
+        one = replace(one, columns=one.columns.copy())
+        beside = tuple(without_columns(each) for each in tried[:40])
+        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), beside))
         if one.candidate.fixed:
             now = less(now, one.candidate.rows, one.columns[:, :, 0])
         else:
@@ -249,7 +254,7 @@ def _chosen(
             progress(one.candidate.name)
         if one.candidate.definition.traits.reevaluate:
             break  # the model is to be evaluated anew before more is looked for
-    return _Chosen(findings, now, current, trials)
+    return _Chosen(findings, now, current, begun)
 
 
 def _is_of_link(candidate: Candidate) -> bool:
@@ -276,9 +281,7 @@ def _evidence(start: Problem, chosen: _Chosen) -> float:
     return -misfit - spread - penalty - width - choice
 
 
-def _factor(
-    start: Problem, library: Sequence[tuple[Candidate, Floats]], least: Floats, contexts: Sequence[Context]
-) -> Floats:
+def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[Context]) -> Floats:
     """How much larger [n] than the noise is what neither the library nor one of its candidates explains."""
     factor = unexplained(start, library)
     if np.all(factor == 1):
@@ -287,33 +290,29 @@ def _factor(
     # A single burst may have biased all these fits.
     for left in (start.rest, start.rest - start.A @ current.known):
         factor = np.where(1.4826 * np.median(np.abs(left), axis=0) < STANDS_OUT, 1.0, factor)
-    tried = [trial(start, current, c, columns, least) for c, columns in library]
-    tried.sort(key=lambda one: -one.gain)
+    tried = trials(start, current, library, least)
     for one in nearest(start, current, tried, least, contexts):
         left = np.sqrt(np.median(one.fit.held_out, axis=0))
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
 
 
-def _otherwise(
-    start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]], least: Floats
-) -> bool:
+def _otherwise(start: Problem, contact: Contact, library: Library, least: Floats) -> bool:
     """Whether an effect that acts all along explains more of a log than a contact does of its window."""
     current = fitted(start)
     by_force = contact.explained * float((start.rest[contact.mask] ** 2).sum()) / 2 / start.thin
-    best = max(trial(start, current, c, columns, least).gain for c, columns in library)
-    return best > by_force
+    return trials(start, current, library, least)[0].gain > by_force
 
 
-def _clipped_there(start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
+def _clipped_there(start: Problem, contact: Contact, library: Library) -> bool:
     """Whether a torque that is cut off explains the burst as well as a force does."""
     b = start.rest[contact.mask]
-    for candidate, columns in library:
+    for k, candidate in enumerate(library.candidates):
         channel = candidate.definition.traits.channel
         if channel is not None and channel.acts == "limit":
             left = b.copy()
             rows = list(candidate.rows)
-            left[:, rows] -= columns[contact.mask][:, :, 0] / start.sigma[rows]
+            left[:, rows] -= library.of_candidate(k)[contact.mask][:, :, 0] / start.sigma[rows]
             if 1 - float(np.sum(left**2) / np.sum(b**2)) > contact.explained - CLIPPED_MARGIN:
                 return True
     return False
