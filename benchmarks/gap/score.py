@@ -65,7 +65,7 @@ def torque(robot: Robot, m: Motion) -> Floats:
     for entry in _of(robot, "encoder_offset"):
         q[:, _columns(entry)] -= entry.number("offset")
     if any(e.effect in _SOFT and e.text("encoder") == "motor" for e in robot.effects):
-        from robodyn.diagnose.select.predict import model_torque
+        from robodyn.identify.predict import model_torque
 
         inside = tuple(e for e in robot.effects if e.effect not in _CHANNELS)
         return model_torque(replace(robot, effects=inside), m.t, q, m.qd, m.qdd, m.tau)
