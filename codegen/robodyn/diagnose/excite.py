@@ -28,9 +28,9 @@ from robodyn.diagnose.limits import (
     SAME_SPACE,
 )
 from robodyn.diagnose.select.library import Candidate, Hints, candidates, context_of
-from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
+from robodyn.identify.rigid import Model
 from robodyn.logs.signals import Signals
 from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot

@@ -44,7 +44,7 @@ from robodyn.diagnose.select.limits import (
     TIGHT,
     TIGHT_EVIDENCE,
 )
-from robodyn.diagnose.select.rigid import Model
+from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
