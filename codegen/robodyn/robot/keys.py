@@ -114,7 +114,7 @@ def _confidence(of: str, default: str) -> Key:
     return Key(
         "confidence",
         "number",
-        f"The inertial numbers of {of} are right to about this share of their size; unknown: they are guesses.",
+        f"The inertial numbers of {of} are right to about this share; unknown: they are a guess.",
         sign="share",
         default=default,
         choices=(UNKNOWN,),
