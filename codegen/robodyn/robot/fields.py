@@ -212,7 +212,7 @@ class Section:
         assert value is None or isinstance(value, Fraction)
         return value
 
-    def share(self, name: str) -> Confidence:
+    def confidence(self, name: str) -> Confidence:
         """A share, or the word ``unknown``; None where the key is left out."""
         node = self.values.get(name)
         if isinstance(node, Scalar) and node.text == UNKNOWN:

@@ -60,7 +60,7 @@ def _robot(section: Section) -> Robot:
     name = _robot_name(section)
     title, from_ = section.text("title"), section.text("source")
     gravity = section.vector("gravity")
-    confidence = section.share("confidence")
+    confidence = section.confidence("confidence")
     compared = section.section("compare")
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
     convention = section.choice("convention") or "mdh"
@@ -194,7 +194,7 @@ def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, .
     motor_inertia = section.number("motor_inertia")
     gear = _gear(section)
     limits = _limits(section)
-    confidence = section.share("confidence")
+    confidence = section.confidence("confidence")
     joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits, gear=gear)
     if friction:
         joint = replace(joint, viscous=friction.number("viscous"), coulomb=friction.number("coulomb"))

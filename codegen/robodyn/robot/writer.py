@@ -82,8 +82,10 @@ def _link_lines(link: Link, i: int, common: Confidence) -> list[str]:
         lines.append(f"motor_inertia: {number_text(joint.motor_inertia)}")
     if joint.gear is not None:
         constant = joint.gear.torque_constant
-        numbers_of = {"ratio": joint.gear.ratio, **({"torque_constant": constant} if constant else {})}
-        lines.append(f"gear: {_group(numbers_of)}")
+        gear: dict[str, Value] = {"ratio": joint.gear.ratio}
+        if constant is not None:
+            gear["torque_constant"] = constant
+        lines.append(f"gear: {_group(gear)}")
     if joint.limits != Limits():
         lines.append(f"limits: {_limits(joint.limits)}")
     if link.confidence is not None and common is None:
