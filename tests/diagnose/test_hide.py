@@ -16,9 +16,9 @@ from robodyn.diagnose.blind.hide import Blind, Setup, hide
 from robodyn.diagnose.blind.seal import open_seal, score, seal
 from robodyn.diagnose.blind.true_arm import lacking, measured, rms
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
+from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.model import Robot

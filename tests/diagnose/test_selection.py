@@ -7,8 +7,8 @@ import pytest
 
 from diagnose.hidden.cases import Case
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.selection import select
+from robodyn.identify.rigid import Model
 from robodyn.verify import Reference
 from robodyn_testing import sampled
 from robodyn_testing.effect_arms import arm

@@ -28,9 +28,9 @@ from robodyn.diagnose.limits import (
     SAME_SPACE,
 )
 from robodyn.diagnose.select.library import Candidate, Hints, candidates, context_of
-from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
+from robodyn.identify.rigid import Model
 from robodyn.logs.signals import Signals
 from robodyn.robot.bundled import robot_of
 from robodyn.robot.model import Robot
@@ -163,7 +163,7 @@ class _Columns:
         size = np.sqrt(np.mean(tau**2, axis=0))
         self.sigma = EXCITE_NOISE * np.maximum(size, EXCITE_QUIET * max(float(size.max()), 1e-9))
         scale = np.stack([np.abs(row) for row in model.standard_parameters()])
-        confidence = np.array([float(link.confidence) for link in robot.links])
+        confidence = np.array([float(link.inertial_share) for link in robot.links])
         Y = model.regressor(q, qd, qdd) * (scale * confidence[:, None])
         self.nuisance = (Y.reshape(len(t), robot.n, -1) / self.sigma[:, None]).reshape(len(t) * robot.n, -1)
         self.inner = np.linalg.cholesky(np.eye(self.nuisance.shape[1]) + self.nuisance.T @ self.nuisance)

@@ -32,12 +32,12 @@ from robodyn.diagnose.limits import (
 )
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.select.library import Candidate
-from robodyn.diagnose.select.predict import agreement, lacking, signals_seen
-from robodyn.diagnose.select.rigid import Model
 from robodyn.diagnose.select.search import Detected, search
 from robodyn.diagnose.select.selection import Named, Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate, inspect
+from robodyn.identify.predict import agreement, lacking, signals_seen
+from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log, read_log
 from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot

@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.blind.limits import DRAWN_SAMPLES, LOADED_SHARE
-from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Form
 from robodyn.effects.traits import Usual as UsualJoint
 from robodyn.errors import InputError
+from robodyn.identify.rigid import Model
 from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot
 from robodyn.simulate.trajectories.trajectory import Trajectory

@@ -29,10 +29,10 @@ from robodyn.diagnose.blind.limits import (
 )
 from robodyn.diagnose.blind.seal import seal
 from robodyn.diagnose.blind.true_arm import Arm, lacking, measured, rms
-from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
+from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log, provenance
 from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot

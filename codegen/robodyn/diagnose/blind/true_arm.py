@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.predict import model_torque, offsets
-from robodyn.diagnose.select.rigid import Model
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.identify.predict import model_torque, offsets
+from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 from robodyn.simulate.gains import default_gains

@@ -28,9 +28,9 @@ from robodyn.diagnose.select.limits import (
     TIE,
     TIE_LOSS,
 )
-from robodyn.diagnose.select.predict import delays
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.limits import ONE_WAY_SHARE
+from robodyn.identify.predict import delays
 
 Floats = NDArray[np.float64]
 

@@ -199,23 +199,3 @@ SHORTEST_PIECE: Final = 6.0
 
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
-
-# --- twist --------------------
-
-TWIST_PLACES: Final = 4001
-"""[places] at which a spring is tabulated,"""
-
-TWIST_BEYOND: Final = 4.0
-"""[multiples of the log's largest torque] up to so much."""
-
-SWEEPS: Final = 2
-"""[sweeps] over joints that lag together."""
-
-LAG_BEGIN: Final = 1.0
-"""[s] How the lag begins is sought over this time,"""
-
-LAG_TRIES: Final = 2
-"""[steps] in so many."""
-
-LAG_PIECE: Final = 4.0
-"""[s] In shorter pieces of a log it begins at rest: two numbers more would be too many."""

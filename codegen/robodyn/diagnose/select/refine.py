@@ -23,13 +23,13 @@ from robodyn.diagnose.select.limits import (
     REFINE_STEP,
     REFINE_WORTH,
 )
-from robodyn.diagnose.select.predict import given_torque, offsets
-from robodyn.diagnose.select.rigid import Model
-from robodyn.diagnose.select.twist import behind_motors
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Dahl
 from robodyn.errors import InputError
+from robodyn.identify.predict import given_torque, offsets
+from robodyn.identify.rigid import Model
+from robodyn.identify.twist import behind_motors
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_torque
 

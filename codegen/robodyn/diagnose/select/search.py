@@ -13,10 +13,10 @@ from robodyn.diagnose.select.choice import evidence_threshold, numbers_of
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
-from robodyn.diagnose.select.rigid import Model, physical
 from robodyn.diagnose.select.selection import Named, Selection, select
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
+from robodyn.identify.rigid import Model, physical
 from robodyn.logs.log import Log
 from robodyn.robot.model import AXES, Robot
 

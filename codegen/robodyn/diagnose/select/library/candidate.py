@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.rigid import Evaluated, Model
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import anything
+from robodyn.identify.rigid import Evaluated, Model
 from robodyn.logs.signals import Signals
 from robodyn.robot.model import EffectEntry
 

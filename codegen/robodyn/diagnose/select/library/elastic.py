@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
 from robodyn.diagnose.select.limits import DAMPED, OSCILLATOR_RATE, TWIST_CUTOFF
-from robodyn.diagnose.select.twist import lag_of, slopes_of
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Twist
+from robodyn.identify.twist import lag_of, slopes_of
 from robodyn.logs.signals import low_pass
 
 Floats = NDArray[np.float64]

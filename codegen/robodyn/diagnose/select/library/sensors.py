@@ -15,9 +15,9 @@ from robodyn.diagnose.select.limits import (
     LIMIT_SHARE,
     SENSOR_PILED,
 )
-from robodyn.diagnose.select.twist import slopes_of
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Channel, Shown
+from robodyn.identify.twist import slopes_of
 
 Floats = NDArray[np.float64]
 

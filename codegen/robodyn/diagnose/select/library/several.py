@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
 from robodyn.diagnose.select.limits import LOAD_REACH, PAIR_RATIOS, TILT
-from robodyn.diagnose.select.rigid import PARAMETERS, Model, physical
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Shown
+from robodyn.identify.rigid import PARAMETERS, Model, physical
 from robodyn.robot.model import AXES
 
 Floats = NDArray[np.float64]

@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.limits import LAG_BEGIN, LAG_PIECE, LAG_TRIES, SWEEPS, TWIST_BEYOND, TWIST_PLACES
-from robodyn.diagnose.select.oscillator import oscillation
-from robodyn.diagnose.select.rigid import Evaluated, Model
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.identify.limits import LAG_BEGIN, LAG_PIECE, LAG_TRIES, SWEEPS, TWIST_BEYOND, TWIST_PLACES
+from robodyn.identify.oscillator import oscillation
+from robodyn.identify.rigid import Evaluated, Model
 
 Floats = NDArray[np.float64]
 

@@ -7,9 +7,9 @@ import pytest
 
 from diagnose.hidden.cases import Case
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.select.oscillator import oscillation
-from robodyn.diagnose.select.predict import lacking
 from robodyn.gate.gate import inspect
+from robodyn.identify.oscillator import oscillation
+from robodyn.identify.predict import lacking
 from robodyn.kernels.robot_kernel import compile as compile_kernel
 
 ELASTIC = Case("puma560", (("joint_elasticity", 2),), 1, 4.855)

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.rigid import Model
-from robodyn.diagnose.select.twist import behind_motors
 from robodyn.effects.traits import Acts
 from robodyn.gate.gate import Gate
+from robodyn.identify.rigid import Model
+from robodyn.identify.twist import behind_motors
 from robodyn.kernels.kernel import Kernel
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, knee, smoothed_motion

@@ -32,7 +32,7 @@ def _library() -> tuple[Any, Any]:
     """
     import cffi
 
-    text = resources("robodyn.diagnose.select").joinpath("c/oscillator.c").read_text(encoding="utf-8")
+    text = resources("robodyn.identify").joinpath("c/oscillator.c").read_text(encoding="utf-8")
     compiler = find_c(None)
 
     def build(folder: Path) -> str:
