@@ -28,7 +28,7 @@ def held(log: Log, row: int = 2000) -> Log:
     q = q + 1e-4 * hand + 1e-5 * rng.standard_normal(q.shape)
     weight = Reference(GIVEN).inverse_dynamics(q, 0 * q, 0 * q)
     tau = 0.7 * weight - hand + 0.3 * rng.standard_normal(q.shape)
-    return Log(1e-3 * np.arange(4000), q, None, None, tau)
+    return Log(np.asarray(1e-3 * np.arange(4000), np.float64), q, None, None, tau)
 
 
 def test_an_arm_that_is_pushed_at_rest_passes(log: Log) -> None:
@@ -41,7 +41,7 @@ def test_an_arm_that_only_stands_is_said_to(log: Log) -> None:
     still = replace(held(log), q=np.repeat(log.q[2000][None], 4000, axis=0))
     gate = inspect(still, GIVEN)
     assert gate.resting.all()
-    assert flag_of(gate, "at_rest")
+    assert gate.flags_of("at_rest")
     assert rows_of(gate, "constant") == [(1, 4000)]
     assert all(not one.moves for one in gate.joints)
 
@@ -76,7 +76,7 @@ def test_rows_that_were_sent_twice_are_left_out_and_the_others_spread(log: Log) 
     source = at(log, np.arange(0, log.samples, 32))
     step = 0.97 * 32e-3
     rows = np.minimum((np.arange(int(source.samples / 0.97)) * 0.97).astype(int), source.samples - 1)
-    sent = replace(at(source, rows), t=step * np.arange(len(rows)))
+    sent = replace(at(source, rows), t=np.asarray(step * np.arange(len(rows)), np.float64))
     gate = inspect(sent, GIVEN)
     flag = flag_of(gate, "repeated_rows")
     repeated = np.flatnonzero(np.diff(rows) == 0) + 2

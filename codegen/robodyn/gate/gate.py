@@ -102,9 +102,10 @@ def inspect(
         grid.log.q, grid.segments, grid.period, noise=noise[0], steps=steps[0],
         revolute=[link.joint.kind == "revolute" for link in robot.links],
     )  # fmt: skip
+    moving: NDArray[np.bool_] = np.asarray(~still.all(axis=1))
     floor = floor_of(grid.log.tau, grid.segments, grid.period, noise[1], flags)
     rates, accelerations, lag = check_rates(smooth, robot, grid.period, source, flags, noise[0])
-    unexplained = check_model(smooth, ~still.all(axis=1), robot, parameters, source, flags)
+    unexplained = check_model(smooth, moving, robot, parameters, source, flags)
     used = grid.log
     if not rates or not accelerations:
         used = Log(

@@ -58,7 +58,7 @@ def resting(
 def _long(still: Mask, least: int) -> Mask:
     """Runs of ``still`` [K] of ``least`` samples or more."""
     edges = np.flatnonzero(np.diff(np.r_[0, still.astype(np.int8), 0]))
-    result = np.zeros_like(still)
+    result: Mask = np.zeros(len(still), dtype=bool)
     for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         result[a:b] = b - a >= least
     return result

@@ -130,10 +130,10 @@ def floor_of(
     length = max(part.stop - part.start for part in segments) // SPECTRUM_PIECES
     if length < 64:
         return white
-    powers = []
+    powers, f = [], np.fft.rfftfreq(length, period)
     for part in segments:
         for start in range(part.start, part.stop - length + 1, length):
-            f, power = periodogram(
+            _, power = periodogram(
                 tau[start : start + length], 1 / period, window="hann", detrend="linear", axis=0
             )
             powers.append(power)
