@@ -48,7 +48,7 @@ def resting(
     # A step of the encoder in the window looks like a speed, and so does noise at both of its ends.
     unsure = (1.01 * steps + REST_NOISE * np.sqrt(2) * noise) / (2 * reach * period)
     still = speed < np.maximum(np.maximum(STILL_SPEED * top, slow), unsure)
-    result = np.zeros_like(still)
+    result: Mask = np.zeros(q.shape, dtype=bool)
     for part in segments:
         for j in range(q.shape[1]):
             result[part, j] = _long(still[part, j], least)
