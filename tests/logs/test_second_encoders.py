@@ -19,7 +19,7 @@ def log_with(linked: tuple[int, ...], n: int = 3) -> Log:
     q = rng.normal(size=(K, n))
     ql = np.full((K, n), np.nan)
     ql[:, list(linked)] = q[:, list(linked)] + 1e-3
-    return Log(np.arange(K) * 4e-3, q, None, None, rng.normal(size=(K, n)), ql=ql)
+    return Log(np.linspace(0.0, 0.2, K), q, None, None, rng.normal(size=(K, n)), ql=ql)
 
 
 def parts(log: Log, folder: Path) -> str:
