@@ -16,6 +16,7 @@ from robodyn.gate.content import JointContent, content, steps_of
 from robodyn.gate.flag import Flag, Floats, Span, count, refuse
 from robodyn.gate.grid import on_grid
 from robodyn.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_LEAST
+from robodyn.gate.links import check_links, with_usable_links
 from robodyn.gate.model import check_model
 from robodyn.gate.rates import check_rates
 from robodyn.gate.rest import resting
@@ -91,6 +92,7 @@ def inspect(
         text = f"{count(len(log.ignored), 'column')} not read: {robot.name} has {count(robot.n, 'joint')}"
         flags.append(Flag("ignored", listed, (), text))
     log, repeats = fresh(unwrapped(log, robot, flags), flags)
+    log = with_usable_links(log, flags)
     rows = usable(log, source, flags, repeats)
     some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
     steps = steps_of(log.q[some]), steps_of(log.tau[some])
@@ -104,13 +106,14 @@ def inspect(
     )  # fmt: skip
     moving: NDArray[np.bool_] = np.asarray(~still.all(axis=1))
     floor = floor_of(grid.log.tau, grid.segments, grid.period, noise[1], flags)
+    check_links(grid.log, source)
     rates, accelerations, lag = check_rates(smooth, robot, grid.period, source, flags, noise[0])
     unexplained = check_model(smooth, moving, robot, parameters, source, flags)
     used = grid.log
     if not rates or not accelerations:
         used = Log(
             used.t, used.q, used.qd if rates else None, used.qdd if accelerations else None, used.tau,
-            used.provenance, used.ignored,
+            used.provenance, used.ignored, used.ql,
         )  # fmt: skip
     joints, saturated = content(
         grid, smooth, robot, parameters,

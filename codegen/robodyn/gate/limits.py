@@ -11,7 +11,7 @@ from typing import Final
 
 # --- rows --------------------
 
-BOUNDS: Final = {"t": 1e15, "q": 1e3, "qd": 1e4, "qdd": 1e7, "tau": 1e6}
+BOUNDS: Final = {"t": 1e15, "q": 1e3, "qd": 1e4, "qdd": 1e7, "tau": 1e6, "ql": 1e3}
 """[s; rad or m, and per s, per s^2; N m or N] A larger number in a column is garbage, whatever the robot."""
 
 GARBAGE_SHARE: Final = 0.03
@@ -38,6 +38,14 @@ FILLED_ROWS: Final = 3
 
 FILLED_TIME: Final = 0.005
 """[s] A gap that lasts no longer is filled in, however many rows it has."""
+
+# --- second encoders --------------------
+
+LINK_SLOPE: Final = 0.1
+"""[-] A second encoder that moves by a factor further from 1 than its joint has another unit or joint."""
+
+LINK_MOTION: Final = 0.02
+"""[rad or m] Of a joint that moves less nothing is said about its second encoder."""
 
 # --- spikes --------------------
 

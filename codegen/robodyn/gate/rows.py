@@ -23,6 +23,7 @@ from robodyn.gate.limits import (
     REPEATED_SHARE,
     SLOWEST_PERIOD,
 )
+from robodyn.gate.links import links_garbage
 from robodyn.gate.spikes import without_held, without_spikes
 from robodyn.logs.log import Log
 
@@ -111,6 +112,7 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
             joints = () if name == "t" else tuple(int(j) + 1 for j in np.flatnonzero(counts))
             flags.append(Flag("garbage", where, spans_of(np.flatnonzero(garbage), log.t), text, joints))
         bad |= garbage
+    bad |= links_garbage(log, flags)
     if bad.mean() > GARBAGE_SHARE:
         first = int(np.argmax(bad))
         refuse(
