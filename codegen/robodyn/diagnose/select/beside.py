@@ -113,13 +113,13 @@ def _own(p: Problem, rows: Rows, columns: Floats, wide: NDArray[np.intp]) -> Flo
     [BLOCKS, rows, M, c, c]."""
     c = wide.shape[1]
     sums = np.empty((BLOCKS, len(rows), len(wide), c, c))
-    counted = p.rest.any(axis=1)
+    counted = np.any(p.rest != 0, axis=1)[:, None]
     for i, j in enumerate(rows):
         for a in range(c):
             for b in range(a + 1):
                 product = columns[:, i, wide[:, a]] * columns[:, i, wide[:, b]]
-                if not counted.all():
-                    product = product * counted[:, None]
+                if not np.all(counted):
+                    product = product * counted
                 by_part = np.add.reduceat(product, [part.start for part in p.parts], axis=0)
                 sums[:, i, :, a, b] = sums[:, i, :, b, a] = by_part / p.sigma[j] ** 2
     return sums
