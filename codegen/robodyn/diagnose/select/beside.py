@@ -90,10 +90,10 @@ def fits(p: Problem, current: Fit, library: Library, which: Sequence[int]) -> Fi
         own = _own(p, rows, library.columns[rows], wide)
         signs = np.array([library.candidates[k].signs for k in group])
         fixed = library.candidates[group[0]].fixed
-        found = _group(p, current, rows, (cross[:, :, wide], right[:, :, wide], own), signs > 0, fixed=fixed)
+        tried = _group(p, current, rows, (cross[:, :, wide], right[:, :, wide], own), signs > 0, fixed=fixed)
         outcome.which.extend(group)
-        outcome.fits.extend(found[0])
-        outcome.explained.extend(found[1])
+        outcome.fits.extend(tried[0])
+        outcome.explained.extend(tried[1])
     return outcome
 
 
