@@ -14,6 +14,7 @@ from robodyn.diagnose.select.limits import (
     BLOCKS,
     BODY_NUMBERS,
     CLOSE,
+    LEAST_SHARE,
     LEAST_T,
     MANY_POWER,
     NEARLY,
@@ -23,6 +24,7 @@ from robodyn.diagnose.select.limits import (
     OSCILLATOR_STARTS,
     REFINING_ROUNDS,
     RELIEF,
+    REPLACING_SHARE,
     ROUGH,
     ROUGH_T,
     TIE,
@@ -42,7 +44,9 @@ _LEVELS = [id for id, known in CATALOGUE.items() if known.traits.one_way == "lev
 class Trial:
     """A candidate beside what was chosen before: its columns [N, rows, c], the fit, the ``gain`` in units of
     log-likelihood, its ``t`` over the parts, the RMS that it explains at its best joint, as a share of what
-    would matter."""
+    would matter; ``share``: of the mean square that is left at its best joint, in parts that were not fitted,
+    what it takes away; ``beside``: the problem in which it was tried, ``replaced``: the places in the list of
+    what was chosen before of those that it stands for."""
 
     candidate: Candidate
     columns: Floats
@@ -51,6 +55,9 @@ class Trial:
     t: float
     matters: float
     per_part: Floats
+    share: float
+    beside: Problem
+    replaced: tuple[int, ...] = ()
 
 
 def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, least: Floats) -> Trial:
@@ -71,7 +78,9 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
     t = float(per_part.mean()) / error
     if relief > max(0.5 * gain, RELIEF):
         t = max(t, LEAST_T)  # the residual is small either way: the arm's numbers would be wrong
-    return Trial(candidate, columns, fit, gain, t, matters, per_part)
+    before, after = (np.maximum(x.held_out.mean(axis=0)[rows], 1e-300) for x in (current, fit))
+    share = float(np.max(1 - after / before))
+    return Trial(candidate, columns, fit, gain, t, matters, per_part, share, now)
 
 
 def prepared(context: Context, candidate: Candidate) -> Floats:
@@ -109,6 +118,8 @@ def best_of(
         steady = steady or (one.t >= LEAST_T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
         if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
             steady = steady or (one.t >= ROUGH_T and one.gain > 2 * wanted)
+        if one.share < (REPLACING_SHARE if one.replaced else LEAST_SHARE) and not c.local:
+            return False
         if c.local:
             steady = one.t >= 1 and one.gain > 3 * wanted
         return bool(
@@ -132,7 +143,7 @@ def best_of(
     top = max(one.gain for one in best.values())
     for key, one in best.items():
         if one.candidate.values and one.gain > 0.5 * top:
-            best[key] = _refined(now, current, one, least, contexts)
+            best[key] = _refined(current, one, least, contexts)
     most = max(best.values(), key=lambda one: one.gain)
     left = np.median(most.fit.held_out[:, list(most.candidate.rows)], axis=0).max()
     if rough or left > ROUGH:  # nothing explains it all: candidates with many numbers must gain more
@@ -184,7 +195,7 @@ def nearest(
             continue
         count[key] = count.get(key, 0) + 1
         if count[key] <= OSCILLATOR_STARTS and sum(count.values()) <= 2 * OSCILLATOR_STARTS:
-            kept.append(_refined(now, current, one, least, contexts))
+            kept.append(_refined(current, one, least, contexts))
     return sorted(kept, key=lambda one: -one.gain)
 
 
@@ -210,16 +221,17 @@ def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
     return bool(winner.gain - other.gain < TIE * error * BLOCKS)
 
 
-def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
+def _refined(current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
     """The candidate with its nonlinear values improved, one factor at a time; those of an oscillator all at
     once in random directions, for it has many optima."""
 
     def at(values: dict[str, float]) -> Trial:
-        again = one.candidate.again
-        assert again is not None
-        candidates = [again(c, values) for c in contexts]
+        make = one.candidate.again
+        assert make is not None
+        candidates = [make(c, values) for c in contexts]
         columns = [prepared(c, each) for c, each in zip(contexts, candidates, strict=True)]
-        return trial(now, current, candidates[0], np.concatenate(columns), least)
+        again = trial(one.beside, current, candidates[0], np.concatenate(columns), least)
+        return replace(again, replaced=one.replaced)
 
     if one.candidate.reach:
         return _wandered(one, at)

@@ -30,6 +30,13 @@ STANDS_OUT: Final = 2.0
 LEAST_T: Final = 3.0
 """[standard errors] The least paired t over the parts of a log with which a candidate is taken."""
 
+LEAST_SHARE: Final = 0.1
+"""[share of the mean square left] What a candidate must take away at some joint, in parts that were not
+fitted: a real arm has many small things in it, and a name for each helps nobody."""
+
+REPLACING_SHARE: Final = 0.2
+"""[share of the mean square left] The same for a law that takes the place of a plainer one."""
+
 RELIEF: Final = 20.0
 """[log-likelihood] With more, the arm's own numbers would be too far beyond their confidence without it."""
 
@@ -71,6 +78,22 @@ OSCILLATOR_DIRECTIONS: Final = 16
 
 OSCILLATOR_FARTHEST: Final = 8.0
 """[-] never farther than by this factor."""
+
+# --- common --------------------
+
+COMMON_JOINTS: Final = 0.5
+"""[share of the moving joints] What so many lack, and two at least, is looked for at all joints at once."""
+
+COMMON_T: Final = 2.0
+"""[standard errors] The least paired t over the parts of a log of what is common,"""
+
+COMMON_PARTS: Final = 0.8
+"""[share of the parts] or as many parts in which it explains something."""
+
+# --- forward --------------------
+
+MOST_KINDS: Final = 8
+"""[effects] So many different ones are named at most; what is left beyond is unexplained."""
 
 # --- contact --------------------
 

@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.ceiling import unexplained
 from robodyn.diagnose.select.choice import (
     Trial,
-    best_of,
     evidence_threshold,
     nearest,
     numbers_of,
@@ -28,13 +27,13 @@ from robodyn.diagnose.select.choice import (
     trial,
 )
 from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, less, problem, tighter, without
+from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, without
+from robodyn.diagnose.select.forward import Chosen, Named, forward
 from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
 from robodyn.diagnose.select.limits import (
     BLOCKS,
     CLIPPED_MARGIN,
     DIVERGED,
-    MOST_EFFECTS,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -50,18 +49,6 @@ from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Named:
-    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first."""
-
-    trial: Trial
-    rivals: tuple[str, ...]
-    confidence: float
-    x: Floats
-    stderr: Floats
-    beside: tuple[Trial, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -183,13 +170,13 @@ def select(
     if contact is not None:
         start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
-    chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
+    chosen = forward(start, library, least, contexts, rough=rough, progress=progress)
     if not chosen.findings:
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, TIGHT)
         # Not their errors, which are within what is said of them.
         others = [pair for pair in library if not _is_of_link(pair[0])]
-        other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
+        other = forward(tight, others, least, contexts, rough=rough, progress=progress)
         if other.findings and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = tight, other
     now, current, findings = chosen.now, chosen.current, chosen.findings
@@ -202,63 +189,13 @@ def select(
     return Selection(tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Chosen:
-    """What was chosen, one after another; the problem with all of it, its fit, the trials of the first
-    step."""
-
-    findings: list[Named]
-    now: Problem
-    current: Fit
-    trials: list[Trial]
-
-
-def _chosen(
-    start: Problem,
-    library: Sequence[tuple[Candidate, Floats]],
-    least: Floats,
-    contexts: Sequence[Context],
-    *,
-    rough: bool,
-    progress: Callable[[str], object] | None,
-) -> _Chosen:
-    """One effect after another until none passes, or the columns of all others change."""
-    now, current = start, fitted(start)
-    findings: list[Named] = []
-    trials: list[Trial] = []
-    while len(findings) < MOST_EFFECTS:
-        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
-        tried = [
-            trial(now, current, c, columns, least)
-            for c, columns in library
-            if (c.effect, c.joint) not in taken and (rough or not c.rough)
-        ]
-        tried.sort(key=lambda one: -one.gain)
-        trials = trials or tried
-        best = best_of(now, current, tried, least, contexts, rough=rough)
-        if best is None:
-            break
-        one, rivals, confidence = best
-        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
-        if one.candidate.fixed:
-            now = less(now, one.candidate.rows, one.columns[:, :, 0])
-        else:
-            now = now.with_columns(one.candidate.rows, one.columns)
-        current = fitted(now)
-        if progress is not None:
-            progress(one.candidate.name)
-        if one.candidate.definition.traits.reevaluate:
-            break  # the model is to be evaluated anew before more is looked for
-    return _Chosen(findings, now, current, trials)
-
-
 def _is_of_link(candidate: Candidate) -> bool:
     """Whether it is an error of the arm's own numbers."""
     fold = candidate.definition.traits.fold
     return fold is not None and fold.into == "link"
 
 
-def _evidence(start: Problem, chosen: _Chosen) -> float:
+def _evidence(start: Problem, chosen: Chosen) -> float:
     """How well a prior of the arm's numbers foresaw the logs, with what was chosen, in units of
     log-likelihood (MacKay 1992)."""
     p = chosen.now

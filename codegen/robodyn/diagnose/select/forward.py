@@ -1,0 +1,133 @@
+"""Forward selection: what all joints lack first, then one effect after another, each beside those before."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.choice import Trial, best_of, trial
+from robodyn.diagnose.select.common import common
+from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
+from robodyn.diagnose.select.library import Candidate, Context
+from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Named:
+    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first."""
+
+    trial: Trial
+    rivals: tuple[str, ...]
+    confidence: float
+    x: Floats
+    stderr: Floats
+    beside: tuple[Trial, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chosen:
+    """What was chosen, one after another; the problem with all of it, its fit, the trials of the first
+    step."""
+
+    findings: list[Named]
+    now: Problem
+    current: Fit
+    trials: list[Trial]
+
+
+def forward(
+    start: Problem,
+    library: Sequence[tuple[Candidate, Floats]],
+    least: Floats,
+    contexts: Sequence[Context],
+    *,
+    rough: bool,
+    progress: Callable[[str], object] | None,
+) -> Chosen:
+    """One effect after another until none passes, or the columns of all others change."""
+    tell = progress or (lambda _: None)
+    findings = [Named(one, (), _SURE, one.fit.x, np.zeros(0)) for one in common(start, library, least)]
+    for one in findings:
+        tell(one.trial.candidate.name)
+    now = _with(start, findings)
+    current = fitted(now)
+    trials: list[Trial] = []
+    for _ in range(MOST_EFFECTS):
+        tried = list(_tried(start, now, current, findings, library, least, rough=rough))
+        tried.sort(key=lambda one: -one.gain)
+        trials = trials or tried
+        best = best_of(now, current, tried, least, contexts, rough=rough)
+        if best is None:
+            break
+        one, rivals, confidence = best
+        findings = [each for k, each in enumerate(findings) if k not in one.replaced]
+        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
+        now = _with(start, findings)
+        current = fitted(now)
+        tell(one.candidate.name)
+        if one.candidate.definition.traits.reevaluate:
+            break  # the model is to be evaluated anew before more is looked for
+    return Chosen(findings, now, current, trials)
+
+
+#: Of a name without rivals.
+_SURE = 0.95
+
+
+def _tried(
+    start: Problem,
+    now: Problem,
+    current: Fit,
+    findings: Sequence[Named],
+    library: Sequence[tuple[Candidate, Floats]],
+    least: Floats,
+    *,
+    rough: bool,
+) -> list[Trial]:
+    """Trials of all that was not chosen yet; a law that has one that was chosen as a special case stands for
+    it."""
+    taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
+    kinds = {effect for effect, _ in taken}
+    problems: dict[tuple[int, ...], Problem] = {(): now}
+    trials = []
+    for candidate, columns in library:
+        if (candidate.effect, candidate.joint) in taken or (candidate.rough and not rough):
+            continue
+        if len(kinds) >= MOST_KINDS and candidate.effect not in kinds:
+            continue
+        replaced = _replaced(candidate, findings)
+        if replaced not in problems:
+            rest = [each for k, each in enumerate(findings) if k not in replaced]
+            problems[replaced] = _with(start, rest)
+        one = trial(problems[replaced], current, candidate, columns, least)
+        trials.append(replace(one, replaced=replaced) if replaced else one)
+    return trials
+
+
+def _replaced(candidate: Candidate, findings: Sequence[Named]) -> tuple[int, ...]:
+    """Places of the findings that are special cases of a law at the same joint."""
+    if candidate.joint is None or candidate.beside:
+        return ()
+    traits = candidate.definition.traits
+    special = {*traits.contains, *([traits.steady[0]] if traits.steady else [])}
+    return tuple(
+        k
+        for k, one in enumerate(findings)
+        if one.trial.candidate.joint == candidate.joint and one.trial.candidate.effect in special
+    )
+
+
+def _with(start: Problem, findings: Sequence[Named]) -> Problem:
+    """The problem with the columns of all findings known, or taken off where their size is known."""
+    for one in findings:
+        candidate, columns = one.trial.candidate, one.trial.columns
+        if candidate.fixed:
+            start = less(start, candidate.rows, columns[:, :, 0])
+        else:
+            start = start.with_columns(candidate.rows, columns)
+    return start
