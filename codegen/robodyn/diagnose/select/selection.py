@@ -77,7 +77,7 @@ def start_of(contexts: Sequence[Context]) -> Problem:
     phi = model.standard_parameters()
     scale = np.zeros_like(phi)
     for k, link in enumerate(model.robot.links):
-        confidence = float(link.confidence)
+        confidence = float(link.inertial_share)
         size = np.abs(phi[k])
         floor = np.concatenate([[0.0], np.full(3, 0.02 * size[0]), np.full(6, 0.1 * size[4:7].max())])
         scale[k] = confidence * np.maximum(size, floor)
