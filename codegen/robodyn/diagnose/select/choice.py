@@ -25,6 +25,7 @@ from robodyn.diagnose.select.limits import (
     REFINING_ROUNDS,
     RELIEF,
     REPLACING_SHARE,
+    REPLACING_T,
     ROUGH,
     ROUGH_T,
     TIE,
@@ -65,21 +66,24 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
     if candidate.fixed:  # its size is known: 1
         fit = replace(fitted(less(now, candidate.rows, columns[:, :, 0])), x=np.ones(1), cov=np.zeros((1, 1)))
     else:
-        fit = fitted(now, candidate.rows, columns, candidate.signs)
+        fit = fitted(now, candidate.rows, columns, candidate.signs, candidate.scale)
     weight = now.independent / BLOCKS / 2
     floor = np.maximum(fit.held_out.mean(axis=0), 1.0)
     per_part = weight * ((current.held_out - fit.held_out) / floor).sum(axis=1)
     relief = current.prior_penalty - fit.prior_penalty
+    if candidate.scale is not None:
+        relief -= float(np.sum((fit.x / candidate.scale) ** 2)) / 2
     gain = float(per_part.sum()) + relief
     error = float(per_part.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
     rows = list(candidate.rows)
     explained = np.sqrt(np.mean((columns @ fit.x) ** 2, axis=0)) / now.sigma[rows]
     matters = float(np.max(explained / least[rows]))
     t = float(per_part.mean()) / error
-    if relief > max(0.5 * gain, RELIEF):
-        t = max(t, LEAST_T)  # the residual is small either way: the arm's numbers would be wrong
     before, after = (np.maximum(x.held_out.mean(axis=0)[rows], 1e-300) for x in (current, fit))
     share = float(np.max(1 - after / before))
+    if relief > max(0.5 * gain, RELIEF):
+        # The residual is small either way: the arm's numbers would be wrong.
+        t, share = max(t, LEAST_T), max(share, relief / gain)
     return Trial(candidate, columns, fit, gain, t, matters, per_part, share, now)
 
 
@@ -119,6 +123,8 @@ def best_of(
         if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
             steady = steady or (one.t >= ROUGH_T and one.gain > 2 * wanted)
         if one.share < (REPLACING_SHARE if one.replaced else LEAST_SHARE) and not c.local:
+            return False
+        if one.replaced and one.t < REPLACING_T:
             return False
         if c.local:
             steady = one.t >= 1 and one.gain > 3 * wanted

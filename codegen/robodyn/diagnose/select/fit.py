@@ -47,14 +47,20 @@ class Problem:
         """Number of independent samples."""
         return len(self.rest) / self.thin
 
-    def with_columns(self, rows: tuple[int, ...], columns: Floats) -> Problem:
-        """The problem with more known columns [N, rows, c], in N m or N, fitted freely."""
+    def with_columns(self, rows: tuple[int, ...], columns: Floats, scale: Floats | None = None) -> Problem:
+        """The problem with more known columns [N, rows, c], in N m or N, fitted freely, or with a prior of
+        standard deviations ``scale`` [c]."""
         wide = np.zeros((*self.rest.shape, columns.shape[2]))
         wide[:, list(rows)] = columns / self.sigma[list(rows)][None, :, None]
         A = np.concatenate([self.A, wide], axis=2)
         grams, rights = _grams(A, self.rest, self.parts)
-        prior = np.concatenate([self.prior, np.full(columns.shape[2], FREE_PRECISION)])
+        prior = np.concatenate([self.prior, _precisions(columns.shape[2], scale, self.thin)])
         return replace(self, A=A, prior=prior, grams=grams, rights=rights)
+
+
+def _precisions(c: int, scale: Floats | None, thin: float) -> Floats:
+    """The precisions [c] of coefficients that are free, or have standard deviations ``scale`` [c]."""
+    return np.full(c, FREE_PRECISION) if scale is None else thin / scale**2
 
 
 def without(p: Problem, mask: NDArray[np.bool_]) -> Problem:
@@ -85,6 +91,14 @@ def tighter(p: Problem, share: float) -> Problem:
     prior = p.prior.copy()
     prior[: p.nuisance] /= share**2
     return replace(p, prior=prior)
+
+
+def wider(p: Problem, fresh: Problem) -> Problem:
+    """The problem with the nuisance of ``fresh``, which is of the same log: its columns in the weights and
+    without the rows that no longer count."""
+    A = fresh.A * (fresh.sigma / p.sigma)[:, None] * np.any(p.rest != 0, axis=1)[:, None, None]
+    grams, rights = _grams(A, p.rest, p.parts)
+    return replace(p, A=A, prior=fresh.prior, grams=grams, rights=rights, nuisance=fresh.nuisance)
 
 
 def problem(
@@ -125,10 +139,14 @@ class Fit:
 
 
 def fitted(
-    p: Problem, rows: tuple[int, ...] = (), columns: Floats | None = None, signs: tuple[int, ...] = ()
+    p: Problem,
+    rows: tuple[int, ...] = (),
+    columns: Floats | None = None,
+    signs: tuple[int, ...] = (),
+    scale: Floats | None = None,
 ) -> Fit:
     """The problem with the columns [N, rows, c] tried; ``signs`` +1 keeps a coefficient from being
-    negative."""
+    negative; ``scale`` [c]: standard deviations of a prior about 0, where they have one."""
     at = list(rows)
     c = 0 if columns is None else columns.shape[2]
     X = np.zeros((len(p.rest), 0, 0)) if columns is None else columns / p.sigma[at][None, :, None]
@@ -147,7 +165,7 @@ def fitted(
             grams[k, P:, :P] = x.T @ y
             grams[k, :P, P:] = grams[k, P:, :P].T
             rights[k, P:] = x.T @ p.rest[part][:, at].reshape(-1)
-    prior = np.concatenate([p.prior, np.full(c, FREE_PRECISION)])
+    prior = np.concatenate([p.prior, _precisions(c, None if scale is None else scale * size, p.thin)])
     G, g = grams.sum(axis=0), rights.sum(axis=0)
     systems = np.concatenate([(G - grams) + np.diag(prior), (G + np.diag(prior))[None]])
     right = np.concatenate([g - rights, g[None]])

@@ -12,7 +12,7 @@ from robodyn.diagnose.select.choice import Trial, best_of, trial
 from robodyn.diagnose.select.common import common
 from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
-from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS
+from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, SURE
 
 Floats = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ def forward(
 ) -> Chosen:
     """One effect after another until none passes, or the columns of all others change."""
     tell = progress or (lambda _: None)
-    findings = [Named(one, (), _SURE, one.fit.x, np.zeros(0)) for one in common(start, library, least)]
+    findings = [Named(one, (), SURE, one.fit.x, np.zeros(0)) for one in common(start, library, least)]
     for one in findings:
         tell(one.trial.candidate.name)
     now = _with(start, findings)
@@ -75,10 +75,6 @@ def forward(
     return Chosen(findings, now, current, trials)
 
 
-#: Of a name without rivals.
-_SURE = 0.95
-
-
 def _tried(
     start: Problem,
     now: Problem,
@@ -100,6 +96,8 @@ def _tried(
             continue
         if len(kinds) >= MOST_KINDS and candidate.effect not in kinds:
             continue
+        if _is_covered(candidate, findings):
+            continue
         replaced = _replaced(candidate, findings)
         if replaced not in problems:
             rest = [each for k, each in enumerate(findings) if k not in replaced]
@@ -109,16 +107,39 @@ def _tried(
     return trials
 
 
-def _replaced(candidate: Candidate, findings: Sequence[Named]) -> tuple[int, ...]:
-    """Places of the findings that are special cases of a law at the same joint."""
-    if candidate.joint is None or candidate.beside:
-        return ()
+def _special_cases(candidate: Candidate) -> set[str]:
+    """Ids of the effects that a law has as special cases."""
     traits = candidate.definition.traits
-    special = {*traits.contains, *([traits.steady[0]] if traits.steady else [])}
+    return {*traits.contains, *([traits.steady[0]] if traits.steady else [])}
+
+
+def _is_covered(candidate: Candidate, findings: Sequence[Named]) -> bool:
+    """Whether a law at the same joint has the candidate as a special case."""
+    return any(
+        one.trial.candidate.joint == candidate.joint
+        and candidate.effect in _special_cases(one.trial.candidate)
+        and candidate.effect not in one.trial.candidate.beside
+        for one in findings
+    )
+
+
+def _replaced(candidate: Candidate, findings: Sequence[Named]) -> tuple[int, ...]:
+    """Places of the findings at the same joint of which a law takes the place: its special cases, and other
+    laws of the same place in the drive with the same special cases, since a joint has one friction law."""
+    special = _special_cases(candidate)
+    if candidate.joint is None or candidate.beside or not special:
+        return ()
     return tuple(
         k
         for k, one in enumerate(findings)
-        if one.trial.candidate.joint == candidate.joint and one.trial.candidate.effect in special
+        if one.trial.candidate.joint == candidate.joint
+        and (
+            one.trial.candidate.effect in special
+            or (
+                one.trial.candidate.definition.place == candidate.definition.place
+                and special & _special_cases(one.trial.candidate)
+            )
+        )
     )
 
 
@@ -129,5 +150,5 @@ def _with(start: Problem, findings: Sequence[Named]) -> Problem:
         if candidate.fixed:
             start = less(start, candidate.rows, columns[:, :, 0])
         else:
-            start = start.with_columns(candidate.rows, columns)
+            start = start.with_columns(candidate.rows, columns, candidate.scale)
     return start

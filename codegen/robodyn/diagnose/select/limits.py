@@ -58,6 +58,9 @@ NEARLY: Final = 0.9
 ROUGH: Final = 3.0
 """[mean squares of the noise] If no candidate leaves less, the log has what is not in the catalogue."""
 
+REPLACING_T: Final = 2.0
+"""[standard errors] The least paired t of a law that takes the place of a plainer one."""
+
 ROUGH_T: Final = 1.3
 """[standard errors] In such a log this t suffices with twice the evidence."""
 
@@ -91,6 +94,9 @@ COMMON_PARTS: Final = 0.8
 """[share of the parts] or as many parts in which it explains something."""
 
 # --- forward --------------------
+
+SURE: Final = 0.95
+"""[probability] Of a name without rivals."""
 
 MOST_KINDS: Final = 8
 """[effects] So many different ones are named at most; what is left beyond is unexplained."""
@@ -150,6 +156,20 @@ ENCODER_OFF: Final = 0.25
 
 PAIR_RATIOS: Final = (1.0, -1.0)
 """[-] What the motor of a pair turns by a turn of its other joint: those that are tried."""
+
+LINK_WRONG: Final = 3.0
+"""[shares] Numbers of a link that is not as described are about so many times as large as it says, or its
+neighbours' (a prior, for most motions do not see all of them)."""
+
+LIGHTEST: Final = 0.2
+"""[share of the heaviest, the longest] A link counts as at least so heavy and so long, where the size of an
+error is concerned."""
+
+LOAD_SHARE: Final = 1.0
+"""[share of the arm's mass] A load is about as heavy (a prior),"""
+
+LOAD_SIZE: Final = 0.15
+"""[m] about as large (a prior for what most motions do not see),"""
 
 LOAD_REACH: Final = 0.7
 """[m] The centre of a load is no farther from the last link's frame."""

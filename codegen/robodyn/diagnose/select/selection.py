@@ -27,9 +27,10 @@ from robodyn.diagnose.select.choice import (
     trial,
 )
 from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, without
+from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider, without
 from robodyn.diagnose.select.forward import Chosen, Named, forward
 from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
+from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     BLOCKS,
     CLIPPED_MARGIN,
@@ -71,16 +72,26 @@ class Selection:
         return self.contexts[0]
 
 
-def start_of(contexts: Sequence[Context]) -> Problem:
-    """The filtered residual of the model, and the nuisance of its rigid numbers."""
-    model, s = contexts[0].model, contexts[0].signals
+def prior_scales(model: Model, widest: bool = False) -> Floats:
+    """Standard deviations [n, 10] of the links' standard parameters about the description: by the share that
+    is stated of each; ``widest``: where none is stated, as of a guess."""
     phi = model.standard_parameters()
-    scale = np.zeros_like(phi)
+    scales, usual = np.zeros_like(phi), usual_sizes(model)
     for k, link in enumerate(model.robot.links):
-        confidence = float(link.inertial_share)
+        guessed = link.confidence == "unknown" or (widest and link.confidence is None)
+        if guessed:
+            scales[k] = np.maximum(np.abs(phi[k]), usual[k])
+            continue
         size = np.abs(phi[k])
         floor = np.concatenate([[0.0], np.full(3, 0.02 * size[0]), np.full(6, 0.1 * size[4:7].max())])
-        scale[k] = confidence * np.maximum(size, floor)
+        scales[k] = float(link.inertial_share) * np.maximum(size, floor)
+    return scales
+
+
+def start_of(contexts: Sequence[Context], scale: Floats) -> Problem:
+    """The filtered residual of the model, and the nuisance of its rigid numbers, which are right to
+    ``scale`` [n, 10]."""
+    model, s = contexts[0].model, contexts[0].signals
     rests, nuisances = [], []
     for c in contexts:
         rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
@@ -152,7 +163,8 @@ def select(
         if log.samples * seen.period > SHORTEST_PIECE / seen.cutoff:
             more = signals_of(log, cutoff=seen.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
-    start = start_of(contexts)
+    narrow = prior_scales(context.model)
+    start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
     columns = zip(*(candidates(each) for each in contexts), strict=True)
     library = [
@@ -171,14 +183,21 @@ def select(
         start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
     chosen = forward(start, library, least, contexts, rough=rough, progress=progress)
+    # Not the errors of its numbers, which are within what is said of them.
+    others = [pair for pair in library if not _is_of_link(pair[0])]
     if not chosen.findings:
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, TIGHT)
-        # Not their errors, which are within what is said of them.
-        others = [pair for pair in library if not _is_of_link(pair[0])]
         other = forward(tight, others, least, contexts, rough=rough, progress=progress)
         if other.findings and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = tight, other
+    widest = prior_scales(context.model, widest=True)
+    if chosen.findings and np.any(widest > narrow):
+        # What is stated of no number is learned from the log: are they a guess?
+        wide = wider(start, start_of(contexts, widest))
+        other = forward(wide, others, least, contexts, rough=rough, progress=progress)
+        if _evidence(wide, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
+            start, chosen = wide, other
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
