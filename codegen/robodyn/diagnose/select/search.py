@@ -161,7 +161,7 @@ def _piece(log: Log, part: slice) -> Log:
     if part == slice(0, log.samples):
         return log
     cut = [None if x is None else x[part] for x in (log.t, log.q, log.qd, log.qdd, log.tau)]
-    return Log(*cut)  # type: ignore[arg-type]
+    return Log(*cut, ql=None if log.ql is None else log.ql[part])  # type: ignore[arg-type, misc]
 
 
 def estimates(
