@@ -67,9 +67,7 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
         fit = replace(fitted(less(now, candidate.rows, columns[:, :, 0])), x=np.ones(1), cov=np.zeros((1, 1)))
     else:
         fit = fitted(now, candidate.rows, columns, candidate.signs, candidate.scale)
-    weight = now.independent / BLOCKS / 2
-    floor = np.maximum(fit.held_out.mean(axis=0), 1.0)
-    per_part = weight * ((current.held_out - fit.held_out) / floor).sum(axis=1)
+    per_part = _per_part(now, current, fit)
     relief = current.prior_penalty - fit.prior_penalty
     if candidate.scale is not None:
         relief -= float(np.sum((fit.x / candidate.scale) ** 2)) / 2
@@ -85,6 +83,18 @@ def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, lea
         # The residual is small either way: the arm's numbers would be wrong.
         t, share = max(t, LEAST_T), max(share, relief / gain)
     return Trial(candidate, columns, fit, gain, t, matters, per_part, share, now)
+
+
+def _per_part(now: Problem, current: Fit, fit: Fit) -> Floats:
+    """What ``fit`` explains more than ``current`` of each part [BLOCKS], in units of log-likelihood."""
+    floor = np.maximum(fit.held_out.mean(axis=0), 1.0)
+    change = (current.held_out - fit.held_out) / floor
+    return np.asarray(now.independent / BLOCKS / 2 * change.sum(axis=1))
+
+
+def gain_of(now: Problem, current: Fit, fit: Fit) -> float:
+    """What ``fit`` explains more than ``current`` of all parts, in units of log-likelihood."""
+    return float(_per_part(now, current, fit).sum()) + current.prior_penalty - fit.prior_penalty
 
 
 def prepared(context: Context, candidate: Candidate) -> Floats:

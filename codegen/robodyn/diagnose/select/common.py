@@ -8,12 +8,13 @@ of everything (a turned base, a delay, a coupling) is taken before them.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.choice import Trial, evidence_threshold, trial
-from robodyn.diagnose.select.fit import Problem, fitted
+from robodyn.diagnose.select.choice import Trial, evidence_threshold, gain_of, trial
+from robodyn.diagnose.select.fit import Fit, Problem, fitted
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import BLOCKS, COMMON_JOINTS, COMMON_PARTS, COMMON_T
 
@@ -27,29 +28,36 @@ def is_common(candidate: Candidate) -> bool:
     return fold is not None and fold.into == "joint"
 
 
-def common(start: Problem, library: Sequence[Pair], least: Floats) -> list[Trial]:
-    """Trials of what most joints lack, each beside all the others, largest gain first; empty if few joints
-    lack it. ``least`` [n]: what matters, in units of the noise."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Group:
+    """Trials of what most joints lack, each beside all the others, largest gain first, and the ``gain`` of
+    all together in units of log-likelihood."""
+
+    trials: tuple[Trial, ...]
+    gain: float
+
+
+def common(start: Problem, current: Fit, library: Sequence[Pair], least: Floats) -> Group:
+    """What most joints lack beside what is known already, with its fit ``current``; empty if few joints lack
+    it. ``least`` [n]: what matters, in units of the noise."""
     chosen = _plain(library)
+    moving = {c.joint for c, _ in chosen}
     while chosen:
-        whole = _with(start, chosen)
-        together = fitted(whole)
+        together = fitted(_with(start, chosen))
         at = start.A.shape[2]
         negative = {k for k in range(len(chosen)) if together.known[at + k] <= 0}
         if negative:
             chosen = [pair for k, pair in enumerate(chosen) if k not in negative]
             continue
         trials = [_beside(start, chosen, k, least) for k in range(len(chosen))]
-        weakest = min(range(len(chosen)), key=lambda k: trials[k].gain)
-        if _stays(start, trials[weakest]):
-            weakest = next((k for k, one in enumerate(trials) if not _stays(start, one)), -1)
-        if weakest < 0:
-            moving = {c.joint for c, x in _plain(library)}
+        leaving = [k for k, one in enumerate(trials) if not _stays(start, one)]
+        if not leaving:
             joints = {one.candidate.joint for one in trials}
-            enough = len(joints) >= max(2, COMMON_JOINTS * len(moving))
-            return sorted(trials, key=lambda one: -one.gain) if enough else []
-        del chosen[weakest]
-    return []
+            if len(joints) < max(2, COMMON_JOINTS * len(moving)):
+                break
+            return Group(tuple(sorted(trials, key=lambda one: -one.gain)), gain_of(start, current, together))
+        del chosen[min(leaving, key=lambda k: trials[k].gain)]
+    return Group((), 0.0)
 
 
 def _plain(library: Sequence[Pair]) -> list[Pair]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.choice import Trial, best_of, trial
-from robodyn.diagnose.select.common import common
+from robodyn.diagnose.select.common import Pair, common
 from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, SURE
@@ -42,7 +42,7 @@ class Chosen:
 
 def forward(
     start: Problem,
-    library: Sequence[tuple[Candidate, Floats]],
+    library: Sequence[Pair],
     least: Floats,
     contexts: Sequence[Context],
     *,
@@ -51,17 +51,26 @@ def forward(
 ) -> Chosen:
     """One effect after another until none passes, or the columns of all others change."""
     tell = progress or (lambda _: None)
-    findings = [Named(one, (), SURE, one.fit.x, np.zeros(0)) for one in common(start, library, least)]
-    for one in findings:
-        tell(one.trial.candidate.name)
-    now = _with(start, findings)
-    current = fitted(now)
+    findings: list[Named] = []
+    now, current = start, fitted(start)
     trials: list[Trial] = []
+    is_grouped = False
     for _ in range(MOST_EFFECTS):
-        tried = list(_tried(start, now, current, findings, library, least, rough=rough))
+        tried = _tried(start, now, current, findings, library, least, rough=rough)
         tried.sort(key=lambda one: -one.gain)
         trials = trials or tried
         best = best_of(now, current, tried, least, contexts, rough=rough)
+        if not is_grouped:
+            group = common(now, current, _untaken(library, findings), least)
+            # One thing that explains more than friction everywhere (a delay) may look like that.
+            if group.trials and (best is None or best[0].gain < group.gain):
+                is_grouped = True
+                findings += [Named(one, (), SURE, one.fit.x, np.zeros(0)) for one in group.trials]
+                for one in group.trials:
+                    tell(one.candidate.name)
+                now = _with(start, findings)
+                current = fitted(now)
+                continue
         if best is None:
             break
         one, rivals, confidence = best
@@ -75,12 +84,18 @@ def forward(
     return Chosen(findings, now, current, trials)
 
 
+def _untaken(library: Sequence[Pair], findings: Sequence[Named]) -> list[Pair]:
+    """What is in no finding yet."""
+    taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
+    return [pair for pair in library if (pair[0].effect, pair[0].joint) not in taken]
+
+
 def _tried(
     start: Problem,
     now: Problem,
     current: Fit,
     findings: Sequence[Named],
-    library: Sequence[tuple[Candidate, Floats]],
+    library: Sequence[Pair],
     least: Floats,
     *,
     rough: bool,
