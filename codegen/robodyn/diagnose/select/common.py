@@ -13,13 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.choice import Trial, evidence_threshold, gain_of, trial
+from robodyn.diagnose.select.beside import Library
+from robodyn.diagnose.select.choice import Trial, evidence_threshold, gain_of, trials
 from robodyn.diagnose.select.fit import Fit, Problem, fitted
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import BLOCKS, COMMON_JOINTS, COMMON_PARTS, COMMON_T
 
 Floats = NDArray[np.float64]
-Pair = tuple[Candidate, Floats]
 
 
 def is_common(candidate: Candidate) -> bool:
@@ -37,53 +37,52 @@ class Group:
     gain: float
 
 
-def common(start: Problem, current: Fit, library: Sequence[Pair], least: Floats) -> Group:
-    """What most joints lack beside what is known already, with its fit ``current``; empty if few joints lack
-    it. ``least`` [n]: what matters, in units of the noise."""
-    chosen = _plain(library)
-    moving = {c.joint for c, _ in chosen}
+def common(start: Problem, current: Fit, library: Library, which: Sequence[int], least: Floats) -> Group:
+    """What most joints lack beside what is known already, with its fit ``current``, of the candidates
+    ``which``; empty if few joints lack it. ``least`` [n]: what matters, in units of the noise."""
+    chosen = _plain(library, which)
+    moving = {library.candidates[k].joint for k in chosen}
     while chosen:
-        together = fitted(_with(start, chosen))
+        whole = start
+        for k in chosen:
+            whole = whole.with_columns(library.candidates[k].rows, library.of_candidate(k))
+        together = fitted(whole)
         at = start.A.shape[2]
-        negative = {k for k in range(len(chosen)) if together.known[at + k] <= 0}
-        if negative:
-            chosen = [pair for k, pair in enumerate(chosen) if k not in negative]
+        positive = [k for i, k in enumerate(chosen) if together.known[at + i] > 0]
+        if len(positive) < len(chosen):
+            chosen = positive
             continue
-        trials = [_beside(start, chosen, k, least) for k in range(len(chosen))]
-        leaving = [k for k, one in enumerate(trials) if not _stays(start, one)]
+        tried = [_beside(whole, at + i, library, k, least) for i, k in enumerate(chosen)]
+        leaving = [i for i, one in enumerate(tried) if not _stays(start, one)]
         if not leaving:
-            joints = {one.candidate.joint for one in trials}
+            joints = {one.candidate.joint for one in tried}
             if len(joints) < max(2, COMMON_JOINTS * len(moving)):
                 break
-            return Group(tuple(sorted(trials, key=lambda one: -one.gain)), gain_of(start, current, together))
-        del chosen[min(leaving, key=lambda k: trials[k].gain)]
+            return Group(tuple(sorted(tried, key=lambda one: -one.gain)), gain_of(start, current, together))
+        del chosen[min(leaving, key=lambda i: tried[i].gain)]
     return Group((), 0.0)
 
 
-def _plain(library: Sequence[Pair]) -> list[Pair]:
+def _plain(library: Library, which: Sequence[int]) -> list[int]:
     """Of each common effect at each joint that moves the simplest candidate."""
-    best: dict[tuple[str, int | None], Pair] = {}
-    for candidate, columns in library:
+    best: dict[tuple[str, int | None], int] = {}
+    for k in which:
+        candidate = library.candidates[k]
         key = (candidate.effect, candidate.joint)
-        if not is_common(candidate) or candidate.stand_in or candidate.values or not np.any(columns):
+        if not is_common(candidate) or candidate.stand_in or candidate.values:
             continue
-        if key not in best or candidate.order < best[key][0].order:
-            best[key] = (candidate, columns)
+        if np.any(library.of_candidate(k)) and (
+            key not in best or candidate.order < library.candidates[best[key]].order
+        ):
+            best[key] = k
     return list(best.values())
 
 
-def _with(start: Problem, chosen: Sequence[Pair]) -> Problem:
-    """The problem with all of their columns known."""
-    for candidate, columns in chosen:
-        start = start.with_columns(candidate.rows, columns)
-    return start
-
-
-def _beside(start: Problem, chosen: Sequence[Pair], k: int, least: Floats) -> Trial:
-    """The trial of one of them beside the others."""
-    others = _with(start, [pair for i, pair in enumerate(chosen) if i != k])
-    candidate, columns = chosen[k]
-    return trial(others, fitted(others), candidate, columns, least)
+def _beside(whole: Problem, at: int, library: Library, k: int, least: Floats) -> Trial:
+    """The trial of candidate ``k``, whose column of the problem is ``at``, beside the others."""
+    others = whole.without_column(at)
+    (one,) = trials(others, fitted(others), library, least, [k])
+    return one
 
 
 def _stays(start: Problem, one: Trial) -> bool:

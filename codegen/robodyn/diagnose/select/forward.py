@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.choice import Trial, best_of, trial
-from robodyn.diagnose.select.common import Pair, common
+from robodyn.diagnose.select.beside import Library
+from robodyn.diagnose.select.choice import Trial, best_of, trials, without_columns
+from robodyn.diagnose.select.common import common
 from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, SURE
@@ -42,30 +43,34 @@ class Chosen:
 
 def forward(
     start: Problem,
-    library: Sequence[Pair],
+    library: Library,
     least: Floats,
     contexts: Sequence[Context],
     *,
     rough: bool,
+    links: bool = True,
     progress: Callable[[str], object] | None,
 ) -> Chosen:
-    """One effect after another until none passes, or the columns of all others change."""
+    """One effect after another until none passes, or the columns of all others change; errors of the arm's
+    own numbers only with ``links``."""
     tell = progress or (lambda _: None)
     findings: list[Named] = []
     now, current = start, fitted(start)
-    trials: list[Trial] = []
+    begun: list[Trial] = []
     is_grouped = False
     for _ in range(MOST_EFFECTS):
-        tried = _tried(start, now, current, findings, library, least, rough=rough)
-        tried.sort(key=lambda one: -one.gain)
-        trials = trials or tried
+        which = _untaken(library, findings, rough=rough, links=links)
+        tried = _tried(start, now, current, findings, library, which, least)
+        begun = begun or [without_columns(one) for one in tried]
         best = best_of(now, current, tried, least, contexts, rough=rough)
         if not is_grouped:
-            group = common(now, current, _untaken(library, findings), least)
+            group = common(now, current, library, which, least)
             # One thing that explains more than friction everywhere (a delay) may look like that.
             if group.trials and (best is None or best[0].gain < group.gain):
                 is_grouped = True
-                findings += [Named(one, (), SURE, one.fit.x, np.zeros(0)) for one in group.trials]
+                for one in group.trials:
+                    one = replace(one, columns=one.columns.copy())
+                    findings.append(Named(one, (), SURE, one.fit.x, np.zeros(0)))
                 for one in group.trials:
                     tell(one.candidate.name)
                 now = _with(start, findings)
@@ -75,19 +80,36 @@ def forward(
             break
         one, rivals, confidence = best
         findings = [each for k, each in enumerate(findings) if k not in one.replaced]
-        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
+        one = replace(one, columns=one.columns.copy())
+        beside = tuple(without_columns(each) for each in tried[:40])
+        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), beside))
         now = _with(start, findings)
         current = fitted(now)
         tell(one.candidate.name)
         if one.candidate.definition.traits.reevaluate:
             break  # the model is to be evaluated anew before more is looked for
-    return Chosen(findings, now, current, trials)
+    return Chosen(findings, now, current, begun)
 
 
-def _untaken(library: Sequence[Pair], findings: Sequence[Named]) -> list[Pair]:
-    """What is in no finding yet."""
+def _untaken(library: Library, findings: Sequence[Named], *, rough: bool, links: bool) -> list[int]:
+    """The candidates that may still be taken."""
     taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
-    return [pair for pair in library if (pair[0].effect, pair[0].joint) not in taken]
+    kinds = {effect for effect, _ in taken}
+    return [
+        k
+        for k, c in enumerate(library.candidates)
+        if (c.effect, c.joint) not in taken
+        and (rough or not c.rough)
+        and (links or not _is_of_link(c))
+        and (len(kinds) < MOST_KINDS or c.effect in kinds)
+        and not _is_covered(c, findings)
+    ]
+
+
+def _is_of_link(candidate: Candidate) -> bool:
+    """Whether it is an error of the arm's own numbers."""
+    fold = candidate.definition.traits.fold
+    return fold is not None and fold.into == "link"
 
 
 def _tried(
@@ -95,31 +117,23 @@ def _tried(
     now: Problem,
     current: Fit,
     findings: Sequence[Named],
-    library: Sequence[Pair],
+    library: Library,
+    which: Sequence[int],
     least: Floats,
-    *,
-    rough: bool,
 ) -> list[Trial]:
-    """Trials of all that was not chosen yet; a law that has one that was chosen as a special case stands for
-    it."""
-    taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
-    kinds = {effect for effect, _ in taken}
-    problems: dict[tuple[int, ...], Problem] = {(): now}
-    trials = []
-    for candidate, columns in library:
-        if (candidate.effect, candidate.joint) in taken or (candidate.rough and not rough):
+    """Trials of the candidates ``which``, best first; a law stands in the place of its special cases."""
+    groups: dict[tuple[int, ...], list[int]] = {}
+    for k in which:
+        groups.setdefault(_replaced(library.candidates[k], findings), []).append(k)
+    tried = []
+    for replaced, group in groups.items():
+        if not replaced:
+            tried += trials(now, current, library, least, group)
             continue
-        if len(kinds) >= MOST_KINDS and candidate.effect not in kinds:
-            continue
-        if _is_covered(candidate, findings):
-            continue
-        replaced = _replaced(candidate, findings)
-        if replaced not in problems:
-            rest = [each for k, each in enumerate(findings) if k not in replaced]
-            problems[replaced] = _with(start, rest)
-        one = trial(problems[replaced], current, candidate, columns, least)
-        trials.append(replace(one, replaced=replaced) if replaced else one)
-    return trials
+        others = _with(start, [one for k, one in enumerate(findings) if k not in replaced])
+        fit = fitted(others)
+        tried += trials(others, fit, library, least, group, against=current, replaced=replaced)
+    return sorted(tried, key=lambda one: -one.gain)
 
 
 def _special_cases(candidate: Candidate) -> set[str]:

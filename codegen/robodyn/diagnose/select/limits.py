@@ -17,6 +17,13 @@ BLOCKS: Final = 10
 FREE_PRECISION: Final = 1e-9
 """[1/variance] The prior of a coefficient that may be anything."""
 
+UNSEEN_NUISANCE: Final = 1e-6
+"""[squares over the noise] A direction of the arm's own numbers that shows less along the whole logs, if it
+is off by one standard deviation of its prior, is left out: no fit would move it."""
+
+SPANNED: Final = 1e-9
+"""[share of its squares] A candidate of which what is known leaves less adds nothing."""
+
 # --- ceiling --------------------
 
 CEILING_RIDGE: Final = 1e-3

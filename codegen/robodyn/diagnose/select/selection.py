@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.ceiling import unexplained
 from robodyn.diagnose.select.choice import (
     Trial,
@@ -24,12 +25,12 @@ from robodyn.diagnose.select.choice import (
     nearest,
     numbers_of,
     prepared,
-    trial,
+    trials,
 )
 from robodyn.diagnose.select.contact import Contact, contact_in
 from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider, without
 from robodyn.diagnose.select.forward import Chosen, Named, forward
-from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
+from robodyn.diagnose.select.library import Context, candidates, context_of
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     BLOCKS,
@@ -167,10 +168,10 @@ def select(
     start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
     columns = zip(*(candidates(each) for each in contexts), strict=True)
-    library = [
+    library = Library.of(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in columns
-    ]
+    )
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
@@ -183,19 +184,18 @@ def select(
         start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
     chosen = forward(start, library, least, contexts, rough=rough, progress=progress)
-    # Not the errors of its numbers, which are within what is said of them.
-    others = [pair for pair in library if not _is_of_link(pair[0])]
     if not chosen.findings:
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, TIGHT)
-        other = forward(tight, others, least, contexts, rough=rough, progress=progress)
+        # Not their errors, which are within what is said of them.
+        other = forward(tight, library, least, contexts, rough=rough, links=False, progress=progress)
         if other.findings and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = tight, other
     widest = prior_scales(context.model, widest=True)
     if chosen.findings and np.any(widest > narrow):
         # What is stated of no number is learned from the log: are they a guess?
         wide = wider(start, start_of(contexts, widest))
-        other = forward(wide, others, least, contexts, rough=rough, progress=progress)
+        other = forward(wide, library, least, contexts, rough=rough, links=False, progress=progress)
         if _evidence(wide, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = wide, other
     now, current, findings = chosen.now, chosen.current, chosen.findings
@@ -206,12 +206,6 @@ def select(
     left = factor * np.abs(now.rest - now.A @ current.known)
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
     return Selection(tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue)
-
-
-def _is_of_link(candidate: Candidate) -> bool:
-    """Whether it is an error of the arm's own numbers."""
-    fold = candidate.definition.traits.fold
-    return fold is not None and fold.into == "link"
 
 
 def _evidence(start: Problem, chosen: Chosen) -> float:
@@ -232,9 +226,7 @@ def _evidence(start: Problem, chosen: Chosen) -> float:
     return -misfit - spread - penalty - width - choice
 
 
-def _factor(
-    start: Problem, library: Sequence[tuple[Candidate, Floats]], least: Floats, contexts: Sequence[Context]
-) -> Floats:
+def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[Context]) -> Floats:
     """How much larger [n] than the noise is what neither the library nor one of its candidates explains."""
     factor = unexplained(start, library)
     if np.all(factor == 1):
@@ -243,33 +235,29 @@ def _factor(
     # A single burst may have biased all these fits.
     for left in (start.rest, start.rest - start.A @ current.known):
         factor = np.where(1.4826 * np.median(np.abs(left), axis=0) < STANDS_OUT, 1.0, factor)
-    tried = [trial(start, current, c, columns, least) for c, columns in library]
-    tried.sort(key=lambda one: -one.gain)
+    tried = trials(start, current, library, least)
     for one in nearest(start, current, tried, least, contexts):
         left = np.sqrt(np.median(one.fit.held_out, axis=0))
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
 
 
-def _otherwise(
-    start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]], least: Floats
-) -> bool:
+def _otherwise(start: Problem, contact: Contact, library: Library, least: Floats) -> bool:
     """Whether an effect that acts all along explains more of a log than a contact does of its window."""
     current = fitted(start)
     by_force = contact.explained * float((start.rest[contact.mask] ** 2).sum()) / 2 / start.thin
-    best = max(trial(start, current, c, columns, least).gain for c, columns in library)
-    return best > by_force
+    return trials(start, current, library, least)[0].gain > by_force
 
 
-def _clipped_there(start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
+def _clipped_there(start: Problem, contact: Contact, library: Library) -> bool:
     """Whether a torque that is cut off explains the burst as well as a force does."""
     b = start.rest[contact.mask]
-    for candidate, columns in library:
+    for k, candidate in enumerate(library.candidates):
         channel = candidate.definition.traits.channel
         if channel is not None and channel.acts == "limit":
             left = b.copy()
             rows = list(candidate.rows)
-            left[:, rows] -= columns[contact.mask][:, :, 0] / start.sigma[rows]
+            left[:, rows] -= library.of_candidate(k)[contact.mask][:, :, 0] / start.sigma[rows]
             if 1 - float(np.sum(left**2) / np.sum(b**2)) > contact.explained - CLIPPED_MARGIN:
                 return True
     return False

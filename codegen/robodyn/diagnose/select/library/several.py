@@ -94,7 +94,7 @@ def _body(c: Context, effect: Effect, shown: Shown) -> Candidate:
 
 def sizes_of(mass: float, length: float) -> Floats:
     """Standard parameters [10] that are usual of a body of a mass [kg] and a length [m]."""
-    return np.maximum(mass, 1e-6) * np.concatenate([[1.0], np.full(3, length), np.full(6, length**2)])
+    return np.asarray(max(mass, 1e-6) * np.concatenate([[1.0], np.full(3, length), np.full(6, length**2)]))
 
 
 def usual_sizes(model: Model) -> Floats:
@@ -106,14 +106,15 @@ def usual_sizes(model: Model) -> Floats:
 
 
 def _lengths(model: Model) -> list[float]:
-    """About how long [m] each link is: the farthest of its centre of mass and the next joint, no less than a
+    """About how long [m] each link is, from its centre of mass and the next joint, no less than a
     share of the longest."""
     links = model.robot.links
     lengths = []
     for k, link in enumerate(links):
         ahead = links[k + 1].joint if k + 1 < len(links) else None
-        way = [float(ahead.a), float(ahead.d)] if ahead is not None else [0.0]
-        lengths.append(max(float(np.linalg.norm([float(x) for x in link.com])), *map(abs, way)))
+        numbers = [*link.com, *([ahead.a, ahead.d] if ahead is not None else [])]
+        sizes = [abs(float(x)) for x in numbers if isinstance(x, Fraction)]
+        lengths.append(max(sizes, default=0.0))
     longest = max(*lengths, 1e-3)
     return [max(length, LIGHTEST * longest) for length in lengths]
 
