@@ -56,14 +56,17 @@ def command(
 ) -> None:
     """Find the effects that a model is missing, add them, and validate the amended model.
 
-    Logs (.csv or .parquet) have the columns t, q1.., tau1.., and optionally qd1.. and qdd1.., in SI units.
-    The command writes diagnosis.json, model.yaml (the amended description), report.html (one page, no network
-    access) and kernels/ to DIR. The same input gives the same files. Exit code 4 means that a residual
-    remains that no effect of the catalogue explains.
+    Logs (.csv or .parquet) have the columns t, q1.., tau1.., and optionally qd1.., qdd1.. and ql1.. (second
+    encoders, on the links), in SI units; A.csv+B.csv is a log whose ql1.. stand in a second file. The command
+    writes diagnosis.json, model.yaml (the amended description), report.html (one page, no network access) and
+    kernels/ to DIR. The same input gives the same files. Exit code 4 means that a residual remains that no
+    effect of the catalogue explains.
     """
     folder = _folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
-    _spare_inputs(folder, [robot, *sources])
+    from robodyn.logs.second_file import files_of
+
+    _spare_inputs(folder, [robot, *(file for source in sources for file in files_of(source))])
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
     diagnosis = _diagnosed(described, robot, logs, validate, values)
@@ -137,8 +140,7 @@ def _diagnosed(
         for path in paths:
             shown.tell(f"robodyn: reading {printable(path)}")
             read.append(read_log(path, robot.n))
-            with Path(path).open("rb") as file:
-                hashes.append(hashlib.file_digest(file, "sha256").hexdigest())
+            hashes.append(_hash(path))
         for k, path in enumerate(paths):
             if hashes[k] in hashes[:k]:
                 shown.clear()
@@ -154,6 +156,17 @@ def _diagnosed(
             parameters=values,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
         )
+
+
+def _hash(source: str) -> str:
+    """SHA-256 of the file or files of a log."""
+    from robodyn.logs.second_file import files_of
+
+    digests = []
+    for path in files_of(source):
+        with Path(path).open("rb") as file:
+            digests.append(hashlib.file_digest(file, "sha256").hexdigest())
+    return digests[0] if len(digests) == 1 else hashlib.sha256("+".join(digests).encode()).hexdigest()
 
 
 def _text(spec: str) -> str:

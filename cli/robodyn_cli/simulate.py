@@ -231,7 +231,7 @@ def _log(run: Simulation, sensors: Sensors, asked: Asked, what: Driven, spec: st
     """The log of the sensors, with its provenance."""
     from dataclasses import replace
 
-    from robodyn.logs.log import provenance
+    from robodyn.logs.provenance import provenance
     from robodyn.robot import bundled_text
 
     robot = run.plant.robot

@@ -21,9 +21,9 @@ with atheris.instrument_imports(include=["robodyn"]):
 
 #: Words that mutation takes long to find.
 WORDS = """name links joint revolute prismatic alpha a d theta mass com inertia xx yy zz xy motor_inertia
-limits position velocity acceleration torque confidence friction viscous coulomb effects effect gravity
-compare convention sdh torque_side link motor smooth exact friction_at_rest dead_band spring stiffness
-payload efficiency transmission_loss m_tool pi qd qdd""".split()  # noqa: SIM905 (it reads as the list that it is)
+limits position velocity acceleration torque confidence unknown gear ratio friction viscous coulomb effects
+effect gravity compare convention sdh torque_side link motor smooth exact friction_at_rest dead_band spring
+stiffness payload efficiency transmission_loss m_tool pi qd qdd""".split()  # noqa: SIM905 (it reads as the list that it is)
 
 
 def one(data: bytes) -> None:

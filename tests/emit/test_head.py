@@ -29,6 +29,7 @@ links:
     friction: {viscous: 0.1, coulomb: level}
     motor_inertia: 0.01
     limits: {position: [-2, 2], velocity: 3}
+    gear: {ratio: 100, torque_constant: 0.12}
   - name: slide
     joint: prismatic
     alpha: -pi/2
@@ -62,7 +63,8 @@ def test_the_head_says_what_is_inside(arm: Robot, files: dict[str, str]) -> None
             f"robodyn {VERSION}",
             f"Description: {identity(arm)}",
             "--scalar double --trig libm",
-            "1 shoulder revolute alpha 0 a 0 d 0.3 theta q limits: -2 to 2 rad, 3 rad/s",
+            "1 shoulder revolute alpha 0 a 0 d 0.3 theta q limits: -2 to 2 rad, 3 rad/s "
+            "gear: ratio 100, torque constant 0.12 N m/A, so 12 N m/A at the joint",
             "2 slide prismatic alpha -pi/2 a 0.2 d q + 0.05 theta pi",
             "Torques are the motors'",
             "rotor inertia: joint 1 0.01 kg m^2",

@@ -19,7 +19,8 @@ from logs.parquet_parts import BINARY, I32, STRUCT, Page, Parts, Struct, put, ta
 from robodyn.errors import InputError, Place
 from robodyn.logs import columns, csv_file, parquet_file, parquet_pages
 from robodyn.logs.columns import LARGEST, layout_of
-from robodyn.logs.log import read_log, read_provenance
+from robodyn.logs.log import read_log
+from robodyn.logs.provenance import read_provenance
 from robodyn.simulate.torque_file import read_torques
 from robodyn.simulate.trajectories import from_file
 from robodyn_testing import require_module

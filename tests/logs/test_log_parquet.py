@@ -13,7 +13,8 @@ import pytest
 
 from robodyn.errors import InputError, ToolError
 from robodyn.logs import parquet_file
-from robodyn.logs.log import Log, provenance, provenance_text, read_log, read_provenance
+from robodyn.logs.log import Log, read_log
+from robodyn.logs.provenance import provenance, provenance_text, read_provenance
 from robodyn.robot import bundled_text, load
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import Affine

@@ -15,7 +15,7 @@ from records.made import TOOL, arm, bundled
 from robodyn.optimize.records import bundled_records, identity
 from robodyn.optimize.records.record import header
 from robodyn.robot import Robot, bundled_names
-from robodyn.robot.model import Comparison, EffectEntry, Inertia, Joint, Limits, Link
+from robodyn.robot.model import Comparison, EffectEntry, Gear, Inertia, Joint, Limits, Link
 from robodyn.robot.values import Affine, angle, parameter, quarter_turns
 
 BASE = arm(TOOL)
@@ -58,6 +58,7 @@ CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
     (Link, "com"): (with_link(replace(LINK, com=(LINK.com[0], LINK.com[1], Fraction(0)))), True),
     (Link, "inertia"): (with_inertia(xx=SMALL), True),
     (Joint, "limits"): (with_joint(limits=Limits(velocity=Fraction(3))), False),
+    (Joint, "gear"): (with_joint(gear=Gear(Fraction(100))), False),
     (Joint, "kind"): (with_joint(kind="prismatic"), True),
     (Joint, "alpha"): (with_joint(alpha=quarter_turns(-1)), True),
     (Joint, "theta"): (with_joint(theta=angle(Fraction(1, 10**11))), True),

@@ -199,8 +199,21 @@ BROKEN = {
     "torque negative": (HEAD + "    limits: {torque: ¶-1}\n", "torque is not positive; found -1 N m"),
     "limits are a list": (HEAD + "    limits: ¶[1, 2]\n", "limits must be a mapping"),
     "limits are nothing": (HEAD + "    limits:¶\n", "limits has no value"),
-    "confidence zero": (HEAD + "    confidence: ¶0\n", "confidence is not a share"),
-    "confidence of two": (HEAD + "    confidence: ¶2\n", "more than 0 and at most 1"),
+    "confidence zero": (
+        HEAD + "    confidence: ¶0\n",
+        "confidence is not a share; found 0; expected more",
+    ),
+    "confidence of two": (HEAD + "    confidence: ¶2\n", "more than 0 and at most 1, or unknown"),
+    "confidence of a word": (HEAD + "    confidence: ¶unkown\n", "expected a number or unknown"),
+    "confidence of the robot": ("name: arm\nconfidence: ¶-1\nlinks: [{joint: revolute}]\n", "is not a share"),
+    "gear is a number": (HEAD + "    gear: ¶100\n", "link 1: gear must be a mapping"),
+    "gear without a ratio": (HEAD + "    gear: ¶{torque_constant: 0.1}\n", "the key 'ratio' is missing"),
+    "gear ratio of zero": (HEAD + "    gear: {ratio: ¶0}\n", "link 1: gear: ratio is not positive"),
+    "gear ratio by name": (HEAD + "    gear: {ratio: ¶r}\n", "a name cannot stand here"),
+    "torque constant negative": (
+        HEAD + "    gear: {ratio: 2, torque_constant: ¶-0.1}\n",
+        "torque_constant is not positive; found -0.1 N m/A",
+    ),
 }
 
 

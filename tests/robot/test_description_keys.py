@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from robodyn.errors import InputError
-from robodyn.robot import Comparison, DoubtfulRobot, Inertia, Limits, Link, Robot, read_text
+from robodyn.robot import Comparison, DoubtfulRobot, Gear, Inertia, Limits, Link, Robot, read_text
 from robodyn.robot.values import ZERO, Affine, angle, parameter
 from robodyn_testing import exactly
 
@@ -31,6 +31,7 @@ links:
     inertia: {xx: 0.13, yy: 0.524, zz: 0.539, xy: 0.01, xz: -0.02, yz: 0.03}
     motor_inertia: 4.71
     limits: {position: [-2.9, 2.9], velocity: 3.0, acceleration: 10.0, torque: 186.4}
+    gear: {ratio: 121, torque_constant: 0.11}
     confidence: 0.02
     friction: {viscous: 1.2, coulomb: 3.0}
     effects: [{effect: spring, stiffness: 2*k}]
@@ -69,8 +70,10 @@ def test_everything_stated() -> None:
     assert shoulder.inertia == Inertia(
         f(13, 100), f(524, 1000), f(539, 1000), f(1, 100), f(-2, 100), f(3, 100)
     )
-    assert shoulder.confidence == f(2, 100)
+    assert shoulder.confidence == shoulder.inertial_share == f(2, 100)
     joint = shoulder.joint
+    assert joint.gear == Gear(f(121), f(11, 100))
+    assert joint.gear.torque_per_ampere == f(1331, 100)
     assert joint.kind == "revolute"
     assert joint.alpha.quarter == -1
     assert joint.theta.quarter == 2
@@ -99,7 +102,9 @@ def test_only_name_links_and_joint_are_required() -> None:
         assert link.mass == ZERO
         assert link.com == (ZERO, ZERO, ZERO)
         assert link.inertia == Inertia()
-        assert link.confidence == Fraction(1, 10)
+        assert link.confidence is None
+        assert link.inertial_share == Fraction(1, 10)
+        assert link.joint.gear is None
         assert link.joint.limits == Limits()
         assert link.joint.alpha == link.joint.theta == angle(ZERO)
         assert {link.joint.a, link.joint.d, link.joint.motor_inertia} == {ZERO}
@@ -118,6 +123,23 @@ def test_only_name_links_and_joint_are_required() -> None:
 def test_friction_at_rest(text: str, velocity: Fraction | None) -> None:
     robot = read_text(f"name: arm\nfriction_at_rest: {text}\nlinks: [{{joint: revolute}}]")
     assert robot.rest_velocity == velocity
+
+
+def test_a_link_states_its_confidence_or_takes_the_robots_or_none_is_stated() -> None:
+    links = "[{joint: revolute}, {joint: revolute, confidence: 0.1}, {joint: revolute, confidence: unknown}]"
+    plain = read_text(f"name: arm\nlinks: {links}").links
+    assert [link.confidence for link in plain] == [None, Fraction(1, 10), "unknown"]
+    assert [link.inertial_share for link in plain] == [Fraction(1, 10), Fraction(1, 10), 1]
+    guessed = read_text(f"name: arm\nconfidence: unknown\nlinks: {links}").links
+    assert [link.confidence for link in guessed] == ["unknown", Fraction(1, 10), "unknown"]
+    measured = read_text(f"name: arm\nconfidence: 1/50\nlinks: {links}").links
+    assert [link.confidence for link in measured] == [Fraction(1, 50), Fraction(1, 10), "unknown"]
+
+
+def test_a_gear_without_a_torque_constant() -> None:
+    gear = _link("gear: {ratio: 256.86}").joint.gear
+    assert gear == Gear(Fraction(25686, 100))
+    assert gear.torque_per_ampere is None
 
 
 def test_yaml_1_1_does_not_reinterpret_words_and_numbers() -> None:

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from robodyn.robot import (
     Comparison,
+    Gear,
     Inertia,
     Joint,
     Limits,
@@ -84,6 +85,7 @@ def _robots(draw: st.DrawFn) -> Robot:
             draw(_amounts()),
             draw(_amounts()),
             draw(_limits()),
+            draw(st.none() | st.builds(Gear, _POSITIVE, st.none() | _POSITIVE)),
         )
         links.append(
             Link(
@@ -92,7 +94,7 @@ def _robots(draw: st.DrawFn) -> Robot:
                 draw(_amounts()),
                 draw(st.tuples(_values(), _values(), _values())),
                 Inertia(*(draw(_values()) for _ in range(6))),
-                draw(st.sampled_from([Fraction(1, 10), Fraction(1, 50), Fraction(1), Fraction(1, 3)])),
+                draw(st.sampled_from([None, "unknown", Fraction(1, 10), Fraction(1), Fraction(1, 3)])),
             )
         )
     return Robot(
@@ -169,6 +171,34 @@ def test_the_text_is_what_a_person_would_write() -> None:
         "torque_side: link\n"
         "friction_at_rest: {smooth: {velocity: 0.001}}\n"
     )
+
+
+@pytest.mark.parametrize(
+    ("confidences", "text"),
+    [
+        (("0.1", "0.1"), "links"),
+        (("unknown", "unknown"), "confidence: unknown\nlinks:\n  - joint"),
+        (("1/50", "1/50"), "confidence: 0.02\nlinks:\n  - joint"),
+        (("unknown", "0.02"), "    confidence: unknown\n  - joint"),
+        (("unknown", None), "    confidence: unknown\n  - joint"),
+        ((None, None), "[0, 0, -9.81]\nlinks"),
+    ],
+)
+def test_confidence_stands_at_the_top_where_all_links_share_it(
+    confidences: tuple[str | None, ...], text: str
+) -> None:
+    links = ", ".join("{joint: revolute" + (f", confidence: {c}" if c else "") + "}" for c in confidences)
+    robot = read_text(f"name: arm\nlinks: [{links}]")
+    assert text in to_yaml(robot)
+    assert to_yaml(robot).count("confidence") == (len(set(confidences) - {None}))
+    assert read_text(to_yaml(robot)) == robot
+
+
+@pytest.mark.parametrize("gear", ["{ratio: 100, torque_constant: 0.12}", "{ratio: 1/3}"])
+def test_a_gear_is_written_and_read_back(gear: str) -> None:
+    robot = read_text(f"name: arm\nlinks: [{{joint: prismatic, gear: {gear}}}]")
+    assert f"    gear: {gear}\n" in to_yaml(robot)
+    assert read_text(to_yaml(robot)) == robot
 
 
 def test_numbers_without_a_short_text_are_written_as_doubles() -> None:

@@ -15,7 +15,7 @@ from robodyn.robot.reader import read_bytes
 
 _TEXT = r"""name links joint revolute prismatic alpha a d theta mass com inertia xx zz motor_inertia limits
 position velocity confidence friction viscous effects gravity compare convention sdh torque_side smooth exact
-friction_at_rest dead_band effect spring stiffness payload efficiency transmission_loss m_tool pi -pi/2 0 1
+friction_at_rest dead_band effect spring stiffness payload efficiency m_tool gear ratio unknown pi -pi/2 0 1
 -1 1e309 nan .inf ~ null yes << *a &a !!str [ ] { } , : - ? | > ' " # % @ ( ) * / 2**3 --- ... \n \0 é 🤖"""
 _WORDS = st.sampled_from([*_TEXT.split(), "\t", "\n", "\n  ", "\n    ", " ", ": ", "- "])
 _EFFECTS = """

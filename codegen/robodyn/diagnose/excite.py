@@ -163,7 +163,7 @@ class _Columns:
         size = np.sqrt(np.mean(tau**2, axis=0))
         self.sigma = EXCITE_NOISE * np.maximum(size, EXCITE_QUIET * max(float(size.max()), 1e-9))
         scale = np.stack([np.abs(row) for row in model.standard_parameters()])
-        confidence = np.array([float(link.confidence) for link in robot.links])
+        confidence = np.array([float(link.inertial_share) for link in robot.links])
         Y = model.regressor(q, qd, qdd) * (scale * confidence[:, None])
         self.nuisance = (Y.reshape(len(t), robot.n, -1) / self.sigma[:, None]).reshape(len(t) * robot.n, -1)
         self.inner = np.linalg.cholesky(np.eye(self.nuisance.shape[1]) + self.nuisance.T @ self.nuisance)

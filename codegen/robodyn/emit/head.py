@@ -132,6 +132,8 @@ def _table(robot: Robot) -> Iterator[str]:
         limits = _limits(link.joint)
         if limits:
             yield f"      limits: {limits}"
+        if link.joint.gear is not None:
+            yield f"      gear: {_gear(link.joint)}"
 
 
 def _row(joint: Joint) -> tuple[tuple[str, str], ...]:
@@ -155,6 +157,17 @@ def _limits(joint: Joint) -> str:
         if value is not None:
             parts.append(f"{_value(value)} {dimension}")
     return ", ".join(parts)
+
+
+def _gear(joint: Joint) -> str:
+    gear = joint.gear
+    assert gear is not None
+    text = f"ratio {_value(gear.ratio)}" + ("" if joint.kind == "revolute" else " rad/m")
+    constant, joined = gear.torque_constant, gear.torque_per_ampere
+    if constant is None or joined is None:
+        return text
+    unit = "N m/A" if joint.kind == "revolute" else "N/A"
+    return f"{text}, torque constant {_value(constant)} N m/A, so {_value(joined)} {unit} at the joint"
 
 
 def _angle(angle: Angle) -> str:

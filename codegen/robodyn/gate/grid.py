@@ -61,11 +61,12 @@ def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
         "qd": log.qd if rows.rates else None,
         "qdd": log.qdd if rows.accelerations else None,
         "tau": log.tau,
+        "ql": log.ql,
     }
     origins = tuple(index[a:b] for a, b in parts)
     if whole:
         t = log.t[0] + period * np.arange(log.samples)
-        result = Log(t, log.q, groups["qd"], groups["qdd"], log.tau, log.provenance, log.ignored)
+        result = Log(t, log.q, groups["qd"], groups["qdd"], log.tau, log.provenance, log.ignored, log.ql)
         return Grid(result, log, (slice(0, log.samples),), origins, period, 1)
     resampled: dict[str, list[Floats]] = {name: [] for name, array in groups.items() if array is not None}
     times, segments, start = [], [], 0
@@ -84,7 +85,7 @@ def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
     arrays = {name: np.concatenate(pieces) for name, pieces in resampled.items()}
     result = Log(
         np.concatenate(times), arrays["q"], arrays.get("qd"), arrays.get("qdd"), arrays["tau"],
-        log.provenance, log.ignored,
+        log.provenance, log.ignored, arrays.get("ql"),
     )  # fmt: skip
     return Grid(result, log, tuple(segments), origins, period * stride, stride)
 

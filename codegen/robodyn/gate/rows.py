@@ -19,9 +19,11 @@ from robodyn.gate.limits import (
     FILLED_TIME,
     FRAGMENT_ROWS,
     GARBAGE_SHARE,
+    LOST_SHARE,
     REPEATED_SHARE,
     SLOWEST_PERIOD,
 )
+from robodyn.gate.links import links_garbage
 from robodyn.gate.spikes import without_held, without_spikes
 from robodyn.logs.log import Log
 
@@ -41,8 +43,9 @@ class Usable:
     accelerations: bool
 
 
-def usable(log: Log, source: str | None, flags: list[Flag]) -> Usable:
-    """The rows of ``log`` that can be used; what is wrong with others goes to ``flags``.
+def usable(log: Log, source: str | None, flags: list[Flag], repeats: Mask | None = None) -> Usable:
+    """The rows of ``log`` that can be used, but for the ``repeats`` [K]; what is wrong with others goes to
+    ``flags``.
 
     Raises
     ------
@@ -57,7 +60,7 @@ def usable(log: Log, source: str | None, flags: list[Flag]) -> Usable:
             remedy="record a longer motion",
         )
     bad, rates, accelerations = _garbage(log, source, flags)
-    index = np.flatnonzero(~bad)
+    index = np.flatnonzero(~bad if repeats is None else ~(bad | repeats))
     index = _ordered(log, index, source, flags)
     index = without_spikes(log, index, flags)
     index = without_held(log, index, flags)
@@ -109,6 +112,7 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
             joints = () if name == "t" else tuple(int(j) + 1 for j in np.flatnonzero(counts))
             flags.append(Flag("garbage", where, spans_of(np.flatnonzero(garbage), log.t), text, joints))
         bad |= garbage
+    bad |= links_garbage(log, flags)
     if bad.mean() > GARBAGE_SHARE:
         first = int(np.argmax(bad))
         refuse(
@@ -215,7 +219,9 @@ def _parts(
     steady = bool(regular.mean() > 0.6)
     near = regular if steady else steps < 5 * middle
     period = float(steps[near].mean())
-    missing = np.rint(steps / period) - 1 if steady else np.where(steps > 10 * period, steps / period, 0)
+    missing = (
+        np.rint(steps / period - LOST_SHARE) if steady else np.where(steps > 10 * period, steps / period, 0)
+    )
     gaps = np.flatnonzero(missing >= 1)
     filled = (missing[gaps] <= FILLED_ROWS) | (steps[gaps] <= FILLED_TIME)
     for kind, places, text in (
@@ -245,7 +251,7 @@ def _parts(
         )
     even = not (len(gaps) and filled.any()) and _even(t, period, parts)
     if not even:
-        off = np.abs(steps[regular] / period - 1)
+        off = np.abs(steps[steps < (LOST_SHARE + 0.5) * period] / period - 1)
         worst = float(np.quantile(off, 0.99)) if len(off) else 1.0
         if worst > 0.02 or not steady:
             rows = np.flatnonzero(np.abs(steps / period - 1) > 0.5 * worst)[:100] + 1

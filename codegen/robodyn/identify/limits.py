@@ -17,6 +17,9 @@ TWIST_PLACES: Final = 4001
 TWIST_BEYOND: Final = 4.0
 """[multiples of the log's largest torque] up to so much."""
 
+TWIST_DIVERGED: Final = 1e3
+"""[multiples of the largest twist tabulated] A link that lags by more has diverged."""
+
 SWEEPS: Final = 2
 """[sweeps] over joints that lag together."""
 
@@ -81,8 +84,8 @@ LONG_CHUNK: Final = 4096
 
 # --- prior --------------------
 
-UNKNOWN_CONFIDENCE: Final = 1.0
-"""[share] So far off may the inertial numbers of a link be of which nothing is known."""
+UNSTATED_CONFIDENCE: Final = 0.3
+"""[share] So far off may the inertial numbers be of a link that does not say: few makers' files keep 10 %."""
 
 LEAST_MASS: Final = 0.02
 """[share of the heaviest link] No link is thought to be lighter,"""

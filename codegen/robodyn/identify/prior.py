@@ -13,7 +13,7 @@ from robodyn.identify.limits import (
     LEAST_INERTIA,
     LEAST_LENGTH,
     LEAST_MASS,
-    UNKNOWN_CONFIDENCE,
+    UNSTATED_CONFIDENCE,
 )
 from robodyn.identify.normal import Layout
 from robodyn.identify.rigid import Model
@@ -57,8 +57,10 @@ def sizes_of(robot: Robot) -> tuple[tuple[float, float], ...]:
 
 def confidence_of(robot: Robot) -> Floats:
     """By which share [n] the inertial numbers of each link may be off."""
-    shares = [getattr(link, "confidence", None) for link in robot.links]
-    return np.array([UNKNOWN_CONFIDENCE if share is None else float(share) for share in shares])
+    shares = [
+        UNSTATED_CONFIDENCE if link.confidence is None else float(link.inertial_share) for link in robot.links
+    ]
+    return np.array(shares)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -12,18 +12,24 @@ from robodyn.errors import InputError, Place
 #: Largest log [numbers in the columns that are read]: 2 GiB of doubles, more than any simulation writes.
 LARGEST = 1 << 28
 
-_INDEXED = re.compile(r"(q|qd|qdd|tau)([1-9][0-9]{0,2})\Z")
+#: The groups of columns of a log, and those of a file with second encoders only.
+GROUPS = ("t", "q", "qd", "qdd", "tau", "ql")
+LINKS = ("t", "ql")
+
+_INDEXED = re.compile(r"(q|qd|qdd|tau|ql)([1-9][0-9]{0,2})\Z")
 
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Which columns of a file are what: ``groups`` has ``t``, ``q``, ``tau`` and perhaps ``qd`` and ``qdd``,
-    each with the positions of its columns, from 0; ``ignored`` are the names of all others."""
+    """Which columns of a file are what: ``groups`` has ``t``, ``q``, ``tau`` and perhaps ``qd``, ``qdd`` and
+    ``ql``, each with the positions of its columns, from 0; ``ignored`` are the names of all others.
+    ``linked`` are the joints (from 0) that have a column of ``ql``, in its order."""
 
     n: int
     width: int
     groups: Mapping[str, tuple[int, ...]]
     ignored: tuple[str, ...]
+    linked: tuple[int, ...] = ()
 
     @property
     def wanted(self) -> tuple[int, ...]:
@@ -31,8 +37,10 @@ class Layout:
         return tuple(position for group in self.groups.values() for position in group)
 
 
-def layout_of(names: Sequence[str], n: int | None, where: Place) -> Layout:
+def layout_of(names: Sequence[str], n: int | None, where: Place, wanted: Sequence[str] = GROUPS) -> Layout:
     """The layout of a file whose columns are called ``names``; ``n`` joints, None: as many as it numbers.
+
+    ``wanted``: the groups that are looked for.
 
     Raises
     ------
@@ -46,11 +54,13 @@ def layout_of(names: Sequence[str], n: int | None, where: Place) -> Layout:
             found=_short(twice),
             remedy="delete or rename all but one",
         )
-    numbers = [int(match[2]) for match in map(_INDEXED.match, names) if match]
+    numbers = [int(match[2]) for match in map(_INDEXED.match, names) if match and match[1] != "ql"]
     joints = max(numbers, default=1) if n is None else n
     at = {name: position for position, name in enumerate(names)}
     groups: dict[str, tuple[int, ...]] = {}
-    for group in ("t", "q", "qd", "qdd", "tau"):
+    for group in wanted:
+        if group == "ql":
+            continue
         columns = ["t"] if group == "t" else [f"{group}{i}" for i in range(1, joints + 1)]
         missing = [name for name in columns if name not in at]
         if len(missing) == len(columns) and group in ("qd", "qdd"):
@@ -65,9 +75,20 @@ def layout_of(names: Sequence[str], n: int | None, where: Place) -> Layout:
                 remedy=_header_remedy(names, at),
             )
         groups[group] = tuple(at[name] for name in columns)
+    linked = tuple(i for i in range(joints) if f"ql{i + 1}" in at)
+    if "q" not in wanted and not linked:
+        raise InputError(
+            "the file lacks columns of second encoders",
+            where=where,
+            found=f"no ql1..ql{joints}",
+            expected="t and one of them or more",
+            remedy="name the columns so: ql1 is the encoder at the link of joint 1 [rad or m]",
+        )
+    if linked:
+        groups["ql"] = tuple(at[f"ql{i + 1}"] for i in linked)
     read = {position for group in groups.values() for position in group}
     ignored = tuple(name for position, name in enumerate(names) if position not in read)
-    return Layout(joints, len(names), groups, ignored)
+    return Layout(joints, len(names), groups, ignored, linked)
 
 
 def too_large(layout: Layout, where: Place) -> InputError:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
-from robodyn.logs.columns import LARGEST, Layout, layout_of, number_of, too_large
+from robodyn.logs.columns import GROUPS, LARGEST, Layout, layout_of, number_of, too_large
 from robodyn.logs.shortest import table_text
 from robodyn.robot.names import shown
 
@@ -58,8 +58,10 @@ def write_csv(names: Sequence[str], columns: Sequence[Floats]) -> str:
 # --- reading ----------------------------------------------------------------------------------------------
 
 
-def read_csv(path: Path, file: str, n: int | None) -> tuple[Layout, dict[str, Floats]]:
-    """The layout of the log at ``path``, and its groups: ``t`` [K, 1], the others [K, n].
+def read_csv(
+    path: Path, file: str, n: int | None, wanted: Sequence[str] = GROUPS
+) -> tuple[Layout, dict[str, Floats]]:
+    """The layout of the log at ``path``, and its groups ``wanted``: ``t`` [K, 1], the others [K, n].
 
     ``file`` is what messages call it. Blank lines are skipped; NaN and infinity are numbers.
 
@@ -69,7 +71,7 @@ def read_csv(path: Path, file: str, n: int | None) -> tuple[Layout, dict[str, Fl
     OSError: the file cannot be read.
     """
     with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
-        layout = layout_of(_header(source, file), n, Place(file, 1))
+        layout = layout_of(_header(source, file), n, Place(file, 1), wanted)
         size = os.fstat(source.fileno()).st_size - source.tell()
         most = LARGEST // len(layout.wanted)
         tables = {group: np.empty((0, len(at))) for group, at in layout.groups.items()}

@@ -1,4 +1,4 @@
-"""Every number by which logs are filtered.
+"""Every number by which logs are read and filtered.
 
 Below each stand its unit and what it decides. Where no source is given, the value is a choice: the blind
 tests (docs/diagnose.md) bear it out, and it was not derived. Numbers of a diagnosis stand in no other kind of
@@ -8,6 +8,11 @@ module (tests/diagnose/test_limits.py).
 from __future__ import annotations
 
 from typing import Final
+
+# --- files --------------------
+
+SAME_TIME: Final = 0.5
+"""[share of the time from row to row] Rows of two files are of the same sample up to this difference."""
 
 # --- signals --------------------
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place, ToolError
 from robodyn.files import open_regular
-from robodyn.logs.columns import LARGEST, Layout, layout_of, too_large
+from robodyn.logs.columns import GROUPS, LARGEST, Layout, layout_of, too_large
 from robodyn.logs.parquet_pages import Damaged, check_pages, read_footer
 from robodyn.robot.names import shown
 
@@ -38,8 +38,10 @@ def write_parquet(names: Sequence[str], columns: Sequence[Floats]) -> bytes:
     return stream.getvalue()
 
 
-def read_parquet(path: Path, file: str, n: int | None) -> tuple[Layout, dict[str, Floats]]:
-    """The layout of the log at ``path``, and its groups: ``t`` [K, 1], the others [K, n].
+def read_parquet(
+    path: Path, file: str, n: int | None, groups: Sequence[str] = GROUPS
+) -> tuple[Layout, dict[str, Floats]]:
+    """The layout of the log at ``path``, and its ``groups``: ``t`` [K, 1], the others [K, n].
 
     ``file`` is what messages call it.
 
@@ -55,7 +57,7 @@ def read_parquet(path: Path, file: str, n: int | None) -> tuple[Layout, dict[str
             size = os.fstat(source.fileno()).st_size
             footer = read_footer(source, size)
             with parquet.ParquetFile(source) as opened:
-                layout = _layout(pyarrow, opened.schema_arrow, file, n)
+                layout = _layout(pyarrow, opened.schema_arrow, file, n, groups)
                 wanted = [opened.schema_arrow.names[position] for position in layout.wanted]
                 if not footer.rows:
                     raise InputError("the log has no samples", where=Place(file), expected="a row a sample")
@@ -77,9 +79,9 @@ def read_parquet(path: Path, file: str, n: int | None) -> tuple[Layout, dict[str
             ) from None
 
 
-def _layout(pyarrow: Any, schema: Any, file: str, n: int | None) -> Layout:
+def _layout(pyarrow: Any, schema: Any, file: str, n: int | None, groups: Sequence[str]) -> Layout:
     """The layout of a file of that ``schema``; the columns that are read are of numbers."""
-    layout = layout_of(schema.names, n, Place(file))
+    layout = layout_of(schema.names, n, Place(file), groups)
     for position in layout.wanted:
         kind = schema.types[position]
         if not pyarrow.types.is_floating(kind) and not pyarrow.types.is_integer(kind):

@@ -9,7 +9,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from robodyn.robot.bundled import bundled_names, bundled_text, load
-from robodyn.robot.model import Comparison, Inertia, Joint, Limits, Link, Robot
+from robodyn.robot.model import Comparison, Gear, Inertia, Joint, Limits, Link, Robot
 from robodyn.robot.reader import DoubtfulRobot, read_bytes, read_text
 
 if TYPE_CHECKING:
@@ -23,6 +23,7 @@ _LATER = {"fold_rotor": "rotor", "json_schema": "schema", "starter": "starter", 
 __all__ = [
     "Comparison",
     "DoubtfulRobot",
+    "Gear",
     "Inertia",
     "Joint",
     "Limits",

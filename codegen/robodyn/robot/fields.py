@@ -12,7 +12,7 @@ from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
 from robodyn.robot.keys import OTHER_NAMES, Key, Sign
 from robodyn.robot.names import shown, text_fault
-from robodyn.robot.parts import Vector
+from robodyn.robot.parts import UNKNOWN, Confidence, Vector
 from robodyn.robot.values import ZERO, Angle, Value, angle
 
 # Plain words by which YAML means that nothing stands there.
@@ -212,6 +212,13 @@ class Section:
         assert value is None or isinstance(value, Fraction)
         return value
 
+    def confidence(self, name: str) -> Confidence:
+        """A share, or the word ``unknown``; None where the key is left out."""
+        node = self.values.get(name)
+        if isinstance(node, Scalar) and node.text == UNKNOWN:
+            return UNKNOWN
+        return self.constant(name)
+
     def vector(self, name: str) -> Vector | None:
         """Three numbers; None where the key is left out."""
         items = self.items(name, 3)
@@ -272,7 +279,7 @@ class Section:
                 f"{path}: {error.what}",
                 where=self.source.place(scalar, error.position),
                 found=error.found,
-                expected=error.expected,
+                expected=expectation(key) if key.choices else error.expected,
                 remedy=error.remedy,
             ) from None
         for name, position in value.names:
@@ -290,6 +297,7 @@ class Section:
         value = numbers.rounded(read.value) if read.has_pi else read.value
         if isinstance(value, Fraction) and not allowed(value, key.sign):
             what, expected = SIGNS[key.sign]
+            expected += "".join(f", or {word}" for word in key.choices)
             unit = f" {key.unit.partition(',')[0]}" if key.unit else ""
             self.source.fail(
                 node, f"{path} {what}", found=numbers.brief(value) + unit, expected=expected.format(unit=unit)
@@ -314,7 +322,7 @@ def expectation(key: Key) -> str:
     words = {
         "name": "a name",
         "text": "text",
-        "number": "a number" + (", or a name" if key.names else ""),
+        "number": " or ".join(["a number" + (", or a name" if key.names else ""), *key.choices]),
         "angle": "an angle, such as -pi/2",
         "vector": "three numbers [x, y, z]",
         "range": "[lowest, highest]",

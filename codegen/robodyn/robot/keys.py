@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from robodyn.robot.names import ROBOT_NAME_LENGTH, TEXT_LENGTH
+from robodyn.robot.parts import UNKNOWN
 
 Kind = Literal[
     "name",
@@ -31,7 +32,8 @@ class Key:
     """One key: what may stand there, in which unit, and what is assumed where it is left out.
 
     ``names``: a run-time parameter may stand for the number. ``default`` is the text of the assumed
-    value, for people; ``members`` are the keys of a group or of each entry of a list.
+    value, for people; ``members`` are the keys of a group or of each entry of a list. ``choices`` are the
+    words that may stand there, of a number those that may stand in its place.
     """
 
     name: str
@@ -89,6 +91,36 @@ FRICTION = (
         default="0",
     ),
 )
+GEAR = (
+    Key(
+        "ratio",
+        "number",
+        "Turns of the motor for one turn of the joint; prismatic: angle of the motor for one metre.",
+        "1, prismatic rad/m",
+        required=True,
+        sign="positive",
+    ),
+    Key(
+        "torque_constant",
+        "number",
+        "Torque of the motor, in front of the gear, for one ampere.",
+        "N m/A",
+        sign="positive",
+    ),
+)
+
+
+def _confidence(of: str, default: str) -> Key:
+    return Key(
+        "confidence",
+        "number",
+        f"The inertial numbers of {of} are right to about this share; unknown: they are a guess.",
+        sign="share",
+        default=default,
+        choices=(UNKNOWN,),
+    )
+
+
 LINK = (
     Key("name", "text", "Name of the link.", default="link1, link2, ..."),
     Key(
@@ -122,14 +154,9 @@ LINK = (
         sign="nonnegative",
         default="0",
     ),
+    Key("gear", "group", "What turns the motor's angle and current into the joint's.", members=GEAR),
     Key("limits", "group", "Limits of the joint.", members=LIMITS),
-    Key(
-        "confidence",
-        "number",
-        "The inertial numbers are right to about this share of their size.",
-        sign="share",
-        default="0.1",
-    ),
+    _confidence("the link", "that of the robot"),
     Key(
         "acknowledged",
         "text",
@@ -159,6 +186,7 @@ ROBOT = (
         "m/s^2",
         default="[0, 0, -9.81]",
     ),
+    _confidence("all links that do not state their own", "not stated; 0.1 where a number is needed"),
     Key("compare", "group", "The row of the thesis that this robot is set beside.", members=COMPARE),
     Key(
         "convention",

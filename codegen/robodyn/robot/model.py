@@ -12,7 +12,9 @@ from typing import Literal
 from robodyn.robot.parts import (
     AXES,
     Comparison,
+    Confidence,
     EffectEntry,
+    Gear,
     Inertia,
     Joint,
     JointKind,
@@ -26,7 +28,9 @@ from robodyn.robot.values import ZERO, Affine, Value, parameters_of
 __all__ = [
     "AXES",
     "Comparison",
+    "Confidence",
     "EffectEntry",
+    "Gear",
     "Inertia",
     "Joint",
     "JointKind",

@@ -18,6 +18,12 @@ if TYPE_CHECKING:
     from robodyn.effects.effect import Effect
 
 JointKind = Literal["revolute", "prismatic"]
+#: What a description says of its inertial numbers: right to about this share of their size; a guess; nothing.
+Confidence = Fraction | Literal["unknown"] | None
+#: In place of a share: the inertial numbers are a guess.
+UNKNOWN: Literal["unknown"] = "unknown"
+#: The share by which inertial numbers may be wrong where nothing is stated, and where they are a guess.
+SHARE_NOT_STATED, SHARE_UNKNOWN = Fraction(1, 10), Fraction(1)
 Vector = tuple[Value, Value, Value]
 #: Entries of an inertia tensor, in the order of :class:`Inertia`.
 AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
@@ -49,11 +55,25 @@ class Limits:
 
 
 @dataclass(frozen=True, slots=True)
+class Gear:
+    """Between motor and joint: ``ratio``, turns of the motor for one of the joint (prismatic: rad/m), and
+    ``torque_constant`` [N m/A] of the motor, in front of the gear; None: not stated."""
+
+    ratio: Fraction
+    torque_constant: Fraction | None = None
+
+    @property
+    def torque_per_ampere(self) -> Fraction | None:
+        """Joint torque for one ampere [N m/A, prismatic N/A]; None where no torque constant is stated."""
+        return None if self.torque_constant is None else self.ratio * self.torque_constant
+
+
+@dataclass(frozen=True, slots=True)
 class Joint:
     """The joint before a link: its kind, its four DH numbers, and what sits in it.
 
     ``motor_inertia`` is reflected to the joint [kg m^2, prismatic kg]; ``viscous`` [N m s/rad or
-    N s/m] and ``coulomb`` [N m or N] are the friction shorthand.
+    N s/m] and ``coulomb`` [N m or N] are the friction shorthand. ``gear``: None where it is not stated.
     """
 
     kind: JointKind
@@ -65,12 +85,15 @@ class Joint:
     viscous: Value = ZERO
     coulomb: Value = ZERO
     limits: Limits = field(default_factory=Limits)
+    gear: Gear | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Link:
     """A link with the joint that carries it: mass [kg], centre of mass [m] in its own frame.
 
+    ``confidence``: the share by which its inertial numbers may be wrong, "unknown" where they are a guess,
+    None where nothing is stated; who needs a number takes :attr:`inertial_share`.
     ``acknowledged`` says why implausible numbers of it stand as they are ("": nobody says so).
     """
 
@@ -79,8 +102,16 @@ class Link:
     mass: Value = ZERO
     com: Vector = (ZERO, ZERO, ZERO)
     inertia: Inertia = field(default_factory=Inertia)
-    confidence: Fraction = Fraction(1, 10)
+    confidence: Confidence = None
     acknowledged: str = ""
+
+    @property
+    def inertial_share(self) -> Fraction:
+        """The share by which the inertial numbers may be wrong: the stated one, 1 if they are a guess, 0.1
+        where nothing is stated."""
+        if self.confidence is None:
+            return SHARE_NOT_STATED
+        return self.confidence if isinstance(self.confidence, Fraction) else SHARE_UNKNOWN
 
 
 #: What an effect's parameter may be: a number, three, a tensor, knots (load fraction, efficiency), a word,

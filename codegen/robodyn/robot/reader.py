@@ -14,7 +14,7 @@ from robodyn.robot.dh import effect_from_standard, from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
 from robodyn.robot.fields import Section, Source, expectation
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT
-from robodyn.robot.model import Comparison, Inertia, Joint, JointKind, Limits, Link, Robot
+from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
 from robodyn.robot.plausibility import inertia_doubt, is_judged, only_about_base_axis
 
@@ -60,6 +60,7 @@ def _robot(section: Section) -> Robot:
     name = _robot_name(section)
     title, from_ = section.text("title"), section.text("source")
     gravity = section.vector("gravity")
+    confidence = section.confidence("confidence")
     compared = section.section("compare")
     comparison = Comparison(compared.text("table"), compared.text("row")) if compared else None
     convention = section.choice("convention") or "mdh"
@@ -67,6 +68,10 @@ def _robot(section: Section) -> Robot:
     _refuse_clashes(section.source, name)
     side = section.choice("torque_side")
     rest, band = _at_rest(section)
+    if confidence is not None:
+        links = tuple(
+            link if link.confidence is not None else replace(link, confidence=confidence) for link in links
+        )
     robot = Robot(name, links, title, from_, compare=comparison, rest_velocity=rest, dead_band=band)
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
@@ -187,18 +192,17 @@ def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, .
     mass, com = section.number("mass"), section.vector("com")
     tensor = section.section("inertia")
     motor_inertia = section.number("motor_inertia")
+    gear = _gear(section)
     limits = _limits(section)
-    confidence = section.constant("confidence")
-    joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits)
+    confidence = section.confidence("confidence")
+    joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits, gear=gear)
     if friction:
         joint = replace(joint, viscous=friction.number("viscous"), coulomb=friction.number("coulomb"))
-    link = Link(name or f"link{i}", joint, mass)
+    link = Link(name or f"link{i}", joint, mass, confidence=confidence)
     if com is not None:
         link = replace(link, com=com)
     if tensor:
         link = replace(link, inertia=Inertia(*(tensor.number(key.name) for key in INERTIA)))
-    if confidence is not None:
-        link = replace(link, confidence=confidence)
     if acknowledged:
         link = replace(link, acknowledged=acknowledged)
     effects = _written(section, i, kind, joints)
@@ -217,6 +221,15 @@ def _stated(section: Section, key: str) -> str:
             section.values[key], f"{section.path(key)} is empty", expected="text, or no such key"
         )
     return text
+
+
+def _gear(section: Section) -> Gear | None:
+    gear = section.section("gear")
+    if gear is None:
+        return None
+    ratio = gear.constant("ratio")
+    assert ratio is not None  # the key is required
+    return Gear(ratio, gear.constant("torque_constant"))
 
 
 def _limits(section: Section) -> Limits:

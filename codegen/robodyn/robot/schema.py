@@ -97,7 +97,7 @@ def _of_kind(key: Key) -> Schema:
     if key.kind == "choice":
         return {"enum": list(key.choices)}
     if key.kind in ("number", "angle"):
-        return _number(key)
+        return {"anyOf": [*_number(key)["anyOf"], *({"const": word} for word in key.choices)]}
     if key.kind in ("vector", "range"):
         count = 3 if key.kind == "vector" else 2
         return {"type": "array", "items": _number(key), "minItems": count, "maxItems": count}

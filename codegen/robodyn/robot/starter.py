@@ -14,6 +14,7 @@ name: {name}                     # a C identifier; prefixes every emitted symbol
 title: {title}
 source: where the numbers come from
 gravity: [0, 0, -9.81]           # in the base frame, m/s^2
+# confidence: unknown            # the inertial numbers of all links are a guess
 
 # Modified (Craig) Denavit-Hartenberg frames: from frame i-1 turn alpha about x and go a along x, then
 # turn theta about z and go d along z. Rows of standard DH: add the line "convention: sdh".
@@ -30,9 +31,10 @@ _FIRST = """\
     com: [0, -0.02, -0.1]        # in the link's frame, m
     inertia: {xx: 0.05, yy: 0.05, zz: 0.03, xy: 0, xz: 0, yz: 0}  # about the centre of mass, kg m^2
     motor_inertia: 0.5           # rotor, reflected to the joint; kg m^2, prismatic kg
+    gear: {ratio: 100, torque_constant: 0.12}                     # motor turns a joint turn; motor N m/A
     friction: {viscous: 1.0, coulomb: 2.0}                        # N m s/rad, N m
     limits: {position: [-pi, pi], velocity: 3.0, acceleration: 10.0, torque: 150}
-    confidence: 0.1              # inertial numbers are right to about this share
+    confidence: 0.1              # inertial numbers are right to about this share; or unknown
     # acknowledged: why          # implausible numbers stand as they are: no warning; --strict refuses
     # effects:                   # what the joint has beyond a rigid body
     #   - {effect: stribeck_friction, level: 2.0, static: 3.0, velocity: 0.05}  # in place of coulomb

@@ -4,9 +4,20 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from typing import Literal
 
 from robodyn.robot import numbers
-from robodyn.robot.model import AXES, EffectEntry, Inertia, Joint, Limits, Link, Robot, Setting
+from robodyn.robot.model import (
+    AXES,
+    Confidence,
+    EffectEntry,
+    Inertia,
+    Joint,
+    Limits,
+    Link,
+    Robot,
+    Setting,
+)
 from robodyn.robot.values import ZERO, Affine, Angle, Value, angle
 
 # Smallest part of pi that is looked for behind an angle: pi/360 is half a degree.
@@ -27,9 +38,12 @@ def to_yaml(robot: Robot) -> str:
     lines.append(f"gravity: {_list(robot.gravity)}")
     if robot.compare:
         lines.append(f"compare: {{table: {_quoted(robot.compare.table)}, row: {_quoted(robot.compare.row)}}}")
+    common = _common_confidence(robot)
+    if common is not None:
+        lines.append(f"confidence: {_confidence(common)}")
     lines.append("links:")
     for i, link in enumerate(robot.links, 1):
-        lines += _link_lines(link, i)
+        lines += _link_lines(link, i, common)
         lines += _effect_lines(robot.effects_at(i), "    ")
     if robot.torque_side != "motor":
         lines.append(f"torque_side: {robot.torque_side}")
@@ -41,7 +55,17 @@ def to_yaml(robot: Robot) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _link_lines(link: Link, i: int) -> list[str]:
+def _common_confidence(robot: Robot) -> Confidence:
+    """What all of several links state; None where they differ or one states nothing."""
+    first, *others = (link.confidence for link in robot.links)
+    return first if others and all(confidence == first for confidence in others) else None
+
+
+def _confidence(confidence: Fraction | Literal["unknown"]) -> str:
+    return number_text(confidence) if isinstance(confidence, Fraction) else confidence
+
+
+def _link_lines(link: Link, i: int, common: Confidence) -> list[str]:
     joint, inertia = link.joint, link.inertia
     lines = [] if link.name == f"link{i}" else [f"name: {_quoted(link.name)}"]
     lines += [
@@ -56,10 +80,16 @@ def _link_lines(link: Link, i: int) -> list[str]:
     ]
     if joint.motor_inertia != ZERO:
         lines.append(f"motor_inertia: {number_text(joint.motor_inertia)}")
+    if joint.gear is not None:
+        constant = joint.gear.torque_constant
+        gear: dict[str, Value] = {"ratio": joint.gear.ratio}
+        if constant is not None:
+            gear["torque_constant"] = constant
+        lines.append(f"gear: {_group(gear)}")
     if joint.limits != Limits():
         lines.append(f"limits: {_limits(joint.limits)}")
-    if link.confidence != Fraction(1, 10):
-        lines.append(f"confidence: {number_text(link.confidence)}")
+    if link.confidence is not None and common is None:
+        lines.append(f"confidence: {_confidence(link.confidence)}")
     if link.acknowledged:
         lines.append(f"acknowledged: {_quoted(link.acknowledged)}")
     if (joint.viscous, joint.coulomb) != (ZERO, ZERO):

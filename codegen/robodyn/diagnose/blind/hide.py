@@ -33,7 +33,8 @@ from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
 from robodyn.identify.rigid import Model
-from robodyn.logs.log import Log, provenance
+from robodyn.logs.log import Log
+from robodyn.logs.provenance import provenance
 from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot
 from robodyn.simulate.limits import with_limits

@@ -1,0 +1,81 @@
+"""Second encoders, on the links: which can be used, and whether they follow their joints."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.gate.flag import Flag, chunks, count, refuse, spans_of
+from robodyn.gate.limits import BOUNDS, GARBAGE_SHARE, LINK_MOTION, LINK_SLOPE
+from robodyn.logs.log import Log
+
+Mask = NDArray[np.bool_]
+
+
+def with_usable_links(log: Log, flags: list[Flag]) -> Log:
+    """``log`` without the second encoders that have no number in too many rows."""
+    if log.ql is None:
+        return log
+    drop = []
+    for j in log.linked:
+        broken = _broken(log, j)
+        share = float(broken.mean())
+        if share > GARBAGE_SHARE:
+            drop.append(j)
+            text = f"no number, or one beyond {BOUNDS['ql']:g}, in {share:.0%} of the rows: not used"
+            spans = spans_of(np.flatnonzero(broken), log.t)
+            flags.append(Flag("link_encoder_unusable", f"ql{j + 1}", spans, text, (j + 1,)))
+    if not drop:
+        return log
+    ql = log.ql.copy()
+    ql[:, drop] = np.nan
+    return replace(log, ql=None if np.isnan(ql).all() else ql)
+
+
+def links_garbage(log: Log, flags: list[Flag]) -> Mask:
+    """Rows [K] in which a second encoder has no number, or an absurd one."""
+    bad = np.zeros(log.samples, dtype=bool)
+    for j in log.linked:
+        broken = _broken(log, j)
+        if broken.any():
+            rows = count(int(broken.sum()))
+            text = f"no number, or one beyond {BOUNDS['ql']:g}, in {rows}, left out"
+            spans = spans_of(np.flatnonzero(broken), log.t)
+            flags.append(Flag("garbage", f"ql{j + 1}", spans, text, (j + 1,)))
+            bad |= broken
+    return bad
+
+
+def check_links(log: Log, source: str | None) -> None:
+    """Refuse second encoders that do not follow their joints.
+
+    Raises
+    ------
+    InputError: one moves by another factor than its joint: another unit, sign or joint.
+    """
+    if log.ql is None:
+        return
+    for j in log.linked:
+        q = log.q[:, j] - log.q[:, j].mean()
+        ql = log.ql[:, j] - log.ql[:, j].mean()
+        if np.ptp(q) < LINK_MOTION:
+            continue
+        slope = float(q @ ql / (q @ q))
+        if abs(slope - 1) > LINK_SLOPE:
+            refuse(
+                source,
+                f"ql{j + 1} does not follow q{j + 1}",
+                found=f"it moves {slope:.3g} times as far",
+                expected=f"the same joint behind its gear: 1, to {LINK_SLOPE:.0%}",
+                remedy="correct its unit or sign, or give the column of the right joint",
+            )
+
+
+def _broken(log: Log, j: int) -> Mask:
+    assert log.ql is not None
+    broken = np.zeros(log.samples, dtype=bool)
+    for rows in chunks(log.samples):
+        broken[rows] = ~(np.abs(log.ql[rows, j]) <= BOUNDS["ql"])
+    return broken

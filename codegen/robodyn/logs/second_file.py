@@ -1,0 +1,85 @@
+"""Second encoders in a file of their own: ``arm.csv+arm_secondary.csv``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError, Place
+from robodyn.logs.columns import Layout
+from robodyn.logs.limits import SAME_TIME
+
+Floats = NDArray[np.float64]
+
+
+def split_pair(name: str) -> tuple[str, str | None]:
+    """The two files that ``name`` stands for: ``A+B`` is A and B, unless a file is called so."""
+    if "+" not in name or Path(name).exists():
+        return name, None
+    places = [k for k, mark in enumerate(name) if mark == "+"]
+    # A plus may be part of a file's name: the parts that are there are meant.
+    for k in places:
+        if Path(name[:k]).is_file() and Path(name[k + 1 :]).is_file():
+            return name[:k], name[k + 1 :]
+    first = next((k for k in places if Path(name[:k]).exists()), places[0])
+    return name[:first], name[first + 1 :]
+
+
+def files_of(name: str) -> tuple[str, ...]:
+    """The paths of the file or files that ``name`` stands for."""
+    first, second = split_pair(name)
+    return (first,) if second is None else (first, second)
+
+
+def spread(columns: Floats | None, layout: Layout) -> Floats | None:
+    """``columns`` [K, m] of the joints that have a second encoder as [K, n], NaN for all others."""
+    if columns is None or len(layout.linked) == layout.n:
+        return columns
+    ql = np.full((len(columns), layout.n), np.nan)
+    ql[:, list(layout.linked)] = columns
+    return ql
+
+
+def joined(t: Floats, ql: Floats | None, times: Floats, second: Floats | None, file: str) -> Floats:
+    """``second`` [K, n], at the ``times`` of the second ``file``, beside a log of the times ``t`` [K] that
+    has the columns ``ql`` itself.
+
+    Raises
+    ------
+    InputError: the times are not the same, or a joint's column is in both files.
+    """
+    assert second is not None
+    if len(times) != len(t):
+        raise InputError(
+            "the two files are not of the same samples",
+            where=Place(file),
+            found=f"{len(times)} rows",
+            expected=f"{len(t)}, as in the first file",
+            remedy="write both at the same times",
+        )
+    steps = np.diff(t)
+    steps = steps[steps > 0]
+    near = SAME_TIME * float(np.median(steps)) if len(steps) else 0.0
+    apart = np.flatnonzero(~(np.abs(times - t) <= near) & ~(np.isnan(times) & np.isnan(t)))
+    if len(apart):
+        k = int(apart[0])
+        raise InputError(
+            "the two files are not of the same times",
+            where=Place(file),
+            found=f"t = {times[k]:.9g} s in row {k + 1}",
+            expected=f"{t[k]:.9g} s, as in the first file",
+            remedy="write both at the same times",
+        )
+    if ql is None:
+        return second
+    both = np.flatnonzero(~np.isnan(ql).all(axis=0) & ~np.isnan(second).all(axis=0))
+    if len(both):
+        raise InputError(
+            "a joint has two second encoders",
+            where=Place(file),
+            found=f"ql{both[0] + 1} in both files",
+            remedy="delete one of the columns",
+        )
+    return np.where(np.isnan(ql), second, ql)
