@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.fit import Fit, Options, fit_arm
-from robodyn.identify.outcome import Identified, Estimate, identified
+from robodyn.identify.outcome import Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
 from robodyn.logs.log import Log, read_log
 from robodyn.robot.bundled import robot_of, text_of
@@ -56,9 +56,10 @@ class Residual:
 @dataclass(frozen=True, slots=True, eq=False)
 class Identification:
     """What logs say of an arm: ``robot`` as described, ``model`` with its new numbers and ``model_text`` its
-    description; ``parameters`` by name, ``not_identifiable`` those that the logs do not show; ``condition`` of
-    the base regressor; ``held_out``: whether :attr:`residual` was validated on parts of the logs themselves;
-    ``flags`` of the data gate, ``words`` for people, ``logs`` by name and hash; ``fit``: all the rest."""
+    description; ``parameters`` by name, ``not_identifiable`` those that the logs do not show; ``condition``
+    of the base regressor; ``held_out``: whether :attr:`residual` was validated on parts of the logs
+    themselves; ``flags`` of the data gate, ``words`` for people, ``logs`` by name and hash; ``fit``: all the
+    rest."""
 
     robot: Robot
     model: Robot
