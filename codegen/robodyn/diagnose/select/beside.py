@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.fit import Fit, Problem, counts, excluded
+from robodyn.diagnose.select.fit import Fit, Problem, counts, excluded, precisions
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION, SPANNED
 
@@ -90,7 +90,10 @@ def fits(p: Problem, current: Fit, library: Library, which: Sequence[int]) -> Fi
         own = _own(p, rows, library.columns[rows], wide)
         signs = np.array([library.candidates[k].signs for k in group])
         fixed = library.candidates[group[0]].fixed
-        tried = _group(p, current, rows, (cross[:, :, wide], right[:, :, wide], own), signs > 0, fixed=fixed)
+        scales = [library.candidates[k].scale for k in group]
+        prior = np.stack([precisions(wide.shape[1], scale, p.thin) for scale in scales])
+        sums = (cross[:, :, wide], right[:, :, wide], own)
+        tried = _group(p, current, rows, sums, signs > 0, prior, fixed=fixed)
         outcome.which.extend(group)
         outcome.fits.extend(tried[0])
         outcome.explained.extend(tried[1])
@@ -127,9 +130,10 @@ def _own(p: Problem, rows: Rows, columns: Floats, wide: NDArray[np.intp]) -> Flo
 
 def _group(
     p: Problem, current: Fit, rows: Rows, products: tuple[Floats, Floats, Floats],
-    positive: NDArray[np.bool_], *, fixed: bool,
+    positive: NDArray[np.bool_], prior: Floats, *, fixed: bool,
 ) -> tuple[list[Fit], list[Floats]]:  # fmt: skip
-    """The fits of candidates [M] at the same joints, and what they explain."""
+    """The fits of candidates [M] at the same joints, of ``prior`` precisions [M, c], and what each
+    explains."""
     folds = current.folds
     assert folds is not None
     cross, right, own = products  # [B, rows, M, c, p], [B, rows, M, c], [B, rows, M, c, c]
@@ -147,7 +151,7 @@ def _group(
     if fixed:
         y, spread = np.ones((BLOCKS + 1, M, c)), np.zeros((M, c, c))
     else:
-        whole = excluded(own.sum(axis=1))
+        whole = excluded(own.sum(axis=1)) + (prior / size**2)[:, :, None] * np.eye(c)
         system = whole - turned @ np.swapaxes(turned, 2, 3)
         target = excluded(right.sum(axis=1)) - np.einsum("kmap,kp->kma", turned, goal)
         free = np.full(y_shape := (BLOCKS + 1, M, c), fill_value=True)

@@ -63,12 +63,32 @@ class Problem:
         """Products [BLOCKS, p] of the columns and the rest over all joints."""
         return np.asarray(self.right.sum(axis=1))
 
-    def with_columns(self, rows: tuple[int, ...], columns: Floats) -> Problem:
-        """The problem with more known columns [N, rows, c], in N m or N, fitted freely."""
+    def with_columns(self, rows: tuple[int, ...], columns: Floats, scale: Floats | None = None) -> Problem:
+        """The problem with more known columns [N, rows, c], in N m or N, fitted freely, or with a prior of
+        standard deviations ``scale`` [c]."""
         wide = np.zeros((*self.rest.shape, columns.shape[2]))
         wide[:, list(rows)] = columns / self.sigma[list(rows)][None, :, None]
-        prior = np.concatenate([self.prior, np.full(columns.shape[2], FREE_PRECISION)])
+        prior = np.concatenate([self.prior, precisions(columns.shape[2], scale, self.thin)])
         return _summed(replace(self, A=np.concatenate([self.A, wide], axis=2), prior=prior))
+
+    def without_column(self, at: int) -> Problem:
+        """The problem without one of its known columns."""
+        gram, right = _without(self.gram, at, 2, 3), _without(self.right, at, 2)
+        return replace(
+            self, A=_without(self.A, at, 2), prior=_without(self.prior, at, 0), gram=gram, right=right
+        )
+
+
+def _without(x: Floats, at: int, *axes: int) -> Floats:
+    """An array without what is ``at`` that place along some axes."""
+    for axis in axes:
+        x = np.delete(x, at, axis=axis)
+    return x
+
+
+def precisions(c: int, scale: Floats | None, thin: float) -> Floats:
+    """The precisions [c] of coefficients that are free, or have standard deviations ``scale`` [c]."""
+    return np.full(c, FREE_PRECISION) if scale is None else thin / scale**2
 
 
 def without(p: Problem, mask: NDArray[np.bool_]) -> Problem:
@@ -95,6 +115,13 @@ def tighter(p: Problem, share: float) -> Problem:
     prior = p.prior.copy()
     prior[: p.nuisance] /= share**2
     return replace(p, prior=prior)
+
+
+def wider(p: Problem, fresh: Problem) -> Problem:
+    """The problem with the nuisance of ``fresh``, which is of the same log: its columns in the weights and
+    without the rows that no longer count."""
+    A = fresh.A * (fresh.sigma / p.sigma)[:, None] * np.any(p.rest != 0, axis=1)[:, None, None]
+    return _summed(replace(p, A=A, prior=fresh.prior, nuisance=fresh.nuisance, basis=fresh.basis))
 
 
 def problem(
