@@ -54,10 +54,10 @@ class Usual:
         j = (joint or 1) - 1
         link = self.robot.links[j]
         of_joint = (self.tau, self.peak, self.speed, self.rate, self.slow, self.weight, self.middle)
+        by_gravity = (self.swing, self.upright)
         return UsualJoint(
             j + 1, self.robot.n, link.joint.kind == "revolute", float(link.mass),  # type: ignore[arg-type]  # constants
-            self.duration, *(float(x[j]) for x in of_joint),
-            gravity=float(self.swing[j]), upright=float(self.upright[j]),
+            self.duration, *(float(x[j]) for x in (*of_joint, *by_gravity)),
         )  # fmt: skip
 
 
