@@ -19,7 +19,7 @@ ANGLES = np.linspace(-3.0, 3.0, 61)
 
 def torque(q: Any, **p: float) -> Any:
     assert GAS.equation is not None
-    return GAS.equation({"dead_center": 0.0, "stiffness": 0.0, **p}, Site(True, q))
+    return GAS.equation({"dead_center": 0.0, "rise": 0.0, **p}, Site(True, q))
 
 
 def test_the_strut_of_a_large_arm_in_newtons_and_metres() -> None:
@@ -35,7 +35,7 @@ def test_the_strut_of_a_large_arm_in_newtons_and_metres() -> None:
     arm = np.sin(delta) * fixed * crank / length
     preload = gas / volume * area * crank
     own = torque(
-        q, torque=preload, stiffness=preload * area * crank / volume, dead_center=math.radians(-5),
+        q, torque=preload, rise=area * crank / volume, dead_center=math.radians(-5),
         ratio=crank / fixed,
     )  # fmt: skip
     # Gas is a little stiffer than a straight line.
@@ -44,10 +44,10 @@ def test_the_strut_of_a_large_arm_in_newtons_and_metres() -> None:
 
 
 @pytest.mark.parametrize("ratio", [-0.6, 0.0, 0.25, 0.9])
-@pytest.mark.parametrize("stiffness", [0.0, 0.4])
-def test_its_torque_is_the_slope_of_its_energy(ratio: float, stiffness: float) -> None:
+@pytest.mark.parametrize("rise", [0.0, 0.4])
+def test_its_torque_is_the_slope_of_its_energy(ratio: float, rise: float) -> None:
     assert GAS.potential is not None
-    p = {"torque": 3.0, "dead_center": 0.3, "ratio": ratio, "stiffness": stiffness}
+    p = {"torque": 3.0, "dead_center": 0.3, "ratio": ratio, "rise": rise}
     step = 1e-5
     slope = (GAS.potential(p, ANGLES + step) - GAS.potential(p, ANGLES - step)) / (2 * step)
     np.testing.assert_allclose(slope, torque(ANGLES, **p), rtol=1e-6, atol=1e-6)
@@ -57,7 +57,7 @@ def test_its_torque_is_the_slope_of_its_energy(ratio: float, stiffness: float) -
 def test_it_holds_the_joint_at_its_dead_centre_and_whether_it_pulls_or_pushes() -> None:
     near = np.array([0.29, 0.31])
     for ratio in (-0.5, 0.0, 0.5):
-        below, above = torque(near, torque=2.0, dead_center=0.3, ratio=ratio, stiffness=0.2)
+        below, above = torque(near, torque=2.0, dead_center=0.3, ratio=ratio, rise=0.2)
         assert below < 0 < above
 
 
@@ -66,7 +66,7 @@ def test_it_holds_the_joint_at_its_dead_centre_and_whether_it_pulls_or_pushes() 
     [
         ("prismatic", "torque: 1", "a crank, which a prismatic joint does not have"),
         ("revolute", "torque: 1, ratio: 1", "ratio is that of pivots that nearly meet"),
-        ("revolute", "torque: 1, stiffness: -2", "stiffness is negative"),
+        ("revolute", "torque: 1, rise: -2", "rise is negative"),
         ("revolute", "torque: 1, dead_center: 2000", "dead_center is so many turns"),
         ("revolute", "torque: -1", "torque is negative"),
     ],

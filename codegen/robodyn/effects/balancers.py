@@ -23,6 +23,8 @@ _LARGEST_RATIO = Fraction(19, 20)
 _LARGEST_ANGLE = 1000
 #: Dead centres [rad] that are tried, a turn ahead so that a step of refinement is a factor.
 _TURNS = tuple(2 * math.pi * (1 + k / 24) for k in range(24))
+#: The steepest rise that is tried: the pressure of a gas spring hardly doubles over its stroke.
+_MOST_RISE = 0.8
 #: A spring that takes a smaller share of gravity's torque off its joint (RMS) is no counterbalance.
 _RELIEF = 0.3
 
@@ -40,13 +42,13 @@ def _lever(p: Values, q: Any) -> tuple[Any, Any, Any]:
 
 def _balance(p: Values, at: Site) -> Any:
     s, length, travel = _lever(p, at.q)
-    rises = not is_zero(p["stiffness"])
-    return (p["torque"] + p["stiffness"] * travel if rises else p["torque"]) * s / length
+    torque = p["torque"] if is_zero(p["rise"]) else p["torque"] * (1 + p["rise"] * travel)
+    return torque * s / length
 
 
 def _balance_energy(p: Values, q: Any) -> Any:
     _, _, travel = _lever(p, q)
-    return p["torque"] * travel + p["stiffness"] * (travel * travel) / 2
+    return p["torque"] * (travel + p["rise"] * (travel * travel) / 2)
 
 
 def _fault(p: Values, revolute: bool) -> Fault | None:
@@ -72,18 +74,20 @@ def _shape(values: Mapping[str, float]) -> dict[str, float]:
 
 def _columns(values: Mapping[str, float], at: Site) -> Sequence[Any]:
     s, length, travel = _lever(_shape(values), at.q)
-    return s / length, travel * s / length
+    constant = s / length
+    return constant, (1 + _MOST_RISE * travel) * constant
 
 
 def _read(x: Sequence[float], values: Mapping[str, float]) -> dict[str, float | str]:
-    return {"torque": float(x[0]), "stiffness": float(x[1]), **_shape(values)}
+    torque = float(x[0] + x[1])
+    return {"torque": torque, "rise": _MOST_RISE * float(x[1]) / torque if torque else 0.0, **_shape(values)}
 
 
 def _form(u: Usual, way: float, rng: Any) -> Form:
     center = _turned(u.upright + way * rng.uniform(0.0, 0.2))
     ratio, rise = float(rng.uniform(0.15, 0.35)), float(rng.uniform(0.0, 0.5))
     return Form(
-        lambda x: {"torque": x, "stiffness": rise * x, "dead_center": center, "ratio": ratio},
+        lambda x: {"torque": x, "rise": rise, "dead_center": center, "ratio": ratio},
         0.6 * u.gravity or u.tau, 0.4 * u.gravity or 0.1 * u.tau,
     )  # fmt: skip
 
@@ -103,8 +107,8 @@ GAS_SPRING = Effect(
             "joint.", "rad", default=Fraction(0), names=True, symbol="q_0",
         ),
         Parameter(
-            "stiffness", "What its force gains with its travel times the square of the crank's length.",
-            "N m", "N m", sign="nonnegative", default=Fraction(0), names=True, symbol="K",
+            "rise", "Share by which its force grows over a travel of one crank.", "1", sign="nonnegative",
+            default=Fraction(0), symbol="c",
         ),
         Parameter(
             "ratio", "Crank (axis to the moving pivot) by distance of axis and fixed pivot; negative where "
@@ -112,15 +116,15 @@ GAS_SPRING = Effect(
             symbol=r"\rho",
         ),
     ),
-    latex=r"\tau = \frac{(T + K s) \sin\delta}{\lambda}, \quad \delta = q - q_0, \quad "
+    latex=r"\tau = \frac{T (1 + c s) \sin\delta}{\lambda}, \quad \delta = q - q_0, \quad "
     r"\lambda = \sqrt{1 + \rho^2 - 2 \rho \cos\delta}, \quad "
     r"s = \frac{2 (1 - \cos\delta)}{\lambda + 1 - \rho}",
     doc="A strut between a pivot on the link and one on the link before it that takes gravity off a revolute "
     "joint: lambda is its length by the distance of the fixed pivot, s its travel by the crank. The force "
     "rises with the travel by a straight line; that of a gas bends up from it, by 5 % when the gas is "
-    "a fifth smaller. From a data sheet: torque is preload times crank; stiffness is the spring's "
-    "rate times crank squared, of a gas spring torque times piston area times crank by gas volume. A spring "
-    "whose force grows from zero with its length has a ratio of 0 and no stiffness.",
+    "a fifth smaller. From a data sheet: torque is preload times "
+    "crank; rise is crank times the spring's rate by its preload, of a gas spring crank times piston area by "
+    "gas volume. A spring whose force grows from zero with its length has a ratio of 0 and no rise.",
     signature="depends on the joint's own position and on nothing else; against gravity, with the shape of a "
     "sine",
     rivals=("spring", "inertial_error", "payload", "base_tilt"),
@@ -130,7 +134,7 @@ GAS_SPRING = Effect(
     equation=_balance,
     potential=_balance_energy,
     check=_fault,
-    linear=("torque", "stiffness"),
+    linear=("torque",),
     traits=Traits(
         several=True,
         combines="balancers",
@@ -141,7 +145,7 @@ GAS_SPRING = Effect(
             ),
         ),
         contains=("torque_bias",),
-        chosen=("ratio",),
+        chosen=("ratio", "rise"),
         hidden=Hidden(_form, needs="gravity", kind="revolute"),
         over="position",
     ),

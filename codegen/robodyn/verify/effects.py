@@ -173,12 +173,12 @@ def _strut(p: Settings, angle: Floats) -> Floats:
     """Moment about the axis, against that of a strut from the crank's end to a pivot at (1, 0)."""
     crank = p["ratio"]
     if crank == 0:  # a crank of no length under a force without end: a plain sine
-        return np.asarray((p["torque"] + p["stiffness"] * (1 - np.cos(angle))) * np.sin(angle))
+        return np.asarray(p["torque"] * (1 + p["rise"] * (1 - np.cos(angle))) * np.sin(angle))
     end = crank * np.stack([np.cos(angle), np.sin(angle)])
     along = np.array([[1.0], [0.0]]) - end
     length = np.hypot(along[0], along[1])
     travel = (length - (1 - crank)) / crank
-    pull = (p["torque"] + p["stiffness"] * travel) / crank * along / length
+    pull = p["torque"] * (1 + p["rise"] * travel) / crank * along / length
     return np.asarray(-(end[0] * pull[1] - end[1] * pull[0]))
 
 

@@ -128,9 +128,9 @@ def bearings(old: Settings, new: Settings, remarks: list[str]) -> dict[str, Any]
 
 def balancers(old: Settings, new: Settings, remarks: list[str]) -> dict[str, Any] | None:
     """The sum of two spring balancers of one shape; None where they differ in it."""
-    if any(old[name] != new[name] for name in ("dead_center", "ratio")):
+    if any(old[name] != new[name] for name in ("dead_center", "ratio", "rise")):
         return None
-    return {**old, **{name: total(old[name], new[name]) for name in ("torque", "stiffness")}}
+    return {**old, "torque": total(old["torque"], new["torque"])}
 
 
 #: Two entries of one effect as one, by what they are; ``remarks`` say where the sum is not exact.
