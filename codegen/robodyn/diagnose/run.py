@@ -22,6 +22,7 @@ from robodyn.diagnose.evidence import (
     windows,
 )
 from robodyn.diagnose.limits import (
+    COMMON_EXPLAINED,
     CONFIRMED_SHARE,
     DRAWN_POINTS,
     END_SHARE,
@@ -148,6 +149,8 @@ def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected
     share, stands_out = _share(first, last, one.named.trial.candidate.rows)
     left = _left(last)
     rows = list(one.named.trial.candidate.rows)
+    if one.named.is_common:
+        return one, share > COMMON_EXPLAINED
     return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
 
 

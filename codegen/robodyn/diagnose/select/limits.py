@@ -255,5 +255,9 @@ POSES: Final = 50
 SHORTEST_PIECE: Final = 6.0
 """[periods of the cutoff] Shorter pieces of a log are left out."""
 
+FEW_PARTS: Final = 1.15
+"""[-] A standard error that is from ten parts is so much larger, for twice of it to hold 95 % (Student, nine
+degrees of freedom)."""
+
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
