@@ -31,9 +31,10 @@ from robodyn.diagnose.limits import (
     WITHDRAWN,
 )
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
+from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.search import Detected, search
-from robodyn.diagnose.select.selection import Named, Selection, what_matters
+from robodyn.diagnose.select.selection import Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.predict import agreement, lacking, signals_seen

@@ -17,6 +17,9 @@ TWIST_PLACES: Final = 4001
 TWIST_BEYOND: Final = 4.0
 """[multiples of the log's largest torque] up to so much."""
 
+TWIST_DIVERGED: Final = 1e3
+"""[multiples of the largest twist tabulated] A link that lags by more has diverged."""
+
 SWEEPS: Final = 2
 """[sweeps] over joints that lag together."""
 

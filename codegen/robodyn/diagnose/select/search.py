@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.choice import evidence_threshold, numbers_of
+from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
-from robodyn.diagnose.select.selection import Named, Selection, select
+from robodyn.diagnose.select.selection import Selection, select
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.rigid import Model, physical

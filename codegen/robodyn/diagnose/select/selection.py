@@ -17,24 +17,25 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.ceiling import unexplained
 from robodyn.diagnose.select.choice import (
     Trial,
-    best_of,
     evidence_threshold,
     nearest,
     numbers_of,
     prepared,
-    trial,
+    trials,
 )
 from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, less, problem, tighter, without
-from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
+from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider, without
+from robodyn.diagnose.select.forward import Chosen, Named, forward
+from robodyn.diagnose.select.library import Context, candidates, context_of
+from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     BLOCKS,
     CLIPPED_MARGIN,
     DIVERGED,
-    MOST_EFFECTS,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -50,18 +51,6 @@ from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Named:
-    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first."""
-
-    trial: Trial
-    rivals: tuple[str, ...]
-    confidence: float
-    x: Floats
-    stderr: Floats
-    beside: tuple[Trial, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,16 +73,26 @@ class Selection:
         return self.contexts[0]
 
 
-def start_of(contexts: Sequence[Context]) -> Problem:
-    """The filtered residual of the model, and the nuisance of its rigid numbers."""
-    model, s = contexts[0].model, contexts[0].signals
+def prior_scales(model: Model, widest: bool = False) -> Floats:
+    """Standard deviations [n, 10] of the links' standard parameters about the description: by the share that
+    is stated of each; ``widest``: where none is stated, as of a guess."""
     phi = model.standard_parameters()
-    scale = np.zeros_like(phi)
+    scales, usual = np.zeros_like(phi), usual_sizes(model)
     for k, link in enumerate(model.robot.links):
-        confidence = float(link.inertial_share)
+        guessed = link.confidence == "unknown" or (widest and link.confidence is None)
+        if guessed:
+            scales[k] = np.maximum(np.abs(phi[k]), usual[k])
+            continue
         size = np.abs(phi[k])
         floor = np.concatenate([[0.0], np.full(3, 0.02 * size[0]), np.full(6, 0.1 * size[4:7].max())])
-        scale[k] = confidence * np.maximum(size, floor)
+        scales[k] = float(link.inertial_share) * np.maximum(size, floor)
+    return scales
+
+
+def start_of(contexts: Sequence[Context], scale: Floats) -> Problem:
+    """The filtered residual of the model, and the nuisance of its rigid numbers, which are right to
+    ``scale`` [n, 10]."""
+    model, s = contexts[0].model, contexts[0].signals
     rests, nuisances = [], []
     for c in contexts:
         rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
@@ -165,13 +164,14 @@ def select(
         if log.samples * seen.period > SHORTEST_PIECE / seen.cutoff:
             more = signals_of(log, cutoff=seen.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
-    start = start_of(contexts)
+    narrow = prior_scales(context.model)
+    start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
     columns = zip(*(candidates(each) for each in contexts), strict=True)
-    library = [
+    library = Library.of(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in columns
-    ]
+    )
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
@@ -183,15 +183,21 @@ def select(
     if contact is not None:
         start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
-    chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
+    chosen = forward(start, library, least, contexts, rough=rough, progress=progress)
     if not chosen.findings:
         # Perhaps the arm's numbers are better than they are said to be, and something else shows.
         tight = tighter(start, TIGHT)
         # Not their errors, which are within what is said of them.
-        others = [pair for pair in library if not _is_of_link(pair[0])]
-        other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
+        other = forward(tight, library, least, contexts, rough=rough, links=False, progress=progress)
         if other.findings and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
             start, chosen = tight, other
+    widest = prior_scales(context.model, widest=True)
+    if chosen.findings and np.any(widest > narrow):
+        # What is stated of no number is learned from the log: are they a guess?
+        wide = wider(start, start_of(contexts, widest))
+        other = forward(wide, library, least, contexts, rough=rough, links=False, progress=progress)
+        if _evidence(wide, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
+            start, chosen = wide, other
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
@@ -202,63 +208,7 @@ def select(
     return Selection(tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Chosen:
-    """What was chosen, one after another; the problem with all of it, its fit, the trials of the first
-    step."""
-
-    findings: list[Named]
-    now: Problem
-    current: Fit
-    trials: list[Trial]
-
-
-def _chosen(
-    start: Problem,
-    library: Sequence[tuple[Candidate, Floats]],
-    least: Floats,
-    contexts: Sequence[Context],
-    *,
-    rough: bool,
-    progress: Callable[[str], object] | None,
-) -> _Chosen:
-    """One effect after another until none passes, or the columns of all others change."""
-    now, current = start, fitted(start)
-    findings: list[Named] = []
-    trials: list[Trial] = []
-    while len(findings) < MOST_EFFECTS:
-        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
-        tried = [
-            trial(now, current, c, columns, least)
-            for c, columns in library
-            if (c.effect, c.joint) not in taken and (rough or not c.rough)
-        ]
-        tried.sort(key=lambda one: -one.gain)
-        trials = trials or tried
-        best = best_of(now, current, tried, least, contexts, rough=rough)
-        if best is None:
-            break
-        one, rivals, confidence = best
-        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
-        if one.candidate.fixed:
-            now = less(now, one.candidate.rows, one.columns[:, :, 0])
-        else:
-            now = now.with_columns(one.candidate.rows, one.columns)
-        current = fitted(now)
-        if progress is not None:
-            progress(one.candidate.name)
-        if one.candidate.definition.traits.reevaluate:
-            break  # the model is to be evaluated anew before more is looked for
-    return _Chosen(findings, now, current, trials)
-
-
-def _is_of_link(candidate: Candidate) -> bool:
-    """Whether it is an error of the arm's own numbers."""
-    fold = candidate.definition.traits.fold
-    return fold is not None and fold.into == "link"
-
-
-def _evidence(start: Problem, chosen: _Chosen) -> float:
+def _evidence(start: Problem, chosen: Chosen) -> float:
     """How well a prior of the arm's numbers foresaw the logs, with what was chosen, in units of
     log-likelihood (MacKay 1992)."""
     p = chosen.now
@@ -276,9 +226,7 @@ def _evidence(start: Problem, chosen: _Chosen) -> float:
     return -misfit - spread - penalty - width - choice
 
 
-def _factor(
-    start: Problem, library: Sequence[tuple[Candidate, Floats]], least: Floats, contexts: Sequence[Context]
-) -> Floats:
+def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[Context]) -> Floats:
     """How much larger [n] than the noise is what neither the library nor one of its candidates explains."""
     factor = unexplained(start, library)
     if np.all(factor == 1):
@@ -287,33 +235,29 @@ def _factor(
     # A single burst may have biased all these fits.
     for left in (start.rest, start.rest - start.A @ current.known):
         factor = np.where(1.4826 * np.median(np.abs(left), axis=0) < STANDS_OUT, 1.0, factor)
-    tried = [trial(start, current, c, columns, least) for c, columns in library]
-    tried.sort(key=lambda one: -one.gain)
+    tried = trials(start, current, library, least)
     for one in nearest(start, current, tried, least, contexts):
         left = np.sqrt(np.median(one.fit.held_out, axis=0))
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
 
 
-def _otherwise(
-    start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]], least: Floats
-) -> bool:
+def _otherwise(start: Problem, contact: Contact, library: Library, least: Floats) -> bool:
     """Whether an effect that acts all along explains more of a log than a contact does of its window."""
     current = fitted(start)
     by_force = contact.explained * float((start.rest[contact.mask] ** 2).sum()) / 2 / start.thin
-    best = max(trial(start, current, c, columns, least).gain for c, columns in library)
-    return best > by_force
+    return trials(start, current, library, least)[0].gain > by_force
 
 
-def _clipped_there(start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
+def _clipped_there(start: Problem, contact: Contact, library: Library) -> bool:
     """Whether a torque that is cut off explains the burst as well as a force does."""
     b = start.rest[contact.mask]
-    for candidate, columns in library:
+    for k, candidate in enumerate(library.candidates):
         channel = candidate.definition.traits.channel
         if channel is not None and channel.acts == "limit":
             left = b.copy()
             rows = list(candidate.rows)
-            left[:, rows] -= columns[contact.mask][:, :, 0] / start.sigma[rows]
+            left[:, rows] -= library.of_candidate(k)[contact.mask][:, :, 0] / start.sigma[rows]
             if 1 - float(np.sum(left**2) / np.sum(b**2)) > contact.explained - CLIPPED_MARGIN:
                 return True
     return False
