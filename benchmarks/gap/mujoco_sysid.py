@@ -1,13 +1,16 @@
 """MuJoCo's own identification (``mujoco.sysid``) on the fitted samples of real logs.
 
 Its parameters are taken (pseudo-inertias of the bodies, which stay physical; armature, damping and friction
-loss of the joints) and its optimiser. Its residual by default compares simulated positions with measured ones,
-from which an arm driven by logged torques runs away within a second; here it compares torques of ``mj_inverse``
-along the same filtered motion as everybody's.
+loss of the joints) and its optimiser. By default its residual compares simulated positions with measured
+ones, from which an arm driven by logged torques runs away within a second; here it compares torques of
+``mj_inverse`` along the same filtered motion as everybody's.
 """
 
 from __future__ import annotations
 
+import contextlib
+import importlib
+import io
 from collections.abc import Sequence
 from typing import Any
 
@@ -29,8 +32,7 @@ _BALL = 0.05
 
 def fit(robot: Robot, motions: Sequence[Motion]) -> tuple[Floats, ...]:
     """Residuals [K, n] of each of ``motions``, by the model that was fitted to their fitted samples."""
-    from mujoco import sysid
-
+    sysid: Any = importlib.import_module("mujoco.sysid")
     q, qd, qdd, tau = (
         np.concatenate([getattr(m, name)[m.fitted] for m in motions]) for name in ("q", "qd", "qdd", "tau")
     )
@@ -39,6 +41,7 @@ def fit(robot: Robot, motions: Sequence[Motion]) -> tuple[Floats, ...]:
     spec = mujoco.MjSpec.from_string(_xml(robot))
     parameters = _parameters(robot, spec, qd, tau)
     weights = 1 / np.sqrt((tau**2).mean(axis=0))
+    model = sysid.apply_param_modifiers(parameters, spec)
     for _ in range(ROUNDS):
         scale = weights.copy()
 
@@ -51,9 +54,10 @@ def fit(robot: Robot, motions: Sequence[Motion]) -> tuple[Floats, ...]:
                 rows.append((left * scale).ravel())
             return [np.array(rows).T if x.ndim > 1 else rows[0]], None, None
 
-        parameters, _ = sysid.optimize(
-            parameters, residual, verbose=False, max_iters=ITERATIONS, x_scale="jac"
-        )
+        with contextlib.redirect_stdout(io.StringIO()):  # its optimiser prints every iteration
+            parameters, _ = sysid.optimize(
+                parameters, residual, verbose=False, max_iters=ITERATIONS, x_scale="jac"
+            )
         model = sysid.apply_param_modifiers(parameters, spec)
         weights = 1 / np.sqrt(((torque(model, q, qd, qdd) - tau) ** 2).mean(axis=0))
     return tuple(m.tau - torque(model, m.q, m.qd, m.qdd) for m in motions)
@@ -93,8 +97,7 @@ def _xml(robot: Robot) -> str:
 
 
 def _parameters(robot: Robot, spec: Any, qd: Floats, tau: Floats) -> Any:
-    from mujoco import sysid
-
+    sysid: Any = importlib.import_module("mujoco.sysid")
     parameters = sysid.ParameterDict()
     model = spec.compile()
     size, speed = np.sqrt((tau**2).mean(axis=0)), np.sqrt((qd**2).mean(axis=0))
@@ -118,9 +121,9 @@ def _parameters(robot: Robot, spec: Any, qd: Floats, tau: Floats) -> Any:
 
 
 def _body_setter(body: str) -> Any:
-    """As ``mujoco.sysid`` writes a pseudo-inertia, but by principal axes: MuJoCo 4.0 does not compile what its
-    own function leaves of a body without geometry."""
-    from mujoco.sysid._src.model_modifier import pi_from_theta
+    """As ``mujoco.sysid`` writes a pseudo-inertia, but by principal axes: MuJoCo 4.0 does not compile what
+    its own function leaves of a body without geometry."""
+    pi_from_theta = importlib.import_module("mujoco.sysid._src.model_modifier").pi_from_theta
 
     def modify(spec: Any, parameter: Any) -> None:
         part, pi = spec.body(body), pi_from_theta(parameter.value)
