@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,13 +14,18 @@ from robodyn.diagnose.select.common import common
 from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, SURE
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.effect import Effect
 
 Floats = NDArray[np.float64]
+#: An effect's id and its joint (from 1), None where it is of the whole robot.
+Key = tuple[str, int | None]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Named:
-    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first."""
+    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first;
+    ``is_common``: most joints lack it."""
 
     trial: Trial
     rivals: tuple[str, ...]
@@ -28,6 +33,7 @@ class Named:
     x: Floats
     stderr: Floats
     beside: tuple[Trial, ...] = ()
+    is_common: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,19 +53,21 @@ def forward(
     least: Floats,
     contexts: Sequence[Context],
     *,
+    known: frozenset[Key],
     rough: bool,
     links: bool = True,
     progress: Callable[[str], object] | None,
 ) -> Chosen:
     """One effect after another until none passes, or the columns of all others change; errors of the arm's
-    own numbers only with ``links``."""
+    own numbers only with ``links``; ``known``: what the model has of earlier passes, whose numbers are to be
+    refined and not sought again."""
     tell = progress or (lambda _: None)
     findings: list[Named] = []
     now, current = start, fitted(start)
     begun: list[Trial] = []
     is_grouped = False
     for _ in range(MOST_EFFECTS):
-        which = _untaken(library, findings, rough=rough, links=links)
+        which = _untaken(library, findings, known, rough=rough, links=links)
         tried = _tried(start, now, current, findings, library, which, least)
         begun = begun or [without_columns(one) for one in tried]
         best = best_of(now, current, tried, least, contexts, rough=rough)
@@ -70,7 +78,7 @@ def forward(
                 is_grouped = True
                 for one in group.trials:
                     one = replace(one, columns=one.columns.copy())
-                    findings.append(Named(one, (), SURE, one.fit.x, np.zeros(0)))
+                    findings.append(Named(one, (), SURE, one.fit.x, np.zeros(0), is_common=True))
                 for one in group.trials:
                     tell(one.candidate.name)
                 now = _with(start, findings)
@@ -91,10 +99,13 @@ def forward(
     return Chosen(findings, now, current, begun)
 
 
-def _untaken(library: Library, findings: Sequence[Named], *, rough: bool, links: bool) -> list[int]:
+def _untaken(
+    library: Library, findings: Sequence[Named], known: frozenset[Key], *, rough: bool, links: bool
+) -> list[int]:
     """The candidates that may still be taken."""
-    taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
-    kinds = {effect for effect, _ in taken}
+    laws = {key for key in known if not CATALOGUE[key[0]].traits.several}
+    taken = laws | {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
+    kinds = {effect for effect, _ in known | taken}
     return [
         k
         for k, c in enumerate(library.candidates)
@@ -102,7 +113,7 @@ def _untaken(library: Library, findings: Sequence[Named], *, rough: bool, links:
         and (rough or not c.rough)
         and (links or not _is_of_link(c))
         and (len(kinds) < MOST_KINDS or c.effect in kinds)
-        and not _is_covered(c, findings)
+        and not _is_covered(c, taken)
     ]
 
 
@@ -136,27 +147,33 @@ def _tried(
     return sorted(tried, key=lambda one: -one.gain)
 
 
-def _special_cases(candidate: Candidate) -> set[str]:
+def special_cases(candidate: Candidate) -> set[str]:
     """Ids of the effects that a law has as special cases."""
-    traits = candidate.definition.traits
-    return {*traits.contains, *([traits.steady[0]] if traits.steady else [])}
+    return set() if candidate.joint is None else special_cases_of(candidate.definition)
 
 
-def _is_covered(candidate: Candidate, findings: Sequence[Named]) -> bool:
+def special_cases_of(effect: Effect) -> set[str]:
+    """Ids of the effects that a law of a joint has as special cases, and in whose place it stands."""
+    traits = effect.traits
+    if effect.level != "joint":
+        return set()
+    special = {*traits.contains, *([traits.steady[0]] if traits.steady else [])}
+    return special - set(traits.one_law_with)
+
+
+def _is_covered(candidate: Candidate, taken: Iterable[Key]) -> bool:
     """Whether a law at the same joint has the candidate as a special case."""
     return any(
-        one.trial.candidate.joint == candidate.joint
-        and candidate.effect in _special_cases(one.trial.candidate)
-        and candidate.effect not in one.trial.candidate.beside
-        for one in findings
+        joint == candidate.joint and candidate.effect in special_cases_of(CATALOGUE[effect])
+        for effect, joint in taken
     )
 
 
 def _replaced(candidate: Candidate, findings: Sequence[Named]) -> tuple[int, ...]:
     """Places of the findings at the same joint of which a law takes the place: its special cases, and other
     laws of the same place in the drive with the same special cases, since a joint has one friction law."""
-    special = _special_cases(candidate)
-    if candidate.joint is None or candidate.beside or not special:
+    special = special_cases(candidate)
+    if not special:
         return ()
     return tuple(
         k
@@ -166,7 +183,7 @@ def _replaced(candidate: Candidate, findings: Sequence[Named]) -> tuple[int, ...
             one.trial.candidate.effect in special
             or (
                 one.trial.candidate.definition.place == candidate.definition.place
-                and special & _special_cases(one.trial.candidate)
+                and special & special_cases(one.trial.candidate)
             )
         )
     )

@@ -142,6 +142,14 @@ TWIST_CUTOFF: Final = 6.0
 OSCILLATOR_RATE: Final = 300.0
 """[steps/s] The fewest in which the motion of a spring is integrated."""
 
+# --- laws --------------------
+
+GRAVITY_SAMPLES: Final = 500
+"""[samples] At about as many gravity's torque is looked at, where an effect must relieve it."""
+
+GRAVITY_SHARE: Final = 0.1
+"""[share of the joint that carries most] A joint with less carries no gravity worth a spring."""
+
 # --- sensors --------------------
 
 DRIVE_LIMITS: Final = (0.5, 0.65, 0.8, 0.9, 0.96)
@@ -246,6 +254,10 @@ POSES: Final = 50
 
 SHORTEST_PIECE: Final = 6.0
 """[periods of the cutoff] Shorter pieces of a log are left out."""
+
+FEW_PARTS: Final = 1.15
+"""[-] A standard error that is from ten parts is so much larger, for twice of it to hold 95 % (Student, nine
+degrees of freedom)."""
 
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""

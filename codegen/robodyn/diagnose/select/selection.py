@@ -12,7 +12,7 @@ much as its prior says."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,13 +29,14 @@ from robodyn.diagnose.select.choice import (
 )
 from robodyn.diagnose.select.contact import Contact, contact_in
 from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider, without
-from robodyn.diagnose.select.forward import Chosen, Named, forward
+from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
 from robodyn.diagnose.select.library import Context, candidates, context_of
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     BLOCKS,
     CLIPPED_MARGIN,
     DIVERGED,
+    FEW_PARTS,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -57,7 +58,8 @@ Floats = NDArray[np.float64]
 class Selection:
     """The effects selected in the parts of a log; ``first`` and ``last`` fits; all trials of the first step,
     best first; ``residue`` [n]: the median of what is left, in units of the noise (a median, so that short
-    bursts of joints that stick at reversals do not count)."""
+    bursts of joints that stick at reversals do not count); ``widest``: inertial numbers of which nothing is
+    stated were taken for a guess."""
 
     contexts: tuple[Context, ...]
     start: Problem
@@ -66,6 +68,7 @@ class Selection:
     last: Fit
     trials: tuple[Trial, ...]
     residue: Floats
+    widest: bool = False
 
     @property
     def context(self) -> Context:
@@ -150,19 +153,22 @@ def select(
     robot: Robot,
     logs: Log | Sequence[Log],
     *,
+    known: frozenset[Key] = frozenset(),
+    widest: bool | None = None,
     progress: Callable[[str], object] | None = None,
     cutoff: float | None = None,
 ) -> Selection:
     """What ``robot`` lacks to explain ``logs``, each evenly sampled; parts too short to be filtered are
-    left out."""
+    left out. ``known``: what the model has of earlier passes; ``widest``: whether the inertial numbers of
+    which nothing is stated are a guess (None: the logs decide)."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     pieces.sort(key=lambda log: -log.samples)
-    seen = signals_of(pieces[0], cutoff=cutoff)
-    context = context_of(Model(robot), seen)
+    longest = signals_of(pieces[0], cutoff=cutoff)
+    context = context_of(Model(robot), longest)
     contexts = [context]
     for log in pieces[1:]:
-        if log.samples * seen.period > SHORTEST_PIECE / seen.cutoff:
-            more = signals_of(log, cutoff=seen.cutoff)
+        if log.samples * longest.period > SHORTEST_PIECE / longest.cutoff:
+            more = signals_of(log, cutoff=longest.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
@@ -183,21 +189,29 @@ def select(
     if contact is not None:
         start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
-    chosen = forward(start, library, least, contexts, rough=rough, progress=progress)
-    if not chosen.findings:
-        # Perhaps the arm's numbers are better than they are said to be, and something else shows.
-        tight = tighter(start, TIGHT)
-        # Not their errors, which are within what is said of them.
-        other = forward(tight, library, least, contexts, rough=rough, links=False, progress=progress)
-        if other.findings and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
-            start, chosen = tight, other
-    widest = prior_scales(context.model, widest=True)
-    if chosen.findings and np.any(widest > narrow):
-        # What is stated of no number is learned from the log: are they a guess?
-        wide = wider(start, start_of(contexts, widest))
-        other = forward(wide, library, least, contexts, rough=rough, links=False, progress=progress)
-        if _evidence(wide, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
-            start, chosen = wide, other
+
+    def choose(start: Problem, *, links: bool = True) -> Chosen:
+        return forward(
+            start, library, least, contexts, known=known, rough=rough, links=links, progress=progress
+        )
+
+    scales = prior_scales(context.model, widest=True)
+    wide = wider(start, start_of(contexts, scales)) if np.any(scales > narrow) else None
+    if widest and wide is not None:
+        start, chosen = wide, choose(wide, links=False)
+    else:
+        chosen = choose(start)
+        # Perhaps the arm's numbers are better than they are said to be, and something else shows (not their
+        # errors, which are within what is said of them); or, where nothing is said of them, they are a guess.
+        other = None if chosen.findings else tighter(start, TIGHT)
+        if chosen.findings and wide is not None and widest is None:
+            other = wide
+        if other is not None:
+            again = choose(other, links=False)
+            if (again.findings or other is wide) and (
+                _evidence(other, again) > _evidence(start, chosen) + TIGHT_EVIDENCE
+            ):
+                start, chosen, widest = other, again, other is wide
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
@@ -205,7 +219,11 @@ def select(
         estimated = (*estimated, _named_contact(contact, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
-    return Selection(tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue)
+    for each in contexts:
+        each.kept.clear()
+    return Selection(
+        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, bool(widest)
+    )
 
 
 def _evidence(start: Problem, chosen: Chosen) -> float:
@@ -271,15 +289,26 @@ def _named_contact(contact: Contact, first: Fit) -> Named:
     return Named(one, (), 0.9, contact.x, contact.stderr)
 
 
+def _covariance(now: Problem, last: Fit) -> Floats:
+    """The covariance [p, p] of the coefficients, by how much the parts of the log pull at them (White 1980,
+    with parts as clusters: what is left is correlated over time), no less than of as many independent
+    samples."""
+    inverse = np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True)
+    pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
+    clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
+    independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
+    scale = np.sqrt(np.maximum(1.0, np.diag(independent) / np.maximum(np.diag(clustered), 1e-300)))
+    return np.asarray(clustered * np.outer(scale, scale))
+
+
 def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
     """The effects with their coefficients in the fit of all together."""
     done = []
     at = now.nuisance
-    spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
-    spread = spread * max(float(last.held_out.mean()), 1e-300)
+    spread = _covariance(now, last)
     for one in findings:
         if one.trial.candidate.fixed:
-            done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
+            done.append(replace(one, x=np.ones(1), stderr=np.zeros(1)))
             continue
         wide = one.trial.columns.shape[2]
         x = last.known[at : at + wide]
@@ -287,6 +316,6 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
         if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # the fit of all together cannot separate them
         error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
-        done.append(Named(one.trial, one.rivals, one.confidence, x, error, one.beside))
+        done.append(replace(one, x=x, stderr=error))
         at += wide
     return tuple(done)
