@@ -189,5 +189,5 @@ def _centred(x: Floats, logs: NDArray[np.intp]) -> Floats:
 
 
 def _solved(A: Floats, y: Floats, logs: NDArray[np.intp]) -> Floats:
-    solution: Floats = np.linalg.lstsq(_centred(A, logs), _centred(y, logs), rcond=1e-10)[0]
-    return solution
+    solution = np.linalg.lstsq(_centred(A, logs), _centred(y, logs), rcond=1e-10)[0]
+    return np.asarray(solution, dtype=np.float64)
