@@ -13,6 +13,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
+from robodyn_cli.choices import SEVERAL_EFFECTS
 from robodyn_cli.common import (
     json_option,
     load_robot,
@@ -22,6 +23,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
+from robodyn_cli.options import listed
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
@@ -41,6 +43,21 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @click.option(
     "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
 )
+@click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
+@click.option(
+    "--except", "without", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for all but these effects."
+)
+@click.option(
+    "--joints",
+    metavar="J,K",
+    help="Look for effects at these joints only, and for none of the whole robot (payload, base tilt).",
+)
+@click.option(
+    "--most",
+    type=click.IntRange(1),
+    metavar="N",
+    help="Name at most N effects; one at several joints counts once.  [default: 8]",
+)
 @click.option("--no-kernels", is_flag=True, help="Do not write C and Fortran of the amended model.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
@@ -50,6 +67,10 @@ def command(
     validate: str | None,
     out: str,
     param: tuple[tuple[str, float], ...],
+    only: str | None,
+    without: str | None,
+    joints: str | None,
+    most: int | None,
     no_kernels: bool,
     strict: bool,
     as_json: bool,
@@ -69,7 +90,11 @@ def command(
     _spare_inputs(folder, [robot, *(file for source in sources for file in files_of(source))])
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
-    diagnosis = _diagnosed(described, robot, logs, validate, values)
+    scope = {
+        "only": _effects("--only", only), "without": _effects("--except", without),
+        "joints": _joints(joints), "most": most,
+    }  # fmt: skip
+    diagnosis = _diagnosed(described, robot, logs, validate, values, scope)
     validated = validate is not None
     text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from robodyn.report.diagnosis import page
@@ -121,6 +146,22 @@ def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
                 )
 
 
+def _effects(option: str, text: str | None) -> tuple[str, ...]:
+    """The ids of ``--only`` or ``--except``."""
+    ids = listed(text or "")
+    if text is not None and not ids:
+        raise InputError(f"{option} is empty", expected="ids of effects, as robodyn effects lists them")
+    return ids
+
+
+def _joints(text: str | None) -> list[int]:
+    """The joints of ``--joints``."""
+    words = [] if text is None else [word.strip() for word in text.split(",")]
+    if not all(word.isascii() and word.isdigit() for word in words):
+        raise InputError("--joints is not a list of joints", found=str(text), expected="numbers, such as 1,3")
+    return [int(word) for word in words]
+
+
 # --- the diagnosis ----------------------------------------------------------------------------------------
 
 
@@ -130,6 +171,7 @@ def _diagnosed(
     logs: Sequence[str],
     validate: str | None,
     values: Mapping[str, float] | None,
+    scope: Mapping[str, Any],
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
     from robodyn.logs.log import read_log
@@ -155,6 +197,7 @@ def _diagnosed(
             hashes=hashes,
             parameters=values,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
+            **scope,
         )
 
 
