@@ -22,6 +22,7 @@ from robodyn.diagnose.evidence import (
     windows,
 )
 from robodyn.diagnose.limits import (
+    COMMON_EXPLAINED,
     CONFIRMED_SHARE,
     DRAWN_POINTS,
     END_SHARE,
@@ -31,9 +32,10 @@ from robodyn.diagnose.limits import (
     WITHDRAWN,
 )
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
+from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.search import Detected, search
-from robodyn.diagnose.select.selection import Named, Selection, what_matters
+from robodyn.diagnose.select.selection import Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.predict import agreement, lacking, signals_seen
@@ -147,6 +149,8 @@ def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected
     share, stands_out = _share(first, last, one.named.trial.candidate.rows)
     left = _left(last)
     rows = list(one.named.trial.candidate.rows)
+    if one.named.is_common:
+        return one, share > COMMON_EXPLAINED
     return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
 
 

@@ -15,7 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.effects.catalogue import CATALOGUE
-from robodyn.identify.limits import LAG_BEGIN, LAG_PIECE, LAG_TRIES, SWEEPS, TWIST_BEYOND, TWIST_PLACES
+from robodyn.identify.limits import (
+    LAG_BEGIN,
+    LAG_PIECE,
+    LAG_TRIES,
+    SWEEPS,
+    TWIST_BEYOND,
+    TWIST_DIVERGED,
+    TWIST_PLACES,
+)
 from robodyn.identify.oscillator import oscillation
 from robodyn.identify.rigid import Evaluated, Model
 
@@ -135,10 +143,14 @@ class _Spring:
     def oscillation(
         self, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats
     ) -> Floats:
-        """Place, rate and acceleration [K, 3] of a link on it."""
-        return oscillation(
+        """Place, rate and acceleration [K, 3] of a link on it; not finite from where it diverges."""
+        lag = oscillation(
             inputs, step, (self.force, self.low, self.width), self.damping, (float(begin[0]), float(begin[1]))
         )
+        far = np.abs(lag[:, 0]) > TWIST_DIVERGED * -self.low
+        if far.any():
+            lag[int(np.argmax(far)) :] = np.nan
+        return lag
 
 
 def behind_motors(

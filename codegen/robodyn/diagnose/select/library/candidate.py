@@ -37,6 +37,8 @@ class Candidate:
     read: Callable[[Floats], dict[str, float | str]]
     order: int
     coarse: bool = False
+    #: Standard deviations [c] of a prior of the coefficients about 0; None: they are free.
+    scale: Floats | None = None
     #: Only for logs in which nothing explains all there is.
     rough: bool = False
     #: Stands for another of the same effect, where noise hides which way a joint moves.
