@@ -19,7 +19,9 @@ def check_stuck(grid: Grid, source: str | None, flags: list[Flag]) -> None:
     log = grid.log
     stay = max(STAY_ROWS, round(STAY_TIME / grid.period))
     for j in range(log.n):
-        rows = [part.start + row for part in grid.segments for row in _stuck(log.q[part, j], stay, grid.period)]
+        rows = [
+            part.start + row for part in grid.segments for row in _stuck(log.q[part, j], stay, grid.period)
+        ]
         if not rows:
             continue
         spans = grid.spans(np.array(rows, dtype=np.intp))

@@ -54,8 +54,8 @@ def pushed_log(
     friction: bool = True,
     rate: float = 500.0,
 ) -> Pushed:
-    """A log of ``arm`` with as many ``pushes``; masses, centres and inertias of the given model are off by the
-    share ``inertia_error``, and it knows no friction."""
+    """A log of ``arm`` with as many ``pushes``; masses, centres and inertias of the given model are off
+    by the share ``inertia_error``, and it knows no friction."""
     rng = np.random.default_rng((seed, 5))
     known = rubbing(bare(arm)) if friction else bare(arm)
     law = _still(known, seed, duration) if kind == "rest" else _law(known, 2 * seed, duration, "full")
@@ -96,7 +96,9 @@ def pushed_log(
     log, _ = _measured(true, known, law, duration, every, step, seed)
     given = bare(arm)
     given = perturbed(given, inertia_error, seed) if inertia_error else given
-    return Pushed(given, _noisy(log, known, noise, 20, "none", np.random.default_rng((seed, 3))), tuple(made), noise)
+    return Pushed(
+        given, _noisy(log, known, noise, 20, "none", np.random.default_rng((seed, 3))), tuple(made), noise
+    )
 
 
 def _still(robot: Robot, seed: int, duration: float) -> Law:

@@ -41,8 +41,8 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Seen:
-    """A residual [N, n] in units of the spread around it, ``z``, and the ``spread`` [N, n]; ``quiet`` [N]: the
-    arm stands, but for what a hand moves it; ``hot`` [N]: the residual stands out."""
+    """A residual [N, n] in units of the spread around it, ``z``, and the ``spread`` [N, n]; ``quiet``
+    [N]: the arm stands, but for what a hand moves it; ``hot`` [N]: the residual stands out."""
 
     z: Floats
     spread: Floats
@@ -119,8 +119,8 @@ def _noise(x: Floats, step: float) -> float:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Burst:
-    """A stretch in which the residual stands out: its ``rows``, and in them the residual ``z`` [K, n] beside the
-    level before and after it; ``shift`` [n]: by how much that after it is another."""
+    """A stretch in which the residual stands out: its ``rows``, and in them the residual ``z`` [K, n]
+    beside the level before and after it; ``shift`` [n]: by how much that after it is another."""
 
     rows: NDArray[np.intp]
     z: Floats
@@ -128,8 +128,8 @@ class Burst:
 
 
 def bursts(rough: Rough, s: Seen) -> list[list[Burst]]:
-    """Stretches from one sudden step of the residual to another between which it stands out: for each step, the
-    largest first, those that begin or end with it.
+    """Stretches from one sudden step of the residual to another between which it stands out: for each step,
+    the largest first, those that begin or end with it.
 
     After a burst the level may be another one than before: stiction holds what the push has moved.
     """
@@ -205,7 +205,8 @@ def _peaks(size: Floats, apart: int) -> list[int]:
 
 
 def _levels(z: Floats, first: int, last: int, step: float) -> Floats:
-    """The level [K, n] of ``z`` [N, n] beside the rows ``first`` to ``last``: between that before and after."""
+    """The level [K, n] of ``z`` [N, n] beside the rows ``first`` to ``last``: between that before and
+    after."""
     near, far = max(1, round(0.08 / step)), max(3, round(LEVEL_TIME / step))
     before = z[max(first - far, 0) : max(first - near, 0)]
     after = z[last + near + 1 : last + far + 1]

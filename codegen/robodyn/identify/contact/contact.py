@@ -1,15 +1,16 @@
 """Contacts in a log, and the log without them.
 
 A contact is a burst of the residual that a quick robust fit leaves (the arm's numbers and friction are
-uncertain), as long as a force on one link explains it: De Luca and Mattone 2005 (residuals of collisions), with
-the friction fitted beside it. The start of a motion, a joint that sticks at a reversal, a drive at its limit, or
-a load that stays are none.
+uncertain), as long as a force on one link explains it: De Luca and Mattone 2005 (residuals of
+collisions), with the friction fitted beside it. The start of a motion, a joint that sticks at a
+reversal, a drive at its limit, or a load that stays are none.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,7 @@ from robodyn.identify.contact.limits import (
     LEAST_PUSH,
     LONGEST_SHARE,
     MARGIN,
+    MOST_LOAD,
     REST_EDGE,
     SHORT_REST,
     SHORT_TIME,
@@ -43,9 +45,9 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Contact:
-    """Somebody touched the arm from ``start`` to ``end`` [s] on ``link`` (from 1): ``force`` [3], the mean over
-    the window, acts on the arm, along the base's axes (N), ``stderr`` [3] its standard errors; ``explained``:
-    share of the window's squares that it explains; ``at_rest``: the arm stood."""
+    """Somebody touched the arm from ``start`` to ``end`` [s] on ``link`` (from 1): ``force`` [3], the
+    mean over the window, acts on the arm, along the base's axes (N), ``stderr`` [3] its standard
+    errors; ``explained``: share of the window's squares that it explains; ``at_rest``: the arm stood."""
 
     start: float
     end: float
@@ -82,7 +84,9 @@ def contacts(robot: Robot, gate: Gate) -> tuple[Contact, ...]:
     )  # fmt: skip
 
 
-def _pushed(model: Model, rough: Rough, view: Seen, stiction: Floats, *, last: bool) -> list[tuple[NDArray[np.intp], Push]]:
+def _pushed(
+    model: Model, rough: Rough, view: Seen, stiction: Floats, *, last: bool
+) -> list[tuple[NDArray[np.intp], Push]]:
     """The bursts that are contacts; all that may be, until the ``last`` round."""
     usual = rough.size + stiction
     accepted: list[tuple[float, NDArray[np.intp], Push]] = []
@@ -96,7 +100,7 @@ def _pushed(model: Model, rough: Rough, view: Seen, stiction: Floats, *, last: b
             wide = view.spread[rows]
             torque = burst.z * wide
             push = push_in(model, rough.q[rows], torque, wide, burst.shift * wide[-1])
-            if push.explained < EXPLAINED or not _sure(view, burst, push):
+            if push.explained < EXPLAINED or not _sure(rough, view, burst, push):
                 continue
             energy = push.explained * float((burst.z**2).sum())
             if best is None or energy > best[0]:
@@ -111,11 +115,11 @@ def _pushed(model: Model, rough: Rough, view: Seen, stiction: Floats, *, last: b
     if not last:
         return pushed
     # In motion: if much else stands out, the model lacks something, and this may be that.
-    energy = np.where(view.hot & ~view.quiet, (view.z**2).sum(axis=1), 0.0)
-    inside = np.zeros(len(energy), dtype=bool)
+    excess: Floats = np.where(view.hot & ~view.quiet, (view.z**2).sum(axis=1), 0.0)
+    inside: Mask = np.zeros(len(excess), dtype=bool)
     for rows, _ in pushed:
         inside[max(rows[0] - 6, 0) : rows[-1] + 7] = True
-    if energy[inside].sum() < EXCESS_SHARE * energy.sum():
+    if excess[inside].sum() < EXCESS_SHARE * excess.sum():
         pushed = [(rows, push) for rows, push in pushed if view.quiet[rows].all()]
     outside = _largest(rough, view, inside)
     pushed = [
@@ -139,12 +143,16 @@ def _largest(rough: Rough, view: Seen, inside: Mask) -> float:
     return float(np.sqrt(np.convolve(squares, np.ones(wide) / wide, mode="same").max()))
 
 
-def _sure(view: Seen, burst: Burst, push: Push) -> bool:
+def _sure(rough: Rough, view: Seen, burst: Burst, push: Push) -> bool:
     """Whether it is a force, and not what a joint does by itself."""
     if push.evidence > LEAST_EVIDENCE or view.quiet[burst.rows].all():
         return True
-    # A joint alone, in motion: if it does so once, and others could.
+    # A joint alone, in motion: if it does so once, and not where its torque is largest, at a drive's limit.
     j = push.alone - 1
+    load = np.abs(rough.tau[:, j])
+    others = np.delete(load, burst.rows)
+    if not len(others) or float(np.median(load[burst.rows])) > MOST_LOAD * float(others.max()):
+        return False
     squares = view.z[:, j] ** 2
     outside = squares * (view.hot & ~view.quiet)
     share = squares[burst.rows].sum() / max(float(outside.sum()), 1e-300)
@@ -183,13 +191,16 @@ def _limited(rough: Rough, burst: Burst) -> bool:
 
 def without(gate: Gate, found: Sequence[Contact]) -> Gate:
     """The ``gate`` without the windows of contacts, cut there as at gaps."""
-    if not found:
-        return gate
+    return without_windows(gate, [(one.start, one.end) for one in found])
+
+
+def without_windows(gate: Gate, windows: Sequence[tuple[float, float]]) -> Gate:
+    """The ``gate`` without ``windows`` of time [s], and a margin before and after each."""
     t = gate.log.t
     out = np.zeros(len(t), dtype=bool)
-    for one in found:
-        out |= (t >= one.start - MARGIN) & (t <= one.end + MARGIN)
-    return without_rows(gate, out)
+    for start, end in windows:
+        out |= (t >= start - MARGIN) & (t <= end + MARGIN)
+    return without_rows(gate, out) if out.any() else gate
 
 
 def without_rows(gate: Gate, out: Mask) -> Gate:
@@ -206,7 +217,7 @@ def without_rows(gate: Gate, out: Mask) -> Gate:
     kept = np.flatnonzero(inside & ~out)
     log = gate.log
     groups = {name: getattr(log, name) for name in ("t", "q", "qd", "qdd", "tau", "ql")}
-    cut = {name: None if x is None else x[kept] for name, x in groups.items()}
+    cut: dict[str, Any] = {name: None if x is None else x[kept] for name, x in groups.items()}
     return replace(
         gate, log=replace(log, **cut), segments=tuple(segments), rows=gate.rows[kept],
         saturated=gate.saturated[kept], resting=gate.resting[kept],

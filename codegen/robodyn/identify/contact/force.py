@@ -1,8 +1,9 @@
 """Which link a force acts on in a window of time, and the force: the most likely of all links, or none.
 
-Torques are compared in units of their spread. A force on link k shows at joints 1 to k; the point of contact is
-unknown, so that a moment about it of a small lever goes with it. The evidence for a link is the likelihood of
-the window's torques, the force integrated out (a Gaussian prior whose size is the most likely one)."""
+Torques are compared in units of their spread. A force on link k shows at joints 1 to k; the point of
+contact is unknown, so that a moment about it of a small lever goes with it. The evidence for a link is
+the likelihood of the window's torques, the force integrated out (a Gaussian prior whose size is the most
+likely one)."""
 
 from __future__ import annotations
 
@@ -28,9 +29,10 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Push:
-    """A force on the arm from outside: on ``link`` (from 1), ``force`` [3] along the base's axes (N), the mean
-    over its window, with standard errors; ``explained``: share of the window's squares; ``evidence``: how much
-    more likely (log) it is than one joint alone; ``alone``: that joint (from 1)."""
+    """A force on the arm from outside: on ``link`` (from 1), ``force`` [3] along the base's axes (N),
+    the mean over its window, with standard errors; ``explained``: share of the window's squares;
+    ``evidence``: how much more likely (log) it is than one joint alone; ``alone``: that joint (from
+    1)."""
 
     link: int
     force: Floats
@@ -41,8 +43,9 @@ class Push:
 
 
 def push_in(model: Model, q: Floats, torque: Floats, spread: Floats, shift: Floats) -> Push:
-    """The force behind the residual ``torque`` [K, n] at poses ``q`` [K, n]; ``spread`` [K, n]: standard deviation
-    of what it is without a force; ``shift`` [n]: by how much its level is another one afterwards."""
+    """The force behind the residual ``torque`` [K, n] at poses ``q`` [K, n]; ``spread`` [K, n]: standard
+    deviation of what it is without a force; ``shift`` [n]: by how much its level is another one
+    afterwards."""
     n = torque.shape[1]
     own = np.sqrt((torque**2).mean(axis=0))
     error = np.hypot(OWN_ERROR * own, SHIFT_ERROR * shift) + ALL_ERROR * own.max()
@@ -73,7 +76,7 @@ def push_in(model: Model, q: Floats, torque: Floats, spread: Floats, shift: Floa
     if not tried:
         return Push(1, np.zeros(3), np.zeros(3), 0.0, 0.0, 1)
     best = max(tried, key=lambda one: one[0])
-    # Where on the arm may be open: the force is the mean over all places, each as likely as its evidence says.
+    # Where it acts may be open: the force is the mean over all places, as likely as their evidence says.
     weights = np.exp(np.array([one[0] for one in tried]) - best[0])
     weights /= weights.sum()
     link = int(np.argmax(np.bincount([one[1] for one in tried], weights)))
@@ -92,7 +95,8 @@ def push_in(model: Model, q: Floats, torque: Floats, spread: Floats, shift: Floa
 
 
 def _points(model: Model, link: int) -> list[Floats]:
-    """Points of a link [m, in its frame] near which it is touched: its frame's origin, centre, and far end."""
+    """Points of a link [m, in its frame] near which it is touched: its frame's origin, centre, and far
+    end."""
     bodies = model.arm.bodies
     points = [np.zeros(3), np.array([float(c) for c in bodies[link - 1].com])]
     if link < len(bodies):

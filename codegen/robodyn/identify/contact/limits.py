@@ -1,7 +1,7 @@
 """Every number by which contacts are found in a log.
 
-Below each stand its unit and what it decides. Where no source is given, the value is a choice: simulated pushes
-and real logs without any (docs/diagnose.md) bear it out, and it was not derived.
+Below each stand its unit and what it decides. Where no source is given, the value is a choice: simulated
+pushes and real logs without any (docs/diagnose.md) bear it out, and it was not derived.
 """
 
 from __future__ import annotations
@@ -46,7 +46,8 @@ QUIET_WAY: Final = 0.02
 """[m] and no prismatic one."""
 
 QUIET_SHARE: Final = 0.4
-"""[share of the samples] So much of a quiet span at least is without contact: its level is that of the rest."""
+"""[share of the samples] So much of a quiet span at least is without contact: its level is that of the
+rest."""
 
 QUIET_PIECE: Final = 12.0
 """[s] In a longer quiet span the level may change slowly: each piece of this length has its own."""
@@ -106,7 +107,8 @@ LONGEST_SHARE: Final = 0.3
 """[share of the log] or those that cover more of it."""
 
 EXCESS_SHARE: Final = 0.5
-"""[share of all that stands out] In motion, contacts make up so much of it; else the model lacks something."""
+"""[share of all that stands out] In motion, contacts make up so much of it; else the model lacks
+something."""
 
 ABOVE_OTHERS: Final = 1.3
 """[-] In motion a contact is so many times larger than what else stands out,"""
@@ -115,7 +117,11 @@ SHORT_TIME: Final = 0.15
 """[s] over as long."""
 
 ALONE_SHARE: Final = 0.8
-"""[share of what stands out at a joint] In motion a burst at one joint alone is a contact if it is so much."""
+"""[share of what stands out at a joint] In motion a burst at one joint alone is a contact if it is so
+much."""
+
+MOST_LOAD: Final = 0.75
+"""[share of its largest torque elsewhere] and its torque is smaller."""
 
 REST_EDGE: Final = 0.5
 """[s] As near to a motion a torque at rest is that of setting out or of coming to rest;"""

@@ -31,16 +31,17 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rough:
-    """Signals of the segments of a log, thinned: times ``t`` [N] (s), ``part`` [N] the segment of each sample,
-    ``q``, ``qd`` [N, n]; columns ``A`` [N, n, p] of what is fitted with precisions ``prior`` [p], and what the
-    description leaves, ``rest`` [N, n]; ``resting``, ``saturated`` [N, n]; ``floor`` [n]: noise of the torques
-    after the filter; ``size`` [n]: RMS torques; ``step`` [s]; ``ways`` [n]: the column of each joint's
-    direction, -1 where it has none."""
+    """Signals of the segments of a log, thinned: times ``t`` [N] (s), ``part`` [N] the segment of each
+    sample, ``q``, ``qd``, ``tau`` [N, n]; columns ``A`` [N, n, p] of what is fitted with precisions ``prior``
+    [p], and what the description leaves, ``rest`` [N, n]; ``resting``, ``saturated`` [N, n];
+    ``floor`` [n]: noise of the torques after the filter; ``size`` [n]: RMS torques; ``step`` [s];
+    ``ways`` [n]: the column of each joint's direction, -1 where it has none."""
 
     t: Floats
     part: NDArray[np.intp]
     q: Floats
     qd: Floats
+    tau: Floats
     A: Floats
     prior: Floats
     rest: Floats
@@ -64,7 +65,8 @@ def rough_signals(model: Model, gate: Gate) -> Rough | None:
         return None
     size = np.sqrt(np.mean(gate.log.tau**2, axis=0))
     size = np.maximum(size, LEAST_SIZE * size.max() + 1e-12)
-    rests, columns, times, owners, places, rates, still, cut = [], [], [], [], [], [], [], []
+    rests, columns, times, owners, places, rates, loads = [], [], [], [], [], [], []
+    still, cut = [], []
     for k, part, s in parts:
         coarse = s.coarse()
         rests.append(s.thinned(s.filtered(s.tau - model.torque(s.q, s.qd, s.qdd))))
@@ -73,16 +75,21 @@ def rough_signals(model: Model, gate: Gate) -> Rough | None:
         owners.append(np.full(len(times[-1]), k))
         places.append(s.thinned(s.q))
         rates.append(s.thinned(s.qd))
-        still.append(s.thinned(gate.resting[part][: len(s.t)]))
-        cut.append(s.thinned(gate.saturated[part][: len(s.t)]))
+        loads.append(s.thinned(s.filtered(s.tau)))
+        still.append(_thinned(s, gate.resting[part]))
+        cut.append(_thinned(s, gate.saturated[part]))
     A, prior, ways = _scaled(model, np.concatenate(columns), size, np.concatenate(rates))
     step = parts[0][2].period * parts[0][2].every
     passed = np.sqrt(min(1.0, 2 * cutoff * gate.period))
     return Rough(
         np.concatenate(times), np.concatenate(owners), np.concatenate(places), np.concatenate(rates),
-        A, prior, np.concatenate(rests), np.concatenate(still), np.concatenate(cut),
+        np.concatenate(loads), A, prior, np.concatenate(rests), np.concatenate(still), np.concatenate(cut),
         _noise(gate) * passed, size, step, ways,
     )  # fmt: skip
+
+
+def _thinned(s: Signals, mask: Mask) -> Mask:
+    return mask[: len(s.t)][s.edge : len(s.t) - s.edge : s.every]
 
 
 def _noise(gate: Gate) -> Floats:
@@ -96,8 +103,8 @@ def _piece(log: Log, part: slice) -> Log:
 
 
 def _columns(model: Model, s: Signals, coarse: Signals) -> Floats:
-    """Unscaled columns [N, n, 10 n + 5 n]: the inertial numbers, and of each joint direction, speed, 1, position,
-    acceleration."""
+    """Unscaled columns [N, n, 10 n + 5 n]: the inertial numbers, and of each joint direction, speed, 1,
+    position, acceleration."""
     Y = model.regressor(coarse.q, coarse.qd, coarse.qdd)
     inertial = coarse.thinned(coarse.filtered(Y.reshape(len(Y), model.n, -1)))
     way = s.thinned(s.filtered(model.direction(s.qd)))
@@ -140,7 +147,7 @@ def fitted_rest(rough: Rough, without: Mask | None = None) -> tuple[Floats, Floa
     base = np.where(rough.resting, REST_WEIGHT, 1.0) * ~rough.saturated
     if without is not None:
         base = base * ~without[:, None]
-    x = np.zeros(A.shape[2])
+    x: Floats = np.zeros(A.shape[2])
     left = b
     weights = base
     for round_ in range(FIT_ROUNDS):
@@ -157,10 +164,10 @@ def fitted_rest(rough: Rough, without: Mask | None = None) -> tuple[Floats, Floa
             G += a.T @ a
             g += a.T @ (np.sqrt(W[:, j]) * b[:, j])
         new = np.linalg.solve(G + np.diag(rough.prior), g)
-        left = b - A @ new
+        left = np.asarray(b - A @ new)
         if np.abs(new - x).max() < 1e-3 * max(1.0, np.abs(new).max()):
             break
-        x = new
+        x = np.asarray(new)
     level = np.where(rough.ways >= 0, np.abs(x[rough.ways]) * np.abs(_unit(rough)), 0.0)
     return left, _scale(left, base, rough), level
 
