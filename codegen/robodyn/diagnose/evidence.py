@@ -51,16 +51,16 @@ def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
 
 def windows(gate: Gate, findings: Sequence[Finding], shown: Mapping[str, str]) -> tuple[Window, ...]:
     """Contacts in the logs that are ``shown`` (names of series by hash), and gaps in the first, ``gate``."""
-    found = []
+    stretches = []
     for finding in findings:
         name = shown.get(str(finding.parameters["log"].value)) if "log" in finding.parameters else None
         if CATALOGUE[finding.effect].place == "outside" and name is not None:
             start, end = (float(finding.parameters[edge].value) for edge in ("start", "end"))
-            found.append(Window(name, start, end, "contact"))
+            stretches.append(Window(name, start, end, "contact"))
     for before, after in zip(gate.segments, gate.segments[1:], strict=False):
         times = float(gate.log.t[before.stop - 1]), float(gate.log.t[after.start])
-        found.append(Window("train", *times, "gap"))
-    return tuple(found)
+        stretches.append(Window("train", *times, "gap"))
+    return tuple(stretches)
 
 
 def operations(robot: Robot) -> Count:

@@ -149,8 +149,8 @@ def bursts(rough: Rough, s: Seen) -> list[list[Burst]]:
     result = []
     for _, one in edges:
         ends = [(min(one, other), max(one, other)) for _, other in edges if other != one]
-        found = [_burst(rough, s, a, b) for a, b in ends if rough.part[a] == rough.part[b]]
-        result.append([burst for burst in found if burst is not None])
+        whole = [_burst(rough, s, a, b) for a, b in ends if rough.part[a] == rough.part[b]]
+        result.append([burst for burst in whole if burst is not None])
     return result
 
 

@@ -189,9 +189,9 @@ def _limited(rough: Rough, burst: Burst) -> bool:
     return bool(squares[rough.saturated[burst.rows]].sum() > 0.5 * squares.sum())
 
 
-def without(gate: Gate, found: Sequence[Contact]) -> Gate:
+def without(gate: Gate, outside: Sequence[Contact]) -> Gate:
     """The ``gate`` without the windows of contacts, cut there as at gaps."""
-    return without_windows(gate, [(one.start, one.end) for one in found])
+    return without_windows(gate, [(one.start, one.end) for one in outside])
 
 
 def without_windows(gate: Gate, windows: Sequence[tuple[float, float]]) -> Gate:
