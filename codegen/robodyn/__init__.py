@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from robodyn.diagnose.excite import excite
     from robodyn.diagnose.run import diagnose
     from robodyn.errors import CheckError, InputError, RobodynError, ToolError
+    from robodyn.identify.run import identify
     from robodyn.kernels.generate import Generated, Options, generate, program
     from robodyn.kernels.operations import count
     from robodyn.kernels.robot_kernel import compile
@@ -66,6 +67,7 @@ __all__ = [
     "diagnose",
     "excite",
     "generate",
+    "identify",
     "load",
     "program",
     "simulate",
@@ -73,7 +75,7 @@ __all__ = [
 ]
 
 
-_PACKAGES = ("diagnose", "simulate")  # packages that can be called
+_PACKAGES = ("diagnose", "identify", "simulate")  # packages that can be called
 
 
 def __getattr__(name: str) -> Any:

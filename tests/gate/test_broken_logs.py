@@ -97,7 +97,6 @@ BROKEN: dict[str, tuple[Break, str]] = {
     "a date": (lambda x: cell(x, 7, 0, "2024-01-01T00:00:00"), "log.csv:8:1:.*write times in seconds"),
     "quotes": (lambda x: put(x, 1, ",".join(['"0.5"'] * 5)), "log.csv:2:1:.*numbers without quotes"),
     "10 rows": (lambda x: joined(x[:11]), "too short to diagnose; found 10 rows"),
-    "standstill": (lambda x: joined([x[0], *(f"{k / 500},1,1,2,{k % 2}" for k in range(999))]), "no joint"),
     "dead sensor": (
         lambda x: joined([x[0], *(line.rsplit(",", 1)[0] + ",0" for line in x[1:])]),
         "tau2: the same throughout; found 0 in all rows",

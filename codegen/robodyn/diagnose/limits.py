@@ -53,6 +53,9 @@ EXCITE_SHARE: Final = 0.95
 LEAST_EXPLAINED: Final = 0.8
 """[share of mean square] Findings that explain less of what a joint lacks are withdrawn,"""
 
+COMMON_EXPLAINED: Final = 0.5
+"""[share of mean square] Of what most joints lack so much suffices."""
+
 STANDS_OUT_LEFT: Final = 3.0
 """[-] if what is left stands out of the noise by more than this."""
 

@@ -22,6 +22,7 @@ from robodyn.diagnose.evidence import (
     windows,
 )
 from robodyn.diagnose.limits import (
+    COMMON_EXPLAINED,
     CONFIRMED_SHARE,
     DRAWN_POINTS,
     END_SHARE,
@@ -31,9 +32,10 @@ from robodyn.diagnose.limits import (
     WITHDRAWN,
 )
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
+from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.search import Detected, search
-from robodyn.diagnose.select.selection import Named, Selection, what_matters
+from robodyn.diagnose.select.selection import Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.predict import agreement, lacking, signals_seen
@@ -87,7 +89,7 @@ def diagnose(
     checked = [_doubted(one, first, last) for one in accepted.values()]
     if doubtful(gates):
         checked = [(one, False) for one, _ in checked]
-    findings = tuple(sorted((_finding(one, sure) for one, sure in checked), key=lambda f: -f.gain))
+    findings = tuple(sorted((_finding(robot, one, sure) for one, sure in checked), key=lambda f: -f.gain))
     left = _left(last)
     verdict = _verdict(findings, last, left)
     lacks = _Lacking()
@@ -147,6 +149,8 @@ def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected
     share, stands_out = _share(first, last, one.named.trial.candidate.rows)
     left = _left(last)
     rows = list(one.named.trial.candidate.rows)
+    if one.named.is_common:
+        return one, share > COMMON_EXPLAINED
     return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
 
 
@@ -196,19 +200,15 @@ def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verd
     return "unexplained" if findings or bool(np.any(stands_out & (left > 1.5))) else "consistent"
 
 
-def _finding(one: Detected, sure: bool) -> Finding:
+def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:
     candidate, trial = one.named.trial.candidate, one.named.trial
     entry = CATALOGUE[candidate.effect]
-    revolute = (
-        candidate.joint is None
-        or one.first.context.model.robot.links[candidate.joint - 1].joint.kind == "revolute"
-    )
+    revolute = candidate.joint is None or robot.links[candidate.joint - 1].joint.kind == "revolute"
     parameters = {
         name: Estimate(value, one.errors.get(name), _unit(candidate.effect, name, revolute))
         for name, value in one.parameters.items()
     }
-    before = one.first.first.held_out.mean(axis=0)
-    j = max(candidate.rows, key=lambda row: before[row])
+    j = max(candidate.rows, key=lambda row: one.before[row])
     place = f"joint {candidate.joint}" if candidate.joint else "the whole robot"
     where = f"{place}: {entry.signature}; seen best at joint {j + 1}"
     experiment = None

@@ -15,11 +15,13 @@ from numpy.typing import NDArray
 from robodyn.gate.content import JointContent, content, steps_of
 from robodyn.gate.flag import Flag, Floats, Span, count, refuse
 from robodyn.gate.grid import on_grid
-from robodyn.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_REACH
+from robodyn.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_LEAST
 from robodyn.gate.links import check_links, with_usable_links
 from robodyn.gate.model import check_model
 from robodyn.gate.rates import check_rates
+from robodyn.gate.rest import resting
 from robodyn.gate.rows import usable
+from robodyn.gate.samples import constant, floor_of, fresh, unwrapped
 from robodyn.gate.smooth import noise_of, smoothed
 from robodyn.gate.stuck import check_stuck
 from robodyn.logs.log import Log
@@ -34,9 +36,10 @@ class Gate:
 
     ``log`` [K rows] is evenly sampled, each ``period`` [s], in each of the ``segments``; between them time is
     missing. It is the log that was given, array for array, where that has no fault. ``qd`` or ``qdd`` is
-    None where it was not logged or cannot be used. ``saturated`` [K, n]: where torques are cut off. ``rows``
-    [K]: about which row (from 0) of the given log each sample is. ``joints``: what there is of each;
-    ``flags``: all that was found.
+    None where it was not logged or cannot be used. ``saturated`` [K, n]: where torques are cut off.
+    ``resting`` [K, n]: where a joint stands still for a while, so that stiction makes its torque unknown
+    within the level of its friction; a reversal is no rest. ``rows`` [K]: about which row (from 0) of the
+    given log each sample is. ``joints``: what there is of each; ``flags``: all that was found.
     """
 
     log: Log
@@ -44,6 +47,7 @@ class Gate:
     period: float
     rows: NDArray[np.intp]
     saturated: NDArray[np.bool_]
+    resting: NDArray[np.bool_]
     joints: tuple[JointContent, ...]
     flags: tuple[Flag, ...]
 
@@ -87,17 +91,24 @@ def inspect(
         listed = ", ".join(log.ignored[:8]) + (", ..." if len(log.ignored) > 8 else "")
         text = f"{count(len(log.ignored), 'column')} not read: {robot.name} has {count(robot.n, 'joint')}"
         flags.append(Flag("ignored", listed, (), text))
+    log, repeats = fresh(unwrapped(log, robot, flags), flags)
     log = with_usable_links(log, flags)
-    rows = usable(log, source, flags)
+    rows = usable(log, source, flags, repeats)
     some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
     steps = steps_of(log.q[some]), steps_of(log.tau[some])
     grid = on_grid(log, rows, most, flags)
     check_stuck(grid, source, flags)
     smooth = smoothed(grid.log, grid.segments, grid.period)
     noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)
+    still = resting(
+        grid.log.q, grid.segments, grid.period, noise=noise[0], steps=steps[0],
+        revolute=[link.joint.kind == "revolute" for link in robot.links],
+    )  # fmt: skip
+    moving: NDArray[np.bool_] = np.asarray(~still.all(axis=1))
+    floor = floor_of(grid.log.tau, grid.segments, grid.period, noise[1], flags)
     check_links(grid.log, source)
     rates, accelerations, lag = check_rates(smooth, robot, grid.period, source, flags, noise[0])
-    unexplained = check_model(smooth, robot, parameters, source, flags)
+    unexplained = check_model(smooth, moving, robot, parameters, source, flags)
     used = grid.log
     if not rates or not accelerations:
         used = Log(
@@ -106,25 +117,19 @@ def inspect(
         )  # fmt: skip
     joints, saturated = content(
         grid, smooth, robot, parameters,
-        steps=steps, noise=noise, lag=lag, unexplained=unexplained, flags=flags,
+        steps=steps, noise=(noise[0], floor), lag=lag, unexplained=unexplained, flags=flags,
     )  # fmt: skip
     if not smooth.inside.any():
         refuse(
             source,
             "the log is in pieces that are too short",
-            found=f"{count(len(grid.segments), 'piece')}, none of them of {2 * SMOOTHING_REACH:g} s",
-            expected="some seconds of motion without gaps",
+            found=f"{count(len(grid.segments), 'piece')}, none of them of {2 * SMOOTHING_LEAST} samples",
+            expected="pieces of half a second, or some seconds without gaps",
             remedy="record a longer motion, without gaps",
         )
-    if not any(one.moves for one in joints):
-        rows_used = Span(int(grid.rows()[0]) + 1, int(grid.rows()[-1]) + 1, *grid.log.t[[0, -1]].tolist())
-        refuse(
-            source,
-            "no joint moves",
-            found=f"standstill in {rows_used}",
-            expected="some seconds of motion of the joints that are in question",
-            remedy="record a motion; robodyn excite designs one",
-        )
+    constant(grid.log, flags)
+    if still.all():
+        flags.append(Flag("at_rest", "q", (), "the arm stands still: only contacts and a constant load show"))
     length = sum(part.stop - part.start for part in grid.segments) * grid.period
     if 1 / grid.period < SLOW_RATE:
         text = (
@@ -133,4 +138,4 @@ def inspect(
         flags.append(Flag("slow_sampling", "t", (), text))
     if length < SHORT_LOG:
         flags.append(Flag("short", "t", (), f"{length:.3g} s of motion: too little to be sure of much"))
-    return Gate(used, grid.segments, grid.period, grid.rows(), saturated, joints, tuple(flags))
+    return Gate(used, grid.segments, grid.period, grid.rows(), saturated, still, joints, tuple(flags))

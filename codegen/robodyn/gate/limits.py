@@ -29,6 +29,10 @@ FRAGMENT_ROWS: Final = 20
 SLOWEST_PERIOD: Final = 0.2
 """[s] Samples further apart show no dynamics: refused."""
 
+LOST_SHARE: Final = 1.25
+"""[periods] A step that is longer by this and half a period has lost a row, or more; a shorter one has not:
+the clock changed, or was late."""
+
 FILLED_ROWS: Final = 3
 """[rows] A gap of no more missing rows is filled in."""
 
@@ -121,6 +125,52 @@ MOVING_SHARE: Final = 0.1
 FAST_RATE: Final = 2000.0
 """[Hz] A log that is too long and faster is averaged down to half of it at least."""
 
+# --- samples --------------------
+
+TURN_NEAR: Final = 0.5
+"""[rad] A change as near to a whole turn is an angle that begins anew."""
+
+FEWEST_REPEATS: Final = 3
+"""[rows] With fewer that only repeat the row before nothing is said of them,"""
+
+MOST_REPEATS: Final = 0.25
+"""[share of rows] nor with more: such a log is held, or at rest."""
+
+REPEAT_SPEED: Final = 0.3
+"""[share of the 90th percentile] As fast moves the arm before and after a row that was sent twice."""
+
+REPEAT_EVENLY: Final = 0.35
+"""[share of their mean] Distances between such rows that spread less come of a slower source."""
+
+CONSTANT_TIME: Final = 0.3
+"""[s] As long positions are the same in every digit before it is told."""
+
+SMOOTH_SHARE: Final = 1e-3
+"""[share of the torque's standard deviation] Less noise from sample to sample is not believed."""
+
+UNKNOWN_SHARE: Final = 2e-3
+"""[share of the torque's standard deviation] Of such a torque this is the least noise that is taken;"""
+
+SPECTRUM_BAND: Final = ((0.04, 12.0), (0.15, 30.0))
+"""[shares of half the rate, Hz] the spectrum from the larger of the first to that of the second is taken,"""
+
+SPECTRUM_PIECES: Final = 8
+"""[pieces] as the median of as many pieces of the log."""
+
+# --- rest --------------------
+
+REST_SPEED: Final = 1e-3
+"""[rad/s] A revolute joint that is slower stands still, whatever its top speed,"""
+
+REST_WAY: Final = 2e-4
+"""[m/s] and a prismatic one;"""
+
+REST_NOISE: Final = 3.0
+"""[standard deviations] and so does one whose position changes by no more than so much of its noise."""
+
+REST_TIME: Final = 0.1
+"""[s] Shorter is a reversal and no rest."""
+
 # --- content --------------------
 
 ONE_WAY_SHARE: Final = 0.02
@@ -174,6 +224,15 @@ EXACT_FLOOR: Final = 0.001
 
 COMPARED_STATES: Final = 600
 """[states] At as many a log is compared with the model."""
+
+FEWEST_MOVING: Final = 50
+"""[samples] With fewer in motion nothing is said of signs, units and order,"""
+
+LEAST_ANGLE: Final = 0.1
+"""[rad] nor where no revolute joint goes farther,"""
+
+LEAST_WAY: Final = 0.02
+"""[m] and no prismatic one."""
 
 UNLIKE: Final = 0.7
 """[share of variance] A joint with more of its torque unexplained is unlike the model."""
@@ -242,6 +301,12 @@ RATE_SCALE: Final = 0.25
 
 KNOWN_RATE_SCALE: Final = 0.05
 """[share] A scale as near to a known one (degrees, millimetres ...) is that one."""
+
+LATE_TIME: Final = 0.002
+"""[s] A velocity that is later is flagged,"""
+
+LATE_SHARE: Final = 0.2
+"""[periods] if it is later than this too."""
 
 LONGEST_LAG: Final = 0.1
 """[s] The longest lag between a position and its rate that is sought."""

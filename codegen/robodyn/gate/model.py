@@ -19,9 +19,12 @@ from robodyn.gate.limits import (
     ALIKE_GAIN,
     COMPARED_STATES,
     DRIVING_SHARE,
+    FEWEST_MOVING,
     FLAGGED_GAIN,
     KNOWN_UNIT,
+    LEAST_ANGLE,
     LEAST_SCALE,
+    LEAST_WAY,
     LIKE,
     MOST_SCALE,
     NEARER,
@@ -46,20 +49,22 @@ from robodyn.verify.reference import Reference
 
 def check_model(
     smooth: Smooth,
+    moving: NDArray[np.bool_],
     robot: Robot,
     parameters: Mapping[str, float] | None,
     source: str | None,
     flags: list[Flag],
 ) -> Floats | None:
     """Flags on units, signs and order that the torques tell; the share of each joint's torque [n] that the
-    model and friction leave (see :class:`Likeness`). None: too few samples.
+    model and friction leave (see :class:`Likeness`). None: too few samples at which the arm is ``moving``
+    [K], or too little motion: what stiction and somebody's hand do to a resting arm says nothing of signs.
 
     Raises
     ------
     InputError: another reading of the log agrees with the model, and the log as it stands does not.
     """
-    rows = np.flatnonzero(smooth.inside)
-    if len(rows) < 50:
+    rows = np.flatnonzero(smooth.inside & moving)
+    if len(rows) < FEWEST_MOVING or not (np.ptp(smooth.q[rows], axis=0) > _way(robot)).any():
         return None
     rows = rows[np.linspace(0, len(rows) - 1, min(COMPARED_STATES, len(rows))).astype(int)]
     offset = measured_position(np.zeros((1, robot.n)), robot.effects, parameters)
@@ -81,6 +86,11 @@ def check_model(
     _tell(changed(signs_and_order(robot, fit)), fit, source, flags)
     _unlike(fit, torque, trial, source, flags)
     return fit.unexplained
+
+
+def _way(robot: Robot) -> Floats:
+    """How far [n] a joint must go for its motion to say something."""
+    return np.array([LEAST_ANGLE if k.joint.kind == "revolute" else LEAST_WAY for k in robot.links])
 
 
 def _rubs(entry: EffectEntry) -> bool:
@@ -211,7 +221,8 @@ def _scales(fit: Likeness, source: str | None) -> None:
 def _unlike(fit: Likeness, torque: Floats, trial: Trial, source: str | None, flags: list[Flag]) -> None:
     """Refuse torques of which nothing is of the model's shape; only a flag where one joint alone tells."""
     joints = range(len(fit.factor))
-    size = np.sqrt((torque * torque).mean(axis=0)), np.sqrt((trial.tau * trial.tau).mean(axis=0))
+    # Not their means: what does not change says nothing.
+    size = torque.std(axis=0), trial.tau.std(axis=0)
     telling = [j for j in joints if np.isfinite(fit.unexplained[j]) and size[0][j] > 0.2 * size[1][j]]
     if any(abs(fit.correlation[j]) >= 0.3 or fit.unexplained[j] <= UNLIKE for j in telling):
         return

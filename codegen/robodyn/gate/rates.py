@@ -11,6 +11,8 @@ import numpy as np
 from robodyn.gate.flag import Flag, Floats, named, refuse
 from robodyn.gate.limits import (
     KNOWN_RATE_SCALE,
+    LATE_SHARE,
+    LATE_TIME,
     LONGEST_LAG,
     NO_CORRELATION,
     RATE_SCALE,
@@ -36,7 +38,7 @@ def check_rates(
         rates = _check("qd", "dq/dt", smooth.logged_qd, smooth.qd, smooth, robot, source, flags, noise)
         if rates:
             lag = _lags(smooth, period)
-            late = [j + 1 for j in range(robot.n) if lag[j] > max(1.5 * period, 0.002)]
+            late = [j + 1 for j in range(robot.n) if lag[j] > max(LATE_SHARE * period, LATE_TIME)]
             if late:
                 worst = float(np.nanmax(lag))
                 text = f"late against dq/dt by up to {1e3 * worst:.3g} ms: a filter"

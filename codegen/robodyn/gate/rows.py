@@ -19,6 +19,7 @@ from robodyn.gate.limits import (
     FILLED_TIME,
     FRAGMENT_ROWS,
     GARBAGE_SHARE,
+    LOST_SHARE,
     REPEATED_SHARE,
     SLOWEST_PERIOD,
 )
@@ -42,8 +43,9 @@ class Usable:
     accelerations: bool
 
 
-def usable(log: Log, source: str | None, flags: list[Flag]) -> Usable:
-    """The rows of ``log`` that can be used; what is wrong with others goes to ``flags``.
+def usable(log: Log, source: str | None, flags: list[Flag], repeats: Mask | None = None) -> Usable:
+    """The rows of ``log`` that can be used, but for the ``repeats`` [K]; what is wrong with others goes to
+    ``flags``.
 
     Raises
     ------
@@ -58,7 +60,7 @@ def usable(log: Log, source: str | None, flags: list[Flag]) -> Usable:
             remedy="record a longer motion",
         )
     bad, rates, accelerations = _garbage(log, source, flags)
-    index = np.flatnonzero(~bad)
+    index = np.flatnonzero(~bad if repeats is None else ~(bad | repeats))
     index = _ordered(log, index, source, flags)
     index = without_spikes(log, index, flags)
     index = without_held(log, index, flags)
@@ -217,7 +219,9 @@ def _parts(
     steady = bool(regular.mean() > 0.6)
     near = regular if steady else steps < 5 * middle
     period = float(steps[near].mean())
-    missing = np.rint(steps / period) - 1 if steady else np.where(steps > 10 * period, steps / period, 0)
+    missing = (
+        np.rint(steps / period - LOST_SHARE) if steady else np.where(steps > 10 * period, steps / period, 0)
+    )
     gaps = np.flatnonzero(missing >= 1)
     filled = (missing[gaps] <= FILLED_ROWS) | (steps[gaps] <= FILLED_TIME)
     for kind, places, text in (
@@ -247,7 +251,7 @@ def _parts(
         )
     even = not (len(gaps) and filled.any()) and _even(t, period, parts)
     if not even:
-        off = np.abs(steps[regular] / period - 1)
+        off = np.abs(steps[steps < (LOST_SHARE + 0.5) * period] / period - 1)
         worst = float(np.quantile(off, 0.99)) if len(off) else 1.0
         if worst > 0.02 or not steady:
             rows = np.flatnonzero(np.abs(steps / period - 1) > 0.5 * worst)[:100] + 1

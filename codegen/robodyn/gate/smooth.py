@@ -35,7 +35,7 @@ def smoothed(log: Log, segments: Sequence[slice], period: float) -> Smooth:
     second = None if log.qdd is None else np.zeros_like(log.q)
     inside = np.zeros(log.samples, dtype=bool)
     for part in segments:
-        if part.stop - part.start < 2 * window:
+        if part.stop - part.start < window:
             continue
         q[part] = _parabola(log.q[part], window, period, 0)
         qd[part] = _parabola(log.q[part], window, period, 1)
@@ -45,7 +45,9 @@ def smoothed(log: Log, segments: Sequence[slice], period: float) -> Smooth:
             rate[part] = _parabola(log.qd[part], window, period, 0)
         if second is not None and log.qdd is not None:
             second[part] = _parabola(log.qdd[part], window, period, 0)
-        inside[part.start + window : part.stop - window] = True
+        # A longer piece loses more at its ends, where filters of other people reach in.
+        edge = min(window, (part.stop - part.start) // 4)
+        inside[part.start + edge : part.stop - edge] = True
     return Smooth(q, qd, qdd, tau, rate, second, inside)
 
 

@@ -9,6 +9,11 @@ from __future__ import annotations
 
 from typing import Final
 
+# --- rigid --------------------
+
+KEPT_RESULTS: Final = 6
+"""[results] of a rigid arm along a log are kept for models that differ in their drives."""
+
 # --- twist --------------------
 
 TWIST_PLACES: Final = 4001
@@ -16,6 +21,9 @@ TWIST_PLACES: Final = 4001
 
 TWIST_BEYOND: Final = 4.0
 """[multiples of the log's largest torque] up to so much."""
+
+TWIST_DIVERGED: Final = 1e3
+"""[multiples of the largest twist tabulated] A link that lags by more has diverged."""
 
 SWEEPS: Final = 2
 """[sweeps] over joints that lag together."""
@@ -28,3 +36,129 @@ LAG_TRIES: Final = 2
 
 LAG_PIECE: Final = 4.0
 """[s] In shorter pieces of a log it begins at rest: two numbers more would be too many."""
+
+# --- consistent --------------------
+
+BARRIER_STEP: Final = 0.1
+"""[-] The weight of the barrier that keeps bodies possible falls by this factor"""
+
+BARRIER_END: Final = 1e-7
+"""[log-likelihood] down to this: what the answer is then off by."""
+
+NEWTON_STEPS: Final = 40
+"""[steps] Newton's method may take as many for each weight."""
+
+NEWTON_DONE: Final = 1e-6
+"""[share of the weight] A step that promises less ends it."""
+
+NEARLY_THERE: Final = 0.99
+"""[share of the way to the edge] A step goes no farther."""
+
+LEAST_STEP: Final = 1e-10
+"""[share of a step] Shorter ones are not tried."""
+
+WORTH_A_STEP: Final = 0.1
+"""[share of what a step promises] It has to gain as much, or is halved."""
+
+# --- rows --------------------
+
+FOLDS: Final = 10
+"""[parts] A log is cut into as many equal parts;"""
+
+TRAIN_SHARE: Final = 0.7
+"""[share of a part] of each, so much is fitted at first, and what follows is held out."""
+
+SUB_BLOCKS: Final = 3
+"""[blocks] What is fitted of a part is cut into as many, which intervals are taken from."""
+
+REST_FACTOR: Final = 3.0
+"""[standard deviations] Below so many of the noise of a velocity its sign is a ramp."""
+
+# --- normal --------------------
+
+CHUNK: Final = 256
+"""[samples] Columns are made for as many at a time."""
+
+# --- residual --------------------
+
+END_SHARE: Final = 0.01
+"""[share of a log] No figure counts so much of either end, where filters know less."""
+
+LONG_CHUNK: Final = 4096
+"""[samples] Models are evaluated at as many at a time."""
+
+# --- prior --------------------
+
+UNSTATED_CONFIDENCE: Final = 0.3
+"""[share] So far off may the inertial numbers be of a link that does not say: few makers' files keep 10 %."""
+
+LEAST_MASS: Final = 0.02
+"""[share of the heaviest link] No link is thought to be lighter,"""
+
+LEAST_LENGTH: Final = 0.05
+"""[share of the longest distance between joints] nor shorter,"""
+
+LEAST_INERTIA: Final = 0.25
+"""[m L^2] nor to have less inertia, when it is asked how far off its description may be."""
+
+FREE_SHARE: Final = 10.0
+"""[-] Friction may be so many times as large as the torque."""
+
+# --- problem --------------------
+
+ROUNDS: Final = 5
+"""[rounds] of weights, each by what the last one left."""
+
+START_SHARE: Final = 0.01
+"""[share of a link's size] The fit begins so far inside of what is possible."""
+
+LEAST_MISFIT: Final = 1e-10
+"""[share of the torque squared] Less is left by numbers without noise only; they would have no end."""
+
+PRIOR_FREEDOM: Final = 2.0
+"""[degrees of freedom] of Student's t about the description: fewer let go of a wrong one sooner."""
+
+# --- plain --------------------
+
+PLAIN_ROUNDS: Final = 4
+"""[rounds] of weights of plain least squares."""
+
+RANK: Final = 1e-9
+"""[share of the largest] A smaller eigenvalue of columns of one length is none."""
+
+# --- fit --------------------
+
+PASSES: Final = 2
+"""[passes] over all rows with weights by what the last fit left of them."""
+
+HUBER_FACTOR: Final = 2.5
+"""[RMS] A sample that is off by more counts less."""
+
+WORTH_T: Final = 2.5
+"""[-] Student's t over held-out blocks from which on an offset is fitted,"""
+
+WORTH_SHARE: Final = 0.02
+"""[share of what is left there] if it removes so much."""
+
+GAIN_SPREAD: Final = 0.3
+"""[share] So far off may torque constants be that are only roughly known."""
+
+KNOWN_MASS: Final = 1e-3
+"""[share] A load whose mass is stated may be off by so much."""
+
+LOAD_REACH: Final = 0.5
+"""[longest link] So far from the last frame may the centre of a load be."""
+
+# --- outcome --------------------
+
+DIGITS: Final = 9
+"""[digits] with which new numbers are written."""
+
+KEPT_SHARE: Final = 1e-4
+"""[prior standard deviations] A number that moved by less stays as it is described."""
+
+MARGIN: Final = 1e-7
+"""[share of a link's size] Bodies are written so far inside of what is possible."""
+
+UNSEEN_SHARE: Final = 0.9
+"""[prior standard deviations] A number that the logs leave more uncertain than this is not seen by them."""

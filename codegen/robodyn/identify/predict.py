@@ -54,6 +54,16 @@ def delays(robot: Robot) -> Floats:
     return _sums(robot, "delay")
 
 
+def gains(robot: Robot) -> Floats:
+    """Gains [n] of the model's torque channels: measured is (1 + gain) times true."""
+    return _sums(robot, "gain")
+
+
+def biases(robot: Robot) -> Floats:
+    """What the model knows the torque channels to show too much [n]."""
+    return _sums(robot, "bias")
+
+
 def _sums(robot: Robot, acts: Acts) -> Floats:
     """By joint [n], the sum of what so acts on a channel; an entry of the whole robot is one of every
     joint."""

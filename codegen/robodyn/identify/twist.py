@@ -15,9 +15,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.effects.catalogue import CATALOGUE
-from robodyn.identify.limits import LAG_BEGIN, LAG_PIECE, LAG_TRIES, SWEEPS, TWIST_BEYOND, TWIST_PLACES
+from robodyn.identify.limits import (
+    LAG_BEGIN,
+    LAG_PIECE,
+    LAG_TRIES,
+    SWEEPS,
+    TWIST_BEYOND,
+    TWIST_DIVERGED,
+    TWIST_PLACES,
+)
 from robodyn.identify.oscillator import oscillation
-from robodyn.identify.rigid import Evaluated, Model
+from robodyn.identify.rigid import Evaluated, Model, Moved
 
 Floats = NDArray[np.float64]
 
@@ -44,7 +52,7 @@ def slopes_of(model: Model, q: Floats, qd: Floats, qdd: Floats, rigid: Floats, j
         moved = [q, qd, qdd]
         moved[which] = moved[which].copy()
         moved[which][:, j] += step
-        return np.asarray((model.evaluate(moved[0], moved[1], moved[2]).rigid - rigid) / step)
+        return np.asarray((model.rigid_torque(moved[0], moved[1], moved[2]) - rigid) / step)
 
     return Slopes(j, by(0, 1e-6), by(1, 1e-6), by(2, 1.0))
 
@@ -135,10 +143,23 @@ class _Spring:
     def oscillation(
         self, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats
     ) -> Floats:
-        """Place, rate and acceleration [K, 3] of a link on it."""
-        return oscillation(
+        """Place, rate and acceleration [K, 3] of a link on it; not finite from where it diverges."""
+        lag = oscillation(
             inputs, step, (self.force, self.low, self.width), self.damping, (float(begin[0]), float(begin[1]))
         )
+        far = np.abs(lag[:, 0]) > TWIST_DIVERGED * -self.low
+        if far.any():
+            lag[int(np.argmax(far)) :] = np.nan
+        return lag
+
+
+def _slopes(model: Model, motion: Moved, rigid: Floats, j: int) -> Slopes:
+    if model.reuse is None:
+        return slopes_of(model, *motion, rigid, j)
+    slopes: Slopes = model.reuse.of(
+        f"slopes{j}", model.arm, motion, lambda: slopes_of(model, *motion, rigid, j)
+    )
+    return slopes
 
 
 def behind_motors(
@@ -150,7 +171,7 @@ def behind_motors(
     couplers = model.couplers
     if not couplers:
         return seen
-    slopes = {j: slopes_of(model, q, qd, qdd, seen.rigid, j) for j in couplers}
+    slopes = {j: _slopes(model, (q, qd, qdd), seen.rigid, j) for j in couplers}
     lags = {j: np.zeros((len(q), 3)) for j in couplers}
     for _ in range(SWEEPS if len(couplers) > 1 else 1):
         for j, coupler in couplers.items():

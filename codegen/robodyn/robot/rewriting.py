@@ -82,6 +82,9 @@ class _Patch:
     def text(self, comments: Comments) -> str:
         """The text with all changes and ``comments``."""
         self._gravity()
+        if self.robot.torque_side != self.target.torque_side:
+            place = (None, "torque_side")
+            self.editor.set_key(self.root, "torque_side", self.target.torque_side, [place], _ORDER["robot"])
         nodes = self.editor.child(self.root, "links").value
         for i, node in enumerate(nodes, 1):
             self._link(i, node)

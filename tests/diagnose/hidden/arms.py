@@ -4,18 +4,27 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 
-from peers.numbers import number
+from peers.numbers import inertia_tensor, number
 from robodyn.robot import load
 from robodyn.robot.model import Inertia, Joint, Limits, Link, Robot
 from robodyn.robot.values import Value
 
 ARMS = ("puma560", "puma560_3dof", "stanford", "ur10")
+#: Arms that the tool was not looked at with while it was written.
+FURTHER_ARMS = ("ur5", "panda", "rx90")
 
 #: Rotor inertias [kg m^2] of a UR-like arm, reflected to the joint.
 _UR_ROTORS = ("3.2", "3.2", "1.6", "0.35", "0.35", "0.35")
+_ROTORS = {
+    "ur10": _UR_ROTORS,
+    "ur5": ("1.4", "1.4", "0.8", "0.12", "0.12", "0.12"),
+    "panda": ("0.6", "0.6", "0.5", "0.5", "0.2", "0.2", "0.2"),
+    "rx90": ("2.5", "2.5", "1.2", "0.4", "0.3", "0.2"),
+}
 _UR = Limits((Fraction("-2.6"), Fraction("2.6")), Fraction("2.1"), Fraction(8))
 _STANFORD = Limits((Fraction("-2.6"), Fraction("2.6")), Fraction("2.5"), Fraction(8))
 _SLIDE = Limits((Fraction("0.15"), Fraction("0.95")), Fraction("0.7"), Fraction(3))
@@ -24,6 +33,12 @@ _SLIDE = Limits((Fraction("0.15"), Fraction("0.95")), Fraction("0.7"), Fraction(
 _VISCOUS, _COULOMB = Fraction("0.8"), Fraction("1.6")
 
 
+def index_of(arm: str) -> int:
+    """A number of the arm's own, for seeds."""
+    return (*ARMS, *FURTHER_ARMS).index(arm)
+
+
+@cache
 def bare(name: str) -> Robot:
     """The bundled arm with motors and limits at every joint."""
     robot = load(name, warn=lambda _: None)
@@ -36,10 +51,10 @@ def bare(name: str) -> Robot:
         return replace(robot, links=tuple(kept))
     links = []
     for i, link in enumerate(robot.links):
-        limits = _UR if name == "ur10" else _SLIDE if link.joint.kind == "prismatic" else _STANFORD
+        limits = _UR if name in _ROTORS else _SLIDE if link.joint.kind == "prismatic" else _STANFORD
         joint = replace(link.joint, limits=limits)
-        if name == "ur10":
-            joint = replace(joint, motor_inertia=Fraction(_UR_ROTORS[i]))
+        if name in _ROTORS:
+            joint = replace(joint, motor_inertia=Fraction(_ROTORS[name][i]))
         links.append(replace(link, joint=joint))
     return replace(robot, links=tuple(links))
 
@@ -73,3 +88,31 @@ def perturbed(robot: Robot, share: float, seed: int) -> Robot:
         )
 
     return replace(robot, links=tuple(map(off, robot.links)))
+
+
+def misjudged(robot: Robot, share: float, seed: int) -> Robot:
+    """Masses, centres and inertias off by about ``share``, as of bodies that could be: the mass by its own
+    share, and all of the body stretched along three axes. ``confidence`` is left as it is."""
+    rng = np.random.default_rng((seed, 78))
+
+    def off(link: Link) -> Link:
+        stretch = np.exp(share / 2 * rng.standard_normal(3))
+        heavier = float(np.exp(share * rng.standard_normal()))
+        i = link.inertia
+        # Second moments of the mass about its centre, which a stretch changes by its factors.
+        tensor = inertia_tensor(i)
+        spread = (np.trace(tensor) / 2 * np.eye(3) - tensor) * np.outer(stretch, stretch) * heavier
+        wrong = np.trace(spread) * np.eye(3) - spread
+        x, y, z = (_exact(number(c) * stretch[k]) for k, c in enumerate(link.com))
+        return replace(
+            link,
+            mass=_exact(number(link.mass) * heavier),
+            com=(x, y, z),
+            inertia=Inertia(*(_exact(wrong[k]) for k in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))),
+        )
+
+    return replace(robot, links=tuple(map(off, robot.links)))
+
+
+def _exact(value: float) -> Fraction:
+    return Fraction(f"{value:.9g}")

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from diagnose.hidden.arms import ARMS
+from diagnose.hidden.arms import ARMS, index_of
 from diagnose.hidden.logs import Hidden, Motion, Rates, hidden_log
 from diagnose.hidden.sizes import form, joints, sized
 
@@ -104,7 +104,7 @@ def cases(level: Level, *, seeds: int = 1, first: int = 1, arms: tuple[str, ...]
 
 
 def _of_arm(arm: str, level: Level, seed: int) -> Iterator[Case]:
-    rng = np.random.default_rng((seed, ARMS.index(arm), len(level)))
+    rng = np.random.default_rng((seed, index_of(arm), len(level)))
 
     def place(id: str) -> tuple[str, int | None]:
         found = joints(arm, id)

@@ -74,6 +74,8 @@ def forces(robot: Robot, scale: Scale) -> Forces:
                 motor.append(_asymmetric(j, p["positive"], p["negative"], scale))
             case "stribeck_friction":
                 motor.append(_dry(j, _stribeck(p), scale, p["static"]))
+            case "power_law_friction":
+                motor.append(_power(j, p))
             case "presliding_hysteresis":
                 motor.append(_bristles(j, p, scale))
             case "torque_ripple":
@@ -120,6 +122,16 @@ def _plain(value: Any) -> Any:
 def _viscous(j: int, coefficient: float) -> Force:
     def act(now: Now) -> None:
         now.motor[j] += coefficient * now.w[j]
+
+    return act
+
+
+def _power(j: int, p: dict[str, Any]) -> Force:
+    level, exponent, of = p["level"], p["exponent"], p["velocity"]
+
+    def act(now: Now) -> None:
+        x = float(now.w[j]) / of
+        now.motor[j] += level * x * (x * x + 1e-6) ** ((exponent - 1) / 2)
 
     return act
 

@@ -31,7 +31,7 @@ _HARMONICS = 5
 #: A torque channel is no quieter than one of this share of the arm's largest RMS torque.
 _QUIET = 0.05
 
-Motion = Literal["full", "one_way", "narrow"]
+Motion = Literal["full", "one_way", "narrow", "rest"]
 Rates = Literal["none", "velocity", "both"]
 
 
@@ -139,6 +139,8 @@ def _law(robot: Robot, seed: int, duration: float, motion: Motion) -> Law:
     """The law of a motion at rest in the beginning, of about 0.1 Hz and its harmonics."""
     periods = max(1, round(0.1 * duration))
     frequency = periods / duration
+    if motion == "rest":
+        return _rest(robot, seed)
     if motion == "one_way":
         return _one_way(robot, seed, duration)
     if motion == "narrow":
@@ -150,6 +152,14 @@ def _law(robot: Robot, seed: int, duration: float, motion: Motion) -> Law:
     law = fourier(robot, frequency, _HARMONICS, seed, periods=periods, share=0.9).law
     assert law is not None
     return law
+
+
+def _rest(robot: Robot, seed: int) -> Law:
+    """A pose that is held."""
+    rng = np.random.default_rng((seed, 12))
+    low, high = np.array([[float(x) for x in link.joint.limits.position or ()] for link in robot.links]).T
+    pose = low + (high - low) * rng.uniform(0.25, 0.75, robot.n)
+    return lambda t: (np.tile(pose, (len(t), 1)), *np.zeros((2, len(t), robot.n)))
 
 
 def _narrow(limits: Limits) -> Limits:

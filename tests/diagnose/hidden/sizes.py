@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from diagnose.hidden.arms import ARMS, bare
+from diagnose.hidden.arms import bare, index_of
 from diagnose.hidden.logs import effect, hidden_log, outsider, peak_and_inertia, typical
 from peers.numbers import Array, number
 from robodyn.robot.model import EffectEntry
@@ -64,6 +64,7 @@ def _next(tried: list[tuple[float, float]]) -> float:
 
 #: Joints (from 1) that gravity loads, of every arm here.
 _LOADED = (2, 3)
+_LOADED_PANDA = (2, 4)
 
 
 def joints(arm: str, id: str) -> tuple[int | None, ...]:
@@ -77,13 +78,13 @@ def joints(arm: str, id: str) -> tuple[int | None, ...]:
         "load_dependent_friction", "transmission_loss", "torque_gain", "encoder_offset", "joint_elasticity",
         "backlash", "inertial_error", "torque_saturation",
     ):  # fmt: skip
-        return _LOADED
+        return _LOADED_PANDA if arm == "panda" else _LOADED
     return tuple(range(1, n + 1))
 
 
 def form(arm: str, id: str, joint: int | None, seed: int) -> Sized:
     """The effect ``id`` at ``joint``, its shape drawn by ``seed``, its size open."""
-    rng = np.random.default_rng((seed, ARMS.index(arm), sum(map(ord, id)), joint or 0))
+    rng = np.random.default_rng((seed, index_of(arm), sum(map(ord, id)), joint or 0))
     robot = bare(arm)
     tau, speed, rate, slow = typical(arm, seed)
     peak, weight = peak_and_inertia(arm, seed)
@@ -100,6 +101,9 @@ def form(arm: str, id: str, joint: int | None, seed: int) -> Sized:
             return Sized(lambda x: effect(id, joint, coefficient=x), near / speed[j])
         case "coulomb_friction":
             return Sized(lambda x: effect(id, joint, level=x), near)
+        case "power_law_friction":
+            power = float(rng.choice([0.5, 0.6, 0.7, 2.0]))
+            return Sized(lambda x: effect(id, joint, level=x, exponent=power), near / speed[j] ** power)
         case "asymmetric_friction":
             lean = float(rng.choice([-1, 1])) * drawn(0.25, 0.5)
             return Sized(lambda x: effect(id, joint, positive=x * (1 + lean), negative=x * (1 - lean)), near)

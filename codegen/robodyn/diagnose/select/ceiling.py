@@ -6,29 +6,30 @@ sensors: against sensor noise alone, everything would seem to matter.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.fit import Problem
-from robodyn.diagnose.select.library import Candidate
-from robodyn.diagnose.select.limits import CEILING_RIDGE, STANDS_OUT
+from robodyn.diagnose.select.limits import CEILING_RIDGE, STANDS_OUT, UNSEEN_NUISANCE
 
 Floats = NDArray[np.float64]
 
 
-def unexplained(p: Problem, library: Sequence[tuple[Candidate, Floats]]) -> Floats:
+def unexplained(p: Problem, library: Library) -> Floats:
     """The median [n] of what the library leaves in held-out parts of the log, in units of the noise (a
     median, since joints that stick at reversals make bursts); 1 where that is about the noise."""
     ratio = np.ones(p.n)
     for j in range(p.n):
-        columns = [p.A[:, j]]
+        own = p.A[:, j, : p.nuisance] @ p.basis.T  # as the arm has them: each on its own
+        own = own[:, np.sum(own**2, axis=0) > UNSEEN_NUISANCE]
+        columns = [own, p.A[:, j, p.nuisance :]]
         seen: dict[tuple[str, int | None], int] = {}
-        for candidate, x in library:
+        for k, candidate in enumerate(library.candidates):
             key = (candidate.effect, candidate.joint)
             if j in candidate.rows and not candidate.fixed and seen.get(key, 0) < 2:
                 seen[key] = seen.get(key, 0) + 1
+                x = library.of_candidate(k)
                 columns.append(x[:, candidate.rows.index(j)] / p.sigma[j])
         X = np.concatenate(columns, axis=1)
         wide = np.sqrt(np.mean(X**2, axis=0))

@@ -8,12 +8,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
+from robodyn.diagnose.select.beside import Library, fits
+from robodyn.diagnose.select.fit import Fit, Problem
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.limits import (
     BLOCKS,
     BODY_NUMBERS,
     CLOSE,
+    LEAST_SHARE,
     LEAST_T,
     MANY_POWER,
     NEARLY,
@@ -23,6 +25,8 @@ from robodyn.diagnose.select.limits import (
     OSCILLATOR_STARTS,
     REFINING_ROUNDS,
     RELIEF,
+    REPLACING_SHARE,
+    REPLACING_T,
     ROUGH,
     ROUGH_T,
     TIE,
@@ -42,7 +46,9 @@ _LEVELS = [id for id, known in CATALOGUE.items() if known.traits.one_way == "lev
 class Trial:
     """A candidate beside what was chosen before: its columns [N, rows, c], the fit, the ``gain`` in units of
     log-likelihood, its ``t`` over the parts, the RMS that it explains at its best joint, as a share of what
-    would matter."""
+    would matter; ``share``: of the mean square that is left at its best joint, in parts that were not fitted,
+    what it takes away; ``beside``: the problem in which it was tried, with its fit; ``replaced``: the places
+    in the list of what was chosen before of those that it stands for."""
 
     candidate: Candidate
     columns: Floats
@@ -51,27 +57,80 @@ class Trial:
     t: float
     matters: float
     per_part: Floats
+    share: float = 1.0
+    beside: tuple[Problem, Fit] | None = None
+    replaced: tuple[int, ...] = ()
 
 
-def trial(now: Problem, current: Fit, candidate: Candidate, columns: Floats, least: Floats) -> Trial:
-    """The candidate beside what was chosen before."""
-    if candidate.fixed:  # its size is known: 1
-        fit = replace(fitted(less(now, candidate.rows, columns[:, :, 0])), x=np.ones(1), cov=np.zeros((1, 1)))
-    else:
-        fit = fitted(now, candidate.rows, columns, candidate.signs)
-    weight = now.independent / BLOCKS / 2
-    floor = np.maximum(fit.held_out.mean(axis=0), 1.0)
-    per_part = weight * ((current.held_out - fit.held_out) / floor).sum(axis=1)
-    relief = current.prior_penalty - fit.prior_penalty
-    gain = float(per_part.sum()) + relief
-    error = float(per_part.std(ddof=1)) / np.sqrt(BLOCKS) + 1e-12
-    rows = list(candidate.rows)
-    explained = np.sqrt(np.mean((columns @ fit.x) ** 2, axis=0)) / now.sigma[rows]
-    matters = float(np.max(explained / least[rows]))
-    t = float(per_part.mean()) / error
-    if relief > max(0.5 * gain, RELIEF):
-        t = max(t, LEAST_T)  # the residual is small either way: the arm's numbers would be wrong
-    return Trial(candidate, columns, fit, gain, t, matters, per_part)
+def without_columns(one: Trial) -> Trial:
+    """The trial without its columns [0, rows, c], which take most of its memory."""
+    return replace(one, columns=one.columns[:0].copy())
+
+
+def trials(
+    now: Problem,
+    current: Fit,
+    library: Library,
+    least: Floats,
+    which: Sequence[int] | None = None,
+    *,
+    against: Fit | None = None,
+    replaced: tuple[int, ...] = (),
+) -> list[Trial]:
+    """Each candidate of the library (or those ``which``) beside what is known in ``now``, with its fit
+    ``current``, best first; ``against``: the fit that it is compared with, if that has more in it, which is
+    ``replaced``."""
+    outcome = fits(now, current, library, range(len(library)) if which is None else which)
+    if not outcome.which:
+        return []
+    base = against or current
+    held_out = np.array([fit.held_out for fit in outcome.fits])
+    per_part = _per_part(now, base, held_out)
+    relief = base.prior_penalty - np.array([fit.prior_penalty for fit in outcome.fits])
+    relief -= [
+        _own_penalty(library.candidates[k], f) for k, f in zip(outcome.which, outcome.fits, strict=True)
+    ]
+    gains = per_part.sum(axis=1) + relief
+    errors = per_part.std(axis=1, ddof=1) / np.sqrt(BLOCKS) + 1e-12
+    ts = per_part.mean(axis=1) / errors
+    shares = 1 - held_out.mean(axis=1) / np.maximum(base.held_out.mean(axis=0), 1e-300)
+    # The residual is small either way: the arm's numbers would be wrong.
+    relieved = relief > np.maximum(0.5 * gains, RELIEF)
+    ts = np.where(relieved, np.maximum(ts, LEAST_T), ts)
+    tried = []
+    for m, (k, fit, explained) in enumerate(zip(outcome.which, outcome.fits, outcome.explained, strict=True)):
+        candidate = library.candidates[k]
+        rows = list(candidate.rows)
+        matters = float(np.max(explained / least[rows]))
+        share = 1.0 if relieved[m] else float(shares[m, rows].max())
+        columns = library.of_candidate(k)
+        tried.append(
+            Trial(
+                candidate, columns, fit, float(gains[m]), float(ts[m]), matters, per_part[m], share,
+                (now, current), replaced,
+            )
+        )  # fmt: skip
+    # Those that gain alike stay in the catalogue's order.
+    order = np.lexsort((outcome.which, -gains))
+    return [tried[m] for m in order]
+
+
+def _own_penalty(candidate: Candidate, fit: Fit) -> float:
+    """How far the coefficients are from their own prior, in units of log-likelihood."""
+    return 0.0 if candidate.scale is None else float(np.sum((fit.x / candidate.scale) ** 2)) / 2
+
+
+def _per_part(now: Problem, base: Fit, held_out: Floats) -> Floats:
+    """What fits with errors ``held_out`` [..., BLOCKS, n] explain more than ``base`` of each part
+    [..., BLOCKS], in units of log-likelihood."""
+    floor = np.maximum(held_out.mean(axis=-2, keepdims=True), 1.0)
+    change = (base.held_out - held_out) / floor
+    return np.asarray(now.independent / BLOCKS / 2 * change.sum(axis=-1))
+
+
+def gain_of(now: Problem, base: Fit, fit: Fit) -> float:
+    """What ``fit`` explains more than ``base`` of all parts, in units of log-likelihood."""
+    return float(_per_part(now, base, fit.held_out).sum()) + base.prior_penalty - fit.prior_penalty
 
 
 def prepared(context: Context, candidate: Candidate) -> Floats:
@@ -109,6 +168,10 @@ def best_of(
         steady = steady or (one.t >= LEAST_T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
         if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
             steady = steady or (one.t >= ROUGH_T and one.gain > 2 * wanted)
+        if one.share < (REPLACING_SHARE if one.replaced else LEAST_SHARE) and not c.local:
+            return False
+        if one.replaced and one.t < REPLACING_T:
+            return False
         if c.local:
             steady = one.t >= 1 and one.gain > 3 * wanted
         return bool(
@@ -132,7 +195,7 @@ def best_of(
     top = max(one.gain for one in best.values())
     for key, one in best.items():
         if one.candidate.values and one.gain > 0.5 * top:
-            best[key] = _refined(now, current, one, least, contexts)
+            best[key] = _refined(current, one, least, contexts)
     most = max(best.values(), key=lambda one: one.gain)
     left = np.median(most.fit.held_out[:, list(most.candidate.rows)], axis=0).max()
     if rough or left > ROUGH:  # nothing explains it all: candidates with many numbers must gain more
@@ -184,7 +247,7 @@ def nearest(
             continue
         count[key] = count.get(key, 0) + 1
         if count[key] <= OSCILLATOR_STARTS and sum(count.values()) <= 2 * OSCILLATOR_STARTS:
-            kept.append(_refined(now, current, one, least, contexts))
+            kept.append(_refined(current, one, least, contexts))
     return sorted(kept, key=lambda one: -one.gain)
 
 
@@ -210,23 +273,27 @@ def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
     return bool(winner.gain - other.gain < TIE * error * BLOCKS)
 
 
-def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
+def _refined(current: Fit, one: Trial, least: Floats, contexts: Sequence[Context]) -> Trial:
     """The candidate with its nonlinear values improved, one factor at a time; those of an oscillator all at
     once in random directions, for it has many optima."""
 
-    def at(values: dict[str, float]) -> Trial:
+    def at(settings: Sequence[dict[str, float]]) -> list[Trial]:
         again = one.candidate.again
         assert again is not None
-        candidates = [again(c, values) for c in contexts]
-        columns = [prepared(c, each) for c, each in zip(contexts, candidates, strict=True)]
-        return trial(now, current, candidates[0], np.concatenate(columns), least)
+        pairs = []
+        for values in settings:
+            candidates = [again(c, values) for c in contexts]
+            columns = [prepared(c, each) for c, each in zip(contexts, candidates, strict=True)]
+            pairs.append((candidates[0], np.concatenate(columns)))
+        assert one.beside is not None
+        problem, fit = one.beside
+        return trials(problem, fit, Library.of(pairs), least, against=current, replaced=one.replaced)
 
     if one.candidate.reach:
         return _wandered(one, at)
     spread, fine = one.candidate.spread
     for _ in range(REFINING_ROUNDS):
-        better = one
-        start = dict(one.candidate.values)
+        start, settings = dict(one.candidate.values), list[dict[str, float]]()
         for name, value in start.items():
             for factor in (1 / spread, spread):
                 other = value * factor
@@ -234,9 +301,9 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
                     other = 1 - (1 - value) * factor
                     if not 0.05 < other < 0.995:
                         continue
-                once = at({**start, name: other})
-                if once.gain > better.gain:
-                    better = once
+                settings.append({**start, name: other})
+        best = at(settings)[0] if settings else one
+        better = best if best.gain > one.gain else one
         if better is one:
             spread = spread**0.5
             if spread < fine:
@@ -245,23 +312,23 @@ def _refined(now: Problem, current: Fit, one: Trial, least: Floats, contexts: Se
     return one
 
 
-def _wandered(one: Trial, at: Callable[[dict[str, float]], Trial]) -> Trial:
+def _wandered(one: Trial, at: Callable[[Sequence[dict[str, float]]], list[Trial]]) -> Trial:
     """The best of steps in random directions, shorter and shorter."""
     rng, start = np.random.default_rng(0), one.candidate.values
     size = np.array([one.candidate.reach[name] for name in start])
     for _ in range(REFINING_ROUNDS):
         settings = one.candidate.values
         steps = np.exp(size * rng.standard_normal((OSCILLATOR_DIRECTIONS, len(size))))
-        tried = []
+        wanted = []
         for row in steps:
             values = {name: settings[name] * float(f) for name, f in zip(settings, row, strict=True)}
             if all(
                 1 / OSCILLATOR_FARTHEST < x / start[name] < OSCILLATOR_FARTHEST for name, x in values.items()
             ):
-                tried.append(at(values))
-        if not tried:
+                wanted.append(values)
+        if not wanted:
             continue
-        best = max(tried, key=lambda each: each.gain)
+        best = at(wanted)[0]
         size = size * (1.0 if best.gain > one.gain else 0.6)
         one = best if best.gain > one.gain else one
     return one

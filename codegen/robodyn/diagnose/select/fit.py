@@ -1,8 +1,10 @@
-"""Least squares over a log: candidates beside a nuisance, judged on parts of the log that were left out.
+"""Least squares over a log beside a nuisance, judged on parts of the log that were left out.
 
 Rows are samples of filtered torques, weighted by joint. The rigid arm's own numbers may be off by what the
 description says (``confidence``): they are a nuisance with a Gaussian prior, fitted along and never named
-here."""
+here. Samples are read once, for Gram matrices by part and joint; all that is fitted and judged is worked out
+from those.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION
+from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION, UNSEEN_NUISANCE
 
 Floats = NDArray[np.float64]
 
@@ -22,19 +24,23 @@ class Problem:
     """What is to be explained, in parts of the log [BLOCKS].
 
     ``rest`` [N, n] and known columns ``A`` [N, n, p], both in standard deviations ``sigma`` [n] of the
-    noise; ``prior`` [p] precisions; ``parts`` their slices; ``grams`` [BLOCKS, p, p], ``rights`` [BLOCKS,
-    p]; ``thin``: how many neighbouring samples are correlated; ``nuisance``: how many of the columns are
-    nuisance; ``encoder_noise`` [n]: the part of ``sigma`` that comes from the encoders."""
+    noise; ``prior`` [p] precisions; ``parts`` their slices; by part and joint the products of the columns
+    ``gram`` [BLOCKS, n, p, p], with the rest ``right`` [BLOCKS, n, p], and of the rest ``square``
+    [BLOCKS, n]; ``thin``: how many neighbouring samples are correlated; ``nuisance``: how many of the columns
+    are nuisance; ``basis`` [all, nuisance] the directions that they are of the arm's own numbers;
+    ``encoder_noise`` [n]: the part of ``sigma`` that comes from the encoders."""
 
     rest: Floats
     A: Floats
     prior: Floats
     sigma: Floats
     parts: tuple[slice, ...]
-    grams: Floats
-    rights: Floats
+    gram: Floats
+    right: Floats
+    square: Floats
     thin: float
     nuisance: int
+    basis: Floats
     encoder_noise: Floats
 
     @property
@@ -47,22 +53,48 @@ class Problem:
         """Number of independent samples."""
         return len(self.rest) / self.thin
 
-    def with_columns(self, rows: tuple[int, ...], columns: Floats) -> Problem:
-        """The problem with more known columns [N, rows, c], in N m or N, fitted freely."""
+    @property
+    def grams(self) -> Floats:
+        """Products [BLOCKS, p, p] of the columns over all joints."""
+        return np.asarray(self.gram.sum(axis=1))
+
+    @property
+    def rights(self) -> Floats:
+        """Products [BLOCKS, p] of the columns and the rest over all joints."""
+        return np.asarray(self.right.sum(axis=1))
+
+    def with_columns(self, rows: tuple[int, ...], columns: Floats, scale: Floats | None = None) -> Problem:
+        """The problem with more known columns [N, rows, c], in N m or N, fitted freely, or with a prior of
+        standard deviations ``scale`` [c]."""
         wide = np.zeros((*self.rest.shape, columns.shape[2]))
         wide[:, list(rows)] = columns / self.sigma[list(rows)][None, :, None]
-        A = np.concatenate([self.A, wide], axis=2)
-        grams, rights = _grams(A, self.rest, self.parts)
-        prior = np.concatenate([self.prior, np.full(columns.shape[2], FREE_PRECISION)])
-        return replace(self, A=A, prior=prior, grams=grams, rights=rights)
+        prior = np.concatenate([self.prior, precisions(columns.shape[2], scale, self.thin)])
+        return _summed(replace(self, A=np.concatenate([self.A, wide], axis=2), prior=prior))
+
+    def without_column(self, at: int) -> Problem:
+        """The problem without one of its known columns."""
+        gram, right = _without(self.gram, at, 2, 3), _without(self.right, at, 2)
+        return replace(
+            self, A=_without(self.A, at, 2), prior=_without(self.prior, at, 0), gram=gram, right=right
+        )
+
+
+def _without(x: Floats, at: int, *axes: int) -> Floats:
+    """An array without what is ``at`` that place along some axes."""
+    for axis in axes:
+        x = np.delete(x, at, axis=axis)
+    return x
+
+
+def precisions(c: int, scale: Floats | None, thin: float) -> Floats:
+    """The precisions [c] of coefficients that are free, or have standard deviations ``scale`` [c]."""
+    return np.full(c, FREE_PRECISION) if scale is None else thin / scale**2
 
 
 def without(p: Problem, mask: NDArray[np.bool_]) -> Problem:
     """The problem without the rows of ``mask`` [N], which no longer count."""
     kept = ~mask
-    rest, A = p.rest * kept[:, None], p.A * kept[:, None, None]
-    grams, rights = _grams(A, rest, p.parts)
-    return replace(p, rest=rest, A=A, grams=grams, rights=rights)
+    return _summed(replace(p, rest=p.rest * kept[:, None], A=p.A * kept[:, None, None]))
 
 
 def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
@@ -70,14 +102,12 @@ def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
     at = list(rows)
     rest = p.rest.copy()
     rest[:, at] -= column / p.sigma[at]
-    return replace(p, rest=rest, rights=_rights(p.A, rest, p.parts))
+    return _summed(replace(p, rest=rest))
 
 
 def coarser(p: Problem, factor: Floats) -> Problem:
     """The problem with noise that is larger by a ``factor`` [n]."""
-    rest, A = p.rest / factor, p.A / factor[:, None]
-    grams, rights = _grams(A, rest, p.parts)
-    return replace(p, rest=rest, A=A, sigma=p.sigma * factor, grams=grams, rights=rights)
+    return _summed(replace(p, rest=p.rest / factor, A=p.A / factor[:, None], sigma=p.sigma * factor))
 
 
 def tighter(p: Problem, share: float) -> Problem:
@@ -87,95 +117,99 @@ def tighter(p: Problem, share: float) -> Problem:
     return replace(p, prior=prior)
 
 
+def wider(p: Problem, fresh: Problem) -> Problem:
+    """The problem with the nuisance of ``fresh``, which is of the same log: its columns in the weights and
+    without the rows that no longer count."""
+    A = fresh.A * (fresh.sigma / p.sigma)[:, None] * np.any(p.rest != 0, axis=1)[:, None, None]
+    return _summed(replace(p, A=A, prior=fresh.prior, nuisance=fresh.nuisance, basis=fresh.basis))
+
+
 def problem(
     rest: Floats, Y: Floats, sigma: Floats, thin: float, encoder_noise: Floats | None = None
 ) -> Problem:
     """The problem of the residual ``rest`` [N, n] and the nuisance ``Y`` [N, n, p], a unit of each column
     being a standard deviation of its prior; ``encoder_noise`` [n] is the part of
-    ``sigma`` that comes from the encoders."""
+    ``sigma`` that comes from the encoders.
+
+    All units being alike, the columns may be turned: those that do not show along the log are left out, which
+    changes no fit."""
     edges = np.linspace(0, len(rest), BLOCKS + 1).astype(int)
     parts = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
     A, b = Y / sigma[None, :, None], rest / sigma
-    grams, rights = _grams(A, b, parts)
-    prior = np.full(Y.shape[2], thin)
+    basis = _directions(A)
+    A, p = A @ basis, basis.shape[1]
     by_encoders = np.zeros_like(sigma) if encoder_noise is None else encoder_noise
-    return Problem(b, A, prior, sigma, parts, grams, rights, thin, Y.shape[2], by_encoders)
+    none = np.zeros((BLOCKS, len(sigma), p))
+    return _summed(
+        Problem(
+            b, A, np.full(p, thin), sigma, parts, none[..., None], none, none[..., 0], thin, p, basis,
+            by_encoders,
+        )
+    )  # fmt: skip
 
 
-def _grams(A: Floats, b: Floats, parts: tuple[slice, ...]) -> tuple[Floats, Floats]:
-    flat = [A[part].reshape(-1, A.shape[2]) for part in parts]
-    return np.stack([a.T @ a for a in flat]), _rights(A, b, parts)
+def _directions(A: Floats) -> Floats:
+    """The principal directions [all, p] of columns [N, n, all], without those that show nothing."""
+    gram = sum((a.T @ a for a in np.swapaxes(A, 0, 1)), np.zeros((A.shape[2], A.shape[2])))
+    sizes, directions = np.linalg.eigh(gram)
+    return np.asarray(directions[:, sizes > UNSEEN_NUISANCE])
 
 
-def _rights(A: Floats, b: Floats, parts: tuple[slice, ...]) -> Floats:
-    return np.stack([A[part].reshape(-1, A.shape[2]).T @ b[part].reshape(-1) for part in parts])
+def _summed(p: Problem) -> Problem:
+    """The problem with its products by part and joint."""
+    rows = np.ascontiguousarray(np.swapaxes(np.concatenate([p.A, p.rest[:, :, None]], axis=2), 0, 1))
+    sums = np.stack([np.swapaxes(rows[:, part], 1, 2) @ rows[:, part] for part in p.parts])
+    return replace(p, gram=sums[:, :, :-1, :-1], right=sums[:, :, :-1, -1], square=sums[:, :, -1, -1])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Folds:
+    """The fits to all parts but one, and to all [BLOCKS + 1]: ``known`` [BLOCKS + 1, p]; ``root``
+    [BLOCKS + 1, p, p], which times its transpose is the inverse of the system; ``slope`` [BLOCKS, n, p]: half
+    of what the squares held out change by, with the coefficients."""
+
+    known: Floats
+    root: Floats
+    slope: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fit:
     """``x`` [c]: coefficients of the columns tried, ``cov`` [c, c]; ``known`` [p] those of the problem's own;
     ``held_out`` [BLOCKS, n]: mean square errors on the parts that were held out, in units of the noise;
-    ``prior_penalty`` of the nuisance, in units of log-likelihood."""
+    ``prior_penalty`` of the nuisance, in units of log-likelihood; ``folds``: of a fit that candidates are
+    tried beside."""
 
     x: Floats
     cov: Floats
     known: Floats
     held_out: Floats
     prior_penalty: float
+    folds: Folds | None = None
 
 
-def fitted(
-    p: Problem, rows: tuple[int, ...] = (), columns: Floats | None = None, signs: tuple[int, ...] = ()
-) -> Fit:
-    """The problem with the columns [N, rows, c] tried; ``signs`` +1 keeps a coefficient from being
-    negative."""
-    at = list(rows)
-    c = 0 if columns is None else columns.shape[2]
-    X = np.zeros((len(p.rest), 0, 0)) if columns is None else columns / p.sigma[at][None, :, None]
-    size = np.sqrt(np.mean(X**2, axis=(0, 1))) if c else np.zeros(0)
-    size = np.where(size > 0, size, 1.0)
-    X = X / size if c else X
-    P = p.A.shape[2]
-    grams = np.zeros((BLOCKS, P + c, P + c))
-    rights = np.zeros((BLOCKS, P + c))
-    grams[:, :P, :P], rights[:, :P] = p.grams, p.rights
-    if c:
-        for k, part in enumerate(p.parts):
-            x = X[part].reshape(-1, c)
-            y = p.A[part][:, at].reshape(-1, P)
-            grams[k, P:, P:] = x.T @ x
-            grams[k, P:, :P] = x.T @ y
-            grams[k, :P, P:] = grams[k, P:, :P].T
-            rights[k, P:] = x.T @ p.rest[part][:, at].reshape(-1)
-    prior = np.concatenate([p.prior, np.full(c, FREE_PRECISION)])
-    G, g = grams.sum(axis=0), rights.sum(axis=0)
-    systems = np.concatenate([(G - grams) + np.diag(prior), (G + np.diag(prior))[None]])
-    right = np.concatenate([g - rights, g[None]])
-    solutions = np.linalg.solve(systems, right[:, :, None])[:, :, 0]
-    for k in range(BLOCKS + 1):
-        solutions[k] = _signed(systems[k], right[k], solutions[k], P, signs)
-    held_out = np.empty((BLOCKS, p.n))
-    for k, part in enumerate(p.parts):
-        left = p.rest[part] - p.A[part] @ solutions[k, :P]
-        if c:
-            left[:, at] -= X[part] @ solutions[k, P:]
-        held_out[k] = np.mean(left**2, axis=0)
-    whole = solutions[-1]
-    spread = p.thin * np.linalg.inv(systems[-1])[P:, P:] * max(float(held_out.mean()), 1e-300)
-    prior_penalty = float(np.sum(p.prior[: p.nuisance] * whole[: p.nuisance] ** 2)) / p.thin / 2
-    return Fit(
-        whole[P:] / size, spread / np.outer(size, size) if c else spread, whole[:P], held_out, prior_penalty
-    )
+def excluded(by_part: Floats) -> Floats:
+    """Sums [BLOCKS + 1, ...] over all parts but one, and over all, of sums [BLOCKS, ...] by part."""
+    whole = by_part.sum(axis=0)
+    return np.concatenate([whole - by_part, whole[None]])
 
 
-def _signed(system: Floats, right: Floats, x: Floats, P: int, signs: tuple[int, ...]) -> Floats:
-    """The solution without the columns that come out negative and may not."""
-    free = np.ones(len(x), bool)
-    for _ in range(len(signs)):
-        wrong = [P + i for i, sign in enumerate(signs) if sign > 0 and x[P + i] < 0]
-        if not wrong:
-            break
-        free[min(wrong, key=lambda i: x[i])] = False
-        x = np.zeros(len(x))
-        x[free] = np.linalg.solve(system[np.ix_(free, free)], right[free])
-    return x
+def fitted(p: Problem) -> Fit:
+    """The problem fitted by what is known."""
+    systems = excluded(p.grams) + np.diag(p.prior)
+    scale = np.sqrt(np.diagonal(systems, axis1=1, axis2=2))
+    sizes, directions = np.linalg.eigh(systems / scale[:, :, None] / scale[:, None, :])
+    least = np.finfo(np.float64).eps * sizes[:, -1:]
+    root = directions / np.sqrt(np.maximum(sizes, least))[:, None, :] / scale[:, :, None]
+    known = (root @ (np.swapaxes(root, 1, 2) @ excluded(p.rights)[:, :, None]))[:, :, 0]
+    through = (p.gram @ known[:-1, None, :, None])[..., 0]
+    slope = through - p.right
+    squares = p.square + np.sum((slope - p.right) * known[:-1, None], axis=2)
+    held_out = np.maximum(squares, 0.0) / counts(p)[:, None]
+    penalty = float(np.sum(p.prior[: p.nuisance] * known[-1, : p.nuisance] ** 2)) / p.thin / 2
+    return Fit(np.zeros(0), np.zeros((0, 0)), known[-1], held_out, penalty, Folds(known, root, slope))
+
+
+def counts(p: Problem) -> Floats:
+    """How many samples each part has [BLOCKS]."""
+    return np.array([max(1, part.stop - part.start) for part in p.parts], dtype=np.float64)

@@ -17,6 +17,13 @@ BLOCKS: Final = 10
 FREE_PRECISION: Final = 1e-9
 """[1/variance] The prior of a coefficient that may be anything."""
 
+UNSEEN_NUISANCE: Final = 1e-6
+"""[squares over the noise] A direction of the arm's own numbers that shows less along the whole logs, if it
+is off by one standard deviation of its prior, is left out: no fit would move it."""
+
+SPANNED: Final = 1e-9
+"""[share of its squares] A candidate of which what is known leaves less adds nothing."""
+
 # --- ceiling --------------------
 
 CEILING_RIDGE: Final = 1e-3
@@ -29,6 +36,13 @@ STANDS_OUT: Final = 2.0
 
 LEAST_T: Final = 3.0
 """[standard errors] The least paired t over the parts of a log with which a candidate is taken."""
+
+LEAST_SHARE: Final = 0.1
+"""[share of the mean square left] What a candidate must take away at some joint, in parts that were not
+fitted: a real arm has many small things in it, and a name for each helps nobody."""
+
+REPLACING_SHARE: Final = 0.2
+"""[share of the mean square left] The same for a law that takes the place of a plainer one."""
 
 RELIEF: Final = 20.0
 """[log-likelihood] With more, the arm's own numbers would be too far beyond their confidence without it."""
@@ -51,6 +65,9 @@ NEARLY: Final = 0.9
 ROUGH: Final = 3.0
 """[mean squares of the noise] If no candidate leaves less, the log has what is not in the catalogue."""
 
+REPLACING_T: Final = 2.0
+"""[standard errors] The least paired t of a law that takes the place of a plainer one."""
+
 ROUGH_T: Final = 1.3
 """[standard errors] In such a log this t suffices with twice the evidence."""
 
@@ -71,6 +88,25 @@ OSCILLATOR_DIRECTIONS: Final = 16
 
 OSCILLATOR_FARTHEST: Final = 8.0
 """[-] never farther than by this factor."""
+
+# --- common --------------------
+
+COMMON_JOINTS: Final = 0.5
+"""[share of the moving joints] What so many lack, and two at least, is looked for at all joints at once."""
+
+COMMON_T: Final = 2.0
+"""[standard errors] The least paired t over the parts of a log of what is common,"""
+
+COMMON_PARTS: Final = 0.8
+"""[share of the parts] or as many parts in which it explains something."""
+
+# --- forward --------------------
+
+SURE: Final = 0.95
+"""[probability] Of a name without rivals."""
+
+MOST_KINDS: Final = 8
+"""[effects] So many different ones are named at most; what is left beyond is unexplained."""
 
 # --- contact --------------------
 
@@ -106,6 +142,14 @@ TWIST_CUTOFF: Final = 6.0
 OSCILLATOR_RATE: Final = 300.0
 """[steps/s] The fewest in which the motion of a spring is integrated."""
 
+# --- laws --------------------
+
+GRAVITY_SAMPLES: Final = 500
+"""[samples] At about as many gravity's torque is looked at, where an effect must relieve it."""
+
+GRAVITY_SHARE: Final = 0.1
+"""[share of the joint that carries most] A joint with less carries no gravity worth a spring."""
+
 # --- sensors --------------------
 
 DRIVE_LIMITS: Final = (0.5, 0.65, 0.8, 0.9, 0.96)
@@ -127,6 +171,20 @@ ENCODER_OFF: Final = 0.25
 
 PAIR_RATIOS: Final = (1.0, -1.0)
 """[-] What the motor of a pair turns by a turn of its other joint: those that are tried."""
+
+LINK_WRONG: Final = 3.0
+"""[shares] Numbers of a link that is not as described are about so many times as large as it says, or its
+neighbours' (a prior, for most motions do not see all of them)."""
+
+LIGHTEST: Final = 0.2
+"""[share of the heaviest, the longest] A link counts as at least so heavy and so long, where the size of an
+error is concerned."""
+
+LOAD_SHARE: Final = 1.0
+"""[share of the arm's mass] A load is about as heavy (a prior),"""
+
+LOAD_SIZE: Final = 0.15
+"""[m] about as large (a prior for what most motions do not see),"""
 
 LOAD_REACH: Final = 0.7
 """[m] The centre of a load is no farther from the last link's frame."""
@@ -196,6 +254,10 @@ POSES: Final = 50
 
 SHORTEST_PIECE: Final = 6.0
 """[periods of the cutoff] Shorter pieces of a log are left out."""
+
+FEW_PARTS: Final = 1.15
+"""[-] A standard error that is from ten parts is so much larger, for twice of it to hold 95 % (Student, nine
+degrees of freedom)."""
 
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.choice import evidence_threshold, numbers_of
+from robodyn.diagnose.select.forward import Key, Named, special_cases
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
-from robodyn.diagnose.select.selection import Named, Selection, select
+from robodyn.diagnose.select.selection import Selection, select
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.rigid import Model, physical
@@ -21,17 +23,17 @@ from robodyn.logs.log import Log
 from robodyn.robot.model import AXES, Robot
 
 Floats = NDArray[np.float64]
-Key = tuple[str, int | None]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Detected:
-    """A detected effect: the evidence for it, its parameters with errors, and the selection it is from."""
+    """A detected effect: the evidence for it, its parameters with errors, and the mean squares [n] that were
+    left before it was named, in units of the noise."""
 
     named: Named
     parameters: dict[str, float | str]
     errors: dict[str, float]
-    first: Selection
+    before: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,28 +52,43 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
     with a contact in it."""
     pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
 
-    def look(model: Robot) -> Selection:
-        return select(model, pieces, progress=lambda name: tell(f"found {name}"))
+    def look(model: Robot, known: Iterable[Key], widest: bool | None) -> Selection:
+        return select(
+            model, pieces, known=frozenset(known), widest=widest, progress=lambda name: tell(f"found {name}")
+        )
 
     tell("fitting the catalogue")
-    first = last = look(robot)
-    model, findings, seen = robot, dict[Key, Detected](), set[frozenset[Key]]()
+    first = last = look(robot, (), None)
+    model, findings = robot, dict[Key, Detected]()
     for _ in range(PASSES):
         if not last.findings:
             break
-        _take(last, findings, digest)
-        _refit(robot, findings, first)
-        if _levelled(findings, first):
-            _refit(robot, findings, first)
-        _pruned(robot, findings, first)
-        keys = frozenset(findings)
-        if keys in seen:  # what was left out comes again
-            break
-        seen.add(keys)
-        model = amended(robot, _amendments(findings))
+        more = dict(findings)
+        _take(last, more, digest)
+        _refit(robot, more, first)
+        if _levelled(more, first):
+            _refit(robot, more, first)
+        _pruned(robot, more, first)
+        if not _is_better(robot, findings, more, first):
+            break  # what was left out comes again, or in another guise
+        findings, model = more, amended(robot, _amendments(more))
         tell("fitting what is left")
-        last = look(model)
+        last = look(model, findings, first.widest)
     return Outcome(findings, model, first, last)
+
+
+def _is_better(
+    robot: Robot, findings: Mapping[Key, Detected], more: Mapping[Key, Detected], first: Selection
+) -> bool:
+    """Whether ``more`` explains more of the logs than ``findings``, by as much as its numbers are worth."""
+    if not findings or set(more) == set(findings):
+        return set(more) != set(findings)
+    added = [one for key, one in more.items() if key not in findings]
+    if any(CATALOGUE[key[0]].place == "outside" for key in set(more) - set(findings)):
+        return True  # of a contact the window is left out of the costs
+    before, after = costs(robot, [_amendments(findings), _amendments(more)], first.contexts, first.start)
+    worth = sum(evidence_threshold(first.start, numbers_of(one.named.trial)) for one in added)
+    return before - after > PRICE * worth
 
 
 def _pruned(robot: Robot, findings: dict[Key, Detected], first: Selection) -> None:
@@ -133,18 +150,22 @@ def _levelled(findings: dict[Key, Detected], begun: Selection) -> bool:
         )
         named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
         errors = {name: one.errors[name] for name in parameters if name in one.errors}
-        findings[plain] = Detected(named, parameters, errors, one.first)
+        findings[plain] = Detected(named, parameters, errors, one.before)
     return bool(flat)
 
 
 def _take(step: Selection, findings: dict[Key, Detected], digest: str) -> None:
-    """A step's findings join those of the same effect and place."""
+    """A step's findings join those of the same effect and place; a law takes the place of its special
+    cases."""
     for named in step.findings:
         candidate = named.trial.candidate
         values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
         if candidate.definition.place == "outside":
             values["log"] = digest
         key = (candidate.effect, candidate.joint)
+        for plain in [(id, candidate.joint) for id in special_cases(candidate)]:
+            if plain in findings:
+                _take_levels(candidate, values, findings.pop(plain).parameters)
         if key in findings:
             before = findings[key]
             linear = CATALOGUE[candidate.effect].linear
@@ -154,7 +175,15 @@ def _take(step: Selection, findings: dict[Key, Detected], digest: str) -> None:
                 joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
             findings[key] = replace(before, parameters=joined)
         else:
-            findings[key] = Detected(named, values, errors, step)
+            findings[key] = Detected(named, values, errors, step.first.held_out.mean(axis=0))
+
+
+def _take_levels(candidate: Candidate, values: dict[str, float | str], plain: Mapping[str, Any]) -> None:
+    """A law's levels with that of the plainer law in whose place it stands."""
+    (level, *_) = plain.values()
+    for name in candidate.definition.traits.levels:
+        if isinstance(values.get(name), float) and isinstance(level, float):
+            values[name] = float(values[name]) + level
 
 
 def _piece(log: Log, part: slice) -> Log:

@@ -12,29 +12,31 @@ much as its prior says."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.ceiling import unexplained
 from robodyn.diagnose.select.choice import (
     Trial,
-    best_of,
     evidence_threshold,
     nearest,
     numbers_of,
     prepared,
-    trial,
+    trials,
 )
 from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, less, problem, tighter, without
-from robodyn.diagnose.select.library import Candidate, Context, candidates, context_of
+from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider, without
+from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
+from robodyn.diagnose.select.library import Context, candidates, context_of
+from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     BLOCKS,
     CLIPPED_MARGIN,
     DIVERGED,
-    MOST_EFFECTS,
+    FEW_PARTS,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -53,22 +55,11 @@ Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Named:
-    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first."""
-
-    trial: Trial
-    rivals: tuple[str, ...]
-    confidence: float
-    x: Floats
-    stderr: Floats
-    beside: tuple[Trial, ...] = ()
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class Selection:
     """The effects selected in the parts of a log; ``first`` and ``last`` fits; all trials of the first step,
     best first; ``residue`` [n]: the median of what is left, in units of the noise (a median, so that short
-    bursts of joints that stick at reversals do not count)."""
+    bursts of joints that stick at reversals do not count); ``widest``: inertial numbers of which nothing is
+    stated were taken for a guess."""
 
     contexts: tuple[Context, ...]
     start: Problem
@@ -77,6 +68,7 @@ class Selection:
     last: Fit
     trials: tuple[Trial, ...]
     residue: Floats
+    widest: bool = False
 
     @property
     def context(self) -> Context:
@@ -84,16 +76,26 @@ class Selection:
         return self.contexts[0]
 
 
-def start_of(contexts: Sequence[Context]) -> Problem:
-    """The filtered residual of the model, and the nuisance of its rigid numbers."""
-    model, s = contexts[0].model, contexts[0].signals
+def prior_scales(model: Model, widest: bool = False) -> Floats:
+    """Standard deviations [n, 10] of the links' standard parameters about the description: by the share that
+    is stated of each; ``widest``: where none is stated, as of a guess."""
     phi = model.standard_parameters()
-    scale = np.zeros_like(phi)
+    scales, usual = np.zeros_like(phi), usual_sizes(model)
     for k, link in enumerate(model.robot.links):
-        confidence = float(link.inertial_share)
+        guessed = link.confidence == "unknown" or (widest and link.confidence is None)
+        if guessed:
+            scales[k] = np.maximum(np.abs(phi[k]), usual[k])
+            continue
         size = np.abs(phi[k])
         floor = np.concatenate([[0.0], np.full(3, 0.02 * size[0]), np.full(6, 0.1 * size[4:7].max())])
-        scale[k] = confidence * np.maximum(size, floor)
+        scales[k] = float(link.inertial_share) * np.maximum(size, floor)
+    return scales
+
+
+def start_of(contexts: Sequence[Context], scale: Floats) -> Problem:
+    """The filtered residual of the model, and the nuisance of its rigid numbers, which are right to
+    ``scale`` [n, 10]."""
+    model, s = contexts[0].model, contexts[0].signals
     rests, nuisances = [], []
     for c in contexts:
         rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
@@ -151,27 +153,31 @@ def select(
     robot: Robot,
     logs: Log | Sequence[Log],
     *,
+    known: frozenset[Key] = frozenset(),
+    widest: bool | None = None,
     progress: Callable[[str], object] | None = None,
     cutoff: float | None = None,
 ) -> Selection:
     """What ``robot`` lacks to explain ``logs``, each evenly sampled; parts too short to be filtered are
-    left out."""
+    left out. ``known``: what the model has of earlier passes; ``widest``: whether the inertial numbers of
+    which nothing is stated are a guess (None: the logs decide)."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     pieces.sort(key=lambda log: -log.samples)
-    seen = signals_of(pieces[0], cutoff=cutoff)
-    context = context_of(Model(robot), seen)
+    longest = signals_of(pieces[0], cutoff=cutoff)
+    context = context_of(Model(robot), longest)
     contexts = [context]
     for log in pieces[1:]:
-        if log.samples * seen.period > SHORTEST_PIECE / seen.cutoff:
-            more = signals_of(log, cutoff=seen.cutoff)
+        if log.samples * longest.period > SHORTEST_PIECE / longest.cutoff:
+            more = signals_of(log, cutoff=longest.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
-    start = start_of(contexts)
+    narrow = prior_scales(context.model)
+    start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
     columns = zip(*(candidates(each) for each in contexts), strict=True)
-    library = [
+    library = Library.of(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in columns
-    ]
+    )
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
@@ -183,15 +189,29 @@ def select(
     if contact is not None:
         start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
-    chosen = _chosen(start, library, least, contexts, rough=rough, progress=progress)
-    if not chosen.findings:
-        # Perhaps the arm's numbers are better than they are said to be, and something else shows.
-        tight = tighter(start, TIGHT)
-        # Not their errors, which are within what is said of them.
-        others = [pair for pair in library if not _is_of_link(pair[0])]
-        other = _chosen(tight, others, least, contexts, rough=rough, progress=progress)
-        if other.findings and _evidence(tight, other) > _evidence(start, chosen) + TIGHT_EVIDENCE:
-            start, chosen = tight, other
+
+    def choose(start: Problem, *, links: bool = True) -> Chosen:
+        return forward(
+            start, library, least, contexts, known=known, rough=rough, links=links, progress=progress
+        )
+
+    scales = prior_scales(context.model, widest=True)
+    wide = wider(start, start_of(contexts, scales)) if np.any(scales > narrow) else None
+    if widest and wide is not None:
+        start, chosen = wide, choose(wide, links=False)
+    else:
+        chosen = choose(start)
+        # Perhaps the arm's numbers are better than they are said to be, and something else shows (not their
+        # errors, which are within what is said of them); or, where nothing is said of them, they are a guess.
+        other = None if chosen.findings else tighter(start, TIGHT)
+        if chosen.findings and wide is not None and widest is None:
+            other = wide
+        if other is not None:
+            again = choose(other, links=False)
+            if (again.findings or other is wide) and (
+                _evidence(other, again) > _evidence(start, chosen) + TIGHT_EVIDENCE
+            ):
+                start, chosen, widest = other, again, other is wide
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
@@ -199,66 +219,14 @@ def select(
         estimated = (*estimated, _named_contact(contact, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
-    return Selection(tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue)
+    for each in contexts:
+        each.kept.clear()
+    return Selection(
+        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, bool(widest)
+    )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Chosen:
-    """What was chosen, one after another; the problem with all of it, its fit, the trials of the first
-    step."""
-
-    findings: list[Named]
-    now: Problem
-    current: Fit
-    trials: list[Trial]
-
-
-def _chosen(
-    start: Problem,
-    library: Sequence[tuple[Candidate, Floats]],
-    least: Floats,
-    contexts: Sequence[Context],
-    *,
-    rough: bool,
-    progress: Callable[[str], object] | None,
-) -> _Chosen:
-    """One effect after another until none passes, or the columns of all others change."""
-    now, current = start, fitted(start)
-    findings: list[Named] = []
-    trials: list[Trial] = []
-    while len(findings) < MOST_EFFECTS:
-        taken = {(f.trial.candidate.effect, f.trial.candidate.joint) for f in findings}
-        tried = [
-            trial(now, current, c, columns, least)
-            for c, columns in library
-            if (c.effect, c.joint) not in taken and (rough or not c.rough)
-        ]
-        tried.sort(key=lambda one: -one.gain)
-        trials = trials or tried
-        best = best_of(now, current, tried, least, contexts, rough=rough)
-        if best is None:
-            break
-        one, rivals, confidence = best
-        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), tuple(tried[:40])))
-        if one.candidate.fixed:
-            now = less(now, one.candidate.rows, one.columns[:, :, 0])
-        else:
-            now = now.with_columns(one.candidate.rows, one.columns)
-        current = fitted(now)
-        if progress is not None:
-            progress(one.candidate.name)
-        if one.candidate.definition.traits.reevaluate:
-            break  # the model is to be evaluated anew before more is looked for
-    return _Chosen(findings, now, current, trials)
-
-
-def _is_of_link(candidate: Candidate) -> bool:
-    """Whether it is an error of the arm's own numbers."""
-    fold = candidate.definition.traits.fold
-    return fold is not None and fold.into == "link"
-
-
-def _evidence(start: Problem, chosen: _Chosen) -> float:
+def _evidence(start: Problem, chosen: Chosen) -> float:
     """How well a prior of the arm's numbers foresaw the logs, with what was chosen, in units of
     log-likelihood (MacKay 1992)."""
     p = chosen.now
@@ -276,9 +244,7 @@ def _evidence(start: Problem, chosen: _Chosen) -> float:
     return -misfit - spread - penalty - width - choice
 
 
-def _factor(
-    start: Problem, library: Sequence[tuple[Candidate, Floats]], least: Floats, contexts: Sequence[Context]
-) -> Floats:
+def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[Context]) -> Floats:
     """How much larger [n] than the noise is what neither the library nor one of its candidates explains."""
     factor = unexplained(start, library)
     if np.all(factor == 1):
@@ -287,33 +253,29 @@ def _factor(
     # A single burst may have biased all these fits.
     for left in (start.rest, start.rest - start.A @ current.known):
         factor = np.where(1.4826 * np.median(np.abs(left), axis=0) < STANDS_OUT, 1.0, factor)
-    tried = [trial(start, current, c, columns, least) for c, columns in library]
-    tried.sort(key=lambda one: -one.gain)
+    tried = trials(start, current, library, least)
     for one in nearest(start, current, tried, least, contexts):
         left = np.sqrt(np.median(one.fit.held_out, axis=0))
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
 
 
-def _otherwise(
-    start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]], least: Floats
-) -> bool:
+def _otherwise(start: Problem, contact: Contact, library: Library, least: Floats) -> bool:
     """Whether an effect that acts all along explains more of a log than a contact does of its window."""
     current = fitted(start)
     by_force = contact.explained * float((start.rest[contact.mask] ** 2).sum()) / 2 / start.thin
-    best = max(trial(start, current, c, columns, least).gain for c, columns in library)
-    return best > by_force
+    return trials(start, current, library, least)[0].gain > by_force
 
 
-def _clipped_there(start: Problem, contact: Contact, library: Sequence[tuple[Candidate, Floats]]) -> bool:
+def _clipped_there(start: Problem, contact: Contact, library: Library) -> bool:
     """Whether a torque that is cut off explains the burst as well as a force does."""
     b = start.rest[contact.mask]
-    for candidate, columns in library:
+    for k, candidate in enumerate(library.candidates):
         channel = candidate.definition.traits.channel
         if channel is not None and channel.acts == "limit":
             left = b.copy()
             rows = list(candidate.rows)
-            left[:, rows] -= columns[contact.mask][:, :, 0] / start.sigma[rows]
+            left[:, rows] -= library.of_candidate(k)[contact.mask][:, :, 0] / start.sigma[rows]
             if 1 - float(np.sum(left**2) / np.sum(b**2)) > contact.explained - CLIPPED_MARGIN:
                 return True
     return False
@@ -327,15 +289,26 @@ def _named_contact(contact: Contact, first: Fit) -> Named:
     return Named(one, (), 0.9, contact.x, contact.stderr)
 
 
+def _covariance(now: Problem, last: Fit) -> Floats:
+    """The covariance [p, p] of the coefficients, by how much the parts of the log pull at them (White 1980,
+    with parts as clusters: what is left is correlated over time), no less than of as many independent
+    samples."""
+    inverse = np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True)
+    pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
+    clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
+    independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
+    scale = np.sqrt(np.maximum(1.0, np.diag(independent) / np.maximum(np.diag(clustered), 1e-300)))
+    return np.asarray(clustered * np.outer(scale, scale))
+
+
 def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
     """The effects with their coefficients in the fit of all together."""
     done = []
     at = now.nuisance
-    spread = now.thin * np.linalg.inv(now.grams.sum(axis=0) + np.diag(now.prior))
-    spread = spread * max(float(last.held_out.mean()), 1e-300)
+    spread = _covariance(now, last)
     for one in findings:
         if one.trial.candidate.fixed:
-            done.append(Named(one.trial, one.rivals, one.confidence, np.ones(1), np.zeros(1), one.beside))
+            done.append(replace(one, x=np.ones(1), stderr=np.zeros(1)))
             continue
         wide = one.trial.columns.shape[2]
         x = last.known[at : at + wide]
@@ -343,6 +316,6 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
         if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # the fit of all together cannot separate them
         error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
-        done.append(Named(one.trial, one.rivals, one.confidence, x, error, one.beside))
+        done.append(replace(one, x=x, stderr=error))
         at += wide
     return tuple(done)

@@ -10,7 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
-from robodyn.diagnose.select.limits import LOAD_REACH, PAIR_RATIOS, TILT
+from robodyn.diagnose.select.limits import (
+    LIGHTEST,
+    LINK_WRONG,
+    LOAD_REACH,
+    LOAD_SHARE,
+    LOAD_SIZE,
+    PAIR_RATIOS,
+    TILT,
+)
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Shown
 from robodyn.identify.rigid import PARAMETERS, Model, physical
@@ -48,10 +56,18 @@ def numbers(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
     elif fold is not None and fold.into == "gravity":
         yield _tilt(c, effect, shown)
     elif fold is not None and fold.into == "link":  # from the tip: there they are fewest
-        rows, Y = tuple(range(c.n)), _regressor(c)
+        rows, Y, sizes = tuple(range(c.n)), _regressor(c), usual_sizes(c.model)
         for k in range(c.n - 1, -1, -1):
             yield Candidate(
-                effect.id, k + 1, rows, Y[:, :, k], (0,) * 10, _standard, shown.order, coarse=True
+                effect.id,
+                k + 1,
+                rows,
+                Y[:, :, k],
+                (0,) * 10,
+                _standard,
+                shown.order,
+                coarse=True,
+                scale=LINK_WRONG * sizes[k],
             )
 
 
@@ -72,7 +88,35 @@ def _body(c: Context, effect: Effect, shown: Shown) -> Candidate:
     return Candidate(
         effect.id, None, tuple(range(c.n)), _regressor(c)[:, :, -1], (1, *(0,) * 9), read, shown.order,
         coarse=True, feasible=lambda x: bool(x[0] > 0 and np.linalg.norm(x[1:4]) < LOAD_REACH * x[0]),
+        scale=sizes_of(LOAD_SHARE * float(c.model.standard_parameters()[:, 0].sum()), LOAD_SIZE),
     )  # fmt: skip
+
+
+def sizes_of(mass: float, length: float) -> Floats:
+    """Standard parameters [10] that are usual of a body of a mass [kg] and a length [m]."""
+    return np.asarray(max(mass, 1e-6) * np.concatenate([[1.0], np.full(3, length), np.full(6, length**2)]))
+
+
+def usual_sizes(model: Model) -> Floats:
+    """Standard parameters [n, 10] that are usual of the arm's links: by the mass of each, no less than a
+    share of the heaviest, and by the arm's lengths."""
+    mass = model.standard_parameters()[:, 0]
+    mass = np.maximum(mass, LIGHTEST * mass.max())
+    return np.stack([sizes_of(m, reach) for m, reach in zip(mass, _lengths(model), strict=True)])
+
+
+def _lengths(model: Model) -> list[float]:
+    """About how long [m] each link is, from its centre of mass and the next joint, no less than a
+    share of the longest."""
+    links = model.robot.links
+    lengths = []
+    for k, link in enumerate(links):
+        ahead = links[k + 1].joint if k + 1 < len(links) else None
+        numbers = [*link.com, *([ahead.a, ahead.d] if ahead is not None else [])]
+        sizes = [abs(float(x)) for x in numbers if isinstance(x, Fraction)]
+        lengths.append(max(sizes, default=0.0))
+    longest = max(*lengths, 1e-3)
+    return [max(length, LIGHTEST * longest) for length in lengths]
 
 
 def _tilt(c: Context, effect: Effect, shown: Shown) -> Candidate:
@@ -94,4 +138,4 @@ def _gravity_by(c: Context, change: tuple[float, float, float]) -> Floats:
     """Torques [K, n] by a change of gravity (they are linear in it); of coarse signals."""
     s, zeros = c.slow, np.zeros_like(c.slow.q)
     x, y, z = (Fraction(g) for g in change)
-    return Model(replace(c.model.robot, gravity=(x, y, z))).evaluate(s.q, zeros, zeros).rigid
+    return Model(replace(c.model.robot, gravity=(x, y, z))).rigid_torque(s.q, zeros, zeros)

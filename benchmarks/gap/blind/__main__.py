@@ -1,0 +1,107 @@
+"""Runs blind trials one after the other and adds a line of JSON for each to a file; what is there is kept.
+
+    python -m benchmarks.gap.blind KIND... -o results.jsonl [--arms a,b] [--seeds 1:3] [--most N] [--cache D]
+    python -m benchmarks.gap.blind --summary results.jsonl
+
+A run can be stopped at any time and begun again. With a cache, logs are made once and used for every version
+of the tool. The kinds are those of :mod:`benchmarks.gap.blind.trials`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import pickle
+import random
+import sys
+import time
+import warnings
+from collections.abc import Sequence
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from benchmarks.gap.blind.grade import graded
+from benchmarks.gap.blind.summary import summary
+from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, trials
+
+from diagnose.hidden.logs import Hidden
+from robodyn.diagnose.run import diagnose
+from robodyn.logs.log import Log
+from robodyn.robot.model import EffectEntry, Joint, Link, Robot
+
+
+def made(trial: Trial, cache: Path | None) -> Hidden:
+    """The trial's logs, from the cache where they are in it."""
+    if cache is None:
+        return trial.make()
+    path = cache / f"{trial.key.replace(':', '_')}.pickle"
+    shape = [[field.name for field in fields(of)] for of in (Log, Robot, Link, Joint, EffectEntry)]
+    if path.is_file():
+        try:
+            classes, hidden = pickle.loads(path.read_bytes())
+            if classes == shape:
+                return hidden  # type: ignore[no-any-return]
+        except (AttributeError, ImportError, TypeError, ValueError):
+            pass  # written by a version with other classes
+    hidden = trial.make()
+    cache.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(pickle.dumps((shape, hidden)))
+    return hidden
+
+
+def run(trial: Trial, cache: Path | None) -> dict[str, Any]:
+    """One line of the results."""
+    row: dict[str, Any] = {"key": trial.key, "kind": trial.kind, "arm": trial.arm, "seed": trial.seed}
+    hidden = made(trial, cache)
+    start = time.process_time()
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            row |= graded(hidden, diagnose(hidden.given, [hidden.train], hidden.validate))
+        except Exception as error:
+            row |= {"status": "error", "error": f"{type(error).__name__}: {error}"}
+    row["cpu"] = round(time.process_time() - start, 2)
+    row["warnings"] = sorted({f"{w.category.__name__}: {w.message}" for w in caught})
+    return row
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Command line."""
+    assert __doc__
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("kinds", nargs="*", choices=[[], *KINDS], metavar="KIND", help=", ".join(KINDS))
+    parser.add_argument("-o", "--output", type=Path)
+    parser.add_argument("--arms", default=",".join(ALL_ARMS))
+    parser.add_argument("--seeds", default="1:2", help="FIRST:END")
+    parser.add_argument("--most", type=int, help="at most so many trials, drawn from all asked for")
+    parser.add_argument("--cache", type=Path)
+    parser.add_argument("--summary", type=Path)
+    options = parser.parse_args(arguments)
+    if options.summary:
+        print(summary([json.loads(line) for line in options.summary.read_text().splitlines()]))
+        return 0
+    if not options.output:
+        parser.error("-o is missing")
+    first, end = map(int, options.seeds.split(":"))
+    asked = [
+        t for kind in options.kinds for t in trials(kind, tuple(options.arms.split(",")), range(first, end))
+    ]
+    random.Random(1).shuffle(asked)  # any first part is of all kinds and arms, and part of any longer one
+    done = set()
+    if options.output.is_file():
+        done = {json.loads(line)["key"] for line in options.output.read_text().splitlines()}
+    for k, trial in enumerate(asked[: options.most]):
+        if trial.key in done:
+            continue
+        row = run(trial, options.cache)
+        with options.output.open("a") as file:
+            file.write(json.dumps(row) + "\n")
+        print(
+            f"{k + 1}/{len(asked[: options.most])} {trial.key}: {row['status']}", file=sys.stderr, flush=True
+        )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

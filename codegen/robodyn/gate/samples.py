@@ -1,0 +1,155 @@
+"""How a log was sampled: rows that were sent twice, angles that begin anew each turn, smoothed signals."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.gate.flag import Flag, Floats, count, named, spans_of
+from robodyn.gate.limits import (
+    CONSTANT_TIME,
+    FEWEST_REPEATS,
+    MOST_REPEATS,
+    REPEAT_EVENLY,
+    REPEAT_SPEED,
+    SMOOTH_SHARE,
+    SPECTRUM_BAND,
+    SPECTRUM_PIECES,
+    TURN_NEAR,
+    UNKNOWN_SHARE,
+)
+from robodyn.logs.log import Log
+from robodyn.robot.model import Robot
+
+Mask = NDArray[np.bool_]
+
+
+def unwrapped(log: Log, robot: Robot, flags: list[Flag]) -> Log:
+    """``log`` with angles that go on where they began anew at a turn."""
+    q = log.q
+    for j, link in enumerate(robot.links):
+        if link.joint.kind != "revolute":
+            continue
+        with np.errstate(invalid="ignore", over="ignore"):
+            step = np.diff(log.q[:, j])
+            turns = np.abs(np.abs(step) - 2 * math.pi) < TURN_NEAR
+        rows = np.flatnonzero(turns)
+        usual = np.abs(step[np.isfinite(step) & ~turns])
+        if not len(rows) or not len(usual) or np.quantile(usual, 0.99) > TURN_NEAR:
+            continue
+        if q is log.q:
+            q = log.q.copy()
+        offset = np.zeros(len(q))
+        offset[rows + 1] = -2 * math.pi * np.sign(step[rows])
+        q[:, j] += np.cumsum(offset)
+        text = f"begins anew at a turn, {count(len(rows), 'time')}: taken as going on"
+        flags.append(Flag("wrapped", f"q{j + 1}", spans_of(rows + 1, log.t), text, (j + 1,)))
+    return log if q is log.q else replace(log, q=q)
+
+
+def fresh(log: Log, flags: list[Flag]) -> tuple[Log, Mask | None]:
+    """``log`` with the times at which its source took the rows, and a mask [K] of the rows that only repeat
+    the one before while the arm moves on; None: there are none.
+
+    Where the source is a little slower than what wrote the log, a row is sent twice now and then and the
+    others are more and more late in between: they are spread evenly over the time.
+    """
+    if log.samples < 4 or not (np.diff(log.t) > 0).all():
+        return log, None
+    step = np.abs(np.diff(log.q, axis=0))
+    same = (step == 0).all(axis=1) & (np.diff(log.tau, axis=0) == 0).all(axis=1)
+    if not FEWEST_REPEATS <= same.sum() <= MOST_REPEATS * len(same):
+        return log, None
+    with np.errstate(invalid="ignore"):
+        usual = np.nanquantile(step[~same], 0.9, axis=0)
+        least = np.nanmin(np.where(step > 0, step, np.inf), axis=0)
+    # In a joint that moves by a few steps of its encoder from row to row, equal rows are no sign.
+    fine = (usual > 8 * least) & np.isfinite(usual)
+    speed = np.where(fine, step / np.where(usual > 0, usual, 1), 0).max(axis=1)
+    rows = np.flatnonzero(same)  # row k + 1 repeats row k
+    inner = rows[(rows > 0) & (rows < len(same) - 1)]
+    inner = inner[(speed[inner - 1] > REPEAT_SPEED) & (speed[inner + 1] > REPEAT_SPEED)]
+    if len(inner) < FEWEST_REPEATS:
+        return log, None
+    repeats = np.zeros(log.samples, dtype=bool)
+    repeats[inner + 1] = True
+    # A slower source shows where the arm hardly moves as well.
+    lone = rows[(rows > 0) & (rows < len(same) - 1)]
+    lone = lone[~same[lone - 1] & ~same[lone + 1]]
+    steps, apart = np.diff(log.t), np.diff(lone)
+    even = bool((np.abs(steps / np.median(steps) - 1) < 0.5).all())
+    even = even and len(apart) >= 2 and bool(apart.std() < REPEAT_EVENLY * apart.mean())
+    if even:
+        inner = lone
+        repeats[inner + 1] = True
+    text = f"{count(len(inner))} the same as the row before in every digit, left out"
+    if even:
+        kept = np.flatnonzero(~repeats)
+        t = log.t.copy()
+        t[kept] = np.linspace(log.t[0], log.t[-1], len(kept))
+        t[inner + 1] = (t[inner] + t[inner + 2]) / 2
+        period = float((log.t[-1] - log.t[0]) / (len(kept) - 1))
+        late = 1e3 * period
+        text += f", and the others, up to {late:.3g} ms late, spread evenly: their source is slower"
+        text += f" ({1 / period:.4g} a second)"
+        flags.append(Flag("repeated_rows", "all", spans_of(inner + 1, log.t), text))
+        return replace(log, t=t), repeats
+    flags.append(Flag("repeated_rows", "all", spans_of(inner + 1, log.t), text))
+    return log, repeats
+
+
+def constant(log: Log, flags: list[Flag]) -> None:
+    """A flag on stretches in which no position changes by a digit."""
+    same = np.r_[False, (np.diff(log.q, axis=0) == 0).all(axis=1)].astype(np.int8)
+    edges = np.flatnonzero(np.diff(np.r_[0, same, 0]))
+    rows: list[int] = []
+    for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        if log.t[b - 1] - log.t[a - 1] >= CONSTANT_TIME:
+            rows += range(a - 1, b)
+    if rows:
+        text = f"the same in every digit in {len(rows) / log.samples:.0%} of the samples"
+        flags.append(Flag("constant", "q", spans_of(rows, log.t), text))
+
+
+def floor_of(
+    tau: Floats, segments: Sequence[slice], period: float, white: Floats, flags: list[Flag]
+) -> Floats:
+    """The noise [n] of torques ``tau`` [K, n] that a fit is to believe: ``white`` [n] as differences from
+    sample to sample show it, or where those show next to none, because the signals were smoothed, what is
+    above the motion instead."""
+    from scipy.signal import periodogram
+
+    size = np.array([float(np.std(x)) for x in tau.T])
+    smooth = (white < SMOOTH_SHARE * size) & (size > 0)
+    if not smooth.any():
+        return white
+    length = max(part.stop - part.start for part in segments) // SPECTRUM_PIECES
+    if length < 64:
+        return white
+    powers, f = [], np.fft.rfftfreq(length, period)
+    for part in segments:
+        for start in range(part.start, part.stop - length + 1, length):
+            _, power = periodogram(
+                tau[start : start + length], 1 / period, window="hann", detrend="linear", axis=0
+            )
+            powers.append(power)
+    low, high = (max(share * 0.5 / period, least) for share, least in SPECTRUM_BAND)
+    band = (f >= low) & (f <= high)
+    # What is above the motion, and as much of its density below.
+    spectrum = np.median(powers, axis=0)
+    level = np.sqrt(np.median(spectrum[band], axis=0) * low + spectrum[f >= low].sum(axis=0) * f[1])
+    # Where nothing is left there either, the noise is not to be had from the torque alone.
+    floor = np.where(smooth, np.maximum(np.maximum(white, level), UNKNOWN_SHARE * size), white)
+    joints = [j + 1 for j in np.flatnonzero(smooth & (floor > 3 * white)).tolist()]
+    if joints:
+        own = [j - 1 for j in joints]
+        text = (
+            f"from sample to sample next to no noise ({white[own].min():.2g} to {white[own].max():.2g} N m "
+            f"or N): smoothed before it was logged; {floor[own].min():.2g} to {floor[own].max():.2g} is taken"
+        )
+        flags.append(Flag("smoothed", named("tau", joints), (), text, tuple(joints)))
+    return floor

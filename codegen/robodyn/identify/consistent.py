@@ -1,0 +1,172 @@
+"""Physical consistency: standard parameters of bodies that could be, and the best such fit.
+
+A body's ten standard parameters belong to a distribution of mass if and only if its pseudo-inertia, a 4 x 4
+matrix that is linear in them, is positive semidefinite; mass, principal moments and triangle inequalities
+follow. A quadratic over that cone and some numbers that must not be negative is minimised by Newton's method
+on a logarithmic barrier.
+
+Source: Wensing, Kim, Slotine, RA-L 2018; Boyd and Vandenberghe, Convex Optimization (2004), ch. 11.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.identify.limits import (
+    BARRIER_END,
+    BARRIER_STEP,
+    LEAST_STEP,
+    NEARLY_THERE,
+    NEWTON_DONE,
+    NEWTON_STEPS,
+    WORTH_A_STEP,
+)
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+
+def _basis() -> Floats:
+    """What each of ten parameters ``m mx my mz xx yy zz xy xz yz`` adds to the pseudo-inertia [10, 4, 4]."""
+    E = np.zeros((10, 4, 4))
+    E[0, 3, 3] = 1.0
+    for k in range(3):
+        E[1 + k, k, 3] = E[1 + k, 3, k] = 1.0
+        E[4 + k, :3, :3] = 0.5 * np.eye(3)
+        E[4 + k, k, k] -= 1.0
+    for k, (a, b) in enumerate(((0, 1), (0, 2), (1, 2))):
+        E[7 + k, a, b] = E[7 + k, b, a] = -1.0
+    return E
+
+
+BASIS = _basis()
+
+
+def pseudo_inertia(phi: Floats) -> Floats:
+    """The pseudo-inertia [..., 4, 4] of standard parameters [..., 10]."""
+    return np.asarray(np.tensordot(phi, BASIS, axes=1))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cone:
+    """What parameters x [p] must obey: each of ``bodies`` (ten indices) has a positive pseudo-inertia in the
+    units ``mass`` [kg] and ``length`` [m] of :attr:`sizes`, and x at ``positive`` is not negative (in units
+    of ``scales``)."""
+
+    bodies: tuple[Indices, ...]
+    sizes: tuple[tuple[float, float], ...]
+    positive: Indices
+    scales: Floats
+
+    @property
+    def degree(self) -> int:
+        """How many eigenvalues and numbers the barrier holds above 0."""
+        return 4 * len(self.bodies) + len(self.positive)
+
+    def matrices(self, x: Floats) -> Floats:
+        """The pseudo-inertias [bodies, 4, 4] of ``x``, or of a step, in their units."""
+        if not self.bodies:
+            return np.zeros((0, 4, 4))
+        return pseudo_inertia(x[np.stack(self.bodies)]) * self.units()
+
+    def units(self) -> Floats:
+        """What a pseudo-inertia is multiplied by [bodies, 4, 4]."""
+        units = [np.array([1 / length] * 3 + [1.0]) / np.sqrt(mass) for mass, length in self.sizes]
+        return np.array([np.outer(unit, unit) for unit in units])
+
+    def slopes(self, x: Floats) -> tuple[Floats, Floats]:
+        """Gradient [p] and Hessian [p, p] of minus the logarithms of determinants and numbers."""
+        gradient, hessian = np.zeros(len(x)), np.zeros((len(x), len(x)))
+        if len(self.positive):
+            at = x[self.positive]
+            gradient[self.positive] -= 1 / at
+            hessian[self.positive, self.positive] += 1 / at**2
+        if self.bodies:
+            inverse = np.linalg.inv(self.matrices(x))
+            products = inverse[:, None] @ (BASIS[None] * self.units()[:, None])
+            flat = products.reshape(len(self.bodies), 10, 16)
+            turned = np.swapaxes(products, 2, 3).reshape(len(self.bodies), 10, 16)
+            curvature = flat @ np.swapaxes(turned, 1, 2)
+            for body, product, square in zip(self.bodies, products, curvature, strict=True):
+                gradient[body] -= np.trace(product, axis1=1, axis2=2)
+                hessian[np.ix_(body, body)] += square
+        return gradient, hessian
+
+    def reaches(self, x: Floats, step: Floats) -> Floats:
+        """How fast a ``step`` from ``x`` changes the numbers above 0, each as a share of what it is: at a
+        share s of the step they are ``1 + s * reaches`` times as large."""
+        shares: list[Floats] = [step[self.positive] / x[self.positive]]
+        if self.bodies:
+            lower = np.linalg.inv(np.linalg.cholesky(self.matrices(x)))
+            turned = lower @ self.matrices(step) @ np.swapaxes(lower, 1, 2)
+            shares.append(np.asarray(np.linalg.eigvalsh(turned).ravel()))
+        return np.concatenate(shares)
+
+
+def minimum(
+    hessian: Floats, linear: Floats, cone: Cone, start: Floats, free: Indices
+) -> tuple[Floats, Floats]:
+    """The x [p] inside ``cone`` that makes ``x' H x / 2 - linear' x`` smallest, from a ``start`` inside, by
+    its ``free`` numbers alone; and the Hessian of the barrier there, which is stiff only where the cone holds
+    x back."""
+    x = start.copy()
+    slope = (hessian @ x - linear)[free]
+    # What there is to gain at all sets the barrier's first weight.
+    gain = 0.5 * float(slope @ _solved(hessian[np.ix_(free, free)], slope))
+    mu = max(gain / max(cone.degree, 1), BARRIER_END)
+    push = np.zeros_like(hessian)
+    while True:
+        for _ in range(NEWTON_STEPS):
+            gradient, curvature = cone.slopes(x)
+            slope, push = hessian @ x - linear + mu * gradient, mu * curvature
+            step = np.zeros(len(x))
+            step[free] = -_solved((hessian + push)[np.ix_(free, free)], slope[free])
+            promised = -float(slope @ step)
+            if promised < NEWTON_DONE * mu:
+                break
+            x = x + _share(cone, x, step, mu, float(slope @ step), float(step @ hessian @ step)) * step
+        if mu <= BARRIER_END:
+            return x, push
+        mu = max(mu * BARRIER_STEP, BARRIER_END)
+
+
+def _share(cone: Cone, x: Floats, step: Floats, mu: float, descent: float, bend: float) -> float:
+    """How far to go along a ``step``: inside, and down by a part of what it promises."""
+    reaches = cone.reaches(x, step)
+    plain = descent + mu * float(reaches.sum())  # the slope of the quadratic alone
+    share = min(1.0, NEARLY_THERE / max(-float(reaches.min(initial=0.0)), NEARLY_THERE))
+    while share > LEAST_STEP:
+        change = share * plain + 0.5 * share**2 * bend - mu * float(np.log1p(share * reaches).sum())
+        if change <= WORTH_A_STEP * share * descent:
+            return share
+        share *= 0.5
+    return 0.0
+
+
+def _solved(matrix: Floats, right: Floats) -> Floats:
+    """``matrix^-1 right``, rows and columns scaled to a unit diagonal first."""
+    unit = 1 / np.sqrt(np.diag(matrix))
+    return np.asarray(unit * np.linalg.solve(matrix * np.outer(unit, unit), unit * right))
+
+
+def inside(phi: Floats, mass: float, length: float, share: float) -> Floats:
+    """Parameters [10] near ``phi`` whose pseudo-inertia is positive: its negative part cut off, and a
+    ``share`` of a ball of ``mass`` and radius ``length`` added."""
+    unit = np.array([length] * 3 + [1.0]) * np.sqrt(mass)
+    matrix = pseudo_inertia(phi) / np.outer(unit, unit)
+    values, vectors = np.linalg.eigh(matrix)
+    matrix = (vectors * np.maximum(values, 0)) @ vectors.T + share * np.eye(4)
+    return parameters_of(matrix * np.outer(unit, unit))
+
+
+def parameters_of(matrix: Floats) -> Floats:
+    """The standard parameters [10] of a pseudo-inertia [4, 4]."""
+    moments = np.trace(matrix[:3, :3]) * np.eye(3) - matrix[:3, :3]
+    entries: Sequence[float] = [
+        matrix[3, 3], *matrix[:3, 3], *np.diag(moments), moments[0, 1], moments[0, 2], moments[1, 2],
+    ]  # fmt: skip
+    return np.array(entries)

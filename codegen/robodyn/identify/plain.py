@@ -1,0 +1,108 @@
+"""Least squares without prior and without physics: the yardstick, and what a group of columns is worth."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.identify.limits import PLAIN_ROUNDS, RANK
+from robodyn.identify.normal import Block, Layout
+
+Floats = NDArray[np.float64]
+
+
+def sums(layout: Layout, blocks: Sequence[Block], weights: Floats) -> tuple[Floats, Floats]:
+    """Gram matrix [p, p] and right-hand side [p] of all joints."""
+    H, h = np.zeros((layout.size, layout.size)), np.zeros(layout.size)
+    for j in range(layout.n):
+        at = layout.columns(j)
+        H[np.ix_(at, at)] += weights[j] * np.sum([block.gram[j] for block in blocks], axis=0)
+        h[at] += weights[j] * np.sum([block.right[j] for block in blocks], axis=0)
+    return H, h
+
+
+def plain(layout: Layout, blocks: Sequence[Block]) -> tuple[Floats, Floats]:
+    """Parameters [p] of least length among those that fit best, joints weighted by what they leave, and these
+    weights [n]. Offsets are none."""
+    weights = np.ones(layout.n)
+    count = np.maximum(np.sum([block.weight for block in blocks], axis=0), 1e-300)
+    x = np.zeros(layout.size)
+    for _ in range(PLAIN_ROUNDS):
+        x = shortest(*sums(layout, blocks, weights), without(layout, "offset"))
+        squares = np.sum([block.misfit(layout, x) for block in blocks], axis=0)
+        torque = np.sum([block.square for block in blocks], axis=0)
+        weights = count / np.maximum(np.maximum(squares, RANK * torque), 1e-300)
+    return x, weights
+
+
+def without(layout: Layout, *names: str) -> NDArray[np.bool_]:
+    """All parameters [p] save those of joints that are called so."""
+    mask = np.ones(layout.size, dtype=bool)
+    for name in names:
+        if name in layout.own:
+            mask[layout.joint(name)] = False
+    return mask
+
+
+def shortest(H: Floats, h: Floats, mask: NDArray[np.bool_]) -> Floats:
+    """The shortest solution of ``H x = h`` in the parameters of the ``mask``, columns scaled alike."""
+    use = np.flatnonzero(mask & (np.diag(H) > RANK * np.diag(H).max(initial=0.0)))
+    unit = 1 / np.sqrt(np.diag(H)[use])
+    values, vectors = np.linalg.eigh(H[np.ix_(use, use)] * np.outer(unit, unit))
+    seen = values > RANK * values.max(initial=0.0)
+    x = np.zeros(len(H))
+    x[use] = unit * ((vectors[:, seen] / values[seen]) @ (vectors[:, seen].T @ (unit * h[use])))
+    return x
+
+
+def condition(layout: Layout, blocks: Sequence[Block], weights: Floats) -> float:
+    """The condition number of the base regressor, columns scaled to one length: a basis is chosen of the
+    columns that stand out most from each other."""
+    from scipy.linalg import qr
+
+    H, _ = sums(layout, blocks, weights)
+    mask = without(layout, "offset")
+    use = np.flatnonzero(mask & (np.diag(H) > RANK * np.diag(H).max(initial=0.0)))
+    unit = 1 / np.sqrt(np.diag(H)[use])
+    values, vectors = np.linalg.eigh(H[np.ix_(use, use)] * np.outer(unit, unit))
+    root = np.sqrt(np.maximum(values, 0))[:, None] * vectors.T
+    _, R, order = qr(root, mode="economic", pivoting=True)
+    diagonal = np.abs(np.diag(R))
+    basis = order[diagonal > np.sqrt(RANK) * diagonal.max(initial=0.0)]
+    singular = np.linalg.svd(root[:, basis], compute_uv=False)
+    return float(singular[0] / singular[-1])
+
+
+def held_out_gains(
+    layout: Layout, blocks: Sequence[Block], weights: Floats, prior: tuple[Floats, Floats], name: str
+) -> Floats:
+    """By joint and block that is held out [n, held], how much less is left of it where the parameters
+    ``name`` of that joint are fitted to the other blocks than where they are not, as weighted squares.
+
+    ``prior``: mean and precision [p] of all parameters.
+    """
+    train = [block for block in blocks if not block.held_out]
+    test = [block for block in blocks if block.held_out]
+    mean, precision = prior
+    H, h = sums(layout, train, weights)
+    H, h = H + np.diag(precision), h + precision * mean
+    whole = _solved(H, h)
+
+    def left(x: Floats) -> Floats:
+        return np.array([block.misfit(layout, x) for block in test]) @ weights
+
+    full = left(whole)
+    gains = []
+    for at in layout.joint(name).tolist():
+        kept = np.delete(np.arange(layout.size), at)
+        x = mean.copy()
+        x[kept] = _solved(H[np.ix_(kept, kept)], h[kept] - H[kept, at] * mean[at])
+        gains.append(left(x) - full)
+    return np.array(gains)
+
+
+def _solved(H: Floats, h: Floats) -> Floats:
+    unit = 1 / np.sqrt(np.diag(H))
+    return np.asarray(unit * np.linalg.solve(H * np.outer(unit, unit), unit * h))

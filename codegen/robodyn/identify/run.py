@@ -1,0 +1,195 @@
+"""The whole identification: gate, fit, the arm with its new numbers, what it leaves of the logs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.gate.gate import Gate, inspect
+from robodyn.identify.fit import Fit, Options, fit_arm
+from robodyn.identify.outcome import Estimate, Identified, identified
+from robodyn.identify.residual import Squares, squares_of
+from robodyn.logs.log import Log, read_log
+from robodyn.robot.bundled import robot_of, text_of
+from robodyn.robot.model import Robot
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Residual:
+    """RMS [n] of the raw torque less the model's: of the description (``before``), of the new numbers
+    (``after``) and of unconstrained least squares (``plain``), on all rows that were fitted (``train``), and
+    on rows that the model had not seen (``validate``): those of another log, or 30 % of the logs that were
+    held out from a first fit. ``torque``: the RMS of what is logged; ``noise_floor``: what no
+    model removes."""
+
+    train_before: Floats
+    train_after: Floats
+    train_plain: Floats
+    train_torque: Floats
+    validate_before: Floats
+    validate_after: Floats
+    validate_plain: Floats
+    validate_torque: Floats
+    noise_floor: Floats
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``identify.json`` has it."""
+        parts = {
+            name: {
+                "before": getattr(self, f"{name}_before").tolist(),
+                "after": getattr(self, f"{name}_after").tolist(),
+                "plain": getattr(self, f"{name}_plain").tolist(),
+                "torque": getattr(self, f"{name}_torque").tolist(),
+            }
+            for name in ("train", "validate")
+        }
+        return {**parts, "noise_floor": self.noise_floor.tolist()}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Identification:
+    """What logs say of an arm: ``robot`` as described, ``model`` with its new numbers and ``model_text`` its
+    description; ``parameters`` by name, ``not_identifiable`` those that the logs do not show; ``condition``
+    of the base regressor; ``held_out``: whether :attr:`residual` was validated on parts of the logs
+    themselves; ``flags`` of the data gate, ``words`` for people, ``logs`` by name and hash; ``fit``: all the
+    rest."""
+
+    robot: Robot
+    model: Robot
+    model_text: str
+    parameters: Mapping[str, Estimate]
+    not_identifiable: tuple[str, ...]
+    residual: Residual
+    condition: float
+    held_out: bool
+    flags: tuple[str, ...]
+    words: tuple[str, ...]
+    logs: tuple[Mapping[str, str], ...]
+    fit: Fit
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``identify.json`` has it."""
+        return {
+            "robot": self.robot.name,
+            "parameters": {
+                name: {
+                    "value": one.value,
+                    "stderr": one.stderr,
+                    "unit": one.unit.replace(" ", "*"),
+                    "described": one.described,
+                }
+                for name, one in self.parameters.items()
+            },
+            "not_identifiable": list(self.not_identifiable),
+            "residual": self.residual.to_dict(),
+            "validated_on": "held-out blocks of the logs" if self.held_out else "a log of its own",
+            "condition": self.condition,
+            "remarks": list(self.words),
+            "flags": list(self.flags),
+            "logs": [dict(log) for log in self.logs],
+        }
+
+
+def identify(
+    robot: Robot | str | PathLike[str],
+    logs: Sequence[Log | str | PathLike[str]],
+    validate: Log | str | PathLike[str] | None = None,
+    *,
+    options: Options | None = None,
+    text: str | None = None,
+    names: Sequence[str] = (),
+    hashes: Sequence[str] = (),
+    parameters: Mapping[str, float] | None = None,
+    progress: Callable[[str], object] | None = None,
+) -> Identification:
+    """The numbers of ``robot`` from ``logs``: links, friction, rotors; ``validate`` is a log that is not
+    fitted.
+
+    A robot may be a path or a name, a log the path of a file. ``text`` is the robot's description, to be
+    amended; ``names`` and ``hashes`` are those of the logs, the validation's last.
+
+    Raises
+    ------
+    InputError: there is no such robot or file, a log cannot be used, or ``parameters`` do not fit the
+    robot (:meth:`Robot.at`).
+    """
+    from robodyn.robot.rewriting import rewritten
+    from robodyn.robot.writer import to_yaml
+
+    tell = progress or (lambda _: None)
+    if text is None and not isinstance(robot, Robot):
+        text = text_of(robot)
+    robot = robot_of(robot)
+    robot = robot.at(parameters or {})
+    tell("looking at the logs")
+    labels = [names[k] if k < len(names) else f"log {k + 1}" for k in range(len(logs) + 1)]
+    gates = [inspect(_log(log, robot.n), robot, source=labels[k]) for k, log in enumerate(logs)]
+    seen = None if validate is None else inspect(_log(validate, robot.n), robot, source=labels[len(logs)])
+    tell("fitting the arm")
+    fit = fit_arm(robot, gates, options)
+    tell("comparing the torques")
+    outcome = identified(fit)
+    old = text if text is not None and parameters is None else to_yaml(robot)
+    new = rewritten(old, robot, outcome.robot, outcome.origins, _notes(robot, outcome, hashes[: len(logs)]))
+    every = [*gates, *([] if seen is None else [seen])]
+    return Identification(
+        robot, outcome.robot, new, outcome.parameters, outcome.not_identifiable,
+        _residual(fit, gates, seen), fit.condition, seen is None,
+        tuple(str(flag) for gate in every for flag in gate.flags), (),
+        tuple(
+            {"name": labels[k], "sha256": hashes[k] if k < len(hashes) else ""} for k in range(len(every))
+        ),
+        fit,
+    )  # fmt: skip
+
+
+def _log(log: Log | str | PathLike[str], n: int) -> Log:
+    return log if isinstance(log, Log) else read_log(log, n)
+
+
+def _notes(robot: Robot, outcome: Identified, hashes: Sequence[str]) -> list[Any]:
+    """A comment above the first thing that is new."""
+    places = {
+        (j, key)
+        for j, (old, new) in enumerate(zip(robot.links, outcome.robot.links, strict=True), 1)
+        if old != new
+        for key in ("mass", "com", "inertia", "motor_inertia", "viscous", "coulomb")
+    }
+    notes: list[Any] = [(frozenset(places), [f"robodyn identify: {', '.join(hashes) or 'from a log'}"])]
+    if robot.torque_side != outcome.robot.torque_side:
+        note = "was link: yet friction shows in this torque, and is in the model now (rotors are not)"
+        notes.append((frozenset({(None, "torque_side")}), [note]))
+    return notes
+
+
+def _residual(fit: Fit, gates: Sequence[Gate], seen: Gate | None) -> Residual:
+    """What the models leave: the first fit's of rows that were held out, the last one's of all."""
+    layout = fit.layout
+    sums: list[Squares] = []
+    for k, gate in enumerate([*gates, *([] if seen is None else [seen])]):
+        log = k if k < len(gates) else -1
+        models, scales = [fit.prior.mean, fit.plain, fit.plain_first], [np.ones(layout.n)] * 3
+        for solution in (fit.solution, fit.first):
+            z = solution.z
+            models.append(fit.unknowns.parameters(z, log) if log >= 0 else z[: layout.size])
+            scales.append(fit.unknowns.scales(z))
+        sums.append(squares_of(fit.robot, layout, gate, np.stack(models), np.stack(scales)))
+    whole = sums[0]
+    for other in sums[1 : len(gates)]:
+        whole = whole + other
+    rms = whole.rms()
+    if seen is None:
+        unseen, torque = whole.rms_held_out(), whole.torque_rms_held_out()
+        before, plain, after = unseen[0], unseen[2], unseen[4]
+    else:
+        unseen, torque = sums[-1].rms(), sums[-1].torque_rms()
+        before, plain, after = unseen[0], unseen[1], unseen[3]
+    noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
+    return Residual(rms[0], rms[3], rms[1], whole.torque_rms(), before, after, plain, torque, noise)

@@ -1,0 +1,149 @@
+"""Blind trials: drawn the same again, models as wrong as they say, grades that know right from wrong."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from robodyn.diagnose.result import Estimate, Finding
+from robodyn.robot.values import Affine
+from robodyn_testing import require_module
+
+require_module("mujoco")
+
+from benchmarks.gap.blind import __main__ as blind  # noqa: E402
+from benchmarks.gap.blind.grade import contact, status, values  # noqa: E402
+from benchmarks.gap.blind.summary import coverage, intervals, names  # noqa: E402
+from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, arm_of, model_of, trials  # noqa: E402
+
+from diagnose.hidden.logs import effect  # noqa: E402
+
+
+def finding(
+    id: str, joint: int | None, confidence: float = 0.9, rivals: tuple[str, ...] = (), **p: Any
+) -> Finding:
+    estimates = {name: Estimate(value, error, "1") for name, (value, error) in p.items()}
+    return Finding(id, joint, estimates, confidence, rivals, "", None, 1.0, 9.0)
+
+
+def test_grades() -> None:
+    hidden = [effect("coulomb_friction", 2, level=3.0)]
+    right = finding("coulomb_friction", 2)
+    false = finding("spring", 3)
+    rival = finding("viscous_friction", 2, rivals=("coulomb_friction",))
+    assert status(hidden, [right]) == "right"
+    assert status(hidden, [right, false]) == "extra"
+    assert status(hidden, [right, right]) == "extra"
+    assert status(hidden, [false]) == "wrong"
+    assert status(hidden, [finding("coulomb_friction", 3)]) == "wrong"
+    assert status(hidden, [rival]) == "set"
+    assert status(hidden, []) == "missed"
+    assert status([], []) == "silent"
+    assert status([], [right]) == "wrong"
+    both = [*hidden, effect("spring", 3, stiffness=4.0, rest=0.0)]
+    assert status(both, [right, false]) == "right"
+    assert status(both, [right]) == "missed"
+    assert status(both, [right, finding("spring", 1)]) == "wrong"
+
+
+def test_a_coupling_is_at_two_joints() -> None:
+    hidden = [effect("motor_coupling", 6, **{"with": 5}, ratio=1.0, inertia=0.1, viscous=0.1, coulomb=0.1)]
+    for other, wanted in ((6, "right"), (4, "wrong")):
+        claim = replace(finding("motor_coupling", 5), parameters={"with": Estimate(other, None, "1")})
+        assert status(hidden, [claim]) == wanted
+
+
+def test_values_beside_the_true_ones() -> None:
+    ripple = effect("torque_ripple", 1, amplitude=2.0, cycles_per_rev=30.0, phase=3.0)
+    rows = values(finding("torque_ripple", 1, amplitude=(2.1, 0.1), phase=(-3.2, 0.1)), ripple)
+    assert [row[:3] for row in rows] == [
+        ["torque_ripple.amplitude", 2.1, 0.1],
+        ["torque_ripple.phase", -3.2, 0.1],
+    ]
+    assert rows[1][3] == pytest.approx(3.0 - 2 * np.pi)
+    load = effect("load_dependent_friction", 2, bearing="journal", mu=0.1, radius=0.06, span=0.2)
+    (row,) = values(
+        finding("load_dependent_friction", 2, mu_r=(0.007, 0.001), bearing=("radial", None)), load
+    )
+    assert row[3] == pytest.approx(0.006)
+    tool = effect("payload", None, mass=2.0, com=(0.01, 0.02, 0.03))
+    (row,) = values(finding("payload", None, com_y=(0.02, 0.001)), tool)
+    assert row[3] == 0.02
+
+
+def test_coverage() -> None:
+    row = {
+        "values": [["a", 1.0, 0.1, 1.1], ["a", 1.0, 0.1, 1.5], ["a", 1.0, 0.0, 1.1], ["a", 1.0, None, 1.1]]
+    }
+    assert coverage([row])["a"] == pytest.approx([1.0, 5.0, np.inf])
+    assert "a: 3, 33 %, 5.0, inf" in intervals([row])
+    exact = {"values": [["a", 1.0, 0.0, 1.0]]}
+    assert coverage([exact])["a"] == [0.0]
+
+
+def test_contacts() -> None:
+    push = effect("external_contact", None, start=1.0, end=1.5, link=6, force_x=3.0, force_y=0.0, force_z=4.0)
+    seen = finding(
+        "external_contact", None, start=(1.1, 0.1), end=(1.5, 0.1),
+        force_x=(-3.0, 1.0), force_y=(0.0, 1.0), force_z=(-4.0, 1.0),
+    )  # fmt: skip
+    off = contact(seen, push)
+    assert off == pytest.approx({"start": 0.1, "end": 0.0, "angle": 180.0, "ratio": 1.0})
+
+
+def test_trials_are_drawn_the_same_again_and_each_is_its_own() -> None:
+    for kind in KINDS:
+        once, again = (list(trials(kind, ALL_ARMS, range(1, 3))) for _ in range(2))
+        assert once == again
+        assert len({trial.key for trial in once}) == len(once)
+    assert all(1.5 <= trial.ratio <= 3 for trial in trials("near", ALL_ARMS, range(1, 2)))
+
+
+@pytest.mark.parametrize("share", [0.05, 0.3])
+def test_wrong_numbers_are_of_bodies_that_could_be(share: float) -> None:
+    trial = Trial("null", "ur10", 3, off=share, stated="unknown")
+    true = arm_of(trial)
+    wrong = model_of(trial, true)
+    masses = []
+    for link, before in zip(wrong.links, true.links, strict=True):
+        assert link.confidence == "unknown"
+        i = link.inertia
+        moments = np.linalg.eigvalsh(
+            np.array(
+                [
+                    [_float(x) for x in row]
+                    for row in ((i.xx, i.xy, i.xz), (i.xy, i.yy, i.yz), (i.xz, i.yz, i.zz))
+                ]
+            )
+        )
+        assert moments[2] < moments[0] + moments[1] + 1e-12
+        masses.append(np.log(_float(link.mass) / _float(before.mass)))
+    assert 0.2 * share < np.std(masses) < 3 * share
+
+
+def _float(value: Any) -> float:
+    assert not isinstance(value, Affine)
+    return float(value)
+
+
+def test_a_run_goes_on_where_it_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    ran = []
+
+    def run(trial: Trial, cache: Path | None) -> dict[str, Any]:
+        ran.append(trial.key)
+        return {"key": trial.key, "kind": trial.kind, "status": "silent", "cpu": 1.0}
+
+    monkeypatch.setattr(blind, "run", run)
+    file = tmp_path / "rows.jsonl"
+    blind.main(["null", "-o", str(file), "--most", "3"])
+    first = list(ran)
+    blind.main(["null", "-o", str(file), "--most", "5"])
+    assert len(first) == 3
+    assert len(ran) == len(set(ran)) == 5
+    rows = [json.loads(line) for line in file.read_text().splitlines()]
+    assert names(rows) == "null: 5: silent 5 (100 %); 1 s (median), 1 s"

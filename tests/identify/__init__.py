@@ -1,0 +1,1 @@
+"""Identification: the arm's numbers from logs of arms that are known."""
