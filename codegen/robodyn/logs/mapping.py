@@ -241,8 +241,8 @@ class _Reader:
                     node, f"{group} has no {key}", found=f"{key}: {NUMBERS[key]}", expected=_listed(sound)
                 )
         if channel.joints and len(channel.columns) > 1 and len(channel.columns) != len(channel.joints):
-            found = f"{len(channel.columns)} columns and {len(channel.joints)} joints"
-            self.fail(node, f"{group} has another number of columns than of joints", found=found)
+            counts = f"{len(channel.columns)} columns and {len(channel.joints)} joints"
+            self.fail(node, f"{group} has another number of columns than of joints", found=counts)
 
     def word(self, node: Node) -> str:
         if not isinstance(node, Scalar) or not node.text.strip():

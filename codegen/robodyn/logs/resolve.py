@@ -163,11 +163,11 @@ def _by_number(
 ) -> tuple[str, ...]:
     """Joints may be numbered from 1 or, where there is a number 0 and not as many, from 0."""
 
-    def name(number: int) -> str:
-        return _NUMBER.sub(lambda match: f"{number:{match[1] or ''}d}", pattern)
+    def name(index: int) -> str:
+        return _NUMBER.sub(lambda match: f"{index:{match[1] or ''}d}", pattern)
 
-    def there(number: int) -> bool:
-        return bool(candidates(recording, name(number), mapping.topic))
+    def there(index: int) -> bool:
+        return bool(candidates(recording, name(index), mapping.topic))
 
     if joints is None:
         first = 0 if there(0) else 1

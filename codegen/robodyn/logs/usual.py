@@ -104,7 +104,7 @@ def base_to_tip(names: Sequence[str], robot: Robot | None) -> tuple[tuple[str, .
     for name in names:
         match = _LAST_NUMBER.match(name)
         numbers.append((name[: match.start(1)], int(match[1]), name[match.end(1) :]) if match else None)
-    listed = [number for number in numbers if number is not None]
+    listed = [parts for parts in numbers if parts is not None]
     if len(listed) == len(names) and len({(head, tail) for head, _, tail in listed}) == 1:
         values = sorted(value for _, value, _ in listed)
         if values == list(range(values[0], values[0] + len(values))):

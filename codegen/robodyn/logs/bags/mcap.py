@@ -118,13 +118,13 @@ class McapFile:
         if len(self.schemas) + len(self.channels) > ENTRIES:
             raise BadStorage(f"more than {ENTRIES} types and topics")
         if kind == _SCHEMA:
-            number, name, language = reader.number(2), reader.text(), reader.text()
+            key, name, language = reader.number(2), reader.text(), reader.text()
             size = reader.number(4)
             text = reader.bytes(min(size, DEFINITION)).decode("utf-8", "replace")
-            self.schemas.setdefault(number, (name, language, text if size <= DEFINITION else ""))
+            self.schemas.setdefault(key, (name, language, text if size <= DEFINITION else ""))
         else:
-            number, schema = reader.number(2), reader.number(2)
-            self.channels.setdefault(number, (schema, reader.text(), reader.text()))
+            key, schema = reader.number(2), reader.number(2)
+            self.channels.setdefault(key, (schema, reader.text(), reader.text()))
 
 
 def _chunk(data: memoryview) -> bytes:
