@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 from collections.abc import Mapping, Sequence
@@ -23,11 +22,13 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
+from robodyn_cli.log_options import digest, input_files, log_map, log_options, read_logs
 from robodyn_cli.options import listed
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
     from robodyn.diagnose.result import Diagnosis
+    from robodyn.logs.mapping import LogMap
     from robodyn.robot import Robot
 
 #: Exit code if a residual remains that no effect explains.
@@ -39,6 +40,7 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @robot_argument
 @click.argument("logs", metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
 @click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@log_options
 @click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
 @click.option(
     "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
@@ -65,6 +67,8 @@ def command(
     robot: str,
     logs: tuple[str, ...],
     validate: str | None,
+    map_file: str | None,
+    columns: str | None,
     out: str,
     param: tuple[tuple[str, float], ...],
     only: str | None,
@@ -77,24 +81,23 @@ def command(
 ) -> None:
     """Find the effects that a model is missing, add them, and validate the amended model.
 
-    Logs (.csv or .parquet) have the columns t, q1.., tau1.., and optionally qd1.., qdd1.. and ql1.. (second
-    encoders, on the links), in SI units; A.csv+B.csv is a log whose ql1.. stand in a second file. The command
-    writes diagnosis.json, model.yaml (the amended description), report.html (one page, no network access) and
-    kernels/ to DIR. The same input gives the same files. Exit code 4 means that a residual remains that no
-    effect of the catalogue explains.
+    Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.., and optionally
+    qd1.., qdd1.. and ql1.. (second encoders, on the links), in SI units, unless --map or --columns says
+    otherwise; A.csv+B.csv is a log whose ql1.. stand in a second file. The command writes diagnosis.json,
+    model.yaml (the amended description), report.html (one page, no network access) and kernels/ to DIR. The
+    same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
+    explains.
     """
     folder = _folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
-    from robodyn.logs.second_file import files_of
-
-    _spare_inputs(folder, [robot, *(file for source in sources for file in files_of(source))])
+    _spare_inputs(folder, [robot, *(str(file) for source in sources for file in input_files(source))])
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
     scope = {
         "only": _effects("--only", only), "without": _effects("--except", without),
         "joints": _joints(joints), "most": most,
     }  # fmt: skip
-    diagnosis = _diagnosed(described, robot, logs, validate, values, scope)
+    diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns), scope)
     validated = validate is not None
     text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from robodyn.report.diagnosis import page
@@ -171,18 +174,15 @@ def _diagnosed(
     logs: Sequence[str],
     validate: str | None,
     values: Mapping[str, float] | None,
+    mapping: LogMap | None,
     scope: Mapping[str, Any],
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
-    from robodyn.logs.log import read_log
 
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:
-        read, hashes = [], []
-        for path in paths:
-            shown.tell(f"robodyn: reading {printable(path)}")
-            read.append(read_log(path, robot.n))
-            hashes.append(_hash(path))
+        read = read_logs(robot, paths, mapping, shown.tell)
+        hashes = [digest(path) for path in paths]
         for k, path in enumerate(paths):
             if hashes[k] in hashes[:k]:
                 shown.clear()
@@ -199,17 +199,6 @@ def _diagnosed(
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
             **scope,
         )
-
-
-def _hash(source: str) -> str:
-    """SHA-256 of the file or files of a log."""
-    from robodyn.logs.second_file import files_of
-
-    digests = []
-    for path in files_of(source):
-        with Path(path).open("rb") as file:
-            digests.append(hashlib.file_digest(file, "sha256").hexdigest())
-    return digests[0] if len(digests) == 1 else hashlib.sha256("+".join(digests).encode()).hexdigest()
 
 
 def _text(spec: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from robodyn.diagnose.select.limits import MOST_KINDS
-from robodyn.effects.catalogue import effect
+from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.errors import InputError
 
 
@@ -25,6 +25,11 @@ class Scope:
     def has_effect(self, id: str) -> bool:
         """Whether the effect is looked for."""
         return id not in self.without and (self.only is None or id in self.only)
+
+    @property
+    def has_contact(self) -> bool:
+        """Whether contacts are looked for."""
+        return any(self.has_effect(each.id) for each in CATALOGUE.values() if each.place == "outside")
 
     def has_joint(self, joint: int | None) -> bool:
         """Whether effects at ``joint`` (from 1; None: of the whole robot) are looked for."""
