@@ -34,7 +34,7 @@ LAG_PIECE: Final = 4.0
 
 # --- consistent --------------------
 
-BARRIER_STEP: Final = 0.1
+BARRIER_STEP: Final = 0.02
 """[-] The weight of the barrier that keeps bodies possible falls by this factor"""
 
 BARRIER_END: Final = 1e-7
@@ -43,7 +43,7 @@ BARRIER_END: Final = 1e-7
 NEWTON_STEPS: Final = 40
 """[steps] Newton's method may take as many for each weight."""
 
-NEWTON_DONE: Final = 1e-6
+NEWTON_DONE: Final = 0.03
 """[share of the weight] A step that promises less ends it."""
 
 NEARLY_THERE: Final = 0.99

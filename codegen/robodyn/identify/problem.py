@@ -66,7 +66,7 @@ class Unknowns:
         bodies = tuple(self.body(k) for k in np.flatnonzero(self.rigid).tolist())
         sizes = tuple(self.sizes[k] for k in np.flatnonzero(self.rigid).tolist())
         positive = self.positive[self.free[self.positive]]
-        return Cone(bodies, sizes, positive, self.sd[positive])
+        return Cone.of(bodies, sizes, positive)
 
     def parameters(self, z: Floats, log: int) -> Floats:
         """The layout's parameters in a log: what it carried is part of the last link."""
