@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 from collections.abc import Mapping, Sequence
@@ -11,7 +10,6 @@ from typing import TYPE_CHECKING, Any, Final
 
 import click
 
-from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.common import (
     json_option,
@@ -22,6 +20,7 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
+from robodyn_cli.log_files import description_of, read_logs, result_folder, spare_inputs
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
@@ -62,11 +61,12 @@ def command(
     kernels/ to DIR. The same input gives the same files. Exit code 4 means that a residual remains that no
     effect of the catalogue explains.
     """
-    folder = _folder(out)
+    folder = result_folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
     from robodyn.logs.second_file import files_of
 
-    _spare_inputs(folder, [robot, *(file for source in sources for file in files_of(source))])
+    inputs = [robot, *(file for source in sources for file in files_of(source))]
+    spare_inputs([folder / name for name in (_DATA, _MODEL, _REPORT)], inputs)
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
     diagnosis = _diagnosed(described, robot, logs, validate, values)
@@ -95,32 +95,6 @@ def command(
         raise click.exceptions.Exit(UNEXPLAINED)
 
 
-# --- before the diagnosis ---------------------------------------------------------------------------------
-
-
-def _folder(text: str) -> Path:
-    """The folder of ``-o``, which need not exist yet."""
-    if not text:
-        raise InputError("the path after -o is empty", remedy="use -o . for this folder")
-    folder = Path(text)
-    if folder.exists() and not folder.is_dir():
-        raise InputError(
-            f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with -o"
-        )
-    return folder
-
-
-def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
-    """Refuse to overwrite an input, as a second run on its own model would."""
-    for output in (folder / name for name in (_DATA, _MODEL, _REPORT)):
-        for source in inputs:
-            if output.exists() and Path(source).exists() and output.samefile(source):
-                raise InputError(
-                    f"{printable(output)} is an input and would be overwritten",
-                    remedy="choose another folder with -o",
-                )
-
-
 # --- the diagnosis ----------------------------------------------------------------------------------------
 
 
@@ -132,49 +106,20 @@ def _diagnosed(
     values: Mapping[str, float] | None,
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
-    from robodyn.logs.log import read_log
 
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:
-        read, hashes = [], []
-        for path in paths:
-            shown.tell(f"robodyn: reading {printable(path)}")
-            read.append(read_log(path, robot.n))
-            hashes.append(_hash(path))
-        for k, path in enumerate(paths):
-            if hashes[k] in hashes[:k]:
-                shown.clear()
-                first = printable(paths[hashes.index(hashes[k])])
-                talk(f"robodyn: warning: {printable(path)} is identical to {first} and adds no evidence")
+        read, hashes = read_logs(paths, robot.n, shown)
         return diagnose(
             robot,
             read[: len(logs)],
             None if validate is None else read[-1],
-            text=_text(spec),
+            text=description_of(spec),
             names=[printable(Path(path).name) for path in paths],
             hashes=hashes,
             parameters=values,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
         )
-
-
-def _hash(source: str) -> str:
-    """SHA-256 of the file or files of a log."""
-    from robodyn.logs.second_file import files_of
-
-    digests = []
-    for path in files_of(source):
-        with Path(path).open("rb") as file:
-            digests.append(hashlib.file_digest(file, "sha256").hexdigest())
-    return digests[0] if len(digests) == 1 else hashlib.sha256("+".join(digests).encode()).hexdigest()
-
-
-def _text(spec: str) -> str:
-    """The text of the robot description ``spec``."""
-    from robodyn.robot import bundled_text
-
-    path = Path(spec)
-    return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
 
 
 def _kernels(diagnosis: Diagnosis) -> dict[str, str]:

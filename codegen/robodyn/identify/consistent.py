@@ -54,17 +54,15 @@ def pseudo_inertia(phi: Floats) -> Floats:
 @dataclass(frozen=True, slots=True, eq=False)
 class Cone:
     """What parameters x [p] must obey: each of the ``bodies`` [B, 10] (their places) has a positive
-    pseudo-inertia, and x at the places ``positive`` is not negative. ``units`` [B, 4, 4]: what pseudo-inertias
-    are multiplied by, so that links of all sizes are alike."""
+    pseudo-inertia, and x at the places ``positive`` is not negative. ``units`` [B, 4, 4]: what
+    pseudo-inertias are multiplied by, so that links of all sizes are alike."""
 
     bodies: Indices
     units: Floats
     positive: Indices
 
     @classmethod
-    def of(
-        cls, bodies: Sequence[Indices], sizes: Sequence[tuple[float, float]], positive: Indices
-    ) -> Cone:
+    def of(cls, bodies: Sequence[Indices], sizes: Sequence[tuple[float, float]], positive: Indices) -> Cone:
         """The cone of ``bodies`` of these ``sizes``: mass [kg] and length [m]."""
         units = [np.array([1 / length] * 3 + [1.0]) / np.sqrt(mass) for mass, length in sizes]
         return cls(
@@ -108,18 +106,14 @@ class Cone:
         return np.concatenate(shares)
 
 
-def minimum(
-    hessian: Floats, linear: Floats, cone: Cone, start: Floats, free: Indices
-) -> tuple[Floats, Floats]:
+def minimum(hessian: Floats, linear: Floats, cone: Cone, start: Floats, free: Indices) -> Floats:
     """The x [p] inside ``cone`` that makes ``x' H x / 2 - linear' x`` smallest, from a ``start`` inside, by
-    its ``free`` numbers alone; and the Hessian of the barrier there, which is stiff only where the cone holds
-    x back."""
+    its ``free`` numbers alone."""
     x = start.copy()
     slope = (hessian @ x - linear)[free]
     # What there is to gain at all sets the barrier's first weight.
     gain = 0.5 * float(slope @ _solved(hessian[np.ix_(free, free)], slope))
     mu = max(gain / max(cone.degree, 1), BARRIER_END)
-    push = np.zeros_like(hessian)
     while True:
         for _ in range(NEWTON_STEPS):
             gradient, curvature = cone.slopes(x)
@@ -134,7 +128,7 @@ def minimum(
                 break
             x = x + share * step
         if mu <= BARRIER_END:
-            return x, push
+            return x
         mu = max(mu * BARRIER_STEP, BARRIER_END)
 
 

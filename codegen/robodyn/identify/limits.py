@@ -157,3 +157,8 @@ MARGIN: Final = 1e-7
 
 UNSEEN_SHARE: Final = 0.9
 """[prior standard deviations] A number that the logs leave more uncertain than this is not seen by them."""
+
+# --- advice --------------------
+
+POOR_CONDITION: Final = 100.0
+"""[-] A base regressor with a larger condition number is poorly excited (Gautier and Khalil 1992)."""
