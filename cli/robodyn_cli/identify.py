@@ -48,8 +48,7 @@ _UNKNOWN: Final = "unknown"
     help="Fit a constant offset of each torque channel; auto: where held-out samples show one.",
 )
 @click.option(
-    "--payload",
-    "payloads",
+    "--load",
     multiple=True,
     metavar="LOG=MASS",
     help="Mass [kg] that the arm carried in that log beyond its description, or LOG=unknown.",
@@ -66,7 +65,7 @@ def command(
     out: str,
     gains: bool,
     offsets: str,
-    payloads: tuple[str, ...],
+    loads: tuple[str, ...],
     param: tuple[tuple[str, float], ...],
     strict: bool,
     as_json: bool,
@@ -91,7 +90,7 @@ def command(
     options = Options(
         offsets={"auto": "auto", "yes": True, "no": False}[offsets],  # type: ignore[arg-type]
         gains=gains,
-        loads=_loads(payloads, logs),
+        loads=_loads(loads, logs),
     )
     with progress.line() as shown:
         read, hashes = read_logs(paths, described.n, shown)
@@ -118,7 +117,7 @@ def command(
 
 
 def _loads(texts: Sequence[str], logs: Sequence[str]) -> tuple[Load, ...]:
-    """What ``--payload`` says; logs with one known mass carried the same body.
+    """What ``--load`` says; logs with one known mass carried the same body.
 
     Raises
     ------
@@ -132,12 +131,12 @@ def _loads(texts: Sequence[str], logs: Sequence[str]) -> tuple[Load, ...]:
         places = [k for k, log in enumerate(logs) if name in (log, Path(log).name)]
         if not sign or len(places) != 1:
             raise InputError(
-                "--payload names no log, or more than one",
+                "--load names no log, or more than one",
                 found=repr(text),
                 expected=f"LOG=MASS with one of {', '.join(map(printable, logs))}",
             )
         if places[0] in masses:
-            raise InputError("--payload names a log twice", found=repr(text))
+            raise InputError("--load names a log twice", found=repr(text))
         masses[places[0]] = None if mass == _UNKNOWN else _mass(mass, text)
     groups: dict[float | None, list[int]] = {}
     for place, value in sorted(masses.items()):
@@ -151,7 +150,5 @@ def _mass(text: str, option: str) -> float:
     except ValueError:
         value = float("nan")
     if not 0 < value < float("inf"):
-        raise InputError(
-            "--payload: not a mass", found=repr(option), expected=f"more than 0 kg, or {_UNKNOWN}"
-        )
+        raise InputError("--load: not a mass", found=repr(option), expected=f"more than 0 kg, or {_UNKNOWN}")
     return value

@@ -68,9 +68,9 @@ def _split(out: str) -> list[str]:
         ("arm.yaml none.csv -o out2", "none.csv"),
         ("arm.yaml short.csv -o out2", "short.csv"),
         ("arm.yaml a.csv -o a.csv", "a file"),
-        ("arm.yaml a.csv --payload c.csv=2 -o out2", "--payload names no log"),
-        ("arm.yaml a.csv --payload a.csv=-2 -o out2", "more than 0 kg"),
-        ("arm.yaml a.csv --payload a.csv=1 --payload a.csv=1 -o out2", "twice"),
+        ("arm.yaml a.csv --load c.csv=2 -o out2", "--load names no log"),
+        ("arm.yaml a.csv --load a.csv=-2 -o out2", "more than 0 kg"),
+        ("arm.yaml a.csv --load a.csv=1 --load a.csv=1 -o out2", "twice"),
     ],
 )
 def test_bad_input_is_refused_and_nothing_written(arguments: str, words: str, capsys: Capture) -> None:
