@@ -20,11 +20,13 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.log_files import description_of, read_logs, result_folder, spare_inputs
+from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
+from robodyn_cli.log_options import input_files, log_map, log_options
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
     from robodyn.diagnose.result import Diagnosis
+    from robodyn.logs.mapping import LogMap
     from robodyn.robot import Robot
 
 #: Exit code if a residual remains that no effect explains.
@@ -36,6 +38,7 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @robot_argument
 @click.argument("logs", metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
 @click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@log_options
 @click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
 @click.option(
     "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
@@ -47,6 +50,8 @@ def command(
     robot: str,
     logs: tuple[str, ...],
     validate: str | None,
+    map_file: str | None,
+    columns: str | None,
     out: str,
     param: tuple[tuple[str, float], ...],
     no_kernels: bool,
@@ -55,21 +60,20 @@ def command(
 ) -> None:
     """Find the effects that a model is missing, add them, and validate the amended model.
 
-    Logs (.csv or .parquet) have the columns t, q1.., tau1.., and optionally qd1.., qdd1.. and ql1.. (second
-    encoders, on the links), in SI units; A.csv+B.csv is a log whose ql1.. stand in a second file. The command
-    writes diagnosis.json, model.yaml (the amended description), report.html (one page, no network access) and
-    kernels/ to DIR. The same input gives the same files. Exit code 4 means that a residual remains that no
-    effect of the catalogue explains.
+    Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.., and optionally
+    qd1.., qdd1.. and ql1.. (second encoders, on the links), in SI units, unless --map or --columns says
+    otherwise; A.csv+B.csv is a log whose ql1.. stand in a second file. The command writes diagnosis.json,
+    model.yaml (the amended description), report.html (one page, no network access) and kernels/ to DIR. The
+    same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
+    explains.
     """
     folder = result_folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
-    from robodyn.logs.second_file import files_of
-
-    inputs = [robot, *(file for source in sources for file in files_of(source))]
+    inputs = [robot, *(str(file) for source in sources for file in input_files(source))]
     spare_inputs([folder / name for name in (_DATA, _MODEL, _REPORT)], inputs)
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
-    diagnosis = _diagnosed(described, robot, logs, validate, values)
+    diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns))
     validated = validate is not None
     text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from robodyn.report.diagnosis import page
@@ -104,12 +108,13 @@ def _diagnosed(
     logs: Sequence[str],
     validate: str | None,
     values: Mapping[str, float] | None,
+    mapping: LogMap | None,
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
 
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:
-        read, hashes = read_logs(paths, robot.n, shown)
+        read, hashes = read_all(robot, paths, mapping, shown)
         return diagnose(
             robot,
             read[: len(logs)],

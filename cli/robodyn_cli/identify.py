@@ -19,7 +19,8 @@ from robodyn_cli.common import (
     robot_argument,
     write_files,
 )
-from robodyn_cli.log_files import description_of, read_logs, result_folder, spare_inputs
+from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
+from robodyn_cli.log_options import input_files, log_map, log_options
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ _UNKNOWN: Final = "unknown"
 @robot_argument
 @click.argument("logs", metavar="LOG [LOG ...]", nargs=-1, required=True)
 @click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@log_options
 @click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
 @click.option(
     "--gains",
@@ -62,38 +64,40 @@ def command(
     robot: str,
     logs: tuple[str, ...],
     validate: str | None,
+    map_file: str | None,
+    columns: str | None,
     out: str,
     gains: bool,
     offsets: str,
-    loads: tuple[str, ...],
+    load: tuple[str, ...],
     param: tuple[tuple[str, float], ...],
     strict: bool,
     as_json: bool,
 ) -> None:
     """Identify an arm from logs: inertial parameters of its links, viscous and Coulomb friction, rotors.
 
-    Logs have the columns t, q1.., tau1.. in SI units. The command writes identified.yaml (the description
+    Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.. in SI units, unless
+    --map or --columns says otherwise. The command writes identified.yaml (the description
     with its new numbers, physically consistent) and identify.json (all numbers with standard errors, what
     the logs do not show, residuals) to DIR. Numbers stay as near to the description as its `confidence`
     says. Without --validate the residual is that of 30 % of the samples, which a first fit leaves out.
     """
     from robodyn.identify.fit import Options
     from robodyn.identify.run import identify
-    from robodyn.logs.second_file import files_of
 
     folder = result_folder(out)
     paths = [*logs, *([] if validate is None else [validate])]
-    inputs = [robot, *(file for path in paths for file in files_of(path))]
+    inputs = [robot, *(str(file) for path in paths for file in input_files(path))]
     spare_inputs([folder / _DATA, folder / _MODEL], inputs)
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
     options = Options(
         offsets={"auto": "auto", "yes": True, "no": False}[offsets],  # type: ignore[arg-type]
         gains=gains,
-        loads=_loads(loads, logs),
+        loads=_loads(load, logs),
     )
     with progress.line() as shown:
-        read, hashes = read_logs(paths, described.n, shown)
+        read, hashes = read_all(described, paths, log_map(map_file, columns), shown)
         outcome = identify(
             described,
             read[: len(logs)],

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,9 +9,12 @@ from typing import TYPE_CHECKING
 from robodyn.errors import InputError
 from robodyn_cli import progress
 from robodyn_cli.common import printable, talk
+from robodyn_cli.log_options import digest, read_logs
 
 if TYPE_CHECKING:
     from robodyn.logs.log import Log
+    from robodyn.logs.mapping import LogMap
+    from robodyn.robot import Robot
 
 
 def result_folder(text: str) -> Path:
@@ -48,37 +50,23 @@ def spare_inputs(outputs: Iterable[Path], inputs: Sequence[str]) -> None:
                 )
 
 
-def read_logs(paths: Sequence[str], joints: int, shown: progress.Line) -> tuple[list[Log], list[str]]:
-    """The logs at ``paths`` with as many ``joints``, and their hashes; a word on those that are the same.
+def read_all(
+    robot: Robot, paths: Sequence[str], mapping: LogMap | None, shown: progress.Line
+) -> tuple[list[Log], list[str]]:
+    """The logs of ``robot`` at ``paths``, and their hashes; a word on those that are the same.
 
     Raises
     ------
     InputError: a file is missing or no log.
     """
-    from robodyn.logs.log import read_log
-
-    logs, hashes = [], []
-    for path in paths:
-        shown.tell(f"robodyn: reading {printable(path)}")
-        logs.append(read_log(path, joints))
-        hashes.append(hash_of(path))
+    logs = read_logs(robot, paths, mapping, shown.tell)
+    hashes = [digest(path) for path in paths]
     for k, path in enumerate(paths):
         if hashes[k] in hashes[:k]:
             shown.clear()
             first = printable(paths[hashes.index(hashes[k])])
             talk(f"robodyn: warning: {printable(path)} is identical to {first} and adds no evidence")
     return logs, hashes
-
-
-def hash_of(source: str) -> str:
-    """SHA-256 of the file or files of a log."""
-    from robodyn.logs.second_file import files_of
-
-    digests = []
-    for path in files_of(source):
-        with Path(path).open("rb") as file:
-            digests.append(hashlib.file_digest(file, "sha256").hexdigest())
-    return digests[0] if len(digests) == 1 else hashlib.sha256("+".join(digests).encode()).hexdigest()
 
 
 def description_of(spec: str) -> str:
