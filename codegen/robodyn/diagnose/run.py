@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend.amend import Amendment, amended_text, difference
+from robodyn.diagnose.amend.amend import Amendment, amended, amended_text, difference
 from robodyn.diagnose.evidence import (
     by_kind,
     doubtful,
@@ -32,6 +32,7 @@ from robodyn.diagnose.limits import (
     WITHDRAWN,
 )
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
+from robodyn.diagnose.select.contact import contact_findings, without_contacts
 from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.search import Detected, search
@@ -83,7 +84,11 @@ def diagnose(
     seen = gates[-1]
     if validate is not None:
         seen = inspect(_log(validate, n), robot, source=_name(names, len(logs)))
-    outcome = search(robot, gates, tell, hashes[0] if hashes else "log")
+    whole = list(dict.fromkeys([*gates, seen]))
+    digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
+    cleaned, touched = without_contacts(robot, whole, digests)
+    gates, seen = cleaned[: len(logs)], cleaned[-1]
+    outcome = search(robot, gates, tell)
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
     checked = [_doubted(one, first, last) for one in accepted.values()]
@@ -98,14 +103,17 @@ def diagnose(
         verdict = "unexplained"
         findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
         gap = _gap(lacks, robot, robot, gates, seen)
+    amendments = [_amendment(f) for f in findings]
     if verdict != "missing_effect":
-        model = robot
-    amendments = [
-        Amendment(f.effect, f.joint, {k: p.value for k, p in f.parameters.items()}) for f in findings
-    ]
+        model, amendments = robot, []
+    if touched:
+        outside = contact_findings(touched)
+        findings, notes = (*findings, *outside), [_amendment(f) for f in outside]
+        model, amendments = amended(model, notes), [*amendments, *notes]
+        verdict = "missing_effect" if verdict == "consistent" else verdict
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = old
-    if verdict == "missing_effect":
+    if amendments:
         note = f"robodyn diagnose: {', '.join(hashes[: len(logs)]) or 'a log'}"
         new = (
             amended_text(old, robot, amendments, dict.fromkeys(range(len(amendments)), note))
@@ -116,18 +124,21 @@ def diagnose(
         {
             "name": _name(names, k) or f"log {k + 1}",
             "sha256": hashes[k] if k < len(hashes) else "",
-            **log_facts([*gates, seen][k]),
+            **log_facts(whole[k]),
         }
         for k in range(len(logs) + (validate is not None))
     )
     before, after = operations(robot), operations(model)
+    flags = tuple(str(f) for gate in whole for f in gate.flags)
+    drawn = (("train", whole[0]), ("validate", whole[-1]))
+    seen_names = _shown(digests, validated=validate is not None)
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
-        tuple(str(f) for gate in dict.fromkeys([*gates, seen]) for f in gate.flags),
+        flags,
         left, _words(verdict, findings, last), described,
-        (_series(lacks, "train", robot, model, gates[0]), _series(lacks, "validate", robot, model, seen)),
+        tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
-        windows(gates, findings), tried(last, findings), what_matters(last.context),
+        windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
         (by_kind(before), by_kind(after)),
         agreement(model, gates[0]), to_record(robot, gates),
     )  # fmt: skip
@@ -135,6 +146,15 @@ def diagnose(
 
 def _name(names: Sequence[str], k: int) -> str | None:
     return names[k] if k < len(names) else None
+
+
+def _amendment(one: Finding) -> Amendment:
+    return Amendment(one.effect, one.joint, {k: p.value for k, p in one.parameters.items()})
+
+
+def _shown(digests: Sequence[str], *, validated: bool) -> dict[str, str]:
+    """Names of the series by the hashes of their logs."""
+    return {digests[-1]: "validate" if validated else "train", digests[0]: "train"}
 
 
 def _share(first: Selection, last: Selection, rows: Sequence[int]) -> tuple[float, float]:
@@ -182,10 +202,8 @@ class _Lacking:
 def _holds(
     lacks: _Lacking, gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, seen: Gate
 ) -> bool:
-    """Whether the model is nearer to a log that it was not fitted to, a contact apart; or no farther from
-    one in which the findings do not show."""
-    if all(CATALOGUE[f.effect].place == "outside" for f in findings):
-        return True
+    """Whether the model is nearer to a log that it was not fitted to; or no farther from one in which the
+    findings do not show."""
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
     change = _inner(lacks(robot, seen) - lacks(model, seen))

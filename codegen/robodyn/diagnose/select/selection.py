@@ -27,14 +27,12 @@ from robodyn.diagnose.select.choice import (
     prepared,
     trials,
 )
-from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider, without
+from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
 from robodyn.diagnose.select.library import Context, candidates, context_of
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     BLOCKS,
-    CLIPPED_MARGIN,
     DIVERGED,
     FEW_PARTS,
     OF_ENCODER_NOISE,
@@ -181,13 +179,6 @@ def select(
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
-    contact = contact_in(context, start) if len(contexts) == 1 else None
-    if contact is not None and (
-        _clipped_there(start, contact, library) or _otherwise(start, contact, library, least)
-    ):
-        contact = None
-    if contact is not None:
-        start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
 
     def choose(start: Problem, *, links: bool = True) -> Chosen:
@@ -215,8 +206,6 @@ def select(
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
-    if contact is not None:
-        estimated = (*estimated, _named_contact(contact, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
     for each in contexts:
@@ -258,35 +247,6 @@ def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[
         left = np.sqrt(np.median(one.fit.held_out, axis=0))
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
-
-
-def _otherwise(start: Problem, contact: Contact, library: Library, least: Floats) -> bool:
-    """Whether an effect that acts all along explains more of a log than a contact does of its window."""
-    current = fitted(start)
-    by_force = contact.explained * float((start.rest[contact.mask] ** 2).sum()) / 2 / start.thin
-    return trials(start, current, library, least)[0].gain > by_force
-
-
-def _clipped_there(start: Problem, contact: Contact, library: Library) -> bool:
-    """Whether a torque that is cut off explains the burst as well as a force does."""
-    b = start.rest[contact.mask]
-    for k, candidate in enumerate(library.candidates):
-        channel = candidate.definition.traits.channel
-        if channel is not None and channel.acts == "limit":
-            left = b.copy()
-            rows = list(candidate.rows)
-            left[:, rows] -= library.of_candidate(k)[contact.mask][:, :, 0] / start.sigma[rows]
-            if 1 - float(np.sum(left**2) / np.sum(b**2)) > contact.explained - CLIPPED_MARGIN:
-                return True
-    return False
-
-
-def _named_contact(contact: Contact, first: Fit) -> Named:
-    """A contact as a finding: judged in its window, not on parts of the log."""
-    gain = 100.0 * contact.explained
-    fit = Fit(contact.x, np.diag(contact.stderr**2), first.known, first.held_out, 0.0)
-    one = Trial(contact.candidate, contact.columns, fit, gain, np.inf, np.inf, np.full(BLOCKS, gain))
-    return Named(one, (), 0.9, contact.x, contact.stderr)
 
 
 def _covariance(now: Problem, last: Fit) -> Floats:
