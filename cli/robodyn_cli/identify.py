@@ -74,7 +74,7 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Identify an arm from logs: inertial parameters of its links, viscous and Coulomb friction, rotors.
+    """Identify links, friction and rotors from logs, physically consistent, with intervals.
 
     Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.. in SI units, unless
     --map or --columns says otherwise. The command writes identified.yaml (the description
