@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 import click
 
+from robodyn.errors import InputError
 from robodyn_cli import progress
+from robodyn_cli.choices import SEVERAL_EFFECTS
 from robodyn_cli.common import (
     json_option,
     load_robot,
@@ -22,6 +24,7 @@ from robodyn_cli.common import (
 )
 from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
 from robodyn_cli.log_options import input_files, log_map, log_options
+from robodyn_cli.options import listed
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
@@ -43,6 +46,21 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @click.option(
     "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
 )
+@click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
+@click.option(
+    "--except", "without", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for all but these effects."
+)
+@click.option(
+    "--joints",
+    metavar="J,K",
+    help="Look for effects at these joints only, and for none of the whole robot (payload, base tilt).",
+)
+@click.option(
+    "--most",
+    type=click.IntRange(1),
+    metavar="N",
+    help="Name at most N effects; one at several joints counts once.  [default: 8]",
+)
 @click.option("--no-kernels", is_flag=True, help="Do not write C and Fortran of the amended model.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
@@ -54,6 +72,10 @@ def command(
     columns: str | None,
     out: str,
     param: tuple[tuple[str, float], ...],
+    only: str | None,
+    without: str | None,
+    joints: str | None,
+    most: int | None,
     no_kernels: bool,
     strict: bool,
     as_json: bool,
@@ -73,7 +95,11 @@ def command(
     spare_inputs([folder / name for name in (_DATA, _MODEL, _REPORT)], inputs)
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
-    diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns))
+    scope = {
+        "only": _effects("--only", only), "without": _effects("--except", without),
+        "joints": _joints(joints), "most": most,
+    }  # fmt: skip
+    diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns), scope)
     validated = validate is not None
     text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from robodyn.report.diagnosis import page
@@ -99,6 +125,25 @@ def command(
         raise click.exceptions.Exit(UNEXPLAINED)
 
 
+# --- before the diagnosis ---------------------------------------------------------------------------------
+
+
+def _effects(option: str, text: str | None) -> tuple[str, ...]:
+    """The ids of ``--only`` or ``--except``."""
+    ids = listed(text or "")
+    if text is not None and not ids:
+        raise InputError(f"{option} is empty", expected="ids of effects, as robodyn effects lists them")
+    return ids
+
+
+def _joints(text: str | None) -> list[int]:
+    """The joints of ``--joints``."""
+    words = [] if text is None else [word.strip() for word in text.split(",")]
+    if not all(word.isascii() and word.isdigit() for word in words):
+        raise InputError("--joints is not a list of joints", found=str(text), expected="numbers, such as 1,3")
+    return [int(word) for word in words]
+
+
 # --- the diagnosis ----------------------------------------------------------------------------------------
 
 
@@ -109,6 +154,7 @@ def _diagnosed(
     validate: str | None,
     values: Mapping[str, float] | None,
     mapping: LogMap | None,
+    scope: Mapping[str, Any],
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
 
@@ -124,6 +170,7 @@ def _diagnosed(
             hashes=hashes,
             parameters=values,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
+            **scope,
         )
 
 
