@@ -104,6 +104,24 @@ def test_contacts() -> None:
     assert off == pytest.approx({"start": 0.1, "end": 0.0, "angle": 180.0, "ratio": 1.0})
 
 
+def test_a_push_counts_once_in_each_log_and_at_its_time() -> None:
+    push = effect("external_contact", None, start=1.0, end=1.5, link=6, force_x=3.0)
+
+    def seen(log: str, start: float, end: float) -> Finding:
+        times = {
+            "start": Estimate(start, 0.1, "s"),
+            "end": Estimate(end, 0.1, "s"),
+            "log": Estimate(log, None, ""),
+        }
+        return replace(finding("external_contact", None), parameters=times)
+
+    assert status([push], [seen("log 1", 1.1, 1.5)]) == "right"
+    assert status([push], [seen("log 1", 1.1, 1.5), seen("log 2", 0.9, 1.4)]) == "right"
+    assert status([push], [seen("log 1", 1.0, 1.2), seen("log 1", 1.3, 1.5)]) == "extra"
+    assert status([push], [seen("log 1", 1.1, 1.5), seen("log 2", 2.0, 2.4)]) == "extra"
+    assert status([push], [seen("log 1", 2.0, 2.4)]) == "wrong"
+
+
 def test_trials_are_drawn_the_same_again_and_each_is_its_own() -> None:
     for kind in KINDS:
         once, again = (list(trials(kind, ALL_ARMS, range(1, 3))) for _ in range(2))
@@ -196,13 +214,14 @@ def test_published_figures_are_counts_of_rows() -> None:
             "status": "right",
             "values": [["backlash.gap", 1.1, 0.1, 1.0], ["a.b", 1.0, 0.1, 2.0]],
         },
-        {"kind": "clear", "status": "missed", "contacts": [{"angle": 100.0}, {"angle": 10.0}]},
+        {"kind": "clear", "status": "missed", "arm": "ur5", "contacts": [{"angle": 100.0}, {"angle": 10.0}]},
         {"kind": "null", "status": "silent"},
         {"kind": "outside", "status": "missed"},
         {"kind": "outside", "status": "error"},
         {"kind": "identify", "status": "right", "floor_ratio": [1.2, 1.0], "truth_ratio": [1.0, 1.0]},
         {"kind": "payload", "status": "right", "masses": {"together": 0.05}},
     ]
+    rows = [{"arm": "puma560", **row} for row in rows]
     figures = published(rows)
     assert figures["intervals"] == {"a.b": [1, 0], "backlash.gap": [1, 1]}
     assert (figures["pushes"], figures["widths"], figures["payloads"]) == ([2, 1, 1], [1, 1], [1, 1])
