@@ -56,6 +56,9 @@ TIE: Final = 2.0
 TIE_LOSS: Final = 0.02
 """[share of the gain] and those that lose no more of its gain,"""
 
+ROUGH_TIE: Final = 0.08
+"""[share of the gain] or this, in a log with more in it than the catalogue has,"""
+
 CLOSE: Final = 5.0
 """[log-likelihood] and those as near,"""
 
