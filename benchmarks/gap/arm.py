@@ -6,7 +6,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from robodyn.robot.model import Robot
+from robodyn.robot.model import Inertia, Joint, Robot
 from robodyn.robot.values import Affine, Value
 
 Floats = NDArray[np.float64]
@@ -22,23 +22,32 @@ def pinocchio_model(robot: Robot) -> pin.Model:
     model.gravity = pin.Motion(np.array([float(g) for g in robot.gravity]), np.zeros(3))
     parent = 0
     for k, link in enumerate(robot.links):
-        joint = link.joint
-        ca, sa = float(joint.alpha.cos), float(joint.alpha.sin)
-        ct, st = float(joint.theta.cos), float(joint.theta.sin)
-        about_x = np.array([[1, 0, 0], [0, ca, -sa], [0, sa, ca]])
-        about_z = np.array([[ct, -st, 0], [st, ct, 0], [0, 0, 1]])
-        place = np.array([_plain(joint.a), 0, 0]) + about_x[:, 2] * _plain(joint.d)
-        kind = pin.JointModelRZ() if joint.kind == "revolute" else pin.JointModelPZ()
-        parent = model.addJoint(parent, kind, pin.SE3(about_x @ about_z, place), f"joint{k + 1}")
-        i = link.inertia
-        rows = (i.xx, i.xy, i.xz), (i.xy, i.yy, i.yz), (i.xz, i.yz, i.zz)
-        tensor = np.array([[_plain(x) for x in row] for row in rows])
-        body = pin.Inertia(_plain(link.mass), np.array([_plain(c) for c in link.com]), tensor)
-        model.appendBodyToJoint(parent, body, pin.SE3.Identity())
+        kind = pin.JointModelRZ() if link.joint.kind == "revolute" else pin.JointModelPZ()
+        parent = model.addJoint(parent, kind, pin.SE3(*mount(link.joint)), f"joint{k + 1}")
+        com = np.array([plain(c) for c in link.com])
+        model.appendBodyToJoint(
+            parent, pin.Inertia(plain(link.mass), com, tensor(link.inertia)), pin.SE3.Identity()
+        )
     return model
 
 
-def _plain(value: Value) -> float:
+def mount(joint: Joint) -> tuple[Floats, Floats]:
+    """Rotation [3, 3] and place [3] (m) of a joint's frame at q = 0 in the frame of the link before it."""
+    ca, sa = float(joint.alpha.cos), float(joint.alpha.sin)
+    ct, st = float(joint.theta.cos), float(joint.theta.sin)
+    about_x = np.array([[1, 0, 0], [0, ca, -sa], [0, sa, ca]])
+    about_z = np.array([[ct, -st, 0], [st, ct, 0], [0, 0, 1]])
+    return about_x @ about_z, np.array([plain(joint.a), 0, 0]) + about_x[:, 2] * plain(joint.d)
+
+
+def tensor(i: Inertia) -> Floats:
+    """Inertia [3, 3] (kg m^2) about the centre of mass."""
+    rows = (i.xx, i.xy, i.xz), (i.xy, i.yy, i.yz), (i.xz, i.yz, i.zz)
+    return np.array([[plain(x) for x in row] for row in rows])
+
+
+def plain(value: Value) -> float:
+    """A number of a description; a run-time parameter raises ValueError."""
     if isinstance(value, Affine):
         raise ValueError(f"a peer needs numbers, not the run-time parameters {value.terms}")
     return float(value)

@@ -32,6 +32,8 @@ def _random_amendments(rng: random.Random, robot: Robot) -> list[Amendment]:
         joint = None if CATALOGUE[id].level == "robot" else rng.randint(1, robot.n)
         drawn = with_random_effects(replace(robot, effects=()), rng.randrange(10**6), ids=[id], share=1)
         entries = drawn.effects_at(joint)
+        if id == "gas_spring" and not entries:  # not at prismatic joints
+            continue
         values: dict[str, Any] = {}
         for name, value in entries[0].settings if entries else ():
             if isinstance(value, Fraction):

@@ -24,8 +24,8 @@ from robodyn.verify.effects import added_torque, efficiency
 IDS = """
     viscous_friction coulomb_friction asymmetric_friction stribeck_friction power_law_friction
     load_dependent_friction transmission_loss rotor_inertia motor_coupling payload inertial_error
-    base_tilt spring torque_ripple joint_elasticity backlash presliding_hysteresis torque_bias torque_gain
-    time_delay encoder_offset torque_saturation external_contact
+    base_tilt spring gas_spring torque_ripple joint_elasticity backlash presliding_hysteresis torque_bias
+    torque_gain time_delay encoder_offset torque_saturation external_contact
 """.split()  # noqa: SIM905 (it reads as the list that it is)
 
 

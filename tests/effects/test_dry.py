@@ -14,7 +14,14 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.simulate.shape import elements_of, without_losses
 
-_NOT_DRY = {"viscous_friction", "power_law_friction", "presliding_hysteresis", "spring", "torque_ripple"}
+_NOT_DRY = {
+    "viscous_friction",
+    "power_law_friction",
+    "presliding_hysteresis",
+    "spring",
+    "torque_ripple",
+    "gas_spring",
+}
 
 
 @pytest.mark.parametrize("name", [name for name in CASES if CASES[name].id != "rotor_inertia"])

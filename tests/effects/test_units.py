@@ -14,7 +14,7 @@ from robodyn.effects.effect import Effect, Site
 _UNITS = {"N": {"kg": 1, "m": 1, "s": -2}, "kg": {"kg": 1}, "m": {"m": 1}, "s": {"s": 1}, "rad": {"rad": 1}}
 _SCALES = {"kg": 4.0, "m": 16.0, "s": 0.25, "rad": 64.0}
 #: Where the angle is in a sine, or an inertia makes a torque of its acceleration, rad is 1.
-_ANGLE_IS_A_NUMBER = {"torque_ripple", "rotor_inertia"}
+_ANGLE_IS_A_NUMBER = {"torque_ripple", "rotor_inertia", "gas_spring"}
 
 
 def factor(unit: str, scales: dict[str, float]) -> float:
@@ -68,12 +68,14 @@ def test_units(name: str) -> None:
             assert all(units_fit(case, case.effect, revolute, rng) for _ in range(5))
 
 
-#: A level curve has no load, steady motion no bend, and the motor of two joints turns as they told it.
+#: A level curve has no load, steady motion no bend, the motor of two joints turns as they told it, and
+#: nothing is nothing in any unit.
 _UNSEEN = {
     ("efficiencies, one", "rated_torque"),
     ("presliding", "stiffness"),
     ("presliding", "damping"),
     ("coupling", "ratio"),
+    ("spring balancer", "ratio"),
 }
 
 

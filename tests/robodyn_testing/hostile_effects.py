@@ -117,6 +117,8 @@ def _swapped_entry(robot: Robot, entry: EffectEntry, numbers: Numbers) -> Effect
         if isinstance(low, Fraction) and isinstance(high, Fraction):
             values["level"], values["static"] = sorted((low, high))
     revolute = entry.joint is None or robot.links[entry.joint - 1].joint.kind == "revolute"
+    if entry.effect == "gas_spring":  # its shape and its angle are bounded
+        values |= {name: entry[name] for name in ("dead_center", "ratio")}
     assert effect.check(values, revolute) is None
     return replace(entry, settings=tuple(values.items()))
 

@@ -70,6 +70,8 @@ def _entry(
         ordered = effect.id != "external_contact" or values["start"] < values["end"]
         if ordered and effect.check(values, revolute) is None:
             return EffectEntry(effect.id, joint, tuple(values.items()))
+    if effect.id == "gas_spring" and not revolute:
+        return None
     raise AssertionError(f"no valid values found for {effect.id}")
 
 

@@ -16,7 +16,7 @@ from typing import Any, Final
 
 import mpmath
 
-from effects.typeset_effects import typeset
+from effects.typeset_effects import definitions, typeset
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import Affine
@@ -24,6 +24,7 @@ from robodyn.verify.typeset import value
 from robodyn_testing.world_dynamics import Loads, direction, loads, number
 
 COUPLERS: Final = ("joint_elasticity", "backlash")
+LINK: Final = ("spring", "gas_spring")
 MOTOR: Final = (
     "viscous_friction", "coulomb_friction", "asymmetric_friction", "stribeck_friction", "power_law_friction",
     "presliding_hysteresis", "rotor_inertia", "torque_ripple",
@@ -37,6 +38,7 @@ def power(x: Any, exponent: Any) -> Any:
 
 MANY_DIGITS: Final[dict[str, Any]] = {
     "number": mpmath.mpf, "pow": power, "sqrt": mpmath.sqrt, "exp": mpmath.exp, "sin": mpmath.sin,
+    "cos": mpmath.cos,
 }  # fmt: skip
 
 
@@ -88,6 +90,8 @@ def equation(id: str, p: Mapping[str, Any], at: Place) -> Any:
         return value(typeset(id, p), symbols, MANY_DIGITS) - at.tau
     if id == "load_dependent_friction" and p.get("variant") == "printed":
         symbols["n_x"] = -symbols["n_x"]
+    for symbol, text in definitions(id):
+        symbols[symbol] = value(text, symbols, MANY_DIGITS)
     latex = r"F_c \operatorname{sgn}\dot q" if id == "presliding_hysteresis" else typeset(id, p)
     return value(latex, symbols, MANY_DIGITS)
 
@@ -226,7 +230,7 @@ class WorldArm:
         passed = []
         for i, effects in enumerate(self.at):
             at = self._place(link, i)
-            tau = found.tau[i] + sum(equation(id, p, at) for id, p in effects if id == "spring")
+            tau = found.tau[i] + sum(equation(id, p, at) for id, p in effects if id in LINK)
             loaded = self._place(link, i, tau=tau, f=found.f[i], n=found.n[i])
             rubbing = (equation(id, p, loaded) for id, p in effects if id == "load_dependent_friction")
             passed.append(tau + sum(rubbing))

@@ -17,6 +17,7 @@ import sys
 import time
 import warnings
 from collections.abc import Sequence
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,8 @@ from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, trials
 
 from diagnose.hidden.logs import Hidden
 from robodyn.diagnose.run import diagnose
+from robodyn.logs.log import Log
+from robodyn.robot.model import EffectEntry, Joint, Link, Robot
 
 
 def made(trial: Trial, cache: Path | None) -> Hidden:
@@ -33,14 +36,17 @@ def made(trial: Trial, cache: Path | None) -> Hidden:
     if cache is None:
         return trial.make()
     path = cache / f"{trial.key.replace(':', '_')}.pickle"
+    shape = [[field.name for field in fields(of)] for of in (Log, Robot, Link, Joint, EffectEntry)]
     if path.is_file():
         try:
-            return pickle.loads(path.read_bytes())  # type: ignore[no-any-return]
-        except Exception:
-            path.unlink()  # written by a version with other classes
+            classes, hidden = pickle.loads(path.read_bytes())
+            if classes == shape:
+                return hidden  # type: ignore[no-any-return]
+        except (AttributeError, ImportError, TypeError, ValueError):
+            pass  # written by a version with other classes
     hidden = trial.make()
     cache.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(pickle.dumps(hidden))
+    path.write_bytes(pickle.dumps((shape, hidden)))
     return hidden
 
 

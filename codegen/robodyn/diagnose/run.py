@@ -89,7 +89,7 @@ def diagnose(
     checked = [_doubted(one, first, last) for one in accepted.values()]
     if doubtful(gates):
         checked = [(one, False) for one, _ in checked]
-    findings = tuple(sorted((_finding(one, sure) for one, sure in checked), key=lambda f: -f.gain))
+    findings = tuple(sorted((_finding(robot, one, sure) for one, sure in checked), key=lambda f: -f.gain))
     left = _left(last)
     verdict = _verdict(findings, last, left)
     lacks = _Lacking()
@@ -200,19 +200,15 @@ def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verd
     return "unexplained" if findings or bool(np.any(stands_out & (left > 1.5))) else "consistent"
 
 
-def _finding(one: Detected, sure: bool) -> Finding:
+def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:
     candidate, trial = one.named.trial.candidate, one.named.trial
     entry = CATALOGUE[candidate.effect]
-    revolute = (
-        candidate.joint is None
-        or one.first.context.model.robot.links[candidate.joint - 1].joint.kind == "revolute"
-    )
+    revolute = candidate.joint is None or robot.links[candidate.joint - 1].joint.kind == "revolute"
     parameters = {
         name: Estimate(value, one.errors.get(name), _unit(candidate.effect, name, revolute))
         for name, value in one.parameters.items()
     }
-    before = one.first.first.held_out.mean(axis=0)
-    j = max(candidate.rows, key=lambda row: before[row])
+    j = max(candidate.rows, key=lambda row: one.before[row])
     place = f"joint {candidate.joint}" if candidate.joint else "the whole robot"
     where = f"{place}: {entry.signature}; seen best at joint {j + 1}"
     experiment = None

@@ -41,8 +41,8 @@ class Fold:
 
 
 #: How two of an effect at one place are one: by the parameters that it is linear in, or as springs side by
-#: side, waves of one length, bearings of one kind.
-Combination = Literal["by parameter", "springs", "waves", "bearings"]
+#: side, waves of one length, bearings of one kind, balancers of one shape.
+Combination = Literal["by parameter", "springs", "waves", "bearings", "balancers"]
 
 
 # --- in what is measured ----------------------------------------------------------------------------------
@@ -80,6 +80,10 @@ def between(rng: Any, low: float, high: float) -> float:
     return math.exp(rng.uniform(math.log(low), math.log(high)))
 
 
+#: Joints at which something can be.
+JointKind = Literal["any", "revolute", "prismatic"]
+
+
 def any_speed(values: Mapping[str, float], top: float) -> bool:
     """Whatever the joint's top speed."""
     return True
@@ -95,7 +99,8 @@ class Law:
     values of what is not linear that are tried, where ``suits`` them the top speed of the joint; steps of
     their refinement begin at the factor ``spread[0]`` and end at ``spread[1]``. ``beside``: effects (with one
     parameter) that are fitted along. ``rubbing``: only where the model has friction at the joint; ``rough``:
-    only where nothing explains all there is. ``kind``: of the joint.
+    only where nothing explains all there is. ``kind``: of the joint. ``relief``: only at joints that carry
+    gravity, and where the torque takes this share of gravity's off the joint (RMS).
     """
 
     columns: Callable[[Mapping[str, float], Site], Sequence[Any]]
@@ -109,7 +114,8 @@ class Law:
     feasible: Callable[[Any], bool] = anything
     rubbing: bool = False
     rough: bool = False
-    kind: Literal["any", "revolute", "prismatic"] = "any"
+    kind: JointKind = "any"
+    relief: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +195,8 @@ class Usual:
     """What is usual of a joint on a motion: RMS torque ``tau`` and largest torque ``peak`` [N m or N], RMS
     ``speed`` and ``rate`` of acceleration, the speed below which a tenth of the time is spent (``slow``), the
     inertia that the joint's spring carries (``weight``), the ``middle`` of the motion [rad or m], its
-    ``duration`` [s]; the ``mass`` of the link; ``joint`` (from 1) of so many ``joints``."""
+    ``duration`` [s]; the ``mass`` of the link; ``joint`` (from 1) of so many ``joints``; the largest torque
+    of ``gravity`` over the joint's position, and the position ``upright`` [rad] from which it tips."""
 
     joint: int
     joints: int
@@ -203,6 +210,8 @@ class Usual:
     slow: float
     weight: float
     middle: float
+    gravity: float = 0.0
+    upright: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,11 +229,13 @@ class Form:
 class Hidden:
     """How a blind test hides the effect: its ``form``, of what is usual of the joint, a random sense (-1.0 or
     1.0) and a generator of random numbers (numpy's); the joint must carry something (``load``), against
-    gravity (``gravity``), if ``needs`` says so. ``at_joint``: what may be of all joints is hidden at one."""
+    gravity (``gravity``), if ``needs`` says so. ``at_joint``: what may be of all joints is hidden at one.
+    ``kind``: of the joint."""
 
     form: Callable[[Usual, float, Any], Form]
     needs: Literal["", "load", "gravity"] = ""
     at_joint: bool = False
+    kind: JointKind = "any"
 
 
 # --- all of them ------------------------------------------------------------------------------------------

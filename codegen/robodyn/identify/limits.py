@@ -9,6 +9,11 @@ from __future__ import annotations
 
 from typing import Final
 
+# --- rigid --------------------
+
+KEPT_RESULTS: Final = 6
+"""[results] of a rigid arm along a log are kept for models that differ in their drives."""
+
 # --- twist --------------------
 
 TWIST_PLACES: Final = 4001

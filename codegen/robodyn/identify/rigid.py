@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,6 +26,7 @@ from robodyn.dynamics.kinematics import frames
 from robodyn.dynamics.modified_newton_euler import forward_pass
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import unmarked
+from robodyn.identify.limits import KEPT_RESULTS
 from robodyn.ir.program import Label
 from robodyn.robot.model import AXES, Robot
 
@@ -49,11 +50,42 @@ class Evaluated:
     m: Floats
 
 
-class Model:
-    """A robot on arrays: ``q, qd, qdd`` [K, n]. Stateful effects are at their steady values."""
+class Reuse:
+    """What models of one rigid arm have in common along the same arrays of motion, worked out once: of models
+    that differ in their drives only, the arm is evaluated once. Keeps the ``most`` recent results."""
 
-    def __init__(self, robot: Robot, parameters: Mapping[str, float] | None = None) -> None:
+    def __init__(self, most: int = KEPT_RESULTS) -> None:
+        self._most = most
+        self._results: list[tuple[str, Arm, Moved, Any]] = []
+
+    def of(self, what: str, arm: Arm, motion: Moved, evaluate: Callable[[], Any]) -> Any:
+        """The result ``what`` of ``arm`` along ``motion``: kept, or from ``evaluate``."""
+        for kind, known, arrays, result in self._results:
+            if kind == what and all(a is b for a, b in zip(arrays, motion, strict=True)) and known == arm:
+                return result
+        result = evaluate()
+        self._results = [*self._results[1 - self._most :], (what, arm, motion, result)]
+        return result
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rigid:
+    """The rigid arm along a motion: torques [K, n], forces and moments in the joints [K, n, 3]."""
+
+    tau: Floats
+    f: Floats
+    m: Floats
+
+
+class Model:
+    """A robot on arrays: ``q, qd, qdd`` [K, n]. Stateful effects are at their steady values. ``reuse`` is
+    shared by models that may have the same rigid arm."""
+
+    def __init__(
+        self, robot: Robot, parameters: Mapping[str, float] | None = None, reuse: Reuse | None = None
+    ) -> None:
         self.robot = robot
+        self.reuse = reuse
         values = dict(parameters or {})
         self.n = robot.n
         self.arm: Arm = build_arm(rigid_part(robot, bare=True), float, values.__getitem__)
@@ -85,27 +117,13 @@ class Model:
     def evaluate(self, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None) -> Evaluated:
         """The model's torques along a motion of the links; that of the ``motors`` is the same unless it is
         given."""
-        terms: dict[tuple[int, str, str], Any] = {}
-
-        def mark(value: Any, label: Label) -> Any:
-            terms[label.link - 1, label.quantity, label.axis] = value
-            return value
-
-        zeros = np.zeros(len(q))
-        rigid = [x + zeros for x in newton_euler(self.arm, self.motion(q, qd, qdd), mark)]
-
-        def vectors(quantity: str) -> Floats:
-            return np.stack(
-                [
-                    np.stack([terms[i, quantity, axis] + zeros for axis in "xyz"], axis=1)
-                    for i in range(self.n)
-                ],
-                axis=1,
-            )
-
-        f, m = vectors("f"), vectors("n")
+        if self.reuse is None or motors is not None:
+            arm = self._rigid(q, qd, qdd)
+        else:
+            arm = self.reuse.of("loads", self.arm, (q, qd, qdd), lambda: self._rigid(q, qd, qdd))
+        f, m = arm.f, arm.m
         loads = Loads(
-            rigid,
+            list(arm.tau.T),
             {i: (f[:, i, 0], f[:, i, 1], f[:, i, 2]) for i in range(self.n)},
             {i: (m[:, i, 0], m[:, i, 1], m[:, i, 2]) for i in range(self.n)},
         )
@@ -117,10 +135,32 @@ class Model:
         pairs = [self.direction(combined(pair, rates.qd)) for pair in self._layer.pairs]
         total = at_motors(self._layer, passed, rates, pairs)
 
+        zeros = np.zeros(len(q))
+
         def table(rows: list[Any]) -> Floats:
             return np.stack([row + zeros for row in rows], axis=1)
 
-        return Evaluated(table(rigid), table(passed), table(total), f, m)
+        return Evaluated(arm.tau, table(passed), table(total), f, m)
+
+    def rigid_torque(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
+        """The torques [K, n] of the arm without its drives."""
+        rows = newton_euler(self.arm, self.motion(q, qd, qdd), unmarked)
+        return np.stack([row + np.zeros(len(q)) for row in rows], axis=1)
+
+    def _rigid(self, q: Floats, qd: Floats, qdd: Floats) -> _Rigid:
+        """The arm without its drives."""
+        f, m = (np.zeros((self.n, 3, len(q))).transpose(2, 0, 1) for _ in range(2))
+        tables = {"f": f, "n": m}
+
+        def mark(value: Any, label: Label) -> Any:
+            if label.quantity in tables:
+                tables[label.quantity][:, label.link - 1, "xyz".index(label.axis)] = value
+            return value
+
+        tau = np.zeros((self.n, len(q))).T
+        for i, torque in enumerate(newton_euler(self.arm, self.motion(q, qd, qdd), mark)):
+            tau[:, i] = torque
+        return _Rigid(tau, f, m)
 
     def torque(self, q: Floats, qd: Floats, qdd: Floats) -> Floats:
         """Motor torques [K, n]."""

@@ -25,7 +25,7 @@ from robodyn.identify.limits import (
     TWIST_PLACES,
 )
 from robodyn.identify.oscillator import oscillation
-from robodyn.identify.rigid import Evaluated, Model
+from robodyn.identify.rigid import Evaluated, Model, Moved
 
 Floats = NDArray[np.float64]
 
@@ -52,7 +52,7 @@ def slopes_of(model: Model, q: Floats, qd: Floats, qdd: Floats, rigid: Floats, j
         moved = [q, qd, qdd]
         moved[which] = moved[which].copy()
         moved[which][:, j] += step
-        return np.asarray((model.evaluate(moved[0], moved[1], moved[2]).rigid - rigid) / step)
+        return np.asarray((model.rigid_torque(moved[0], moved[1], moved[2]) - rigid) / step)
 
     return Slopes(j, by(0, 1e-6), by(1, 1e-6), by(2, 1.0))
 
@@ -153,6 +153,15 @@ class _Spring:
         return lag
 
 
+def _slopes(model: Model, motion: Moved, rigid: Floats, j: int) -> Slopes:
+    if model.reuse is None:
+        return slopes_of(model, *motion, rigid, j)
+    slopes: Slopes = model.reuse.of(
+        f"slopes{j}", model.arm, motion, lambda: slopes_of(model, *motion, rigid, j)
+    )
+    return slopes
+
+
 def behind_motors(
     model: Model, q: Floats, qd: Floats, qdd: Floats, period: float, tau: Floats | None = None
 ) -> Evaluated:
@@ -162,7 +171,7 @@ def behind_motors(
     couplers = model.couplers
     if not couplers:
         return seen
-    slopes = {j: slopes_of(model, q, qd, qdd, seen.rigid, j) for j in couplers}
+    slopes = {j: _slopes(model, (q, qd, qdd), seen.rigid, j) for j in couplers}
     lags = {j: np.zeros((len(q), 3)) for j in couplers}
     for _ in range(SWEEPS if len(couplers) > 1 else 1):
         for j, coupler in couplers.items():

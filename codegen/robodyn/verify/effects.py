@@ -104,6 +104,8 @@ def added_torque(effect: str, p: Settings, at: State) -> Floats:
         case "spring":
             way = at.q - p["rest"]
             return np.asarray(p["stiffness"] * way + p["cubic"] * way**3)
+        case "gas_spring":
+            return _strut(p, at.q - p["dead_center"])
         case "torque_ripple":
             return np.asarray(p["amplitude"] * np.sin(p["cycles_per_rev"] * at.q + p["phase"]))
         case "motor_coupling":
@@ -167,6 +169,19 @@ def two_supports(span: float, f: Floats, n: Floats, *, mirrored: bool = False) -
     return reactions[:, :2], reactions[:, 2:]
 
 
+def _strut(p: Settings, angle: Floats) -> Floats:
+    """Moment about the axis, against that of a strut from the crank's end to a pivot at (1, 0)."""
+    crank = p["ratio"]
+    if crank == 0:  # a crank of no length under a force without end: a plain sine
+        return np.asarray(p["torque"] * (1 + p["rise"] * (1 - np.cos(angle))) * np.sin(angle))
+    end = crank * np.stack([np.cos(angle), np.sin(angle)])
+    along = np.array([[1.0], [0.0]]) - end
+    length = np.hypot(along[0], along[1])
+    travel = (length - (1 - crank)) / crank
+    pull = p["torque"] * (1 + p["rise"] * travel) / crank * along / length
+    return np.asarray(-(end[0] * pull[1] - end[1] * pull[0]))
+
+
 def _loss(p: Settings, at: State) -> Floats:
     """Table 3.2 by its cases, less the torque that goes in at rest."""
     eta: Any = p["efficiency"]
@@ -214,6 +229,7 @@ def _slopes_at_knots(x: Floats, y: Floats) -> Floats:
 #: Where in the drive an effect acts; of others the definition says it.
 _PLACES = {
     "spring": "link",
+    "gas_spring": "link",
     "load_dependent_friction": "bearing",
     "joint_elasticity": "coupler",
     "backlash": "coupler",

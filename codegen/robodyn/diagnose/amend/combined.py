@@ -126,11 +126,19 @@ def bearings(old: Settings, new: Settings, remarks: list[str]) -> dict[str, Any]
     return {**old, name: total(old[name], added[name])}
 
 
+def balancers(old: Settings, new: Settings, remarks: list[str]) -> dict[str, Any] | None:
+    """The sum of two spring balancers of one shape; None where they differ in it."""
+    if any(old[name] != new[name] for name in ("dead_center", "ratio", "rise")):
+        return None
+    return {**old, "torque": total(old["torque"], new["torque"])}
+
+
 #: Two entries of one effect as one, by what they are; ``remarks`` say where the sum is not exact.
 COMBINED: Mapping[Combination, Callable[[Settings, Settings, list[str]], dict[str, Any] | None]] = {
     "springs": springs,
     "waves": waves,
     "bearings": bearings,
+    "balancers": balancers,
 }
 
 

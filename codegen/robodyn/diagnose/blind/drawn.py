@@ -33,7 +33,8 @@ class Usual:
     """What is usual of a robot on a motion, [n] each: RMS torque ``tau`` and largest torque ``peak``, RMS
     ``speed`` and ``rate`` (of acceleration), the speed below which a tenth of the time is spent (``slow``),
     the inertia that a joint's spring carries (``weight``), the RMS torque of ``gravity``, the ``middle``
-    of the motion."""
+    of the motion; of gravity's torque as a sine over a joint's own position the size, ``tip``, and where it
+    would tip the joint, ``upright``."""
 
     robot: Robot
     duration: float
@@ -45,15 +46,18 @@ class Usual:
     weight: Floats
     gravity: Floats
     middle: Floats
+    tip: Floats
+    upright: Floats
 
     def at(self, joint: int | None) -> UsualJoint:
         """What is usual of a ``joint`` (from 1; None: of the first one)."""
         j = (joint or 1) - 1
         link = self.robot.links[j]
         of_joint = (self.tau, self.peak, self.speed, self.rate, self.slow, self.weight, self.middle)
+        by_gravity = (self.tip, self.upright)
         return UsualJoint(
             j + 1, self.robot.n, link.joint.kind == "revolute", float(link.mass),  # type: ignore[arg-type]  # constants
-            self.duration, *(float(x[j]) for x in of_joint),
+            self.duration, *(float(x[j]) for x in (*of_joint, *by_gravity)),
         )  # fmt: skip
 
 
@@ -76,7 +80,13 @@ def usual(robot: Robot, motion: Trajectory) -> Usual:
     middle = (q.max(axis=0) + q.min(axis=0)) / 2
     gravity = np.sqrt(np.mean(resting**2, axis=0))
     peak = np.abs(tau).max(axis=0)
-    return Usual(robot, motion.duration, rms[0], peak, rms[1], rms[2], slow, weight, gravity, middle)
+    tip, upright = np.empty(robot.n), np.empty(robot.n)
+    for j in range(robot.n):
+        waves = np.stack([np.sin(few[:, j]), -np.cos(few[:, j]), np.ones(len(few))], axis=1)
+        a, b, _ = np.linalg.lstsq(waves, -resting[:, j], rcond=1e-6)[0]
+        tip[j], upright[j] = np.hypot(a, b), np.arctan2(b, a)
+    of_motion = (rms[0], peak, rms[1], rms[2], slow, weight, gravity, middle, tip, upright)
+    return Usual(robot, motion.duration, *of_motion)
 
 
 def places(id: str, u: Usual) -> list[int | None]:
@@ -90,6 +100,8 @@ def places(id: str, u: Usual) -> list[int | None]:
     joints: list[int | None] = []
     for j, link in enumerate(u.robot.links):
         if hidden.needs and u.tau[j] < LOADED_SHARE * u.tau.max():
+            continue
+        if hidden.kind not in ("any", link.joint.kind):
             continue
         if hidden.needs == "gravity" and u.gravity[j] <= LOADED_SHARE * u.gravity.max():
             continue

@@ -42,7 +42,7 @@ class Library:
             widths[rows] = begin + columns.shape[2]
             places.append(slice(begin, widths[rows]))
             parts.setdefault(rows, []).append(columns)
-            candidates.append(replace(candidate, columns=columns[:0]))
+            candidates.append(replace(candidate, columns=columns[:0].copy()))  # no view, which keeps it all
         joined = {}
         for rows in widths:
             joined[rows] = np.concatenate(parts.pop(rows), axis=2)

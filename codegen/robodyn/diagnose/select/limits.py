@@ -145,6 +145,14 @@ TWIST_CUTOFF: Final = 6.0
 OSCILLATOR_RATE: Final = 300.0
 """[steps/s] The fewest in which the motion of a spring is integrated."""
 
+# --- laws --------------------
+
+GRAVITY_SAMPLES: Final = 500
+"""[samples] At about as many gravity's torque is looked at, where an effect must relieve it."""
+
+GRAVITY_SHARE: Final = 0.1
+"""[share of the joint that carries most] A joint with less carries no gravity worth a spring."""
+
 # --- sensors --------------------
 
 DRIVE_LIMITS: Final = (0.5, 0.65, 0.8, 0.9, 0.96)

@@ -166,8 +166,11 @@ def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, F
 
 def _rest(robot: Robot, c: Context) -> Floats:
     """What ``robot`` leaves of a log, filtered and thinned."""
-    s, model = c.signals, Model(robot)
-    torque = behind_motors(model, s.q - offsets(robot), s.qd, s.qdd, s.period, s.tau)
+    s, off = c.signals, offsets(robot)
+    moved = bool(off.any())
+    model = Model(robot, reuse=None if moved else c.reuse)
+    q = s.q - off if moved else s.q
+    torque = behind_motors(model, q, s.qd, s.qdd, s.period, s.tau)
     total = torque.total
     for entry in robot.effects:
         for law in entry.definition.traits.candidates:

@@ -27,12 +27,13 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Detected:
-    """A detected effect: the evidence for it, its parameters with errors, and the selection it is from."""
+    """A detected effect: the evidence for it, its parameters with errors, and the mean squares [n] that were
+    left before it was named, in units of the noise."""
 
     named: Named
     parameters: dict[str, float | str]
     errors: dict[str, float]
-    first: Selection
+    before: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -149,7 +150,7 @@ def _levelled(findings: dict[Key, Detected], begun: Selection) -> bool:
         )
         named = replace(one.named, trial=replace(one.named.trial, candidate=candidate), rivals=())
         errors = {name: one.errors[name] for name in parameters if name in one.errors}
-        findings[plain] = Detected(named, parameters, errors, one.first)
+        findings[plain] = Detected(named, parameters, errors, one.before)
     return bool(flat)
 
 
@@ -174,7 +175,7 @@ def _take(step: Selection, findings: dict[Key, Detected], digest: str) -> None:
                 joined[name] = joined[name] + value if both and name in linear else value  # type: ignore[operator]
             findings[key] = replace(before, parameters=joined)
         else:
-            findings[key] = Detected(named, values, errors, step)
+            findings[key] = Detected(named, values, errors, step.first.held_out.mean(axis=0))
 
 
 def _take_levels(candidate: Candidate, values: dict[str, float | str], plain: Mapping[str, Any]) -> None:

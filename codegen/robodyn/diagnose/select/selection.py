@@ -219,6 +219,8 @@ def select(
         estimated = (*estimated, _named_contact(contact, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
+    for each in contexts:
+        each.kept.clear()
     return Selection(
         tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, bool(widest)
     )

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import anything
-from robodyn.identify.rigid import Evaluated, Model
+from robodyn.identify.rigid import Evaluated, Model, Reuse
 from robodyn.logs.signals import Signals
 from robodyn.robot.model import EffectEntry
 
@@ -91,6 +91,8 @@ class Context:
     hints: Hints
     #: What candidates of one joint share.
     kept: dict[tuple[str, int], Any] = field(default_factory=dict)
+    #: What models of the same rigid arm share along the signals.
+    reuse: Reuse = field(default_factory=Reuse)
 
     @property
     def n(self) -> int:

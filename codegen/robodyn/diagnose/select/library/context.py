@@ -26,7 +26,7 @@ def context_of(model: Model, signals: Signals, hints: Hints | None = None) -> Co
         at_slow = replace(
             at_slow, total=signals.filtered(total)[:: max(1, signals.every // 2)][: len(slow.t)]
         )
-    plain = model.evaluate(slow.q, slow.qd, slow.qdd).rigid if model.couplers else at_slow.rigid
+    plain = model.rigid_torque(slow.q, slow.qd, slow.qdd) if model.couplers else at_slow.rigid
     top = np.abs(signals.qd).max(axis=0)
     none = Hints(top, ((),) * signals.n)
     context = Context(model, signals, at, np.sign(signals.qd), slow, at_slow, plain, hints or none)

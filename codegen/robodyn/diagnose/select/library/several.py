@@ -138,4 +138,4 @@ def _gravity_by(c: Context, change: tuple[float, float, float]) -> Floats:
     """Torques [K, n] by a change of gravity (they are linear in it); of coarse signals."""
     s, zeros = c.slow, np.zeros_like(c.slow.q)
     x, y, z = (Fraction(g) for g in change)
-    return Model(replace(c.model.robot, gravity=(x, y, z))).evaluate(s.q, zeros, zeros).rigid
+    return Model(replace(c.model.robot, gravity=(x, y, z))).rigid_torque(s.q, zeros, zeros)

@@ -1,0 +1,30 @@
+"""A gas spring is named where a spring relieves a joint of gravity, and only there."""
+
+from __future__ import annotations
+
+import pytest
+
+from robodyn.diagnose.amend.amend import Amendment
+from robodyn.diagnose.blind.hide import Setup, hide
+from robodyn.diagnose.select.library.candidate import Candidate
+from robodyn.diagnose.select.selection import select
+from robodyn.robot import load
+
+
+def first_name(effect: str, seed: int) -> tuple[Candidate, dict[str, float | str], Amendment]:
+    robot = load("puma560_3dof", warn=lambda _: None)
+    blind = hide(robot, [Amendment(effect, 2, {})], setup=Setup(seed=seed))
+    one = select(blind.model, blind.train).findings[0]
+    return one.trial.candidate, one.trial.candidate.read(one.x), blind.effects[0]
+
+
+@pytest.mark.parametrize("seed", [3, 5])
+def test_a_gas_spring_is_named_with_its_torque(seed: int) -> None:
+    candidate, estimate, hidden = first_name("gas_spring", seed)
+    assert (candidate.effect, candidate.joint) == ("gas_spring", 2)
+    assert float(estimate["torque"]) == pytest.approx(float(hidden.parameters["torque"]), rel=0.15)
+    assert float(estimate["dead_center"]) == pytest.approx(float(hidden.parameters["dead_center"]), abs=0.12)
+
+
+def test_a_spring_that_is_no_counterbalance_stays_a_spring() -> None:
+    assert first_name("spring", 1)[0].effect == "spring"
