@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.choice import Trial, best_of, trials, without_columns
 from robodyn.diagnose.select.common import common
-from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
+from robodyn.diagnose.select.fit import Fit, Problem, covariance, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
-from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, SURE
+from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, MOST_VAGUE, SURE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 
@@ -65,9 +65,10 @@ def forward(
     findings: list[Named] = []
     now, current = start, fitted(start)
     begun: list[Trial] = []
+    refused = set[Key]()
     is_grouped = False
     for _ in range(MOST_EFFECTS):
-        which = _untaken(library, findings, known, rough=rough, links=links)
+        which = _untaken(library, findings, known | refused, rough=rough, links=links)
         tried = _tried(start, now, current, findings, library, which, least)
         begun = begun or [without_columns(one) for one in tried]
         best = best_of(now, current, tried, least, contexts, rough=rough)
@@ -87,12 +88,16 @@ def forward(
         if best is None:
             break
         one, rivals, confidence = best
-        findings = [each for k, each in enumerate(findings) if k not in one.replaced]
         one = replace(one, columns=one.columns.copy())
         beside = tuple(without_columns(each) for each in tried[:40])
-        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), beside))
-        now = _with(start, findings)
-        current = fitted(now)
+        kept = [each for k, each in enumerate(findings) if k not in one.replaced]
+        more = [*kept, Named(one, rivals, confidence, one.fit.x, np.zeros(0), beside)]
+        problem = _with(start, more)
+        fit = fitted(problem)
+        if not one.candidate.fixed and _is_vague(problem, fit, len(one.fit.x)):
+            refused.add((one.candidate.effect, one.candidate.joint))
+            continue
+        findings, now, current = more, problem, fit
         tell(one.candidate.name)
         if one.candidate.definition.traits.reevaluate:
             break  # the model is to be evaluated anew before more is looked for
@@ -115,6 +120,12 @@ def _untaken(
         and (len(kinds) < MOST_KINDS or c.effect in kinds)
         and not _is_covered(c, taken)
     ]
+
+
+def _is_vague(p: Problem, fit: Fit, c: int) -> bool:
+    """Whether none of the last ``c`` coefficients is known to better than about itself."""
+    error = np.sqrt(np.maximum(np.diag(covariance(p, fit))[-c:], 0.0))
+    return bool(np.all(error > MOST_VAGUE * np.abs(fit.known[-c:])))
 
 
 def _is_of_link(candidate: Candidate) -> bool:

@@ -108,6 +108,9 @@ COMMON_PARTS: Final = 0.8
 SURE: Final = 0.95
 """[probability] Of a name without rivals."""
 
+MOST_VAGUE: Final = 0.5
+"""[share of the value] A standard error that is larger says that the value is not known."""
+
 MOST_KINDS: Final = 8
 """[effects] So many different ones are named at most; what is left beyond is unexplained."""
 

@@ -28,7 +28,17 @@ from robodyn.diagnose.select.choice import (
     trials,
 )
 from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider, without
+from robodyn.diagnose.select.fit import (
+    Fit,
+    Problem,
+    coarser,
+    covariance,
+    fitted,
+    problem,
+    tighter,
+    wider,
+    without,
+)
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
 from robodyn.diagnose.select.library import Context, candidates, context_of
 from robodyn.diagnose.select.library.several import usual_sizes
@@ -36,7 +46,6 @@ from robodyn.diagnose.select.limits import (
     BLOCKS,
     CLIPPED_MARGIN,
     DIVERGED,
-    FEW_PARTS,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -289,23 +298,11 @@ def _named_contact(contact: Contact, first: Fit) -> Named:
     return Named(one, (), 0.9, contact.x, contact.stderr)
 
 
-def _covariance(now: Problem, last: Fit) -> Floats:
-    """The covariance [p, p] of the coefficients, by how much the parts of the log pull at them (White 1980,
-    with parts as clusters: what is left is correlated over time), no less than of as many independent
-    samples."""
-    inverse = np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True)
-    pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
-    clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
-    independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
-    scale = np.sqrt(np.maximum(1.0, np.diag(independent) / np.maximum(np.diag(clustered), 1e-300)))
-    return np.asarray(clustered * np.outer(scale, scale))
-
-
 def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
     """The effects with their coefficients in the fit of all together."""
     done = []
     at = now.nuisance
-    spread = _covariance(now, last)
+    spread = covariance(now, last)
     for one in findings:
         if one.trial.candidate.fixed:
             done.append(replace(one, x=np.ones(1), stderr=np.zeros(1)))
