@@ -39,6 +39,8 @@ def parameters(effect: Effect) -> Iterator[str]:
     """Parameters that the traits of ``effect`` name."""
     traits = effect.traits
     yield from (*traits.levels, *traits.adds, *traits.chosen, *traits.nothing)
+    if traits.twist:
+        yield traits.twist
     if traits.cycles:
         yield traits.cycles
     if traits.steady is not None:

@@ -136,6 +136,7 @@ ELASTICITY = Effect(
     ),
     traits=Traits(
         candidates=(Twist(_NATURAL_FREQUENCIES, _REACH, ({"stiffness": 1.0},), _soft_read, 5),),
+        twist="stiffness",
         reevaluate=True,
         wide=True,
         hidden=Hidden(_soft_form, needs="load"),

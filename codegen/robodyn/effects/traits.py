@@ -263,6 +263,7 @@ class Traits:
         that make one law with it at a joint. ``reevaluate``: it changes the columns of all others.
         ``both_ways``: it cannot be told of motion in one direction. ``chosen``: parameters that are choices,
         not sizes. ``wide``: it shows at other joints than its own. ``limit``: where it is another effect.
+        ``twist``: the parameter that a second encoder, on the link, shows directly.
         ``hidden``: how a blind test hides it.
 
     In a picture
@@ -288,6 +289,7 @@ class Traits:
     both_ways: bool = False
     chosen: tuple[str, ...] = ()
     wide: bool = False
+    twist: str = ""
     limit: Limit | None = None
     hidden: Hidden | None = None
     over: str = ""

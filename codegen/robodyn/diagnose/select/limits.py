@@ -148,6 +148,20 @@ TWIST_CUTOFF: Final = 6.0
 OSCILLATOR_RATE: Final = 300.0
 """[steps/s] The fewest in which the motion of a spring is integrated."""
 
+# --- encoders --------------------
+
+ENCODER_SAMPLES: Final = 100
+"""[samples] Fewer of a second encoder, without a gap, are not looked at."""
+
+ENCODER_MOVING: Final = 0.02
+"""[share of top speed] A slower joint may stick: friction is then unknown."""
+
+ENCODER_SURE: Final = 2.0
+"""[standard errors] A compliance that is not so far from none cannot be told from a rigid gear."""
+
+ENCODER_CONFIDENCE: Final = 0.95
+"""[probability] The confidence of what two encoders show without a fit to the torques."""
+
 # --- laws --------------------
 
 GRAVITY_SAMPLES: Final = 500
