@@ -14,7 +14,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend.amend import Amended, Amendment, apply_amendments
+from robodyn.diagnose.amend.amend import Amendment, apply_amendments
 from robodyn.diagnose.limits import REFIT_SHARE, REFIT_WORSE
 from robodyn.diagnose.result import Estimate
 from robodyn.diagnose.select.forward import Key
@@ -34,24 +34,28 @@ _BODY = ("mass", "com_x", "com_y", "com_z", *(f"inertia_{axes}" for axes in AXES
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Refit:
-    """``amended``: the model with its new numbers and all that was named; ``estimates``: of what was named,
-    where the fit has better ones."""
+    """``robot``: the model with its new numbers and all that was named; ``origins``: of each of its effects
+    the index among those of the description, None where it is new; ``estimates``: of what was named, where
+    the fit has better ones."""
 
-    amended: Amended
+    robot: Robot
+    origins: tuple[int | None, ...]
     estimates: Mapping[Key, Mapping[str, Estimate]]
 
 
 def refit(
-    robot: Robot, amendments: Sequence[Amendment], gates: Sequence[Gate], *, widest: bool
+    robot: Robot, amendments: Sequence[Amendment], gates: Sequence[Gate], *, unstated: float | None
 ) -> Refit | None:
-    """``robot`` with the ``amendments`` and new numbers of its own; ``widest``: where nothing is said of
-    inertial numbers, they are a guess. None where the numbers lead to no model."""
+    """``robot`` with the ``amendments`` and new numbers of its own; ``unstated``: by which share
+    the numbers may be wrong of which nothing is said. None where the numbers lead to no model."""
     rigid = {(a.effect, a.joint) for a in amendments if _fold(a.effect) == "link"}
     bodies = [a for a in amendments if CATALOGUE[a.effect].traits.body]
     kept = [a for a in amendments if (a.effect, a.joint) not in rigid and a not in bodies]
     amended = apply_amendments(robot, kept)
     loose = {joint for _, joint in rigid}
-    links = tuple(_stated(link, widest=widest or j in loose) for j, link in enumerate(amended.robot.links, 1))
+    links = tuple(
+        _stated(link, 1.0 if j in loose else unstated) for j, link in enumerate(amended.robot.links, 1)
+    )
     joints: dict[str, set[int]] = {}
     for one in kept:
         fold = CATALOGUE[one.effect].traits.fold
@@ -67,16 +71,13 @@ def refit(
     for joint in sorted(j for _, j in rigid if j is not None):
         (id,) = {effect for effect, j in rigid if j == joint}
         estimates[id, joint] = _changes(robot.links[joint - 1], outcome, joint)
-    done = replace(amended, robot=model)
+    origins = amended.origins
     for body in bodies:
         estimates[body.effect, None] = _load(outcome)
         values = {name: one.value for name, one in estimates[body.effect, None].items()}
         again = apply_amendments(model, [replace(body, parameters=values)])
-        done = replace(
-            done, robot=again.robot,
-            origins=tuple(None if k is None else amended.origins[k] for k in again.origins),
-        )  # fmt: skip
-    return Refit(done, estimates)
+        model, origins = again.robot, tuple(None if k is None else origins[k] for k in again.origins)
+    return Refit(model, origins, estimates)
 
 
 def is_better(before: Floats, after: Floats) -> bool:
@@ -91,11 +92,13 @@ def _fold(id: str) -> str | None:
     return None if fold is None else fold.into
 
 
-def _stated(link: Link, *, widest: bool) -> Link:
-    """A link of which the description says how well it is known."""
-    if widest and link.confidence is None:
-        return replace(link, confidence="unknown")
-    return replace(link, confidence=SHARE_NOT_STATED) if link.confidence is None else link
+def _stated(link: Link, share: float | None) -> Link:
+    """A link of which is stated how well it is known."""
+    if link.confidence is not None:
+        return link
+    if share is None:
+        return replace(link, confidence=SHARE_NOT_STATED)
+    return replace(link, confidence="unknown" if share >= 1 else Fraction(share).limit_denominator(1000))
 
 
 def _with_confidence(link: Link, described: Link) -> Link:

@@ -104,10 +104,11 @@ def diagnose(
     amendments = [_amendment(f) for f in named]
     done = apply_amendments(robot, amendments)
     model = done.robot
-    own = refit(robot, amendments, gates, widest=first.widest) if verdict != "unexplained" else None
-    refitted = own is not None and _is_refitted(lacks, model, own.amended.robot, gates, seen)
+    own = refit(robot, amendments, gates, unstated=first.unstated) if verdict != "unexplained" else None
+    refitted = own is not None and _is_refitted(lacks, model, own.robot, gates, seen)
+    origins = done.origins
     if own is not None and refitted:
-        done, model = own.amended, own.amended.robot
+        model, origins = own.robot, own.origins
         findings = tuple(_with_estimates(f, own.estimates.get((f.effect, f.joint), {})) for f in findings)
         gap = _gap(lacks, robot, model, gates, seen)
     old = text if text is not None and parameters is None else to_yaml(robot)
@@ -118,7 +119,7 @@ def diagnose(
         comments = comments_of(done, amendments, notes)
         if refitted:
             comments += [(_refitted_places(robot, model), [f"{note}: fitted within their confidence"])]
-        new = to_yaml(model) if parameters else rewritten(old, robot, model, done.origins, comments)
+        new = to_yaml(model) if parameters else rewritten(old, robot, model, origins, comments)
     described = tuple(
         {
             "name": _name(names, k) or f"log {k + 1}",

@@ -28,6 +28,7 @@ from robodyn.diagnose.select.limits import (
     REPLACING_SHARE,
     REPLACING_T,
     ROUGH,
+    ROUGH_SHARE,
     ROUGH_T,
     ROUGH_TIE,
     TIE,
@@ -169,7 +170,8 @@ def best_of(
         steady = steady or (one.t >= LEAST_T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
         if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
             steady = steady or (one.t >= ROUGH_T and one.gain > 2 * wanted)
-        if one.share < (REPLACING_SHARE if one.replaced else LEAST_SHARE) and (rough or not c.local):
+        least_share = (ROUGH_SHARE if rough else REPLACING_SHARE) if one.replaced else LEAST_SHARE
+        if one.share < least_share and (rough or not c.local):
             return False
         if one.replaced and one.t < REPLACING_T:
             return False

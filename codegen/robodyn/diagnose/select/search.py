@@ -52,10 +52,14 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
     with a contact in it."""
     pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
 
-    def look(model: Robot, known: Iterable[Key], widest: bool | None) -> Selection:
+    def look(model: Robot, known: Iterable[Key], unstated: float | None) -> Selection:
         return select(
-            model, pieces, known=frozenset(known), widest=widest, progress=lambda name: tell(f"found {name}")
-        )
+            model,
+            pieces,
+            known=frozenset(known),
+            unstated=unstated,
+            progress=lambda name: tell(f"found {name}"),
+        )  # fmt: skip
 
     tell("fitting the catalogue")
     first = last = look(robot, (), None)
@@ -73,7 +77,7 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
             break  # what was left out comes again, or in another guise
         findings, model = more, amended(robot, _amendments(more))
         tell("fitting what is left")
-        last = look(model, findings, first.widest)
+        last = look(model, findings, first.unstated)
     return Outcome(findings, model, first, last)
 
 
