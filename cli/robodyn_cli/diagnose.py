@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 from collections.abc import Mapping, Sequence
@@ -13,6 +12,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
+from robodyn_cli.choices import SEVERAL_EFFECTS
 from robodyn_cli.common import (
     json_option,
     load_robot,
@@ -22,10 +22,14 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
+from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
+from robodyn_cli.log_options import input_files, log_map, log_options
+from robodyn_cli.options import listed
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
     from robodyn.diagnose.result import Diagnosis
+    from robodyn.logs.mapping import LogMap
     from robodyn.robot import Robot
 
 #: Exit code if a residual remains that no effect explains.
@@ -37,9 +41,25 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @robot_argument
 @click.argument("logs", metavar="TRAIN.csv [MORE.csv ...]", nargs=-1, required=True)
 @click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@log_options
 @click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
 @click.option(
     "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
+)
+@click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
+@click.option(
+    "--except", "without", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for all but these effects."
+)
+@click.option(
+    "--joints",
+    metavar="J,K",
+    help="Look for effects at these joints only, and for none of the whole robot (payload, base tilt).",
+)
+@click.option(
+    "--most",
+    type=click.IntRange(1),
+    metavar="N",
+    help="Name at most N effects; one at several joints counts once.  [default: 8]",
 )
 @click.option("--no-kernels", is_flag=True, help="Do not write C and Fortran of the amended model.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
@@ -48,28 +68,38 @@ def command(
     robot: str,
     logs: tuple[str, ...],
     validate: str | None,
+    map_file: str | None,
+    columns: str | None,
     out: str,
     param: tuple[tuple[str, float], ...],
+    only: str | None,
+    without: str | None,
+    joints: str | None,
+    most: int | None,
     no_kernels: bool,
     strict: bool,
     as_json: bool,
 ) -> None:
     """Find the effects that a model is missing, add them, and validate the amended model.
 
-    Logs (.csv or .parquet) have the columns t, q1.., tau1.., and optionally qd1.., qdd1.. and ql1.. (second
-    encoders, on the links), in SI units; A.csv+B.csv is a log whose ql1.. stand in a second file. The command
-    writes diagnosis.json, model.yaml (the amended description), report.html (one page, no network access) and
-    kernels/ to DIR. The same input gives the same files. Exit code 4 means that a residual remains that no
-    effect of the catalogue explains.
+    Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.., and optionally
+    qd1.., qdd1.. and ql1.. (second encoders, on the links), in SI units, unless --map or --columns says
+    otherwise; A.csv+B.csv is a log whose ql1.. stand in a second file. The command writes diagnosis.json,
+    model.yaml (the amended description), report.html (one page, no network access) and kernels/ to DIR. The
+    same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
+    explains.
     """
-    folder = _folder(out)
+    folder = result_folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
-    from robodyn.logs.second_file import files_of
-
-    _spare_inputs(folder, [robot, *(file for source in sources for file in files_of(source))])
+    inputs = [robot, *(str(file) for source in sources for file in input_files(source))]
+    spare_inputs([folder / name for name in (_DATA, _MODEL, _REPORT)], inputs)
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
-    diagnosis = _diagnosed(described, robot, logs, validate, values)
+    scope = {
+        "only": _effects("--only", only), "without": _effects("--except", without),
+        "joints": _joints(joints), "most": most,
+    }  # fmt: skip
+    diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns), scope)
     validated = validate is not None
     text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from robodyn.report.diagnosis import page
@@ -98,27 +128,20 @@ def command(
 # --- before the diagnosis ---------------------------------------------------------------------------------
 
 
-def _folder(text: str) -> Path:
-    """The folder of ``-o``, which need not exist yet."""
-    if not text:
-        raise InputError("the path after -o is empty", remedy="use -o . for this folder")
-    folder = Path(text)
-    if folder.exists() and not folder.is_dir():
-        raise InputError(
-            f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with -o"
-        )
-    return folder
+def _effects(option: str, text: str | None) -> tuple[str, ...]:
+    """The ids of ``--only`` or ``--except``."""
+    ids = listed(text or "")
+    if text is not None and not ids:
+        raise InputError(f"{option} is empty", expected="ids of effects, as robodyn effects lists them")
+    return ids
 
 
-def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
-    """Refuse to overwrite an input, as a second run on its own model would."""
-    for output in (folder / name for name in (_DATA, _MODEL, _REPORT)):
-        for source in inputs:
-            if output.exists() and Path(source).exists() and output.samefile(source):
-                raise InputError(
-                    f"{printable(output)} is an input and would be overwritten",
-                    remedy="choose another folder with -o",
-                )
+def _joints(text: str | None) -> list[int]:
+    """The joints of ``--joints``."""
+    words = [] if text is None else [word.strip() for word in text.split(",")]
+    if not all(word.isascii() and word.isdigit() for word in words):
+        raise InputError("--joints is not a list of joints", found=str(text), expected="numbers, such as 1,3")
+    return [int(word) for word in words]
 
 
 # --- the diagnosis ----------------------------------------------------------------------------------------
@@ -130,51 +153,25 @@ def _diagnosed(
     logs: Sequence[str],
     validate: str | None,
     values: Mapping[str, float] | None,
+    mapping: LogMap | None,
+    scope: Mapping[str, Any],
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
-    from robodyn.logs.log import read_log
 
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:
-        read, hashes = [], []
-        for path in paths:
-            shown.tell(f"robodyn: reading {printable(path)}")
-            read.append(read_log(path, robot.n))
-            hashes.append(_hash(path))
-        for k, path in enumerate(paths):
-            if hashes[k] in hashes[:k]:
-                shown.clear()
-                first = printable(paths[hashes.index(hashes[k])])
-                talk(f"robodyn: warning: {printable(path)} is identical to {first} and adds no evidence")
+        read, hashes = read_all(robot, paths, mapping, shown)
         return diagnose(
             robot,
             read[: len(logs)],
             None if validate is None else read[-1],
-            text=_text(spec),
+            text=description_of(spec),
             names=[printable(Path(path).name) for path in paths],
             hashes=hashes,
             parameters=values,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
+            **scope,
         )
-
-
-def _hash(source: str) -> str:
-    """SHA-256 of the file or files of a log."""
-    from robodyn.logs.second_file import files_of
-
-    digests = []
-    for path in files_of(source):
-        with Path(path).open("rb") as file:
-            digests.append(hashlib.file_digest(file, "sha256").hexdigest())
-    return digests[0] if len(digests) == 1 else hashlib.sha256("+".join(digests).encode()).hexdigest()
-
-
-def _text(spec: str) -> str:
-    """The text of the robot description ``spec``."""
-    from robodyn.robot import bundled_text
-
-    path = Path(spec)
-    return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
 
 
 def _kernels(diagnosis: Diagnosis) -> dict[str, str]:

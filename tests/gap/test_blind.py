@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,12 @@ require_module("mujoco")
 
 from benchmarks.gap.blind import __main__ as blind  # noqa: E402
 from benchmarks.gap.blind.grade import contact, status, values  # noqa: E402
+from benchmarks.gap.blind.identification import (  # noqa: E402
+    _truth,
+    described,
+    free_of,
+    numbers,
+)
 from benchmarks.gap.blind.summary import coverage, intervals, names  # noqa: E402
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, arm_of, model_of, trials  # noqa: E402
 
@@ -147,3 +154,35 @@ def test_a_run_goes_on_where_it_stopped(tmp_path: Path, monkeypatch: pytest.Monk
     assert len(ran) == len(set(ran)) == 5
     rows = [json.loads(line) for line in file.read_text().splitlines()]
     assert names(rows) == "null: 5: silent 5 (100 %); 1 s (median), 1 s"
+
+
+def test_identified_numbers_stand_beside_the_true_ones() -> None:
+    true = arm_of(Trial("identify", "puma560_3dof", 1, friction=True))
+    joint = true.links[1].joint
+    assert _truth(true, "link2", "mass") == _float(true.links[1].mass)
+    assert _truth(true, "link2", "com_z") == _float(true.links[1].com[2])
+    assert _truth(true, "link3", "inertia_xy") == _float(true.links[2].inertia.xy)
+    assert _truth(true, "joint2", "viscous_friction.coefficient") == _float(joint.viscous)
+    assert _truth(true, "joint2", "rotor_inertia.inertia") == _float(joint.motor_inertia)
+    assert _truth(true, "joint2", "torque_gain.gain") is None
+
+
+def test_what_is_described_lacks_friction_and_is_wrong() -> None:
+    trial = Trial("identify", "ur10", 1, friction=True, off=0.3, stated=0.3)
+    robot, true = described(trial), arm_of(trial)
+    assert all(link.joint.coulomb for link in true.links)
+    assert not any(link.joint.coulomb or link.joint.viscous for link in robot.links)
+    assert all(link.confidence == Fraction(3, 10) for link in robot.links)
+    assert robot.links[2].mass != true.links[2].mass
+    free = free_of(replace(trial, kind="after", effect="spring", joint=2, ratio=3.0))
+    assert (free.effect, free.friction) == (None, True)
+    assert free.seed != trial.seed
+
+
+@pytest.mark.thorough
+def test_an_identified_arm_leaves_what_the_true_one_leaves() -> None:
+    trial = Trial("identify", "puma560_3dof", 1, friction=True, off=0.3, stated=0.3)
+    row = numbers(trial, Trial.make)
+    assert row["strict"]
+    assert np.array(row["floor_ratio"]) == pytest.approx(row["truth_ratio"], rel=0.05)
+    assert sum(abs(value - true) > 4 * error for _, value, error, true in row["values"]) <= 2

@@ -20,7 +20,6 @@ from robodyn.errors import InputError, Place
 from robodyn.logs import columns, csv_file, parquet_file, parquet_pages
 from robodyn.logs.columns import LARGEST, layout_of
 from robodyn.logs.log import read_log
-from robodyn.logs.provenance import read_provenance
 from robodyn.simulate.torque_file import read_torques
 from robodyn.simulate.trajectories import from_file
 from robodyn_testing import require_module
@@ -312,7 +311,8 @@ def test_what_is_no_file_is_not_waited_for(
     os.mkfifo("pipe")
     for link in ("log.csv", "log.parquet"):
         Path(link).symlink_to(name)
-        with pytest.raises(InputError, match="this is not a regular file"):
+        refused = "no recording in the folder" if name == "folder" else "this is not a regular file"
+        with pytest.raises(InputError, match=refused):
             read_log(link)
         for read in (lambda path: read_torques(path, 1), from_file):
             with pytest.raises(InputError, match="this is not a regular file"):
@@ -339,12 +339,3 @@ def test_a_motion_takes_no_more_than_its_text(tmp_path: Path) -> None:
     path.write_text("t,q1" + "".join(f",x{k}" for k in range(100_000)) + "\n" + "0\n" * 1_000_000)
     with pytest.raises(InputError, match=r"motion\.csv:2: a line of the wrong length; found 1 cells"):
         from_file(path)
-
-
-@pytest.mark.parametrize(
-    "text", ["[" * 100_000, '{"a":' * 100_000, "NaN", "[1e999]", '"\\ud800"', "9" * 9999]
-)
-def test_provenance_that_is_none(tmp_path: Path, text: str) -> None:
-    (tmp_path / "log.csv.json").write_text(text)
-    with pytest.raises(InputError, match="not the provenance of a log"):
-        read_provenance(tmp_path / "log.csv")

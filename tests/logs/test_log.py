@@ -213,10 +213,7 @@ def test_nan_and_infinity_are_values(written: Callable[[str | bytes], str]) -> N
         (b"t,q\xe91,tau1\n", "log.csv:1:4: the file is not UTF-8 text; found byte 0xe9"),
         (GOOD.encode("utf-16"), "log.csv:1:1: the file is not UTF-8 text; found UTF-16"),
         (b"PAR1....", "give it the ending .parquet"),
-        (GOOD.replace(",", ";"), "no t; expected t,q1,tau1; separate the columns by"),
-        (GOOD.replace(",", "\t"), "not tabs"),
         ("0.0,1.0,2.0\n0.1,1.0,2.0\n", "write a first line with the names of the columns"),
-        ("# my log\n" + GOOD, "delete the lines above the names"),
         ("time,q1,tau1\n0,1,2\n", "found no t; expected t,q1,tau1; call the time t [s]"),
         ("t,q1,q3,tau1,tau2,tau3\n", "log.csv:1: the log lacks columns; found no q2; expected"
          " t,q1..q3,tau1..tau3"),
@@ -248,7 +245,7 @@ def test_a_line_without_end_is_not_read_for_ever(
 
 def test_what_cannot_be_read(tmp_path: Path) -> None:
     assert "no such file" in complaint(str(tmp_path / "none.csv"))
-    assert "not a regular file" in complaint(str(tmp_path))
+    assert "there is no recording in the folder" in complaint(str(tmp_path))
     assert "null" in complaint("a\0b")
     pipe = tmp_path / "pipe.csv"
     os.mkfifo(pipe)

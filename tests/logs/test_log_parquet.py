@@ -128,3 +128,12 @@ def test_provenance_is_json_whatever_it_holds(tmp_path: Path) -> None:
         (tmp_path / "log.csv.json").write_text(wrong)
         with pytest.raises(InputError, match="not the provenance of a log"):
             read_provenance(tmp_path / "log.csv")
+
+
+@pytest.mark.parametrize(
+    "text", ["[" * 100_000, '{"a":' * 100_000, "NaN", "[1e999]", '"\\ud800"', "9" * 9999]
+)
+def test_provenance_that_is_none(tmp_path: Path, text: str) -> None:
+    (tmp_path / "log.csv.json").write_text(text)
+    with pytest.raises(InputError, match="not the provenance of a log"):
+        read_provenance(tmp_path / "log.csv")

@@ -16,6 +16,7 @@ LARGEST = 1 << 28
 GROUPS = ("t", "q", "qd", "qdd", "tau", "ql")
 LINKS = ("t", "ql")
 
+_NO_NAMES = "write a first line with the names of the columns"
 _INDEXED = re.compile(r"(q|qd|qdd|tau|ql)([1-9][0-9]{0,2})\Z")
 
 
@@ -37,16 +38,18 @@ class Layout:
         return tuple(position for group in self.groups.values() for position in group)
 
 
-def layout_of(names: Sequence[str], n: int | None, where: Place, wanted: Sequence[str] = GROUPS) -> Layout:
+def layout_of(
+    names: Sequence[str], n: int | None, where: Place, wanted: Sequence[str] = GROUPS, *, named: bool = True
+) -> Layout:
     """The layout of a file whose columns are called ``names``; ``n`` joints, None: as many as it numbers.
 
-    ``wanted``: the groups that are looked for.
+    ``wanted``: the groups that are looked for; ``named``: whether the file names its columns itself.
 
     Raises
     ------
     InputError: columns are missing, or there twice.
     """
-    twice = sorted(name for name, count in Counter(names).items() if count > 1 and _known(name))
+    twice = sorted(name for name, count in Counter(names).items() if count > 1 and is_known(name))
     if twice:
         raise InputError(
             "the log has two columns with the same name",
@@ -72,7 +75,7 @@ def layout_of(names: Sequence[str], n: int | None, where: Place, wanted: Sequenc
                 where=where,
                 found=f"no {_short(missing)}",
                 expected=f"all of {columns[0]}..{columns[-1]}, or none" if optional else _expected(joints),
-                remedy=_header_remedy(names, at),
+                remedy=_header_remedy(names, at) if named else _NO_NAMES,
             )
         groups[group] = tuple(at[name] for name in columns)
     linked = tuple(i for i in range(joints) if f"ql{i + 1}" in at)
@@ -103,7 +106,8 @@ def too_large(layout: Layout, where: Place) -> InputError:
     )
 
 
-def _known(name: str) -> bool:
+def is_known(name: str) -> bool:
+    """Whether ``name`` is one that a column of a log has."""
     return name == "t" or _INDEXED.match(name) is not None
 
 
@@ -123,14 +127,14 @@ def _header_remedy(names: Sequence[str], known: Mapping[str, int]) -> str | None
             if mark in names[0]:
                 return f"separate the columns by commas, not {word} (and write decimals with a point)"
     if names and all(number_of(name.encode()) is not None for name in names):
-        return "write a first line with the names of the columns"
+        return _NO_NAMES
     if names and names[0].startswith("#"):
         return "delete the lines above the names of the columns, and the #"
     if "q0" in known:
         return "number the joints from 1"
-    if any(not _known(name) and _known(name.lower()) for name in names):
+    if any(not is_known(name) and is_known(name.lower()) for name in names):
         return "write the names in small letters"
-    if "t" not in known and any(_known(name) for name in names):
+    if "t" not in known and any(is_known(name) for name in names):
         return "call the time t [s]"
     return "name the columns so, in any order, in SI units"
 

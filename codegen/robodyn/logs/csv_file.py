@@ -7,6 +7,7 @@ through cell by cell, for the place of what is wrong.
 from __future__ import annotations
 
 import io
+import math
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -17,7 +18,8 @@ from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
-from robodyn.logs.columns import GROUPS, LARGEST, Layout, layout_of, number_of, too_large
+from robodyn.logs.columns import GROUPS, LARGEST, Layout, is_known, layout_of, number_of, too_large
+from robodyn.logs.dialect import HEAD, Dialect, are_units, canonical, cells_of, dialect_of, filled
 from robodyn.logs.shortest import table_text
 from robodyn.robot.names import shown
 
@@ -70,21 +72,56 @@ def read_csv(
     InputError: not such a log, with the line and column of what is wrong.
     OSError: the file cannot be read.
     """
+    dialect = read_dialect(path, file)
+    where = Place(file, max(1, dialect.line - 1))
+    layout = layout_of(dialect.names, n, where, wanted, named=dialect.named)
+    return layout, read_rows(path, file, layout, dialect)
+
+
+def read_dialect(path: Path, file: str) -> Dialect:
+    """How the table at ``path`` is written.
+
+    Raises
+    ------
+    InputError: it is not text.
+    OSError: the file cannot be read.
+    """
     with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
-        layout = layout_of(_header(source, file), n, Place(file, 1), wanted)
+        names = _header(source, file)
+        below = cells_of(source.readline(LINE + 1).decode("utf-8", "replace").rstrip("\r\n"), ",")
+        if any(map(is_known, names)) and not are_units(below):
+            return Dialect(tuple(names))
+        source.seek(0)
+        head = source.read(HEAD).decode("utf-8", "replace").removeprefix("\ufeff")
+        return dialect_of(head) or Dialect(tuple(names))
+
+
+def read_rows(path: Path, file: str, layout: Layout, dialect: Dialect) -> dict[str, Floats]:
+    """The groups of ``layout`` of a table: [K, m] each.
+
+    Raises
+    ------
+    InputError: a row is not one, with the line and column of what is wrong.
+    OSError: the file cannot be read.
+    """
+    with io.BufferedReader(open_regular(path, "a log, such as log.csv", file)) as source:
+        for line in range(1, dialect.line):
+            if len(source.readline(LINE + 1)) > LINE:
+                raise _too_long(Place(file, line))
         size = os.fstat(source.fileno()).st_size - source.tell()
         most = LARGEST // len(layout.wanted)
         tables = {group: np.empty((0, len(at))) for group, at in layout.groups.items()}
-        samples, line = 0, 2
-        for block in _blocks(source, file):
-            rows = _parse(block, layout, Place(file, line))
+        samples, line = 0, dialect.line
+        for block in _blocks(source, file, line):
+            rows = _parse(block, layout, Place(file, line), dialect)
             line += block.count(b"\n")
             end = samples + len(rows)
             if end > most:
                 raise too_large(layout, Place(file, line))
-            if end > len(tables["t"]):
+            room = len(next(iter(tables.values())))
+            if end > room:
                 # As many as the file has at this rate; lines that grow shorter may call for more.
-                room = max(end, int(1.02 * len(rows) * size / len(block)) + 16, len(tables["t"]) * 5 // 4)
+                room = max(end, int(1.02 * len(rows) * size / len(block)) + 16, room * 5 // 4)
                 room = min(room, most)
                 for table in tables.values():
                     table.resize((room, table.shape[1]), refcheck=False)
@@ -99,7 +136,7 @@ def read_csv(
         )
     for table in tables.values():
         table.resize((samples, table.shape[1]), refcheck=False)
-    return layout, tables
+    return tables
 
 
 def _header(source: BinaryIO, file: str) -> list[str]:
@@ -136,8 +173,7 @@ def _header(source: BinaryIO, file: str) -> list[str]:
         )
     if len(data) > LINE:
         raise _too_long(Place(file, 1))
-    names = _decode(data, Place(file, 1)).removeprefix("\ufeff").split(",")
-    return [name.strip().removeprefix('"').removesuffix('"') for name in names]
+    return cells_of(_decode(data, Place(file, 1)).removeprefix("\ufeff").rstrip("\r\n"), ",")
 
 
 def _too_long(where: Place) -> InputError:
@@ -159,9 +195,9 @@ def _decode(data: bytes, where: Place) -> str:
         ) from None
 
 
-def _blocks(source: BinaryIO, file: str) -> Iterator[bytes]:
-    """The rest of the file in pieces of whole lines; the last line may lack its end."""
-    rest, line = b"", 2
+def _blocks(source: BinaryIO, file: str, line: int) -> Iterator[bytes]:
+    """The rest of the file, from ``line`` on, in pieces of whole lines; the last line may lack its end."""
+    rest = b""
     while piece := source.read(BLOCK):
         cut = piece.rfind(b"\n") + 1
         if cut:
@@ -177,12 +213,14 @@ def _blocks(source: BinaryIO, file: str) -> Iterator[bytes]:
         yield rest
 
 
-def _parse(block: bytes, layout: Layout, where: Place) -> Floats:
+def _parse(block: bytes, layout: Layout, where: Place, dialect: Dialect) -> Floats:
     """The wanted cells of the lines of ``block``, ``[rows, columns]``; ``where`` is its first line."""
+    block = block if dialect.plain else canonical(block, dialect)
     text = block.replace(b"\r\n", b"\n") if b"\r" in block else block
     text = text if text.endswith(b"\n") else text + b"\n"
     if text.startswith(b"\n") or b"\n\n" in text:
         text = b"".join(line + b"\n" for line in text.split(b"\n") if line)
+    text = filled(text) if dialect.empty else text
     marks = np.frombuffer(text, np.uint8)
     marks = marks[(marks == _COMMA) | (marks == _NEWLINE)]
     if marks.size and marks.size % layout.width == 0:
@@ -195,10 +233,10 @@ def _parse(block: bytes, layout: Layout, where: Place) -> Floats:
                 return rows
             except ValueError:
                 pass  # the search below says where
-    return _search(block, layout, where)
+    return _search(block, layout, where, empty=dialect.empty)
 
 
-def _search(block: bytes, layout: Layout, where: Place) -> Floats:
+def _search(block: bytes, layout: Layout, where: Place, *, empty: bool) -> Floats:
     """As :func:`_parse`, cell by cell; stops at the first that is wrong."""
     assert where.line is not None
     lines = block.split(b"\n")
@@ -218,7 +256,7 @@ def _search(block: bytes, layout: Layout, where: Place) -> Floats:
             )
         row = []
         for position in layout.wanted:
-            value = number_of(cells[position])
+            value = math.nan if empty and not cells[position].strip() else number_of(cells[position])
             if value is None:
                 raise _wrong_cell(cells, position, Place(where.file, line))
             row.append(value)

@@ -14,6 +14,9 @@ from typing import Final
 SAME_TIME: Final = 0.5
 """[share of the time from row to row] Rows of two files are of the same sample up to this difference."""
 
+APART: Final = 3.5
+"""[times between two samples] Between samples further apart nothing is interpolated."""
+
 # --- signals --------------------
 
 LOWEST_CUTOFF: Final = 6.0

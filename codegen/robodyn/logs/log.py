@@ -9,7 +9,7 @@ it, ``LOG.csv.json``, which depends on nothing but the run: no time of day, no p
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -17,17 +17,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError, Place
+from robodyn.errors import InputError
 from robodyn.files import label
-from robodyn.logs.columns import GROUPS, LINKS, Layout
-from robodyn.logs.csv_file import read_csv, write_csv
+from robodyn.logs.assemble import assemble
+from robodyn.logs.columns import GROUPS, LINKS
+from robodyn.logs.csv_file import read_csv, read_dialect, write_csv
+from robodyn.logs.formats import PARQUET, is_table, open_recording, readable
+from robodyn.logs.mapping import LogMap
 from robodyn.logs.parquet_file import read_parquet, write_parquet
 from robodyn.logs.provenance import provenance_text
-from robodyn.logs.second_file import joined, split_pair, spread
+from robodyn.logs.second_file import joined, split_pair, spread, with_second
+from robodyn.logs.usual import usual_map
+from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
-
-_PARQUET = (".parquet", ".pq")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,7 +40,8 @@ class Log:
 
     ``ql`` [K, n] are second encoders, behind the gears (rad or m): NaN throughout for joints that have none,
     None where no joint has one. ``provenance`` is what :func:`provenance` says of a run; ``ignored`` are the
-    columns of a file that were not read. NaN and infinity may stand anywhere.
+    columns of a file that were not read; ``notes`` say what was done to bring its streams together. NaN and
+    infinity may stand anywhere.
 
     Raises
     ------
@@ -52,6 +56,7 @@ class Log:
     provenance: Mapping[str, Any] = field(default_factory=dict)
     ignored: tuple[str, ...] = ()
     ql: Floats | None = None
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("t", "q", "qd", "qdd", "tau", "ql"):
@@ -114,7 +119,7 @@ class Log:
         ------
         ToolError: it is to be Parquet, and pyarrow is missing.
         """
-        content = self.parquet() if name.lower().endswith(_PARQUET) else self.csv()
+        content = self.parquet() if name.lower().endswith(PARQUET) else self.csv()
         return {name: content, f"{name}.json": provenance_text(self.provenance)}
 
     def _groups(self) -> list[tuple[str, Floats]]:
@@ -131,45 +136,76 @@ class Log:
 # --- reading ----------------------------------------------------------------------------------------------
 
 
-def read_log(path: str | os.PathLike[str], n: int | None = None) -> Log:
-    """The log in the file ``path``: Parquet if its name ends in .parquet or .pq, else text.
+def read_log(
+    path: str | os.PathLike[str],
+    n: int | None = None,
+    *,
+    mapping: LogMap | None = None,
+    robot: Robot | None = None,
+) -> Log:
+    """The log in the file ``path``: text, Parquet, npz, MATLAB, MCAP, rosbag2 or JSON, by its ending.
 
     ``A.csv+B.csv`` is the log in A.csv with the columns of second encoders, ``ql1..``, in B.csv.
-    ``n``: how many joints are read; None: as many as the columns number. Columns are found by name, in any
-    order; all others are listed in ``ignored``. NaN and infinity are read, words are not.
+    ``n``: how many joints are read; None: as many as ``robot`` has, or the columns number. ``mapping`` says
+    which columns are what and in which units; ``robot`` has the gears that it may leave to the description.
+    Without a map the columns have the names of :attr:`Log.columns`, in any order; all others are listed in
+    ``ignored``, and joint states of a bag go by the joints' names. NaN and infinity are read, words are not.
 
     Raises
     ------
     InputError: no such file, or not such a log; with file, line and column of what is wrong.
-    ToolError: it is Parquet, and pyarrow is missing.
+    ToolError: the library for its format is missing.
     """
+    if robot is not None and n is None:
+        n = robot.n
     if n is not None and n < 1:
         raise InputError("a log is of one joint or more", found=f"n = {n}")
     name, second = split_pair(os.fspath(path))
-    layout, tables = _read(name, n)
+    if mapping is None and is_table(name) and (second is None or is_table(second)):
+        log = _of_table(name, n)
+        if log is not None:
+            return log if second is None else _joined(log, second)
+    return _of_recording(name, second, mapping, n, robot)
+
+
+def _of_table(name: str, n: int | None) -> Log | None:
+    """The log in a table whose columns have the usual names; None if they state units."""
+    file = label(name)
+    with readable(file):
+        parquet = name.lower().endswith(PARQUET)
+        if not parquet and read_dialect(Path(name), file).units:
+            return None
+        layout, tables = (read_parquet if parquet else read_csv)(Path(name), file, n, GROUPS)
     ql = spread(tables.get("ql"), layout)
-    log = Log(
+    return Log(
         tables["t"][:, 0], tables["q"], tables.get("qd"), tables.get("qdd"), tables["tau"], {},
         layout.ignored, ql,
     )  # fmt: skip
-    if second is None:
-        return log
-    other, more = _read(second, log.n, LINKS)
-    return replace(log, ql=joined(log.t, log.ql, more["t"][:, 0], spread(more["ql"], other), label(second)))
 
 
-def _read(name: str, n: int | None, wanted: Sequence[str] = GROUPS) -> tuple[Layout, dict[str, Floats]]:
-    """The groups ``wanted`` of the file called ``name``."""
-    file = label(name)
-    try:
-        read = read_parquet if name.lower().endswith(_PARQUET) else read_csv
-        return read(Path(name), file, n, wanted)
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise InputError("the log cannot be read", where=Place(file), found=reason.lower()) from None
-    except MemoryError:
-        raise InputError(
-            "the log does not fit into memory",
-            where=Place(file),
-            remedy="take a part of it, or fewer samples a second",
-        ) from None
+def _joined(log: Log, second: str) -> Log:
+    """``log`` with the second encoders in the file ``second``."""
+    file = label(second)
+    with readable(file):
+        read = read_parquet if second.lower().endswith(PARQUET) else read_csv
+        layout, tables = read(Path(second), file, log.n, LINKS)
+    ql = joined(log.t, log.ql, tables["t"][:, 0], spread(tables["ql"], layout), file)
+    return replace(log, ql=ql)
+
+
+def _of_recording(
+    name: str, second: str | None, mapping: LogMap | None, n: int | None, robot: Robot | None
+) -> Log:
+    """The log in a file of any format, by a map."""
+    recording = open_recording(name)
+    if mapping is None:
+        mapping = usual_map(recording, robot)
+    if second is not None:
+        mapping = with_second(mapping, open_recording(second), second)
+    with readable(recording.file):
+        arrays = assemble(recording, mapping, n, robot, open_recording)
+    groups = arrays.groups
+    return Log(
+        arrays.t, groups["q"], groups.get("qd"), groups.get("qdd"), groups["tau"], {}, (),
+        groups.get("ql"), arrays.notes,
+    )  # fmt: skip

@@ -5,9 +5,10 @@ from __future__ import annotations
 import importlib
 import io
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError, Place, ToolError
 from robodyn.files import open_regular
 from robodyn.logs.columns import GROUPS, LARGEST, Layout, layout_of, too_large
-from robodyn.logs.parquet_pages import Damaged, check_pages, read_footer
+from robodyn.logs.parquet_pages import Damaged, Footer, check_pages, read_footer
 from robodyn.robot.names import shown
 
 Floats = NDArray[np.float64]
@@ -51,21 +52,45 @@ def read_parquet(
     ToolError: pyarrow is missing.
     OSError: the file cannot be read.
     """
+    with _opened(path, file) as parts:
+        pyarrow = parts[0]
+        layout = layout_of(parts[1].schema_arrow.names, n, Place(file), groups)
+        return layout, _rows(pyarrow, *parts[1:], layout, file)
+
+
+def parquet_columns(path: Path, file: str) -> tuple[tuple[str, ...], int]:
+    """Names of the columns of numbers, "" for all others, and how many rows there are.
+
+    Raises
+    ------
+    InputError, ToolError, OSError: as :func:`read_parquet`.
+    """
+    with _opened(path, file) as (pyarrow, opened, _, footer):
+        kinds = zip(opened.schema_arrow.names, opened.schema_arrow.types, strict=True)
+        names = tuple(name if _is_number(pyarrow, kind) else "" for name, kind in kinds)
+        return names, footer.rows
+
+
+def read_parquet_rows(path: Path, file: str, layout: Layout, names: Sequence[str]) -> dict[str, Floats]:
+    """The groups of ``layout`` [K, m] of the columns called ``names``; a value that is missing is NaN.
+
+    Raises
+    ------
+    InputError, ToolError, OSError: as :func:`read_parquet`.
+    """
+    with _opened(path, file) as parts:
+        return _rows(parts[0], *parts[1:], layout, file, gaps=True)
+
+
+@contextmanager
+def _opened(path: Path, file: str) -> Iterator[tuple[Any, Any, IO[bytes], Footer]]:
+    """pyarrow, the Parquet file, the file itself, and its footer; their errors become ours."""
     pyarrow, parquet = _pyarrow()
     with io.BufferedReader(open_regular(path, "a log, such as log.parquet", file)) as source:
         try:
-            size = os.fstat(source.fileno()).st_size
-            footer = read_footer(source, size)
+            footer = read_footer(source, os.fstat(source.fileno()).st_size)
             with parquet.ParquetFile(source) as opened:
-                layout = _layout(pyarrow, opened.schema_arrow, file, n, groups)
-                wanted = [opened.schema_arrow.names[position] for position in layout.wanted]
-                if not footer.rows:
-                    raise InputError("the log has no samples", where=Place(file), expected="a row a sample")
-                if footer.rows > LARGEST // len(wanted):
-                    raise too_large(layout, Place(file))
-                for chunk in footer.chunks(wanted):
-                    check_pages(source, size, chunk)
-                return layout, _tables(opened, layout, wanted, footer.rows, file)
+                yield pyarrow, opened, source, footer
         except (pyarrow.ArrowException, OSError, ValueError) as error:
             if isinstance(error, OSError) and error.errno is not None:  # of the system, not of pyarrow
                 raise
@@ -79,22 +104,49 @@ def read_parquet(
             ) from None
 
 
-def _layout(pyarrow: Any, schema: Any, file: str, n: int | None, groups: Sequence[str]) -> Layout:
-    """The layout of a file of that ``schema``; the columns that are read are of numbers."""
-    layout = layout_of(schema.names, n, Place(file), groups)
+def _rows(
+    pyarrow: Any,
+    opened: Any,
+    source: IO[bytes],
+    footer: Footer,
+    layout: Layout,
+    file: str,
+    *,
+    gaps: bool = False,
+) -> dict[str, Floats]:
+    """The groups of ``layout``; ``gaps``: whether values may be missing."""
+    _check_kinds(pyarrow, opened.schema_arrow, layout, file)
+    wanted = [opened.schema_arrow.names[position] for position in layout.wanted]
+    if not footer.rows:
+        raise InputError("the log has no samples", where=Place(file), expected="a row a sample")
+    if footer.rows > LARGEST // len(wanted):
+        raise too_large(layout, Place(file))
+    size = os.fstat(source.fileno()).st_size
+    for chunk in footer.chunks(wanted):
+        check_pages(source, size, chunk)
+    return _tables(opened, layout, wanted, footer.rows, file, gaps=gaps)
+
+
+def _is_number(pyarrow: Any, kind: Any) -> bool:
+    return bool(pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind))
+
+
+def _check_kinds(pyarrow: Any, schema: Any, layout: Layout, file: str) -> None:
+    """Refuse a ``layout`` with columns that are not of numbers."""
     for position in layout.wanted:
         kind = schema.types[position]
-        if not pyarrow.types.is_floating(kind) and not pyarrow.types.is_integer(kind):
+        if not _is_number(pyarrow, kind):
             raise InputError(
                 f"the column {shown(schema.names[position])} is not of numbers",
                 where=Place(file),
                 found=str(kind),
                 expected="double",
             )
-    return layout
 
 
-def _tables(opened: Any, layout: Layout, wanted: Sequence[str], rows: int, file: str) -> dict[str, Floats]:
+def _tables(
+    opened: Any, layout: Layout, wanted: Sequence[str], rows: int, file: str, *, gaps: bool
+) -> dict[str, Floats]:
     """The groups of a file whose columns are known to have so many ``rows``."""
     tables = {group: np.empty((rows, len(at))) for group, at in layout.groups.items()}
     start = 0
@@ -107,7 +159,8 @@ def _tables(opened: Any, layout: Layout, wanted: Sequence[str], rows: int, file:
             for i in range(table.shape[1]):
                 name = next(columns)
                 column = batch.column(name)
-                _refuse_gaps(column, name, start, file)
+                if not gaps:
+                    _refuse_gaps(column, name, start, file)
                 with np.errstate(invalid="ignore"):  # half floats that are no numbers
                     table[start:end, i] = column.to_numpy(zero_copy_only=False)
         start = end

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,9 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError, Place
 from robodyn.logs.columns import Layout
 from robodyn.logs.limits import SAME_TIME
+from robodyn.logs.mapping import JOINTS as MOST_JOINTS
+from robodyn.logs.mapping import Channel, LogMap
+from robodyn.logs.recording import Recording
 
 Floats = NDArray[np.float64]
 
@@ -31,6 +35,29 @@ def files_of(name: str) -> tuple[str, ...]:
     """The paths of the file or files that ``name`` stands for."""
     first, second = split_pair(name)
     return (first,) if second is None else (first, second)
+
+
+def with_second(mapping: LogMap, recording: Recording, file: str) -> LogMap:
+    """``mapping`` with the second encoders in the second ``file``, the ``recording``: as it says, else
+    ``ql1`` and so on.
+
+    Raises
+    ------
+    InputError: there are no such columns.
+    """
+    channel = mapping.groups.get("ql")
+    if channel is None:
+        columns = {column for stream in recording.streams for column in stream.columns}
+        joints = tuple(j for j in range(1, MOST_JOINTS) if f"ql{j}" in columns)
+        if not joints:
+            raise InputError(
+                "the file lacks columns of second encoders",
+                where=Place(recording.file),
+                found="no ql1, ql2, ...",
+                expected="one of them or more, or a map with ql",
+            )
+        channel = Channel(tuple(f"ql{j}" for j in joints), Place(recording.file), joints=joints)
+    return replace(mapping, groups={**mapping.groups, "ql": replace(channel, file=file)})
 
 
 def spread(columns: Floats | None, layout: Layout) -> Floats | None:

@@ -119,26 +119,8 @@ MOST_KINDS: Final = 8
 
 # --- contact --------------------
 
-BURST_FACTOR: Final = 9.0
-"""[median energies] A contact is a burst of so many,"""
-
-BURST_LENGTH: Final = 0.25
-"""[share of the log] no longer than this,"""
-
-BURST_SHARE: Final = 0.6
-"""[share of all that stands out] with at least this much,"""
-
-BURST_EXPLAINED: Final = 0.6
-"""[share of its squares] of which a force at one link explains as much."""
-
-BURST_GAP: Final = 0.15
-"""[s] Bursts that are nearer are one."""
-
-START_TIME: Final = 0.5
-"""[s] As near to the ends of a log the start of a motion is not mistaken for contact:"""
-
-START_SPEED: Final = 0.03
-"""[share of top speed] joints that are slower may stick there."""
+CONTACT_CONFIDENCE: Final = 0.9
+"""[probability] That of a contact that was found (docs/diagnose.md)."""
 
 # --- elastic --------------------
 
@@ -262,9 +244,6 @@ OF_TORQUE: Final = 0.004
 
 OF_ENCODER_NOISE: Final = 2.0
 """[-] and of what the encoders' noise makes of the torque."""
-
-CLIPPED_MARGIN: Final = 0.15
-"""[share of squares] A limit, with one number, may explain so much less than a contact, with three."""
 
 TIGHT: Final = 0.1
 """[-] How much better the arm's numbers may be than they are said to be (docs/decisions/0012),"""

@@ -27,7 +27,6 @@ from robodyn.diagnose.select.choice import (
     prepared,
     trials,
 )
-from robodyn.diagnose.select.contact import Contact, contact_in
 from robodyn.diagnose.select.fit import (
     Fit,
     Problem,
@@ -37,14 +36,11 @@ from robodyn.diagnose.select.fit import (
     problem,
     tighter,
     wider,
-    without,
 )
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
 from robodyn.diagnose.select.library import Context, candidates, context_of
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
-    BLOCKS,
-    CLIPPED_MARGIN,
     DIVERGED,
     OF_ENCODER_NOISE,
     OF_NOISE,
@@ -56,6 +52,7 @@ from robodyn.diagnose.select.limits import (
     TIGHT_EVIDENCE,
     UNSTATED,
 )
+from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
@@ -167,10 +164,11 @@ def select(
     unstated: float | None = None,
     progress: Callable[[str], object] | None = None,
     cutoff: float | None = None,
+    scope: Scope = EVERYTHING,
 ) -> Selection:
-    """What ``robot`` lacks to explain ``logs``, each evenly sampled; parts too short to be filtered are
-    left out. ``known``: what the model has of earlier passes; ``unstated``: by which share the inertial
-    numbers may be wrong of which nothing is stated (None: the logs decide)."""
+    """What ``robot`` lacks to explain ``logs``, each evenly sampled, in ``scope``; parts too short to be
+    filtered are left out. ``known``: what the model has of earlier passes; ``unstated``: by which share
+    the inertial numbers may be wrong of which nothing is stated (None: the logs decide)."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     pieces.sort(key=lambda log: -log.samples)
     longest = signals_of(pieces[0], cutoff=cutoff)
@@ -183,7 +181,7 @@ def select(
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
-    columns = zip(*(candidates(each) for each in contexts), strict=True)
+    columns = zip(*(candidates(each, scope) for each in contexts), strict=True)
     library = Library.of(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in columns
@@ -191,19 +189,13 @@ def select(
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
-    contact = contact_in(context, start) if len(contexts) == 1 else None
-    if contact is not None and (
-        _clipped_there(start, contact, library) or _otherwise(start, contact, library, least)
-    ):
-        contact = None
-    if contact is not None:
-        start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
 
     def choose(start: Problem, *, links: bool = True) -> Chosen:
         return forward(
-            start, library, least, contexts, known=known, rough=rough, links=links, progress=progress
-        )
+            start, library, least, contexts, known=known, rough=rough, links=links, most=scope.most,
+            progress=progress,
+        )  # fmt: skip
 
     def wide(share: float) -> Problem:
         return wider(start, start_of(contexts, prior_scales(context.model, share)))
@@ -229,8 +221,6 @@ def select(
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
-    if contact is not None:
-        estimated = (*estimated, _named_contact(contact, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
     for each in contexts:
@@ -272,35 +262,6 @@ def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[
         left = np.sqrt(np.median(one.fit.held_out, axis=0))
         factor = np.minimum(factor, np.where(left < STANDS_OUT, 1.0, left))
     return factor
-
-
-def _otherwise(start: Problem, contact: Contact, library: Library, least: Floats) -> bool:
-    """Whether an effect that acts all along explains more of a log than a contact does of its window."""
-    current = fitted(start)
-    by_force = contact.explained * float((start.rest[contact.mask] ** 2).sum()) / 2 / start.thin
-    return trials(start, current, library, least)[0].gain > by_force
-
-
-def _clipped_there(start: Problem, contact: Contact, library: Library) -> bool:
-    """Whether a torque that is cut off explains the burst as well as a force does."""
-    b = start.rest[contact.mask]
-    for k, candidate in enumerate(library.candidates):
-        channel = candidate.definition.traits.channel
-        if channel is not None and channel.acts == "limit":
-            left = b.copy()
-            rows = list(candidate.rows)
-            left[:, rows] -= library.of_candidate(k)[contact.mask][:, :, 0] / start.sigma[rows]
-            if 1 - float(np.sum(left**2) / np.sum(b**2)) > contact.explained - CLIPPED_MARGIN:
-                return True
-    return False
-
-
-def _named_contact(contact: Contact, first: Fit) -> Named:
-    """A contact as a finding: judged in its window, not on parts of the log."""
-    gain = 100.0 * contact.explained
-    fit = Fit(contact.x, np.diag(contact.stderr**2), first.known, first.held_out, 0.0)
-    one = Trial(contact.candidate, contact.columns, fit, gain, np.inf, np.inf, np.full(BLOCKS, gain))
-    return Named(one, (), 0.9, contact.x, contact.stderr)
 
 
 def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:

@@ -1,0 +1,1 @@
+"""Recordings of ROS 2: MCAP and rosbag2's databases, messages in CDR."""

@@ -1,0 +1,309 @@
+"""Maps: which column of a file is what, in which unit. As a YAML file, or as one line of text."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Final, NoReturn
+
+from robodyn.errors import InputError, Place
+from robodyn.files import label, read_text
+from robodyn.robot import document
+from robodyn.robot.document import Node, Scalar, Sequence, describe
+from robodyn.robot.names import shown
+from robodyn.robot.numbers import NumberError, parse_number
+
+#: Largest map [bytes], and most joints that a list in it is for.
+SIZE: Final = 1 << 20
+JOINTS: Final = 999
+
+GROUPS: Final = ("t", "q", "qd", "qdd", "tau", "ql")
+#: Keys with a number, or one for each joint, and what each is.
+NUMBERS: Final = {
+    "sign": "1 or -1",
+    "zero": "the reading, in the column's unit, that means 0",
+    "offset": "what is added in the end, in SI units at the joint",
+    "factor": "SI units, at the motor's or the joint's side, to a raw unit",
+    "gear": "turns of the motor to a turn of the joint (rad/m of a prismatic one)",
+    "torque_constant": "N m/A at the motor",
+    "rated": "N m or N that the shares are of, at the motor's side if there is a gear",
+    "counts_per_turn": "ticks to a turn",
+}
+#: These may also be the word robot: as the description has it.
+OF_ROBOT: Final = ("gear", "torque_constant")
+_WORDS: Final = ("column", "columns", "unit", "joints", "file", "rate", *NUMBERS)
+_TOP: Final = (*GROUPS, "joints", "topic")
+_UNIT = re.compile(r"(?P<name>.*?)\s*\[(?P<unit>[^\[\]]*)\]\Z", re.DOTALL)
+_INDEX = re.compile(r"\s*(%d|%s|[0-9]+|:)\s*\Z")
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """A group of columns: how they are called, and how their numbers become SI units at the joint.
+
+    ``columns``: one pattern, with %d for the number of a joint or %s for its name, or a name a joint, ""
+    where a joint has none. ``numbers``: values of :data:`NUMBERS`, one or one a joint; ``of_robot``: which of
+    them are the description's. ``joints`` (from 1): of which joints the columns are, where not of all.
+    ``file``: a second file, where %s is the log's path without its ending. ``rate`` [Hz]: of t, where there
+    is no column of times.
+    """
+
+    columns: tuple[str, ...]
+    place: Place
+    unit: str = ""
+    numbers: Mapping[str, tuple[Fraction, ...]] = field(default_factory=dict)
+    of_robot: frozenset[str] = frozenset()
+    joints: tuple[int, ...] = ()
+    file: str = ""
+    rate: Fraction | None = None
+
+    def number(self, key: str, joint: int) -> Fraction | None:
+        """The value at ``key`` of the ``joint`` (from 0); None where there is none."""
+        values = self.numbers.get(key)
+        if values is None:
+            return None
+        return values[0] if len(values) == 1 else values[joint]
+
+
+@dataclass(frozen=True, slots=True)
+class LogMap:
+    """What the columns of a log are: ``groups`` of channels, the ``joints``' names base to tip, and the
+    ``topic`` that columns without one are of."""
+
+    groups: Mapping[str, Channel]
+    joints: tuple[str, ...] = ()
+    topic: str = ""
+
+
+def read_map(path: str | os.PathLike[str]) -> LogMap:
+    """The map in the YAML file ``path``.
+
+    Raises
+    ------
+    InputError: there is none, or it is not a map; with file, line and column.
+    """
+    name = label(path)
+    return map_of_text(read_text(path, SIZE, "a map, such as map.yaml", name), name)
+
+
+def map_of_text(text: str, file: str = "<text>") -> LogMap:
+    """The map that the YAML ``text`` of ``file`` says.
+
+    Raises
+    ------
+    InputError: as :func:`read_map`.
+    """
+    if not text.strip():
+        raise InputError("the map is empty", where=Place(file), expected="q: joint_%d_pos[deg]")
+    return _Reader(file).map(document.compose(text, file))
+
+
+def map_of_columns(text: str, file: str = "--columns") -> LogMap:
+    """The map that one line says: ``t=time[ms],q=joint_%d_pos[deg],tau=-current_%d[A]``.
+
+    Raises
+    ------
+    InputError: it does not; with the column.
+    """
+    groups: dict[str, Channel] = {}
+    position = 0
+    for part in _split(text):
+        where = Place(file, 1, position + len(part) - len(part.lstrip()) + 1)
+        position += len(part) + 1
+        group, sign, columns = part.partition("=")
+        group = group.strip()
+        if not sign or not columns.strip():
+            raise InputError(
+                "a group of columns has no name",
+                where=where,
+                found=shown(part.strip()),
+                expected="q=NAME[UNIT], with %d for the number of the joint",
+            )
+        if group not in GROUPS:
+            raise InputError(
+                "there is no such group of columns", where=where, found=shown(group), expected=_listed(GROUPS)
+            )
+        if group in groups:
+            raise InputError("the group stands here a second time", where=where, found=group)
+        groups[group] = _channel(columns.strip(), where)
+    return LogMap(groups)
+
+
+def _split(text: str) -> Iterator[str]:
+    """The parts of ``text`` between commas outside of brackets."""
+    depth, start = 0, 0
+    for k, mark in enumerate(text):
+        depth += (mark == "[") - (mark == "]")
+        if mark == "," and depth <= 0:
+            yield text[start:k]
+            start = k + 1
+    yield text[start:]
+
+
+def _channel(text: str, where: Place) -> Channel:
+    """``-NAME[UNIT]``: the minus and the unit may be left out."""
+    numbers: dict[str, tuple[Fraction, ...]] = {}
+    if text.startswith("-"):
+        numbers["sign"] = (Fraction(-1),)
+        text = text[1:].lstrip()
+    match = _UNIT.match(text)
+    if match is None or _INDEX.match(match["unit"]):
+        return Channel((text,), where, numbers=numbers)
+    return Channel((match["name"],), where, match["unit"].strip(), numbers)
+
+
+def _listed(words: tuple[str, ...]) -> str:
+    return ", ".join(words[:-1]) + " or " + words[-1]
+
+
+class _Reader:
+    """Reads the nodes of a map; every complaint has its place in the ``file``."""
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+
+    def place(self, node: Node, offset: int = 0) -> Place:
+        return Place(self.file, node.line, node.column + offset)
+
+    def fail(self, node: Node, what: str, **more: str | None) -> NoReturn:
+        raise InputError(what, where=self.place(node), **more)
+
+    def entries(self, node: Node, keys: tuple[str, ...], what: str) -> Iterator[tuple[str, Node]]:
+        if not isinstance(node, document.Mapping):
+            self.fail(node, f"{what} must be a mapping", found=describe(node), expected="NAME: VALUE")
+        for key, value in node.entries:
+            if key.text not in keys:
+                self.fail(key, f"{what} has no such key", found=shown(key.text), expected=_listed(keys))
+            yield key.text, value
+
+    def map(self, node: Node) -> LogMap:
+        groups: dict[str, Channel] = {}
+        joints: tuple[str, ...] = ()
+        topic = ""
+        for key, value in self.entries(node, _TOP, "the map"):
+            if key == "joints":
+                joints = self.words(value)
+                if len(set(joints)) < len(joints):
+                    self.fail(value, "a joint stands here twice", found=", ".join(joints[:9]))
+            elif key == "topic":
+                topic = self.word(value)
+            else:
+                groups[key] = self.group(value, key)
+        if not groups and not joints and not topic:
+            self.fail(node, "the map says nothing", expected="q: joint_%d_pos[deg]")
+        return LogMap(groups, joints, topic)
+
+    def group(self, node: Node, group: str) -> Channel:
+        where = self.place(node)
+        if isinstance(node, Scalar):
+            return _channel(self.word(node), where)
+        if isinstance(node, Sequence):
+            return Channel(self.names(node, group), where)
+        columns: tuple[str, ...] = ()
+        channel = Channel((), where)
+        numbers: dict[str, tuple[Fraction, ...]] = {}
+        of_robot: set[str] = set()
+        for key, value in self.entries(node, _WORDS, group):
+            if key in ("column", "columns"):
+                if columns:
+                    self.fail(value, f"{group} has both column and columns", remedy="delete one of them")
+                columns = self.names(value, group)
+            elif key in ("unit", "file"):
+                channel = replace(channel, **{key: self.word(value)})  # type: ignore[arg-type]
+            elif key == "joints":
+                channel = replace(channel, joints=self.joints(value))
+            elif key == "rate":
+                if group != "t":
+                    self.fail(value, "only t has a rate", found=group)
+                channel = replace(channel, rate=self.numbers(value, key)[0])
+            elif key in OF_ROBOT and isinstance(value, Scalar) and value.text == "robot":
+                of_robot.add(key)
+            else:
+                numbers[key] = self.numbers(value, key)
+        channel = replace(channel, columns=columns, numbers=numbers, of_robot=frozenset(of_robot))
+        self.check(node, group, channel)
+        return channel
+
+    def check(self, node: Node, group: str, channel: Channel) -> None:
+        if bool(channel.columns) == (channel.rate is not None):
+            one = "column: NAME, or rate: HZ" if group == "t" else "columns: NAME_%d"
+            self.fail(node, f"{group} needs a column" + (" or a rate" if group == "t" else ""), expected=one)
+        sound = {
+            "t": ("sign", "zero", "offset", "factor"),
+            "tau": ("sign", "zero", "offset", "factor", "gear", "torque_constant", "rated"),
+        }.get(group, ("sign", "zero", "offset", "factor", "gear", "counts_per_turn"))
+        for key in (*channel.numbers, *channel.of_robot):
+            if key not in sound:
+                self.fail(
+                    node, f"{group} has no {key}", found=f"{key}: {NUMBERS[key]}", expected=_listed(sound)
+                )
+        if channel.joints and len(channel.columns) > 1 and len(channel.columns) != len(channel.joints):
+            counts = f"{len(channel.columns)} columns and {len(channel.joints)} joints"
+            self.fail(node, f"{group} has another number of columns than of joints", found=counts)
+
+    def word(self, node: Node) -> str:
+        if not isinstance(node, Scalar) or not node.text.strip():
+            self.fail(node, "there is no name here", found=describe(node), expected="a name")
+        return node.text
+
+    def words(self, node: Node) -> tuple[str, ...]:
+        if not isinstance(node, Sequence) or not 1 <= len(node.items) <= JOINTS:
+            self.fail(node, "this is no list of names", found=describe(node), expected="[name, name, ...]")
+        return tuple(self.word(item) for item in node.items)
+
+    def names(self, node: Node, group: str) -> tuple[str, ...]:
+        """Names of columns: a pattern, or a list, in which null is a joint without one."""
+        if isinstance(node, Scalar):
+            return (self.word(node),)
+        if not isinstance(node, Sequence) or not 1 <= len(node.items) <= JOINTS:
+            self.fail(
+                node, "these are no columns", found=describe(node), expected="a name, or a list of them"
+            )
+        names = []
+        for item in node.items:
+            nothing = isinstance(item, Scalar) and item.plain and item.text in ("", "~", "null")
+            if nothing and group != "ql":
+                self.fail(item, f"every joint has a column of {group}", found="null", expected="a name")
+            names.append("" if nothing else self.word(item))
+        return tuple(names)
+
+    def joints(self, node: Node) -> tuple[int, ...]:
+        joints = []
+        for text, item in zip(self.words(node), node.items, strict=True):  # type: ignore[union-attr]
+            if not text.isascii() or not text.isdigit() or not 1 <= int(text[:4]) <= JOINTS:
+                self.fail(item, "this is not the number of a joint", found=shown(text), expected="1, 2, ...")
+            joints.append(int(text))
+        if len(set(joints)) < len(joints):
+            self.fail(node, "a joint stands here twice", found=", ".join(map(str, joints[:9])))
+        return tuple(joints)
+
+    def numbers(self, node: Node, key: str) -> tuple[Fraction, ...]:
+        items = node.items if isinstance(node, Sequence) else (node,)
+        if not 1 <= len(items) <= JOINTS:
+            self.fail(node, f"{key} has no number", found=describe(node), expected="a number, or one a joint")
+        return tuple(self.one(item, key) for item in items)
+
+    def one(self, node: Node, key: str) -> Fraction:
+        if not isinstance(node, Scalar):
+            self.fail(node, f"{key} is not a number", found=describe(node), expected=NUMBERS.get(key, "Hz"))
+        try:
+            value = parse_number(node.text)
+        except NumberError as error:
+            offset = error.position if node.verbatim else 0
+            raise InputError(
+                f"{key}: {error.what}",
+                where=self.place(node, offset + (not node.plain)),
+                found=error.found,
+                expected=error.expected,
+                remedy=error.remedy,
+            ) from None
+        if key == "sign" and abs(value) != 1:
+            self.fail(node, "a sign is 1 or -1", found=node.text)
+        if key in ("factor", "gear", "torque_constant", "rated", "counts_per_turn") and value == 0:
+            self.fail(node, f"{key} is 0", expected=NUMBERS[key])
+        if key == "rate" and value <= 0:
+            self.fail(node, "the rate is not positive", found=node.text, expected="samples a second [Hz]")
+        return value

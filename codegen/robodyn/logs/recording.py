@@ -1,0 +1,138 @@
+"""A file as its format has it: streams of rows with named columns of numbers. What they mean, a map says."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.errors import InputError, Place
+from robodyn.robot.names import shown
+
+Floats = NDArray[np.float64]
+
+#: The column of a stream that has the times at which its rows were recorded.
+RECEIVED = "received"
+#: What stands between the name of a stream and that of its column.
+BETWEEN = ":"
+
+
+@dataclass(frozen=True, slots=True)
+class Stream:
+    """Rows of the same ``columns``: a table, a topic, arrays of one length. ``rows``: how many, None if that
+    is not known without reading; ``kind``: what it is called in its format. ``units``: what the file says of
+    columns. ``stamps``: columns of whole nanoseconds, the first of them the times of the rows."""
+
+    name: str
+    kind: str
+    rows: int | None
+    columns: tuple[str, ...]
+    units: Mapping[str, str] = field(default_factory=dict)
+    stamps: tuple[str, ...] = ()
+
+    def full(self, column: str) -> str:
+        """``column`` with the name of the stream."""
+        return f"{self.name}{BETWEEN}{column}" if self.name else column
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """What was read of a stream: ``groups`` of columns [K, m]; ``stamps`` [K] in ns, if it has any;
+    ``skipped`` rows that lack all of the columns."""
+
+    groups: Mapping[str, Floats]
+    stamps: NDArray[np.int64] | None = None
+    skipped: int = 0
+
+
+class Recording(Protocol):
+    """A file that has been looked into: ``file`` is what messages call it, ``notes`` are on its state."""
+
+    @property
+    def file(self) -> str: ...
+    @property
+    def format(self) -> str: ...
+    @property
+    def streams(self) -> tuple[Stream, ...]: ...
+    @property
+    def notes(self) -> tuple[str, ...]: ...
+    def read(self, stream: Stream, groups: Mapping[str, Sequence[str]], stamp: str | None) -> Table:
+        """Columns of ``stream``, group by group; ``stamp``: which of its stamps to read.
+
+        Raises
+        ------
+        InputError: the file is damaged, or too long.
+        """
+        ...
+
+
+def find(recording: Recording, name: str, topic: str, where: Place) -> tuple[Stream, str]:
+    """The stream that has the column ``name``, and how the column is called there.
+
+    ``name`` may have its stream before it; one that it lacks is ``topic``, or the only one that has such a
+    column.
+
+    Raises
+    ------
+    InputError: there is none, or there are several.
+    """
+    fits = candidates(recording, name, topic)
+    if len(fits) == 1:
+        return fits[0]
+    if fits:
+        raise InputError(
+            "several streams have such a column",
+            where=where,
+            found=", ".join(shown(stream.full(column)) for stream, column in fits[:6]),
+            expected="one",
+            remedy="write the stream before it: " + fits[0][0].full(fits[0][1]),
+        )
+    listed = [stream.full(column) for stream in recording.streams for column in stream.columns]
+    raise InputError(
+        "the file has no such column",
+        where=where,
+        found=shown(name),
+        expected=_expected(name, listed),
+        remedy=f"robodyn logs {recording.file} lists what there is",
+    )
+
+
+def candidates(recording: Recording, name: str, topic: str) -> list[tuple[Stream, str]]:
+    """All columns that ``name`` may mean."""
+    fits = []
+    for stream in recording.streams:
+        column = name
+        if stream.name and name.startswith(stream.name + BETWEEN):
+            column = name[len(stream.name) + 1 :]
+        elif topic and stream.name != topic:
+            continue
+        if column in stream.columns or column in stream.stamps:
+            fits.append((stream, column))
+    return fits
+
+
+def _expected(name: str, listed: Sequence[str]) -> str:
+    close = difflib.get_close_matches(name, listed, n=4, cutoff=0.5) or list(listed[:6])
+    return ", ".join(map(shown, close)) + (", ..." if len(listed) > len(close) else "")
+
+
+def damaged(file: str, kind: str, reason: object, remedy: str | None = None) -> InputError:
+    """What to say of a file that is not what its name says."""
+    text = " ".join(str(reason).split())[:200] or type(reason).__name__
+    text = text if text.isprintable() else ascii(text)[1:-1]
+    return InputError(
+        f"the file is not {kind}, or damaged", where=Place(file), found=text.rstrip("."), remedy=remedy
+    )
+
+
+def array_columns(name: str, value: Any, columns: dict[str, Floats]) -> None:
+    """Put the array ``value`` [K] or [K, m] into ``columns``, as ``name``, or ``name.0`` and so on."""
+    if value.ndim == 1:
+        columns[name] = value
+    else:
+        for j in range(value.shape[1]):
+            columns[f"{name}.{j}"] = value[:, j]

@@ -1,0 +1,236 @@
+"""The same log is the same log, whatever the format of its file and the units of its columns."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from logs.files_of_logs import NAMES, bag, groups_of, matlab, write
+from robodyn.errors import InputError
+from robodyn.gate.gate import inspect
+from robodyn.logs.log import Log, read_log
+from robodyn.logs.mapping import map_of_columns, map_of_text
+from robodyn.robot import load
+
+FORMATS = (".csv", ".parquet", ".npz", ".mat", ".h5", ".json", ".mcap", ".db3")
+#: Joint states have their own names, and no accelerations.
+JOINTS = f"joints: [{', '.join(NAMES)}]\nq: position.%s\nqd: velocity.%s\ntau: effort.%s\n"
+
+
+def motion(samples: int = 300, seed: int = 1) -> Log:
+    """Three joints that move, at times of whole nanoseconds."""
+    rng = np.random.default_rng(seed)
+    t = np.arange(samples) / 500.0
+    phase = rng.uniform(0, 6, (3, 3))
+    q = np.stack(
+        [sum(np.sin((i + 1) * t * (j + 1) + phase[i, j]) for i in range(3)) for j in range(3)], axis=1
+    )
+    qd = np.gradient(q, t, axis=0)
+    tau = rng.normal(size=q.shape) + 5 * q
+    return Log(t, q, qd, None, tau)
+
+
+def same(one: Log, other: Log) -> None:
+    assert groups_of(one).keys() == groups_of(other).keys()
+    for name, array in groups_of(one).items():
+        assert array.tobytes() == groups_of(other)[name].tobytes(), name
+
+
+@pytest.fixture(scope="module")
+def log() -> Log:
+    return motion()
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+def test_every_format_gives_the_same_arrays(kind: str, log: Log, tmp_path: Path) -> None:
+    path = write(log, tmp_path, kind)
+    mapping = map_of_text(JOINTS) if kind in (".mcap", ".db3") else None
+    same(read_log(path, 3, mapping=mapping), log)
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+def test_every_format_in_other_units_gives_nearly_the_same(kind: str, log: Log, tmp_path: Path) -> None:
+    """Degrees of a motor behind a gear, amperes, milliseconds: after the map the same to 1e-12."""
+    ratio, constant = np.array([100.0, -50.0, 31.5]), np.array([0.12, 0.12, 0.05])
+    assert log.qd is not None
+    bags = kind in (".mcap", ".db3")
+    foreign = Log(
+        log.t if bags else log.t * 1e3, np.degrees(log.q) * ratio + 90, np.degrees(log.qd) * ratio, None,
+        -log.tau / ratio / constant,
+    )  # fmt: skip
+    names = ("position.%s", "velocity.%s", "effort.%s") if bags else ("q%d", "qd%d", "tau%d")
+    if kind in (".npz", ".mat", ".h5", ".json"):
+        names = ("q", "qd.%d", "tau.%d")
+    gear = "gear: [100, -50, 31.5]"
+    mapping = map_of_text(
+        ("" if bags else "t: t[ms]\n")
+        + f"joints: [{', '.join(NAMES)}]\n"
+        + f"q: {{columns: {names[0]!r}, unit: deg, zero: 90, {gear}}}\n"
+        + f"qd: {{columns: {names[1]!r}, unit: deg/s, {gear}}}\n"
+        + f"tau: {{columns: {names[2]!r}, unit: A, torque_constant: [0.12, 0.12, 0.05], {gear}, sign: -1}}\n"
+    )
+    read = read_log(write(foreign, tmp_path, kind), mapping=mapping)
+    for name, array in groups_of(log).items():
+        scale = np.abs(array).max()
+        np.testing.assert_allclose(groups_of(read)[name], array, rtol=1e-12, atol=1e-12 * scale, err_msg=name)
+    assert not np.array_equal(read.tau, log.tau)  # it did go through a conversion
+
+
+@pytest.mark.parametrize("kind", [".mcap", ".mat"])
+def test_the_gate_hands_on_the_same(kind: str, tmp_path: Path) -> None:
+    """What diagnosis and identification begin with is the same as of the text."""
+    robot = load("puma560_3dof", warn=lambda _: None)
+    log = _of_robot()
+    mapping = map_of_text(JOINTS) if kind in (".mcap", ".db3") else None
+    first = inspect(read_log(write(log, tmp_path, ".csv"), robot=robot), robot)
+    other = inspect(read_log(write(log, tmp_path, kind), robot=robot, mapping=mapping), robot)
+    same(first.log, other.log)
+    assert first.joints == other.joints
+    assert first.flags == other.flags
+
+
+def _of_robot() -> Log:
+    """A motion of the PUMA's first joints with its own torque, some noise in it."""
+    from robodyn.verify.reference import Reference
+
+    robot = load("puma560_3dof", warn=lambda _: None)
+    t = np.arange(1000) / 125.0
+    w = np.array([0.9, 1.3, 1.7])
+    q = 0.6 * np.sin(np.outer(t, w))
+    qd, qdd = 0.6 * w * np.cos(np.outer(t, w)), -0.6 * w**2 * np.sin(np.outer(t, w))
+    tau = Reference(robot, None).inverse_dynamics(q, qd, qdd)
+    rng = np.random.default_rng(3)
+    return Log(t, q + rng.normal(0, 1e-5, q.shape), qd, None, tau + rng.normal(0, 0.1, q.shape))
+
+
+# --- recordings of ROS 2 ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", [".mcap", ".db3"])
+@pytest.mark.parametrize("packed", [False, True])
+def test_a_folder_and_its_file_alone_are_the_same(kind: str, packed: bool, log: Log, tmp_path: Path) -> None:
+    path = bag(log, tmp_path / "bag", kind, packed=packed)
+    mapping = map_of_text(JOINTS)
+    same(read_log(path, mapping=mapping), log)
+    same(read_log(path.parent, mapping=mapping), log)
+    (path.parent / "metadata.yaml").unlink()
+    same(read_log(path.parent, mapping=mapping), log)
+
+
+@pytest.mark.parametrize("kind", [".mcap", ".db3"])
+def test_joints_go_by_their_names_in_every_message(kind: str, log: Log, tmp_path: Path) -> None:
+    orders = [(0, 1, 2), (2, 1, 0), (1, 0, 2)]
+    path = bag(log, tmp_path / "bag", kind, name_of=lambda k: orders[k % 7 % 3])
+    same(read_log(path, mapping=map_of_text(JOINTS)), log)
+
+
+def test_messages_of_others_are_left_out(log: Log, tmp_path: Path) -> None:
+    """A gripper that publishes on the same topic."""
+    path = bag(log, tmp_path / "bag", ".mcap", name_of=lambda k: (0,) if k % 5 == 4 else (2, 0, 1))
+    read = read_log(path, mapping=map_of_text(JOINTS))
+    rows = np.arange(log.samples) % 5 != 4
+    np.testing.assert_array_equal(read.q, log.q[rows])
+    np.testing.assert_array_equal(read.t, log.t[rows])
+    assert "60 of 300 rows lack these columns" in read.notes[0]
+
+
+def test_without_stamps_the_times_of_recording_hold(log: Log, tmp_path: Path) -> None:
+    path = bag(log, tmp_path / "bag", ".db3", stamps=False)
+    same(read_log(path, mapping=map_of_text(JOINTS)), log)
+    stamped = bag(replace(log, t=log.t + 1.7e9), tmp_path / "dated", ".mcap")
+    read = read_log(stamped, mapping=map_of_text(JOINTS + "t: received\n"))
+    np.testing.assert_allclose(read.t, log.t, atol=3e-7)  # dates count from the first sample
+
+
+def test_joints_of_unknown_order_are_refused_and_named(log: Log, tmp_path: Path) -> None:
+    path = bag(log, tmp_path / "bag", ".db3")
+    with pytest.raises(InputError, match="found 'fore_joint', 'base_joint', 'upper_joint'"):
+        read_log(path, 3)
+
+
+def test_a_recording_that_was_cut_off_is_read_to_there(log: Log, tmp_path: Path) -> None:
+    path = bag(log, tmp_path / "bag", ".mcap")
+    whole = path.read_bytes()
+    path.write_bytes(whole[:-2000])
+    read = read_log(path, mapping=map_of_text(JOINTS))
+    np.testing.assert_array_equal(read.q, log.q[: read.samples])
+    path.write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(InputError):  # nothing of its one chunk is there
+        read_log(path, mapping=map_of_text(JOINTS))
+
+
+# --- MATLAB -----------------------------------------------------------------------------------------------
+
+
+def test_structures_cells_and_integers_of_matlab(tmp_path: Path) -> None:
+    counts = np.arange(30, dtype=np.int16)[:, None] * np.array([1, 10], dtype=np.int16)
+    cell = np.empty((1, 2), dtype=object)
+    cell[0, 0], cell[0, 1] = np.arange(30.0), "words"
+    data = {"log": {"q": counts, "inner": {"t": np.arange(30) * 0.1}}, "c": cell, "word": "hello"}
+    for options in ({"do_compression": True}, {"do_compression": False}):
+        path = tmp_path / "log.mat"
+        path.write_bytes(matlab(data, **options))
+        mapping = map_of_text("t: log.inner.t\nq: {columns: log.q, factor: 0.5}\ntau: [log.q.1, c.0]\n")
+        read = read_log(path, mapping=mapping)
+        np.testing.assert_array_equal(read.q, counts * 0.5)
+        np.testing.assert_array_equal(read.tau, np.column_stack([counts[:, 1], np.arange(30.0)]))
+        np.testing.assert_array_equal(read.t, np.arange(30) * 0.1)
+
+
+def test_rows_and_columns_may_be_exchanged(tmp_path: Path) -> None:
+    log = motion(50)
+    path = tmp_path / "log.npz"
+    np.savez(path, t=log.t[None, :], q=log.q.T, tau=log.tau)
+    read = read_log(path)
+    np.testing.assert_array_equal(read.q, log.q)
+    np.testing.assert_array_equal(read.t, log.t)
+
+
+# --- several streams --------------------------------------------------------------------------------------
+
+
+def test_a_second_file_by_the_map(tmp_path: Path) -> None:
+    log = motion(100)
+    (tmp_path / "a.csv").write_text(log.csv(), encoding="utf-8")
+    rows = [f"{float(1e3 * t)!r};{float(math.degrees(x))!r}" for t, x in zip(log.t, log.q[:, 1], strict=True)]
+    (tmp_path / "a_links.csv").write_text("t [ms];enc2 [deg]\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    text = 't: t\nql: {file: "%s_links.csv", columns: [enc2], joints: [2]}\n'
+    read = read_log(tmp_path / "a.csv", mapping=map_of_text(text))
+    assert read.ql is not None
+    assert read.linked == (1,)
+    np.testing.assert_allclose(read.ql[:, 1], log.q[:, 1], rtol=1e-14, atol=1e-15)
+
+
+def test_streams_of_other_times_are_interpolated_at_those_of_q(tmp_path: Path) -> None:
+    k = np.arange(400)
+    (tmp_path / "a.csv").write_text(
+        "t,q1\n" + "".join(f"{t!r},{x!r}\n" for t, x in zip((k * 0.01).tolist(), k.tolist(), strict=True))
+    )
+    late = 0.5 + np.arange(300) * 0.02 * (1 + 0 * k[:300])
+    (tmp_path / "b.csv").write_text(
+        "t,u\n" + "".join(f"{t!r},{3 * t!r}\n" for t in late.tolist() if not 1.0 < t < 1.2)
+    )
+    mapping = map_of_text("q: q1\ntau: {columns: u, file: '%s.csv'}\n")
+    mapping = replace(
+        mapping,
+        groups={**mapping.groups, "tau": replace(mapping.groups["tau"], file=str(tmp_path / "b.csv"))},
+    )
+    read = read_log(tmp_path / "a.csv", mapping=mapping)
+    assert read.t[0] == 0.5
+    assert np.isnan(read.tau[(read.t > 1.01) & (read.t < 1.19)]).all()  # nothing is made up over a gap
+    there = np.isfinite(read.tau[:, 0])
+    np.testing.assert_allclose(read.tau[there, 0], 3 * read.t[there], rtol=1e-9)
+    assert "interpolated" in read.notes[0]
+
+
+def test_a_log_without_times_has_a_rate(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text("q_0,q_1,tau_0,tau_1\n" + "1,2,3,4\n" * 50)
+    read = read_log(tmp_path / "a.csv", mapping=map_of_text("t: {rate: 100}\nq: q_%d\ntau: tau_%d[mNm]\n"))
+    np.testing.assert_array_equal(read.t, np.arange(50) / 100.0)
+    np.testing.assert_array_equal(read.tau[0], [0.003, 0.004])
+    with pytest.raises(InputError, match="which columns of the file are t is not known"):
+        read_log(tmp_path / "a.csv", mapping=map_of_columns("q=q_%d,tau=tau_%d"))
