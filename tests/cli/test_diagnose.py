@@ -70,6 +70,10 @@ class Stand:
         hashes: Sequence[str] = (),
         parameters: Mapping[str, float] | None = None,
         progress: Callable[[str], object] | None = None,
+        only: Sequence[str] = (),
+        without: Sequence[str] = (),
+        joints: Sequence[int] = (),
+        most: int | None = None,
     ) -> Diagnosis:
         assert progress is not None
         progress("at work")
@@ -110,6 +114,24 @@ def test_everything_is_handed_over(capsys: Capture, stand: Stand, tmp_path: Path
     contents = [(tmp_path / name).read_bytes() for name in call["names"]]
     assert call["hashes"] == [hashlib.sha256(content).hexdigest() for content in contents]
     assert call["parameters"] is None
+
+
+def test_what_is_looked_for_is_handed_over(capsys: Capture, stand: Stand) -> None:
+    diagnose(
+        capsys,
+        "arm.yaml a.csv -o out --no-kernels --only spring,backlash --except backlash --joints 1,3 --most 2",
+    )
+    diagnose(capsys, "arm.yaml a.csv -o out --no-kernels")
+    first, plain = stand.calls
+    assert (first["only"], first["without"]) == (("spring", "backlash"), ("backlash",))
+    assert (first["joints"], first["most"]) == ([1, 3], 2)
+    assert (plain["only"], plain["without"], plain["joints"], plain["most"]) == ((), (), [], None)
+
+
+@pytest.mark.parametrize("option", ["--joints one", "--joints 1,", "--only ,", "--most 0", "--most few"])
+def test_what_cannot_be_looked_for_is_refused(capsys: Capture, option: str) -> None:
+    _, err = diagnose(capsys, f"arm.yaml a.csv -o out {option}", 2)
+    assert option.split()[0] in err
 
 
 def test_a_bundled_robot_keeps_its_text(capsys: Capture, stand: Stand, tmp_path: Path) -> None:

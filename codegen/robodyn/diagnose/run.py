@@ -35,6 +35,7 @@ from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Se
 from robodyn.diagnose.select.contact import contact_findings, without_contacts
 from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.scope import scope_of
 from robodyn.diagnose.select.search import Detected, search
 from robodyn.diagnose.select.selection import Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
@@ -58,18 +59,23 @@ def diagnose(
     hashes: Sequence[str] = (),
     parameters: Mapping[str, float] | None = None,
     progress: Callable[[str], object] | None = None,
+    only: Sequence[str] = (),
+    without: Sequence[str] = (),
+    joints: Sequence[int] = (),
+    most: int | None = None,
 ) -> Diagnosis:
     """What ``robot`` lacks to explain ``logs``; ``validate`` is a log that is not fitted.
 
     A robot may be a path or a name, a log the path of a CSV or Parquet file.
 
     ``text`` is the robot's description, to be amended; ``names`` and ``hashes`` are those of the logs, the
-    validation's last.
+    validation's last. ``only`` these effects (ids) are looked for, or all ``without`` those; at these
+    ``joints`` (from 1) and not of the whole robot; ``most`` kinds of them are named.
 
     Raises
     ------
-    InputError: there is no such robot or file, a log cannot be used, or ``parameters`` do not fit the
-    robot (:meth:`Robot.at`).
+    InputError: there is no such robot, file, effect or joint, a log cannot be used, or ``parameters`` do
+    not fit the robot (:meth:`Robot.at`).
     """
     from robodyn.robot.writer import to_yaml
 
@@ -80,15 +86,16 @@ def diagnose(
     robot = robot.at(parameters or {})
     tell("looking at the logs")
     n = robot.n
+    scope = scope_of(n, only, without, joints, most)
     gates = [inspect(_log(log, n), robot, source=_name(names, k)) for k, log in enumerate(logs)]
     seen = gates[-1]
     if validate is not None:
         seen = inspect(_log(validate, n), robot, source=_name(names, len(logs)))
     whole = list(dict.fromkeys([*gates, seen]))
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
-    cleaned, touched = without_contacts(robot, whole, digests)
+    cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
     gates, seen = cleaned[: len(logs)], cleaned[-1]
-    outcome = search(robot, gates, tell)
+    outcome = search(robot, gates, tell, scope)
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
     checked = [_doubted(one, first, last) for one in accepted.values()]
@@ -135,7 +142,7 @@ def diagnose(
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
         flags,
-        left, _words(verdict, findings, last), described,
+        left, (*_words(verdict, findings, last), *scope.words()), described,
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
         windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),

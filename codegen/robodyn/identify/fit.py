@@ -31,14 +31,14 @@ from robodyn.identify.normal import Block, Layout, blocks_of, layout_of
 from robodyn.identify.plain import condition, held_out_gains, plain
 from robodyn.identify.prior import Prior, Usual, prior_of
 from robodyn.identify.problem import Solution, Unknowns, misfits, solve
-from robodyn.identify.rigid import Model
+from robodyn.identify.rigid import PARAMETERS, Model
 from robodyn.identify.rows import Rows, bare, rows_of
-from robodyn.robot.model import AXES, Robot
+from robodyn.robot.model import Robot
 from robodyn.robot.plausibility import only_about_base_axis
 
 Floats = NDArray[np.float64]
 #: Of a link's parameters that about its joint's axis.
-_ABOUT_AXIS = 4 + AXES.index("zz")
+_ABOUT_AXIS = PARAMETERS.index("zz")
 
 
 @dataclass(frozen=True, slots=True)

@@ -56,18 +56,19 @@ def forward(
     known: frozenset[Key],
     rough: bool,
     links: bool = True,
+    most: int = MOST_KINDS,
     progress: Callable[[str], object] | None,
 ) -> Chosen:
     """One effect after another until none passes, or the columns of all others change; errors of the arm's
-    own numbers only with ``links``; ``known``: what the model has of earlier passes, whose numbers are to be
-    refined and not sought again."""
+    own numbers only with ``links``; ``most`` kinds of effects are named; ``known``: what the model has of
+    earlier passes, whose numbers are to be refined and not sought again."""
     tell = progress or (lambda _: None)
     findings: list[Named] = []
     now, current = start, fitted(start)
     begun: list[Trial] = []
     is_grouped = False
     for _ in range(MOST_EFFECTS):
-        which = _untaken(library, findings, known, rough=rough, links=links)
+        which = _untaken(library, findings, known, rough=rough, links=links, most=most)
         tried = _tried(start, now, current, findings, library, which, least)
         begun = begun or [without_columns(one) for one in tried]
         best = best_of(now, current, tried, least, contexts, rough=rough)
@@ -76,10 +77,11 @@ def forward(
             # One thing that explains more than friction everywhere (a delay) may look like that.
             if group.trials and (best is None or best[0].gain < group.gain):
                 is_grouped = True
-                for one in group.trials:
+                several = _kinds(group.trials, most - len({effect for effect, _ in known}))
+                for one in several:
                     one = replace(one, columns=one.columns.copy())
                     findings.append(Named(one, (), SURE, one.fit.x, np.zeros(0), is_common=True))
-                for one in group.trials:
+                for one in several:
                     tell(one.candidate.name)
                 now = _with(start, findings)
                 current = fitted(now)
@@ -100,7 +102,13 @@ def forward(
 
 
 def _untaken(
-    library: Library, findings: Sequence[Named], known: frozenset[Key], *, rough: bool, links: bool
+    library: Library,
+    findings: Sequence[Named],
+    known: frozenset[Key],
+    *,
+    rough: bool,
+    links: bool,
+    most: int,
 ) -> list[int]:
     """The candidates that may still be taken."""
     laws = {key for key in known if not CATALOGUE[key[0]].traits.several}
@@ -112,9 +120,15 @@ def _untaken(
         if (c.effect, c.joint) not in taken
         and (rough or not c.rough)
         and (links or not _is_of_link(c))
-        and (len(kinds) < MOST_KINDS or c.effect in kinds)
+        and (len(kinds) < most or c.effect in kinds)
         and not _is_covered(c, taken)
     ]
+
+
+def _kinds(trials: Sequence[Trial], most: int) -> list[Trial]:
+    """The trials, best first, of the first ``most`` kinds of effects among them."""
+    kinds = list(dict.fromkeys(one.candidate.effect for one in trials))[: max(1, most)]
+    return [one for one in trials if one.candidate.effect in kinds]
 
 
 def _is_of_link(candidate: Candidate) -> bool:

@@ -15,6 +15,7 @@ from robodyn.diagnose.select.forward import Key, Named, special_cases
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
+from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.selection import Selection, select
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
@@ -47,15 +48,18 @@ class Outcome:
     last: Selection
 
 
-def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object]) -> Outcome:
-    """What ``robot`` lacks to explain logs that have passed their ``gates``; windows of contacts
+def search(
+    robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], scope: Scope = EVERYTHING
+) -> Outcome:
+    """What ``robot`` lacks in ``scope`` to explain logs that have passed their ``gates``; windows of contacts
     are not in them."""
     pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
 
     def look(model: Robot, known: Iterable[Key], widest: bool | None) -> Selection:
         return select(
-            model, pieces, known=frozenset(known), widest=widest, progress=lambda name: tell(f"found {name}")
-        )
+            model, pieces, known=frozenset(known), widest=widest, scope=scope,
+            progress=lambda name: tell(f"found {name}"),
+        )  # fmt: skip
 
     tell("fitting the catalogue")
     first = last = look(robot, (), None)

@@ -44,6 +44,7 @@ from robodyn.diagnose.select.limits import (
     TIGHT,
     TIGHT_EVIDENCE,
 )
+from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
@@ -153,10 +154,11 @@ def select(
     widest: bool | None = None,
     progress: Callable[[str], object] | None = None,
     cutoff: float | None = None,
+    scope: Scope = EVERYTHING,
 ) -> Selection:
-    """What ``robot`` lacks to explain ``logs``, each evenly sampled; parts too short to be filtered are
-    left out. ``known``: what the model has of earlier passes; ``widest``: whether the inertial numbers of
-    which nothing is stated are a guess (None: the logs decide)."""
+    """What ``robot`` lacks to explain ``logs``, each evenly sampled, in ``scope``; parts too short to be
+    filtered are left out. ``known``: what the model has of earlier passes; ``widest``: whether the
+    inertial numbers of which nothing is stated are a guess (None: the logs decide)."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     pieces.sort(key=lambda log: -log.samples)
     longest = signals_of(pieces[0], cutoff=cutoff)
@@ -169,7 +171,7 @@ def select(
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
-    columns = zip(*(candidates(each) for each in contexts), strict=True)
+    columns = zip(*(candidates(each, scope) for each in contexts), strict=True)
     library = Library.of(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in columns
@@ -181,8 +183,9 @@ def select(
 
     def choose(start: Problem, *, links: bool = True) -> Chosen:
         return forward(
-            start, library, least, contexts, known=known, rough=rough, links=links, progress=progress
-        )
+            start, library, least, contexts, known=known, rough=rough, links=links, most=scope.most,
+            progress=progress,
+        )  # fmt: skip
 
     scales = prior_scales(context.model, widest=True)
     wide = wider(start, start_of(contexts, scales)) if np.any(scales > narrow) else None
