@@ -38,7 +38,7 @@ from robodyn.diagnose.select.fit import (
     wider,
 )
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
-from robodyn.diagnose.select.library import Context, candidates, context_of
+from robodyn.diagnose.select.library import Context, candidates, context_of, regressor_seen
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     DIVERGED,
@@ -102,13 +102,11 @@ def prior_scales(model: Model, unstated: float | None = None) -> Floats:
 def start_of(contexts: Sequence[Context], scale: Floats) -> Problem:
     """The filtered residual of the model, and the nuisance of its rigid numbers, which are right to
     ``scale`` [n, 10]."""
-    model, s = contexts[0].model, contexts[0].signals
+    s = contexts[0].signals
     rests, nuisances = [], []
     for c in contexts:
         rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
-        Y = c.model.regressor(c.slow.q, c.slow.qd, c.slow.qdd)
-        flat = (Y * scale).reshape(len(Y), model.n, -1)
-        nuisances.append(c.slow.thinned(c.slow.filtered(flat)))
+        nuisances.append(regressor_seen(c) * scale.reshape(-1))
     Y = np.concatenate(nuisances)
     Y = Y[:, :, np.abs(Y).max(axis=(0, 1)) > 0]
     thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
