@@ -63,7 +63,7 @@ def refit(
             joints.setdefault(_COLUMNS[fold.key], set()).add(one.joint - 1)
     loads = (Load(tuple(range(len(gates)))),) if bodies else ()
     options = Options(
-        offsets=False, loads=loads, joints={name: frozenset(found) for name, found in joints.items()}
+        offsets=False, loads=loads, joints={name: frozenset(places) for name, places in joints.items()}
     )
     outcome = identified(fit_arm(replace(amended.robot, links=links), gates, options))
     model = replace(outcome.robot, links=tuple(map(_with_confidence, outcome.robot.links, robot.links)))
@@ -114,8 +114,8 @@ def _estimates(
         fold = CATALOGUE[one.effect].traits.fold
         if fold is None or fold.into != "joint" or one.joint is None:
             continue
-        number = outcome.parameters.get(f"joint{one.joint}.{one.effect}.{fold.parameter}")
-        if number is None:
+        estimate = outcome.parameters.get(f"joint{one.joint}.{one.effect}.{fold.parameter}")
+        if estimate is None:
             continue
         new, old = (getattr(arm.links[one.joint - 1].joint, fold.key) for arm in (model, robot))
         assert isinstance(new, Fraction)
@@ -123,7 +123,7 @@ def _estimates(
             float(old) if isinstance(old, Fraction) and robot.torque_side == model.torque_side else 0.0
         )
         value = float(new) - described
-        estimates[one.effect, one.joint] = {fold.parameter: Estimate(value, number.stderr, number.unit)}
+        estimates[one.effect, one.joint] = {fold.parameter: Estimate(value, estimate.stderr, estimate.unit)}
     return estimates
 
 
@@ -131,10 +131,12 @@ def _changes(link: Link, outcome: Identified, joint: int) -> dict[str, Estimate]
     """What a link's numbers are more than described."""
     changes: dict[str, Estimate] = {}
     for name in _BODY:
-        number = outcome.parameters.get(f"link{joint}.{name}")
-        if number is not None:
+        estimate = outcome.parameters.get(f"link{joint}.{name}")
+        if estimate is not None:
             axis = name.removeprefix("inertia_")
-            changes[f"delta_{axis}"] = Estimate(number.value - number.described, number.stderr, number.unit)
+            changes[f"delta_{axis}"] = Estimate(
+                estimate.value - estimate.described, estimate.stderr, estimate.unit
+            )
     return changes
 
 
