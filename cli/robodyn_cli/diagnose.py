@@ -22,7 +22,8 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.log_options import digest, input_files, log_map, log_options, read_logs
+from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
+from robodyn_cli.log_options import input_files, log_map, log_options
 from robodyn_cli.options import listed
 from robodyn_cli.simulate_options import Parameter
 
@@ -88,9 +89,10 @@ def command(
     same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
     explains.
     """
-    folder = _folder(out)
+    folder = result_folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
-    _spare_inputs(folder, [robot, *(str(file) for source in sources for file in input_files(source))])
+    inputs = [robot, *(str(file) for source in sources for file in input_files(source))]
+    spare_inputs([folder / name for name in (_DATA, _MODEL, _REPORT)], inputs)
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
     scope = {
@@ -126,29 +128,6 @@ def command(
 # --- before the diagnosis ---------------------------------------------------------------------------------
 
 
-def _folder(text: str) -> Path:
-    """The folder of ``-o``, which need not exist yet."""
-    if not text:
-        raise InputError("the path after -o is empty", remedy="use -o . for this folder")
-    folder = Path(text)
-    if folder.exists() and not folder.is_dir():
-        raise InputError(
-            f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with -o"
-        )
-    return folder
-
-
-def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
-    """Refuse to overwrite an input, as a second run on its own model would."""
-    for output in (folder / name for name in (_DATA, _MODEL, _REPORT)):
-        for source in inputs:
-            if output.exists() and Path(source).exists() and output.samefile(source):
-                raise InputError(
-                    f"{printable(output)} is an input and would be overwritten",
-                    remedy="choose another folder with -o",
-                )
-
-
 def _effects(option: str, text: str | None) -> tuple[str, ...]:
     """The ids of ``--only`` or ``--except``."""
     ids = listed(text or "")
@@ -181,32 +160,18 @@ def _diagnosed(
 
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:
-        read = read_logs(robot, paths, mapping, shown.tell)
-        hashes = [digest(path) for path in paths]
-        for k, path in enumerate(paths):
-            if hashes[k] in hashes[:k]:
-                shown.clear()
-                first = printable(paths[hashes.index(hashes[k])])
-                talk(f"robodyn: warning: {printable(path)} is identical to {first} and adds no evidence")
+        read, hashes = read_all(robot, paths, mapping, shown)
         return diagnose(
             robot,
             read[: len(logs)],
             None if validate is None else read[-1],
-            text=_text(spec),
+            text=description_of(spec),
             names=[printable(Path(path).name) for path in paths],
             hashes=hashes,
             parameters=values,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
             **scope,
         )
-
-
-def _text(spec: str) -> str:
-    """The text of the robot description ``spec``."""
-    from robodyn.robot import bundled_text
-
-    path = Path(spec)
-    return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
 
 
 def _kernels(diagnosis: Diagnosis) -> dict[str, str]:
