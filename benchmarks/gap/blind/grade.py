@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from diagnose.hidden.logs import Hidden
-from robodyn.diagnose.result import Diagnosis, Finding
+from robodyn.diagnose.result import Diagnosis, Finding, gap_closed
 from robodyn.robot.model import EffectEntry
 
 #: From this confidence on a finding is a claim.
@@ -142,12 +142,7 @@ def contact(f: Finding, e: EffectEntry) -> dict[str, float]:
 
 
 def closed(made: Hidden, diagnosis: Diagnosis) -> float | None:
-    """Share of the mean square beyond the true noise that the model closes on the validation log, each joint
-    in units of its noise; None where there is none."""
-    noise = made.truth.noise
-
-    def beyond(rms: Any) -> float:
-        return float(np.maximum((rms / noise) ** 2 - 1, 0).sum())
-
-    before, after = beyond(diagnosis.gap.validate_before), beyond(diagnosis.gap.validate_after)
-    return None if before < 0.1 else 1 - after / before
+    """Share of the gap beyond the true noise that the model closes on the validation log; None where there is
+    none."""
+    gap = diagnosis.gap
+    return gap_closed(gap.validate_before, gap.validate_after, made.truth.noise)
