@@ -8,10 +8,14 @@ import re
 import shlex
 import shutil
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import click
 import pytest
+from benchmarks.gap.documents import shown as shown_table
+from benchmarks.gap.documents import tables
 
 from diagnose.hidden.cases import INSIDE
 from robodyn import errors
@@ -79,6 +83,15 @@ def test_ratios_to_peers_are_those_of_the_last_race() -> None:
         ),
     ):
         assert shown in text, (shown, value)
+
+
+@pytest.mark.parametrize(("document", "mark", "results", "made"), tables(), ids=lambda x: str(x)[:20])
+def test_tables_of_benchmarks_are_those_of_the_results(
+    document: str, mark: str, results: str, made: Callable[[Any], str]
+) -> None:
+    figures = json.loads((ROOT / "benchmarks" / "results" / results).read_text(encoding="utf-8"))
+    assert shown_table((ROOT / document).read_text(encoding="utf-8"), mark) == made(figures).strip()
+    assert made(figures).count("\n") > 2
 
 
 def test_the_exit_codes_are_those_of_the_errors() -> None:

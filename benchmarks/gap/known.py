@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from benchmarks.gap.tables import known_table
 from benchmarks.gap.tools import CLAIM, measured
 
 import robodyn
@@ -274,15 +275,6 @@ def carried_out(run: Run) -> dict[str, Any]:
     }
 
 
-def markdown(results: Mapping[str, Any]) -> str:
-    """A row for each fact."""
-    lines = ["| logs | known | said | |", "|---|---|---|---|"]
-    for name, one in results.items():
-        for words, text, agrees in one["facts"]:
-            lines.append(f"| {name} | {words} | {text} | {'yes' if agrees else '**no**'} |")
-    return "\n".join(lines) + "\n"
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line."""
     assert __doc__
@@ -301,7 +293,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options.out.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(results, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     (options.out / "known.md").write_text(
-        f"# What is known of real logs\n\n{markdown(results)}", encoding="utf-8"
+        f"# What is known of real logs\n\n{known_table(results)}\n", encoding="utf-8"
     )
     return 0
 

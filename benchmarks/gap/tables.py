@@ -1,4 +1,4 @@
-"""gap.md and gap.svg, made from gap.json and nothing else."""
+"""Tables and a picture of real logs, made from the results and nothing else."""
 
 from __future__ import annotations
 
@@ -51,6 +51,15 @@ def table(results: Results) -> str:
             lines.append(
                 "| " + " | ".join([f"`{name}`", title, *cells, f"{one['cpu']:.0f}", memory, names]) + " |"
             )
+    return "\n".join(lines)
+
+
+def known_table(results: Results) -> str:
+    """A row for each fact that is known of logs: what it is, what was said, whether that agrees."""
+    lines = ["| logs | known | said | |", "|---|---|---|---|"]
+    for name, one in results.items():
+        for words, text, agrees in one["facts"]:
+            lines.append(f"| {name} | {words} | {text} | {'yes' if agrees else '**no**'} |")
     return "\n".join(lines)
 
 

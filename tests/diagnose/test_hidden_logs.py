@@ -35,6 +35,8 @@ _PLAIN: list[tuple[str, EffectEntry]] = [
     ("puma560_3dof", effect("rotor_inertia", 1, inertia=1.0)),
     ("stanford", effect("base_tilt", None, tilt_x=0.05, tilt_y=-0.03)),
     ("puma560_3dof", effect("spring", 2, stiffness=10.0, rest=0.2, cubic=3.0)),
+    ("ur10", effect("gas_spring", 2, torque=80.0, dead_center=0.4, ratio=0.3, rise=0.5)),
+    ("ur10", effect("power_law_friction", 3, level=5.0, exponent=0.6)),
     ("puma560_3dof", effect("torque_ripple", 1, amplitude=2.0, cycles_per_rev=40.0, phase=0.3)),
     ("ur10", effect("motor_coupling", 6, **{"with": 5}, ratio=-1.0, inertia=0.1, viscous=0.2, coulomb=0.3)),
     ("puma560_3dof", effect("load_dependent_friction", 2, bearing="torque", mu=0.1)),

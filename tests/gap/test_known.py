@@ -22,11 +22,11 @@ from benchmarks.gap.known import (  # noqa: E402
     half_jumps,
     jumps,
     kinds,
-    markdown,
     mass,
     silent,
     stiffness,
 )
+from benchmarks.gap.tables import known_table  # noqa: E402
 
 
 def claim(
@@ -105,5 +105,5 @@ def test_runs_have_their_files() -> None:
 
 
 def test_a_row_for_each_fact() -> None:
-    text = markdown({"a": {"facts": [["x is 2", "2", True], ["y is 3", "4", False]]}})
+    text = known_table({"a": {"facts": [["x is 2", "2", True], ["y is 3", "4", False]]}})
     assert text.splitlines()[2:] == ["| a | x is 2 | 2 | yes |", "| a | y is 3 | 4 | **no** |"]

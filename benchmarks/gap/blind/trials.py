@@ -18,7 +18,7 @@ from robodyn.robot.model import EffectEntry, Robot
 #: What a description says of its inertial numbers: a share, nothing, or that they are a guess.
 Stated = float | None | Literal["unknown"]
 
-EFFECTS = (*INSIDE, "power_law_friction")
+EFFECTS = (*INSIDE, "power_law_friction", "gas_spring")
 ALL_ARMS = (*ARMS, *FURTHER_ARMS)
 #: A second law of friction at a joint, or a limit of the drive, is not sought beside known friction.
 _FRICTIONLESS = (

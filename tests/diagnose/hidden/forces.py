@@ -82,6 +82,8 @@ def forces(robot: Robot, scale: Scale) -> Forces:
                 motor.append(_ripple(j, p))
             case "spring":
                 link.append(_spring(j, p))
+            case "gas_spring":
+                link.append(_strut(j, p))
             case "load_dependent_friction":
                 bearing.append(_bearing(j, p, scale))
             case "transmission_loss":
@@ -201,6 +203,19 @@ def _spring(j: int, p: dict[str, Any]) -> Force:
     def act(now: Now) -> None:
         way = float(now.q[j]) - p["rest"]
         now.link[j] += p["stiffness"] * way + p["cubic"] * way**3
+
+    return act
+
+
+def _strut(j: int, p: dict[str, Any]) -> Force:
+    """A strut from a pivot a crank (here of length 1) off the axis to a fixed one: the law of cosines."""
+    far = 1 / p["ratio"]
+
+    def act(now: Now) -> None:
+        angle = float(now.q[j]) - p["dead_center"]
+        length = math.sqrt(1 + far * far - 2 * far * math.cos(angle))
+        force = p["torque"] * (1 + p["rise"] * (length - (far - 1)))
+        now.link[j] += force * far * math.sin(angle) / length
 
     return act
 

@@ -74,6 +74,8 @@ def joints(arm: str, id: str) -> tuple[int | None, ...]:
         return (None,)
     if id == "motor_coupling":
         return (n,)
+    if id == "gas_spring":
+        return (2,)
     if id in (
         "load_dependent_friction", "transmission_loss", "torque_gain", "encoder_offset", "joint_elasticity",
         "backlash", "inertial_error", "torque_saturation",
@@ -155,6 +157,12 @@ def form(arm: str, id: str, joint: int | None, seed: int) -> Sized:
         case "spring":
             rest = float(middle[j] + rng.uniform(-0.3, 0.3) * (1.0 if revolute else 0.3))
             return Sized(lambda x: effect(id, joint, stiffness=x, rest=rest), near)
+        case "gas_spring":
+            center = float(middle[j] + rng.uniform(-1.2, 1.2))
+            crank, rise = float(rng.uniform(0.15, 0.35)), float(rng.uniform(0.0, 0.5))
+            return Sized(
+                lambda x: effect(id, joint, torque=x, dead_center=center, ratio=crank, rise=rise), near
+            )
         case "torque_ripple":
             waves, phase = float(round(drawn(20, 60))), float(rng.uniform(-3, 3))
             return Sized(
