@@ -48,14 +48,34 @@ def status(hidden: Sequence[EffectEntry], claims: Sequence[Finding]) -> str:
     if not hidden:
         return "silent"
     if named:
-        return "right" if len(claims) == len(hidden) else "extra"
+        return "right" if len(_distinct(claims)) == len(hidden) else "extra"
     return "set" if all(any(same(f, e) or declared(f, e) for f in claims) for e in hidden) else "missed"
 
 
+def _distinct(claims: Sequence[Finding]) -> list[Finding]:
+    """Claims without those of the same push in further logs: each log has its own, at the same time."""
+    logs: list[float | str] = []
+    kept = []
+    for f in claims:
+        log = f.parameters.get("log")
+        if log is None:
+            kept.append(f)
+        elif log.value not in logs:
+            kept += [] if logs else [f]
+            logs.append(log.value)
+        else:
+            kept.append(f)
+    return kept
+
+
 def same(f: Finding, e: EffectEntry) -> bool:
-    """Whether a finding is of the effect that is hidden, at its joint: a coupling's joints are a pair."""
+    """Whether a finding is of the effect that is hidden, at its joint: a coupling's joints are a pair, and a
+    push must have been there at that time."""
     if f.effect != e.effect:
         return False
+    if "start" in f.parameters:
+        start, end = (float(f.parameters[name].value) for name in ("start", "end"))
+        return min(end, e.number("end")) > max(start, e.number("start"))
     other = f.parameters.get("with")
     ours = {f.joint} | ({int(float(other.value))} if other is not None else set())
     return ours == {e.joint} | ({int(e["with"])} if "with" in e else set())
