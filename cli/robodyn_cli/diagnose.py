@@ -12,6 +12,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn_cli import progress
+from robodyn_cli.choices import SEVERAL_EFFECTS
 from robodyn_cli.common import (
     json_option,
     load_robot,
@@ -21,7 +22,9 @@ from robodyn_cli.common import (
     talk,
     write_files,
 )
-from robodyn_cli.log_options import digest, input_files, log_map, log_options, read_logs
+from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
+from robodyn_cli.log_options import input_files, log_map, log_options
+from robodyn_cli.options import listed
 from robodyn_cli.simulate_options import Parameter
 
 if TYPE_CHECKING:
@@ -43,6 +46,21 @@ _DATA, _MODEL, _REPORT, _KERNELS = "diagnosis.json", "model.yaml", "report.html"
 @click.option(
     "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
 )
+@click.option("--only", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for these effects only.")
+@click.option(
+    "--except", "without", type=SEVERAL_EFFECTS, metavar="A,B", help="Look for all but these effects."
+)
+@click.option(
+    "--joints",
+    metavar="J,K",
+    help="Look for effects at these joints only, and for none of the whole robot (payload, base tilt).",
+)
+@click.option(
+    "--most",
+    type=click.IntRange(1),
+    metavar="N",
+    help="Name at most N effects; one at several joints counts once.  [default: 8]",
+)
 @click.option("--no-kernels", is_flag=True, help="Do not write C and Fortran of the amended model.")
 @click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
 @json_option
@@ -54,6 +72,10 @@ def command(
     columns: str | None,
     out: str,
     param: tuple[tuple[str, float], ...],
+    only: str | None,
+    without: str | None,
+    joints: str | None,
+    most: int | None,
     no_kernels: bool,
     strict: bool,
     as_json: bool,
@@ -67,12 +89,17 @@ def command(
     same input gives the same files. Exit code 4 means that a residual remains that no effect of the catalogue
     explains.
     """
-    folder = _folder(out)
+    folder = result_folder(out)
     sources = [*logs, *([] if validate is None else [validate])]
-    _spare_inputs(folder, [robot, *(str(file) for source in sources for file in input_files(source))])
+    inputs = [robot, *(str(file) for source in sources for file in input_files(source))]
+    spare_inputs([folder / name for name in (_DATA, _MODEL, _REPORT)], inputs)
     described = load_robot(robot, strict=strict)
     values = parameter_values(described, param) or None
-    diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns))
+    scope = {
+        "only": _effects("--only", only), "without": _effects("--except", without),
+        "joints": _joints(joints), "most": most,
+    }  # fmt: skip
+    diagnosis = _diagnosed(described, robot, logs, validate, values, log_map(map_file, columns), scope)
     validated = validate is not None
     text = json.dumps(_finite(diagnosis.to_dict()), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from robodyn.report.diagnosis import page
@@ -90,7 +117,7 @@ def command(
     if as_json:
         click.echo(text, nl=False)
     else:
-        from robodyn.report.diagnosis_text import summary
+        from robodyn.report.diagnosis_terminal import summary
 
         for line in summary(diagnosis, printable(folder / _REPORT), validated=validated):
             click.echo(line)
@@ -101,27 +128,20 @@ def command(
 # --- before the diagnosis ---------------------------------------------------------------------------------
 
 
-def _folder(text: str) -> Path:
-    """The folder of ``-o``, which need not exist yet."""
-    if not text:
-        raise InputError("the path after -o is empty", remedy="use -o . for this folder")
-    folder = Path(text)
-    if folder.exists() and not folder.is_dir():
-        raise InputError(
-            f"cannot write to {printable(folder)}", found="a file", remedy="choose another path with -o"
-        )
-    return folder
+def _effects(option: str, text: str | None) -> tuple[str, ...]:
+    """The ids of ``--only`` or ``--except``."""
+    ids = listed(text or "")
+    if text is not None and not ids:
+        raise InputError(f"{option} is empty", expected="ids of effects, as robodyn effects lists them")
+    return ids
 
 
-def _spare_inputs(folder: Path, inputs: Sequence[str]) -> None:
-    """Refuse to overwrite an input, as a second run on its own model would."""
-    for output in (folder / name for name in (_DATA, _MODEL, _REPORT)):
-        for source in inputs:
-            if output.exists() and Path(source).exists() and output.samefile(source):
-                raise InputError(
-                    f"{printable(output)} is an input and would be overwritten",
-                    remedy="choose another folder with -o",
-                )
+def _joints(text: str | None) -> list[int]:
+    """The joints of ``--joints``."""
+    words = [] if text is None else [word.strip() for word in text.split(",")]
+    if not all(word.isascii() and word.isdigit() for word in words):
+        raise InputError("--joints is not a list of joints", found=str(text), expected="numbers, such as 1,3")
+    return [int(word) for word in words]
 
 
 # --- the diagnosis ----------------------------------------------------------------------------------------
@@ -134,36 +154,24 @@ def _diagnosed(
     validate: str | None,
     values: Mapping[str, float] | None,
     mapping: LogMap | None,
+    scope: Mapping[str, Any],
 ) -> Diagnosis:
     from robodyn.diagnose.run import diagnose
 
     paths = [*logs, *([] if validate is None else [validate])]
     with progress.line() as shown:
-        read = read_logs(robot, paths, mapping, shown.tell)
-        hashes = [digest(path) for path in paths]
-        for k, path in enumerate(paths):
-            if hashes[k] in hashes[:k]:
-                shown.clear()
-                first = printable(paths[hashes.index(hashes[k])])
-                talk(f"robodyn: warning: {printable(path)} is identical to {first} and adds no evidence")
+        read, hashes = read_all(robot, paths, mapping, shown)
         return diagnose(
             robot,
             read[: len(logs)],
             None if validate is None else read[-1],
-            text=_text(spec),
+            text=description_of(spec),
             names=[printable(Path(path).name) for path in paths],
             hashes=hashes,
             parameters=values,
             progress=lambda what: shown.tell(f"robodyn: {robot.name}: {what}"),
+            **scope,
         )
-
-
-def _text(spec: str) -> str:
-    """The text of the robot description ``spec``."""
-    from robodyn.robot import bundled_text
-
-    path = Path(spec)
-    return path.read_bytes().decode("utf-8-sig") if path.is_file() else bundled_text(spec)
 
 
 def _kernels(diagnosis: Diagnosis) -> dict[str, str]:

@@ -44,6 +44,10 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
         "Find the effects that a model is missing, add them, and validate the amended model.",
     ),
     "logs": ("robodyn_cli.logs", "Show what is in a log, and propose which columns are what."),
+    "identify": (
+        "robodyn_cli.identify",
+        "Identify links, friction and rotors from logs, physically consistent, with intervals.",
+    ),
     "hide": ("robodyn_cli.hide", "Make a blind test: hide effects in simulated logs and seal the answer."),
     "excite": ("robodyn_cli.excite", "Design a motion within the limits that distinguishes effects."),
     "verify": ("robodyn_cli.verify", "Compare the compiled kernels with independent references."),

@@ -70,6 +70,10 @@ class Stand:
         hashes: Sequence[str] = (),
         parameters: Mapping[str, float] | None = None,
         progress: Callable[[str], object] | None = None,
+        only: Sequence[str] = (),
+        without: Sequence[str] = (),
+        joints: Sequence[int] = (),
+        most: int | None = None,
     ) -> Diagnosis:
         assert progress is not None
         progress("at work")
@@ -112,6 +116,24 @@ def test_everything_is_handed_over(capsys: Capture, stand: Stand, tmp_path: Path
     assert call["parameters"] is None
 
 
+def test_what_is_looked_for_is_handed_over(capsys: Capture, stand: Stand) -> None:
+    diagnose(
+        capsys,
+        "arm.yaml a.csv -o out --no-kernels --only spring,backlash --except backlash --joints 1,3 --most 2",
+    )
+    diagnose(capsys, "arm.yaml a.csv -o out --no-kernels")
+    first, plain = stand.calls
+    assert (first["only"], first["without"]) == (("spring", "backlash"), ("backlash",))
+    assert (first["joints"], first["most"]) == ([1, 3], 2)
+    assert (plain["only"], plain["without"], plain["joints"], plain["most"]) == ((), (), [], None)
+
+
+@pytest.mark.parametrize("option", ["--joints one", "--joints 1,", "--only ,", "--most 0", "--most few"])
+def test_what_cannot_be_looked_for_is_refused(capsys: Capture, option: str) -> None:
+    _, err = diagnose(capsys, f"arm.yaml a.csv -o out {option}", 2)
+    assert option.split()[0] in err
+
+
 def test_a_bundled_robot_keeps_its_text(capsys: Capture, stand: Stand, tmp_path: Path) -> None:
     from robodyn.robot import bundled_text
 
@@ -132,12 +154,13 @@ def test_what_is_written_and_said(capsys: Capture, tmp_path: Path) -> None:
     assert json.loads((folder / "diagnosis.json").read_text())["findings"][0]["parameters"] == {
         "level": {"value": 2.0, "stderr": 0.01, "unit": "N*m"}
     }
-    assert "arm: Coulomb friction at joint 1 is missing." in (folder / "report.html").read_text(
+    assert "arm: Coulomb friction at joint 1 is missing; " in (folder / "report.html").read_text(
         encoding="utf-8"
     )
     lines = out.splitlines()
     assert 5 <= len(lines) <= 10
-    assert lines[0] == "missing effect: arm: Coulomb friction at joint 1 is missing."
+    assert lines[0].startswith("missing effect: arm: Coulomb friction at joint 1 is missing; ")
+    assert lines[0].endswith("% of the torque stays unexplained.")
     assert lines[-1].startswith("report: deep/out/report.html")
     assert err == ""
 

@@ -220,7 +220,7 @@ class TestHelp:
         folder = Path(frame.__file__).parent
         shared = {
             "__init__", "__main__", "main", "choices", "common", "counted", "driving", "entry",
-            "firmware", "languages", "log_options", "options", "progress", "pruned", "renamed",
+            "firmware", "languages", "log_files", "log_options", "options", "progress", "pruned", "renamed",
             "schedule_options", "searching", "simulate_options", "targets",
         }  # fmt: skip
         files = {path.stem for path in folder.glob("*.py")} - shared

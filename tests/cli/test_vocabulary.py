@@ -52,9 +52,9 @@ def test_an_option_takes_the_same_everywhere() -> None:
             for spelling in option.opts:
                 number = option.type.name.removesuffix(" range") in ("float", "integer", "numbers")
                 kinds[spelling].add((option.is_flag, "number" if number else "word"))
-    # -p of a sweep is a range, of a plan a number
+    # -p of a sweep is a range, of a plan a number; joints are how many (new) or which (diagnose)
     different = {spelling for spelling, several in kinds.items() if len(several) > 1}
-    assert different <= {"-p", "--processors", "--cut"}
+    assert different <= {"-p", "--processors", "--cut", "--joints"}
 
 
 @pytest.mark.parametrize("name", COMMANDS)
@@ -128,6 +128,8 @@ def test_completion_offers_what_there_is() -> None:
     assert completed("plan", "puma560", "--target", "")
     assert set(completed("effects", "")) >= set(CATALOGUE)
     assert completed("hide", "puma560", "--effect", "back") == ["backlash"]
+    assert completed("diagnose", "puma560", "--only", "spring,back") == ["spring,backlash"]
+    assert completed("diagnose", "puma560", "--except", "time_") == ["time_delay"]
     assert completed("gen", "puma560", "--optimize", "f") == ["fast", "full"]
     assert "newton_euler" in completed("gen", "puma560", "--formulation", "newton")
     assert completed("gen", "puma560", "--trig", "b") == ["builtin"]

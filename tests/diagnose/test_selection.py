@@ -18,7 +18,6 @@ CLEAR = (
     ("puma560_3dof", "viscous_friction", 2, 1, 3.7),
     ("puma560_3dof", "stribeck_friction", 1, 1, 4.8),
     ("puma560_3dof", "base_tilt", None, 1, 7.6),
-    ("puma560_3dof", "external_contact", None, 1, 5.0),
     ("puma560_3dof", "torque_saturation", 2, 1, 5.1),
 )
 

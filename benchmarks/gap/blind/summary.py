@@ -13,7 +13,7 @@ Row = Mapping[str, Any]
 
 
 def summary(rows: Sequence[Row]) -> str:
-    """Text for people: names by kind, what was wrong, coverage, contacts, widths of play."""
+    """Text for people: names by kind, what was wrong, coverage, contacts, widths of backlash."""
     parts = [names(rows), wrongs(rows), intervals(rows), contacts(rows)]
     return "\n\n".join(part for part in parts if part)
 
@@ -46,7 +46,13 @@ def wrongs(rows: Sequence[Row]) -> str:
             f"{effect}@{joint or 'all'} {confidence:.2f}" + (f" or {'/'.join(rivals)}" if rivals else "")
             for effect, joint, confidence, rivals, _ in row.get("findings", ())
         ]
-        said = row.get("error") or f"{row['verdict']}: {'; '.join(claims) or 'nothing'}"
+        said = row.get("error") or f"{row.get('verdict', '')}: {'; '.join(claims) or 'nothing'}"
+        if "floor_ratio" in row:
+            said += f"; left in noise floors {row['floor_ratio']}"
+        if "truth_ratio" in row:
+            said += f", the true arm {row['truth_ratio']}"
+        if "masses" in row:
+            said += f"; masses off by {row['masses']}"
         lines.append(f"{row['status']:7s} {row['key']}: {said}")
     return "\n".join(sorted(lines))
 

@@ -120,6 +120,28 @@ def _null(kind: str, arm: str, seed: int) -> Iterator[Trial]:
         yield Trial(kind, arm, seed, friction=known, off=off, stated=stated, bits=bits)  # type: ignore[arg-type]
 
 
+def _wrong(kind: str, arm: str, seed: int) -> Iterator[Trial]:
+    """Inertial numbers 30 % off and friction unknown, the arm itself as it should be."""
+    both: tuple[Stated, ...] = (0.3, "unknown")
+    for stated in both:
+        yield Trial(kind, arm, seed, friction=True, off=0.3, stated=stated)
+
+
+def _after(kind: str, arm: str, seed: int) -> Iterator[Trial]:
+    """The same, with one effect hidden once the arm is identified."""
+    rng = _draw(kind, arm, seed)
+    for id in EFFECTS:
+        places = joints(arm, id)
+        joint = places[int(rng.integers(len(places)))]
+        if id not in _FRICTIONLESS:
+            yield Trial(kind, arm, seed, id, joint, 3.0, friction=True, off=0.3, stated=0.3)
+
+
+def _payload(kind: str, arm: str, seed: int) -> Iterator[Trial]:
+    rng = _draw(kind, arm, seed)
+    yield Trial(kind, arm, seed, "payload", None, _size(rng, 8.0, 20.0), friction=True, off=0.1, stated=0.1)
+
+
 def _of(*effects: str, motions: tuple[Motion, ...] = ("full",)) -> Callable[[str, str, int], Iterator[Trial]]:
     def trials(kind: str, arm: str, seed: int) -> Iterator[Trial]:
         rng = _draw(kind, arm, seed)
@@ -140,6 +162,9 @@ KINDS: dict[str, Callable[[str, str, int], Iterator[Trial]]] = {
     "load": _of("load_dependent_friction"),
     "contact": _of("external_contact", motions=("full", "rest")),
     "outside": _of(*OUTSIDE),
+    "identify": _wrong,
+    "after": _after,
+    "payload": _payload,
 }
 
 

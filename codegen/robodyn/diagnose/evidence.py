@@ -49,18 +49,18 @@ def tried(last: Selection, findings: Sequence[Finding]) -> tuple[Tried, ...]:
     return tuple(candidates)
 
 
-def windows(gates: Sequence[Gate], findings: Sequence[Finding]) -> tuple[Window, ...]:
-    """Contacts, and gaps in the first log."""
-    contacts = []
+def windows(gate: Gate, findings: Sequence[Finding], shown: Mapping[str, str]) -> tuple[Window, ...]:
+    """Contacts in the logs that are ``shown`` (names of series by hash), and gaps in the first, ``gate``."""
+    stretches = []
     for finding in findings:
-        if CATALOGUE[finding.effect].place == "outside":
-            start, end = (float(finding.parameters[name].value) for name in ("start", "end"))
-            contacts.append(Window("train", start, end, "contact"))
-    gate = gates[0]
+        name = shown.get(str(finding.parameters["log"].value)) if "log" in finding.parameters else None
+        if CATALOGUE[finding.effect].place == "outside" and name is not None:
+            start, end = (float(finding.parameters[edge].value) for edge in ("start", "end"))
+            stretches.append(Window(name, start, end, "contact"))
     for before, after in zip(gate.segments, gate.segments[1:], strict=False):
         times = float(gate.log.t[before.stop - 1]), float(gate.log.t[after.start])
-        contacts.append(Window("train", *times, "gap"))
-    return tuple(contacts)
+        stretches.append(Window("train", *times, "gap"))
+    return tuple(stretches)
 
 
 def operations(robot: Robot) -> Count:

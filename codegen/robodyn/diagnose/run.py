@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend.amend import Amendment, amended_text, difference
+from robodyn.diagnose.amend.amend import Amendment, apply_amendments, comments_of, difference
 from robodyn.diagnose.evidence import (
     by_kind,
     doubtful,
@@ -31,9 +31,12 @@ from robodyn.diagnose.limits import (
     UNSEEN,
     WITHDRAWN,
 )
+from robodyn.diagnose.refit import is_better, refit
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
+from robodyn.diagnose.select.contact import contact_findings, without_contacts
 from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
+from robodyn.diagnose.select.scope import scope_of
 from robodyn.diagnose.select.search import Detected, search
 from robodyn.diagnose.select.selection import Selection, what_matters
 from robodyn.effects.catalogue import CATALOGUE
@@ -43,6 +46,7 @@ from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log, read_log
 from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
+from robodyn.robot.rewriting import Place, rewritten
 
 Floats = NDArray[np.float64]
 
@@ -57,18 +61,23 @@ def diagnose(
     hashes: Sequence[str] = (),
     parameters: Mapping[str, float] | None = None,
     progress: Callable[[str], object] | None = None,
+    only: Sequence[str] = (),
+    without: Sequence[str] = (),
+    joints: Sequence[int] = (),
+    most: int | None = None,
 ) -> Diagnosis:
     """What ``robot`` lacks to explain ``logs``; ``validate`` is a log that is not fitted.
 
     A robot may be a path or a name, a log the path of a CSV or Parquet file.
 
     ``text`` is the robot's description, to be amended; ``names`` and ``hashes`` are those of the logs, the
-    validation's last.
+    validation's last. ``only`` these effects (ids) are looked for, or all ``without`` those; at these
+    ``joints`` (from 1) and not of the whole robot; ``most`` kinds of them are named.
 
     Raises
     ------
-    InputError: there is no such robot or file, a log cannot be used, or ``parameters`` do not fit the
-    robot (:meth:`Robot.at`).
+    InputError: there is no such robot, file, effect or joint, a log cannot be used, or ``parameters`` do
+    not fit the robot (:meth:`Robot.at`).
     """
     from robodyn.robot.writer import to_yaml
 
@@ -79,11 +88,16 @@ def diagnose(
     robot = robot.at(parameters or {})
     tell("looking at the logs")
     n = robot.n
+    scope = scope_of(n, only, without, joints, most)
     gates = [inspect(_log(log, n), robot, source=_name(names, k)) for k, log in enumerate(logs)]
     seen = gates[-1]
     if validate is not None:
         seen = inspect(_log(validate, n), robot, source=_name(names, len(logs)))
-    outcome = search(robot, gates, tell, hashes[0] if hashes else "log")
+    whole = list(dict.fromkeys([*gates, seen]))
+    digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
+    cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
+    gates, seen = cleaned[: len(logs)], cleaned[-1]
+    outcome = search(robot, gates, tell, scope)
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
     checked = [_doubted(one, first, last) for one in accepted.values()]
@@ -98,43 +112,89 @@ def diagnose(
         verdict = "unexplained"
         findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
         gap = _gap(lacks, robot, robot, gates, seen)
-    if verdict != "missing_effect":
-        model = robot
-    amendments = [
-        Amendment(f.effect, f.joint, {k: p.value for k, p in f.parameters.items()}) for f in findings
-    ]
+    named = findings if verdict == "missing_effect" else ()
+    amendments = [_amendment(f) for f in named]
+    done = apply_amendments(robot, amendments)
+    model, origins = done.robot, done.origins
+    own = refit(robot, amendments, gates, unstated=first.unstated) if verdict != "unexplained" else None
+    refitted = own is not None and _is_refitted(lacks, model, own.robot, gates, seen)
+    if own is not None and refitted:
+        model, origins = own.robot, own.origins
+        findings = tuple(_with_estimates(f, own.estimates.get((f.effect, f.joint), {})) for f in findings)
+        gap = _gap(lacks, robot, model, gates, seen)
+    if touched:
+        outside = contact_findings(touched)
+        findings, windowed = (*findings, *outside), [_amendment(f) for f in outside]
+        more = apply_amendments(model, windowed)
+        model = more.robot
+        origins = tuple(None if k is None else origins[k] for k in more.origins)
+        amendments += windowed
+        verdict = "missing_effect" if verdict == "consistent" else verdict
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = old
-    if verdict == "missing_effect":
+    if model != robot:
         note = f"robodyn diagnose: {', '.join(hashes[: len(logs)]) or 'a log'}"
-        new = (
-            amended_text(old, robot, amendments, dict.fromkeys(range(len(amendments)), note))
-            if parameters is None
-            else to_yaml(model)
-        )
+        notes = dict.fromkeys(range(len(amendments)), note)
+        comments = comments_of(apply_amendments(robot, amendments), amendments, notes)
+        if refitted:
+            comments += [(_refitted_places(robot, model), [f"{note}: fitted within their confidence"])]
+        new = to_yaml(model) if parameters else rewritten(old, robot, model, origins, comments)
     described = tuple(
         {
             "name": _name(names, k) or f"log {k + 1}",
             "sha256": hashes[k] if k < len(hashes) else "",
-            **log_facts([*gates, seen][k]),
+            **log_facts(whole[k]),
         }
         for k in range(len(logs) + (validate is not None))
     )
     before, after = operations(robot), operations(model)
+    flags = tuple(str(f) for gate in whole for f in gate.flags)
+    drawn = (("train", whole[0]), ("validate", whole[-1]))
+    seen_names = _shown(digests, validated=validate is not None)
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
-        tuple(str(f) for gate in dict.fromkeys([*gates, seen]) for f in gate.flags),
-        left, _words(verdict, findings, last), described,
-        (_series(lacks, "train", robot, model, gates[0]), _series(lacks, "validate", robot, model, seen)),
+        flags,
+        left, (*_words(verdict, findings, last), *scope.words()), described,
+        tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
-        windows(gates, findings), tried(last, findings), what_matters(last.context),
+        windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
         (by_kind(before), by_kind(after)),
         agreement(model, gates[0]), to_record(robot, gates),
     )  # fmt: skip
 
 
+def _amendment(f: Finding) -> Amendment:
+    return Amendment(f.effect, f.joint, {name: p.value for name, p in f.parameters.items()})
+
+
+def _is_refitted(lacks: _Lacking, model: Robot, other: Robot, gates: Sequence[Gate], seen: Gate) -> bool:
+    """Whether the arm's own numbers, refitted, explain more of logs that were fitted and of one that was
+    not."""
+    return all(is_better(*(_rms(lacks, arm, which) for arm in (model, other))) for which in (gates, [seen]))
+
+
+def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:
+    return replace(finding, parameters={**finding.parameters, **estimates})
+
+
+def _refitted_places(robot: Robot, model: Robot) -> frozenset[Place]:
+    """Where the arm's own numbers are new."""
+    pairs = zip(robot.links, model.links, strict=True)
+    return frozenset(
+        (j, key)
+        for j, (old, new) in enumerate(pairs, 1)
+        for key in ("mass", "com", "inertia")
+        if getattr(old, key) != getattr(new, key)
+    )
+
+
 def _name(names: Sequence[str], k: int) -> str | None:
     return names[k] if k < len(names) else None
+
+
+def _shown(digests: Sequence[str], *, validated: bool) -> dict[str, str]:
+    """Names of the series by the hashes of their logs."""
+    return {digests[-1]: "validate" if validated else "train", digests[0]: "train"}
 
 
 def _share(first: Selection, last: Selection, rows: Sequence[int]) -> tuple[float, float]:
@@ -182,10 +242,8 @@ class _Lacking:
 def _holds(
     lacks: _Lacking, gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, seen: Gate
 ) -> bool:
-    """Whether the model is nearer to a log that it was not fitted to, a contact apart; or no farther from
-    one in which the findings do not show."""
-    if all(CATALOGUE[f.effect].place == "outside" for f in findings):
-        return True
+    """Whether the model is nearer to a log that it was not fitted to; or no farther from one in which the
+    findings do not show."""
     floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
     before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
     change = _inner(lacks(robot, seen) - lacks(model, seen))
@@ -263,15 +321,18 @@ def _inner(x: Floats) -> Floats:
 
 
 def _gap(lacks: _Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
-    def rms(of: Robot, which: Sequence[Gate]) -> Floats:
-        squares, count = np.zeros(robot.n), 0
-        for gate in which:
-            kept = _inner(lacks(of, gate))
-            squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
-        return np.sqrt(squares / count)
-
     noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
-    return Gap(rms(robot, gates), rms(model, gates), rms(robot, [seen]), rms(model, [seen]), noise)
+    train, validate = ([_rms(lacks, arm, which) for arm in (robot, model)] for which in (gates, [seen]))
+    return Gap(train[0], train[1], validate[0], validate[1], noise)
+
+
+def _rms(lacks: _Lacking, arm: Robot, gates: Sequence[Gate]) -> Floats:
+    """RMS [n] of what ``arm`` leaves of logs."""
+    squares, count = np.zeros(arm.n), 0
+    for gate in gates:
+        kept = _inner(lacks(arm, gate))
+        squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
+    return np.asarray(np.sqrt(squares / count))
 
 
 def _series(lacks: _Lacking, name: str, robot: Robot, model: Robot, gate: Gate) -> Series:

@@ -81,6 +81,9 @@ STAY_TIME: Final = 0.05
 STUCK_SPEED: Final = 0.15
 """[share of top speed] A joint as fast just before the stay cannot have stopped so."""
 
+STUCK_LEAST: Final = 0.05
+"""[rad/s or m/s] and no slower than this before it."""
+
 BEFORE_STAY: Final = 10
 """[samples] The speed before the stay is taken over as many."""
 

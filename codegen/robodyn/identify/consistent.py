@@ -53,30 +53,32 @@ def pseudo_inertia(phi: Floats) -> Floats:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cone:
-    """What parameters x [p] must obey: each of ``bodies`` (ten indices) has a positive pseudo-inertia in the
-    units ``mass`` [kg] and ``length`` [m] of :attr:`sizes`, and x at ``positive`` is not negative (in units
-    of ``scales``)."""
+    """What parameters x [p] must obey: each of the ``bodies`` [B, 10] (their places) has a positive
+    pseudo-inertia, and x at the places ``positive`` is not negative. ``units`` [B, 4, 4]: what
+    pseudo-inertias are multiplied by, so that links of all sizes are alike."""
 
-    bodies: tuple[Indices, ...]
-    sizes: tuple[tuple[float, float], ...]
+    bodies: Indices
+    units: Floats
     positive: Indices
-    scales: Floats
+
+    @classmethod
+    def of(cls, bodies: Sequence[Indices], sizes: Sequence[tuple[float, float]], positive: Indices) -> Cone:
+        """The cone of ``bodies`` of these ``sizes``: mass [kg] and length [m]."""
+        units = [np.array([1 / length] * 3 + [1.0]) / np.sqrt(mass) for mass, length in sizes]
+        return cls(
+            np.array(bodies, dtype=np.intp).reshape(-1, 10),
+            np.array([np.outer(unit, unit) for unit in units]).reshape(-1, 4, 4),
+            positive,
+        )
 
     @property
     def degree(self) -> int:
         """How many eigenvalues and numbers the barrier holds above 0."""
-        return 4 * len(self.bodies) + len(self.positive)
+        return int(4 * len(self.bodies) + len(self.positive))
 
     def matrices(self, x: Floats) -> Floats:
-        """The pseudo-inertias [bodies, 4, 4] of ``x``, or of a step, in their units."""
-        if not self.bodies:
-            return np.zeros((0, 4, 4))
-        return pseudo_inertia(x[np.stack(self.bodies)]) * self.units()
-
-    def units(self) -> Floats:
-        """What a pseudo-inertia is multiplied by [bodies, 4, 4]."""
-        units = [np.array([1 / length] * 3 + [1.0]) / np.sqrt(mass) for mass, length in self.sizes]
-        return np.array([np.outer(unit, unit) for unit in units])
+        """The pseudo-inertias [B, 4, 4] of ``x``, or of a step, in their units."""
+        return pseudo_inertia(x[self.bodies]) * self.units
 
     def slopes(self, x: Floats) -> tuple[Floats, Floats]:
         """Gradient [p] and Hessian [p, p] of minus the logarithms of determinants and numbers."""
@@ -85,40 +87,33 @@ class Cone:
             at = x[self.positive]
             gradient[self.positive] -= 1 / at
             hessian[self.positive, self.positive] += 1 / at**2
-        if self.bodies:
-            inverse = np.linalg.inv(self.matrices(x))
-            products = inverse[:, None] @ (BASIS[None] * self.units()[:, None])
-            flat = products.reshape(len(self.bodies), 10, 16)
-            turned = np.swapaxes(products, 2, 3).reshape(len(self.bodies), 10, 16)
-            curvature = flat @ np.swapaxes(turned, 1, 2)
-            for body, product, square in zip(self.bodies, products, curvature, strict=True):
-                gradient[body] -= np.trace(product, axis1=1, axis2=2)
-                hessian[np.ix_(body, body)] += square
+        inverse = np.linalg.inv(self.matrices(x))
+        products = inverse[:, None] @ (BASIS * self.units[:, None])
+        flat = products.reshape(-1, 10, 16)
+        turned = np.swapaxes(products, 2, 3).reshape(-1, 10, 16)
+        curvature = flat @ np.swapaxes(turned, 1, 2)
+        gradient[self.bodies] -= np.trace(products, axis1=2, axis2=3)
+        hessian[self.bodies[:, :, None], self.bodies[:, None, :]] += curvature
         return gradient, hessian
 
     def reaches(self, x: Floats, step: Floats) -> Floats:
         """How fast a ``step`` from ``x`` changes the numbers above 0, each as a share of what it is: at a
         share s of the step they are ``1 + s * reaches`` times as large."""
         shares: list[Floats] = [step[self.positive] / x[self.positive]]
-        if self.bodies:
-            lower = np.linalg.inv(np.linalg.cholesky(self.matrices(x)))
-            turned = lower @ self.matrices(step) @ np.swapaxes(lower, 1, 2)
-            shares.append(np.asarray(np.linalg.eigvalsh(turned).ravel()))
+        lower = np.linalg.inv(np.linalg.cholesky(self.matrices(x)))
+        turned = lower @ self.matrices(step) @ np.swapaxes(lower, 1, 2)
+        shares.append(np.asarray(np.linalg.eigvalsh(turned).ravel()))
         return np.concatenate(shares)
 
 
-def minimum(
-    hessian: Floats, linear: Floats, cone: Cone, start: Floats, free: Indices
-) -> tuple[Floats, Floats]:
+def minimum(hessian: Floats, linear: Floats, cone: Cone, start: Floats, free: Indices) -> Floats:
     """The x [p] inside ``cone`` that makes ``x' H x / 2 - linear' x`` smallest, from a ``start`` inside, by
-    its ``free`` numbers alone; and the Hessian of the barrier there, which is stiff only where the cone holds
-    x back."""
+    its ``free`` numbers alone."""
     x = start.copy()
     slope = (hessian @ x - linear)[free]
     # What there is to gain at all sets the barrier's first weight.
     gain = 0.5 * float(slope @ _solved(hessian[np.ix_(free, free)], slope))
     mu = max(gain / max(cone.degree, 1), BARRIER_END)
-    push = np.zeros_like(hessian)
     while True:
         for _ in range(NEWTON_STEPS):
             gradient, curvature = cone.slopes(x)
@@ -128,9 +123,12 @@ def minimum(
             promised = -float(slope @ step)
             if promised < NEWTON_DONE * mu:
                 break
-            x = x + _share(cone, x, step, mu, float(slope @ step), float(step @ hessian @ step)) * step
+            share = _share(cone, x, step, mu, -promised, float(step @ hessian @ step))
+            if not share:
+                break
+            x = x + share * step
         if mu <= BARRIER_END:
-            return x, push
+            return x
         mu = max(mu * BARRIER_STEP, BARRIER_END)
 
 

@@ -48,7 +48,7 @@ def covariance(unknowns: Unknowns, blocks: Sequence[Block], solution: Solution, 
     say the residuals' sums of a joint spread."""
     free = np.flatnonzero(unknowns.free)
     at = np.ix_(free, free)
-    H = (solution.curvature + np.diag(solution.prior) + solution.edge)[at]
+    H = (solution.curvature + np.diag(solution.prior))[at]
     unit = 1 / np.sqrt(np.diag(H))
     bread = np.linalg.inv(H * np.outer(unit, unit)) * np.outer(unit, unit)
     S = scores(unknowns, blocks, solution.weights, solution.z)[:, free]

@@ -39,7 +39,7 @@ LAG_PIECE: Final = 4.0
 
 # --- consistent --------------------
 
-BARRIER_STEP: Final = 0.1
+BARRIER_STEP: Final = 0.02
 """[-] The weight of the barrier that keeps bodies possible falls by this factor"""
 
 BARRIER_END: Final = 1e-7
@@ -48,7 +48,7 @@ BARRIER_END: Final = 1e-7
 NEWTON_STEPS: Final = 40
 """[steps] Newton's method may take as many for each weight."""
 
-NEWTON_DONE: Final = 1e-6
+NEWTON_DONE: Final = 0.03
 """[share of the weight] A step that promises less ends it."""
 
 NEARLY_THERE: Final = 0.99
@@ -162,3 +162,8 @@ MARGIN: Final = 1e-7
 
 UNSEEN_SHARE: Final = 0.9
 """[prior standard deviations] A number that the logs leave more uncertain than this is not seen by them."""
+
+# --- advice --------------------
+
+POOR_CONDITION: Final = 100.0
+"""[-] A base regressor with a larger condition number is poorly excited (Gautier and Khalil 1992)."""

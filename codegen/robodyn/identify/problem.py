@@ -66,7 +66,7 @@ class Unknowns:
         bodies = tuple(self.body(k) for k in np.flatnonzero(self.rigid).tolist())
         sizes = tuple(self.sizes[k] for k in np.flatnonzero(self.rigid).tolist())
         positive = self.positive[self.free[self.positive]]
-        return Cone(bodies, sizes, positive, self.sd[positive])
+        return Cone.of(bodies, sizes, positive)
 
     def parameters(self, z: Floats, log: int) -> Floats:
         """The layout's parameters in a log: what it carried is part of the last link."""
@@ -103,14 +103,12 @@ class Unknowns:
 @dataclass(frozen=True, slots=True, eq=False)
 class Solution:
     """A fit: values ``z``; ``weights`` [n] of the joints (1 / variance / correlation); ``curvature`` [p, p]
-    of the data, that of the ``prior`` (diagonal), and of the cone (``edge``), at free numbers; ``noise`` [n]:
-    RMS of what is left."""
+    of the data, and that of the ``prior`` (diagonal); ``noise`` [n]: RMS of what is left."""
 
     z: Floats
     weights: Floats
     curvature: Floats
     prior: Floats
-    edge: Floats
     noise: Floats
 
 
@@ -181,17 +179,17 @@ def solve(unknowns: Unknowns, blocks: Sequence[Block], likeness: Floats, *, roun
     torque = np.sum([block.square for block in blocks], axis=0)
     weights = count / np.maximum(torque, 1e-300) / likeness
     precision = 1 / unknowns.sd**2
-    edge, squares = np.zeros((unknowns.size, unknowns.size)), torque
+    squares = torque
     for _ in range(rounds):
         H, h = normal(unknowns, blocks, weights, z)
         total, right = H + np.diag(precision), h + precision * unknowns.mean
-        z, edge = minimum(total, right, cone, start, free)
+        z = minimum(total, right, cone, start, free)
         squares = misfits(unknowns, blocks, z).sum(axis=0)
         squares = np.maximum(squares, LEAST_MISFIT * torque)
         weights = count / np.maximum(squares, 1e-300) / likeness
         precision = _precision(unknowns, z)
     H, _ = normal(unknowns, blocks, weights, z)
-    return Solution(z, weights, H, precision, edge, np.sqrt(squares / count))
+    return Solution(z, weights, H, precision, np.sqrt(squares / count))
 
 
 def _precision(unknowns: Unknowns, z: Floats) -> Floats:

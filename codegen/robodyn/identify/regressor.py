@@ -20,11 +20,12 @@ from numpy.typing import NDArray
 from robodyn.dynamics.arm import Arm, Motion, build_motion, origin, trigonometry_at
 from robodyn.dynamics.modified_newton_euler import forward_pass
 from robodyn.dynamics.vectors import unmarked
+from robodyn.robot.model import AXES
 
 Floats = NDArray[np.float64]
 
-#: Entries of a symmetric tensor ``xx yy zz xy xz yz`` by row and column.
-_ENTRIES = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+#: Entries of a symmetric tensor by row and column.
+_ENTRIES = tuple(("xyz".index(axes[0]), "xyz".index(axes[1])) for axes in AXES)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

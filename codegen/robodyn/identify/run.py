@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.gate.gate import Gate, inspect
+from robodyn.identify.advice import remarks
 from robodyn.identify.fit import Fit, Options, fit_arm
 from robodyn.identify.outcome import Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
@@ -142,7 +143,7 @@ def identify(
     return Identification(
         robot, outcome.robot, new, outcome.parameters, outcome.not_identifiable,
         _residual(fit, gates, seen), fit.condition, seen is None,
-        tuple(str(flag) for gate in every for flag in gate.flags), (),
+        tuple(str(flag) for gate in every for flag in gate.flags), remarks(fit, outcome, gates),
         tuple(
             {"name": labels[k], "sha256": hashes[k] if k < len(hashes) else ""} for k in range(len(every))
         ),

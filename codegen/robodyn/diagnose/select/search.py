@@ -15,6 +15,7 @@ from robodyn.diagnose.select.forward import Key, Named, special_cases
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
+from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.selection import Selection, select
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
@@ -47,15 +48,18 @@ class Outcome:
     last: Selection
 
 
-def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], digest: str) -> Outcome:
-    """What ``robot`` lacks to explain logs that have passed their ``gates``; ``digest``: a log's hash, kept
-    with a contact in it."""
+def search(
+    robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], scope: Scope = EVERYTHING
+) -> Outcome:
+    """What ``robot`` lacks in ``scope`` to explain logs that have passed their ``gates``; windows of contacts
+    are not in them."""
     pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
 
-    def look(model: Robot, known: Iterable[Key], widest: bool | None) -> Selection:
+    def look(model: Robot, known: Iterable[Key], unstated: float | None) -> Selection:
         return select(
-            model, pieces, known=frozenset(known), widest=widest, progress=lambda name: tell(f"found {name}")
-        )
+            model, pieces, known=frozenset(known), unstated=unstated, scope=scope,
+            progress=lambda name: tell(f"found {name}"),
+        )  # fmt: skip
 
     tell("fitting the catalogue")
     first = last = look(robot, (), None)
@@ -64,7 +68,7 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
         if not last.findings:
             break
         more = dict(findings)
-        _take(last, more, digest)
+        _take(last, more)
         _refit(robot, more, first)
         if _levelled(more, first):
             _refit(robot, more, first)
@@ -73,7 +77,7 @@ def search(robot: Robot, gates: Sequence[Gate], tell: Callable[[str], object], d
             break  # what was left out comes again, or in another guise
         findings, model = more, amended(robot, _amendments(more))
         tell("fitting what is left")
-        last = look(model, findings, first.widest)
+        last = look(model, findings, first.unstated)
     return Outcome(findings, model, first, last)
 
 
@@ -84,8 +88,6 @@ def _is_better(
     if not findings or set(more) == set(findings):
         return set(more) != set(findings)
     added = [one for key, one in more.items() if key not in findings]
-    if any(CATALOGUE[key[0]].place == "outside" for key in set(more) - set(findings)):
-        return True  # of a contact the window is left out of the costs
     before, after = costs(robot, [_amendments(findings), _amendments(more)], first.contexts, first.start)
     worth = sum(evidence_threshold(first.start, numbers_of(one.named.trial)) for one in added)
     return before - after > PRICE * worth
@@ -108,8 +110,7 @@ def _pruned(robot: Robot, findings: dict[Key, Detected], first: Selection) -> No
         ]
         laws = {(part, joint) for effect, joint in findings for part in CATALOGUE[effect].traits.one_law_with}
         for k, (effect, joint) in enumerate(findings):
-            # Of a contact the window is left out of the costs.
-            if CATALOGUE[effect].place == "outside" or (effect, joint) in laws:
+            if (effect, joint) in laws:
                 spare[k] = np.inf
         k = int(np.argmin(spare))
         if spare[k] >= 0:
@@ -154,14 +155,12 @@ def _levelled(findings: dict[Key, Detected], begun: Selection) -> bool:
     return bool(flat)
 
 
-def _take(step: Selection, findings: dict[Key, Detected], digest: str) -> None:
+def _take(step: Selection, findings: dict[Key, Detected]) -> None:
     """A step's findings join those of the same effect and place; a law takes the place of its special
     cases."""
     for named in step.findings:
         candidate = named.trial.candidate
         values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
-        if candidate.definition.place == "outside":
-            values["log"] = digest
         key = (candidate.effect, candidate.joint)
         for plain in [(id, candidate.joint) for id in special_cases(candidate)]:
             if plain in findings:

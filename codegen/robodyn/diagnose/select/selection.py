@@ -27,16 +27,21 @@ from robodyn.diagnose.select.choice import (
     prepared,
     trials,
 )
-from robodyn.diagnose.select.contact import Contact, contact_in
-from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider, without
+from robodyn.diagnose.select.fit import (
+    Fit,
+    Problem,
+    coarser,
+    covariance,
+    fitted,
+    problem,
+    tighter,
+    wider,
+)
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
-from robodyn.diagnose.select.library import Context, candidates, context_of
+from robodyn.diagnose.select.library import Context, candidates, context_of, regressor_seen
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
-    BLOCKS,
-    CLIPPED_MARGIN,
     DIVERGED,
-    FEW_PARTS,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -45,7 +50,9 @@ from robodyn.diagnose.select.limits import (
     STANDS_OUT,
     TIGHT,
     TIGHT_EVIDENCE,
+    UNSTATED,
 )
+from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
@@ -58,8 +65,8 @@ Floats = NDArray[np.float64]
 class Selection:
     """The effects selected in the parts of a log; ``first`` and ``last`` fits; all trials of the first step,
     best first; ``residue`` [n]: the median of what is left, in units of the noise (a median, so that short
-    bursts of joints that stick at reversals do not count); ``widest``: inertial numbers of which nothing is
-    stated were taken for a guess."""
+    bursts of joints that stick at reversals do not count); ``unstated``: by which share the inertial numbers
+    were taken to be wrong of which nothing is stated, None: by that of the description."""
 
     contexts: tuple[Context, ...]
     start: Problem
@@ -68,7 +75,7 @@ class Selection:
     last: Fit
     trials: tuple[Trial, ...]
     residue: Floats
-    widest: bool = False
+    unstated: float | None = None
 
     @property
     def context(self) -> Context:
@@ -76,32 +83,30 @@ class Selection:
         return self.contexts[0]
 
 
-def prior_scales(model: Model, widest: bool = False) -> Floats:
+def prior_scales(model: Model, unstated: float | None = None) -> Floats:
     """Standard deviations [n, 10] of the links' standard parameters about the description: by the share that
-    is stated of each; ``widest``: where none is stated, as of a guess."""
+    is stated of each, or ``unstated``."""
     phi = model.standard_parameters()
     scales, usual = np.zeros_like(phi), usual_sizes(model)
     for k, link in enumerate(model.robot.links):
-        guessed = link.confidence == "unknown" or (widest and link.confidence is None)
-        if guessed:
-            scales[k] = np.maximum(np.abs(phi[k]), usual[k])
-            continue
+        share = float(link.inertial_share)
+        is_free = link.confidence == "unknown"
+        if link.confidence is None and unstated is not None:
+            share, is_free = unstated, True
         size = np.abs(phi[k])
         floor = np.concatenate([[0.0], np.full(3, 0.02 * size[0]), np.full(6, 0.1 * size[4:7].max())])
-        scales[k] = float(link.inertial_share) * np.maximum(size, floor)
+        scales[k] = share * np.maximum(size, usual[k] if is_free else floor)
     return scales
 
 
 def start_of(contexts: Sequence[Context], scale: Floats) -> Problem:
     """The filtered residual of the model, and the nuisance of its rigid numbers, which are right to
     ``scale`` [n, 10]."""
-    model, s = contexts[0].model, contexts[0].signals
+    s = contexts[0].signals
     rests, nuisances = [], []
     for c in contexts:
         rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
-        Y = c.model.regressor(c.slow.q, c.slow.qd, c.slow.qdd)
-        flat = (Y * scale).reshape(len(Y), model.n, -1)
-        nuisances.append(c.slow.thinned(c.slow.filtered(flat)))
+        nuisances.append(regressor_seen(c) * scale.reshape(-1))
     Y = np.concatenate(nuisances)
     Y = Y[:, :, np.abs(Y).max(axis=(0, 1)) > 0]
     thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
@@ -154,13 +159,14 @@ def select(
     logs: Log | Sequence[Log],
     *,
     known: frozenset[Key] = frozenset(),
-    widest: bool | None = None,
+    unstated: float | None = None,
     progress: Callable[[str], object] | None = None,
     cutoff: float | None = None,
+    scope: Scope = EVERYTHING,
 ) -> Selection:
-    """What ``robot`` lacks to explain ``logs``, each evenly sampled; parts too short to be filtered are
-    left out. ``known``: what the model has of earlier passes; ``widest``: whether the inertial numbers of
-    which nothing is stated are a guess (None: the logs decide)."""
+    """What ``robot`` lacks to explain ``logs``, each evenly sampled, in ``scope``; parts too short to be
+    filtered are left out. ``known``: what the model has of earlier passes; ``unstated``: by which share
+    the inertial numbers may be wrong of which nothing is stated (None: the logs decide)."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     pieces.sort(key=lambda log: -log.samples)
     longest = signals_of(pieces[0], cutoff=cutoff)
@@ -173,7 +179,7 @@ def select(
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
-    columns = zip(*(candidates(each) for each in contexts), strict=True)
+    columns = zip(*(candidates(each, scope) for each in contexts), strict=True)
     library = Library.of(
         (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
         for each in columns
@@ -181,48 +187,44 @@ def select(
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
-    contact = contact_in(context, start) if len(contexts) == 1 else None
-    if contact is not None and (
-        _clipped_there(start, contact, library) or _otherwise(start, contact, library, least)
-    ):
-        contact = None
-    if contact is not None:
-        start = without(start, contact.mask)
     rough = bool(np.any(factor > 1))
 
     def choose(start: Problem, *, links: bool = True) -> Chosen:
         return forward(
-            start, library, least, contexts, known=known, rough=rough, links=links, progress=progress
-        )
+            start, library, least, contexts, known=known, rough=rough, links=links, most=scope.most,
+            progress=progress,
+        )  # fmt: skip
 
-    scales = prior_scales(context.model, widest=True)
-    wide = wider(start, start_of(contexts, scales)) if np.any(scales > narrow) else None
-    if widest and wide is not None:
-        start, chosen = wide, choose(wide, links=False)
+    def wide(share: float) -> Problem:
+        return wider(start, start_of(contexts, prior_scales(context.model, share)))
+
+    if unstated is not None:
+        start = wide(unstated)
+        chosen = choose(start, links=False)
     else:
         chosen = choose(start)
         # Perhaps the arm's numbers are better than they are said to be, and something else shows (not their
-        # errors, which are within what is said of them); or, where nothing is said of them, they are a guess.
-        other = None if chosen.findings else tighter(start, TIGHT)
-        if chosen.findings and wide is not None and widest is None:
-            other = wide
-        if other is not None:
+        # errors, which are within what is said of them); or, where nothing is said of them, they are worse.
+        others: list[tuple[float | None, Problem]] = []
+        if not chosen.findings:
+            others = [(None, tighter(start, TIGHT))]
+        elif any(link.confidence is None for link in robot.links):
+            others = [(share, wide(share)) for share in UNSTATED]
+        evidence = _evidence(start, chosen)
+        for share, other in others:
             again = choose(other, links=False)
-            if (again.findings or other is wide) and (
-                _evidence(other, again) > _evidence(start, chosen) + TIGHT_EVIDENCE
-            ):
-                start, chosen, widest = other, again, other is wide
+            better = _evidence(other, again)
+            if (again.findings or share) and better > evidence + TIGHT_EVIDENCE:
+                start, chosen, unstated, evidence = other, again, share, better
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
-    if contact is not None:
-        estimated = (*estimated, _named_contact(contact, first))
     left = factor * np.abs(now.rest - now.A @ current.known)
     residue: Floats = 1.4826 * np.median(left[np.any(left > 0, axis=1)], axis=0)
     for each in contexts:
         each.kept.clear()
     return Selection(
-        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, bool(widest)
+        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated
     )
 
 
@@ -260,52 +262,11 @@ def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[
     return factor
 
 
-def _otherwise(start: Problem, contact: Contact, library: Library, least: Floats) -> bool:
-    """Whether an effect that acts all along explains more of a log than a contact does of its window."""
-    current = fitted(start)
-    by_force = contact.explained * float((start.rest[contact.mask] ** 2).sum()) / 2 / start.thin
-    return trials(start, current, library, least)[0].gain > by_force
-
-
-def _clipped_there(start: Problem, contact: Contact, library: Library) -> bool:
-    """Whether a torque that is cut off explains the burst as well as a force does."""
-    b = start.rest[contact.mask]
-    for k, candidate in enumerate(library.candidates):
-        channel = candidate.definition.traits.channel
-        if channel is not None and channel.acts == "limit":
-            left = b.copy()
-            rows = list(candidate.rows)
-            left[:, rows] -= library.of_candidate(k)[contact.mask][:, :, 0] / start.sigma[rows]
-            if 1 - float(np.sum(left**2) / np.sum(b**2)) > contact.explained - CLIPPED_MARGIN:
-                return True
-    return False
-
-
-def _named_contact(contact: Contact, first: Fit) -> Named:
-    """A contact as a finding: judged in its window, not on parts of the log."""
-    gain = 100.0 * contact.explained
-    fit = Fit(contact.x, np.diag(contact.stderr**2), first.known, first.held_out, 0.0)
-    one = Trial(contact.candidate, contact.columns, fit, gain, np.inf, np.inf, np.full(BLOCKS, gain))
-    return Named(one, (), 0.9, contact.x, contact.stderr)
-
-
-def _covariance(now: Problem, last: Fit) -> Floats:
-    """The covariance [p, p] of the coefficients, by how much the parts of the log pull at them (White 1980,
-    with parts as clusters: what is left is correlated over time), no less than of as many independent
-    samples."""
-    inverse = np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True)
-    pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
-    clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
-    independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
-    scale = np.sqrt(np.maximum(1.0, np.diag(independent) / np.maximum(np.diag(clustered), 1e-300)))
-    return np.asarray(clustered * np.outer(scale, scale))
-
-
 def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
     """The effects with their coefficients in the fit of all together."""
     done = []
     at = now.nuisance
-    spread = _covariance(now, last)
+    spread = covariance(now, last)
     for one in findings:
         if one.trial.candidate.fixed:
             done.append(replace(one, x=np.ones(1), stderr=np.zeros(1)))

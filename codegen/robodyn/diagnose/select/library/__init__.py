@@ -16,12 +16,13 @@ from robodyn.diagnose.select.library.elastic import twists
 from robodyn.diagnose.select.library.laws import dahl, laws
 from robodyn.diagnose.select.library.position import lines, waves
 from robodyn.diagnose.select.library.sensors import channels, late_channels
-from robodyn.diagnose.select.library.several import numbers, pairs
+from robodyn.diagnose.select.library.several import numbers, pairs, regressor_seen
+from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Dahl, Law, Line, Shown, Twist, Wave
 
-__all__ = ["Candidate", "Context", "Hints", "candidates", "context_of"]
+__all__ = ["Candidate", "Context", "Hints", "candidates", "context_of", "regressor_seen"]
 
 #: What shows at a joint, by the way in which it is looked for.
 _AT_JOINT: Final[Mapping[type, Callable[[Context, Effect, Any, int], Iterator[Candidate]]]] = {
@@ -34,12 +35,19 @@ _AT_JOINT: Final[Mapping[type, Callable[[Context, Effect, Any, int], Iterator[Ca
 }
 
 
-def candidates(c: Context) -> Iterator[Candidate]:
-    """Everything that the catalogue has and a log can show."""
-    ways = [(effect, way) for effect in CATALOGUE.values() for way in effect.traits.candidates]
+def candidates(c: Context, scope: Scope = EVERYTHING) -> Iterator[Candidate]:
+    """What the catalogue has in ``scope`` and a log can show."""
+    for one in _candidates(c, scope):
+        if scope.allows(one.effect, one.joint):
+            yield one
+
+
+def _candidates(c: Context, scope: Scope) -> Iterator[Candidate]:
+    """Those in ``scope``, and a few others that come with them."""
+    ways = [(e, way) for e in CATALOGUE.values() for way in e.traits.candidates if _is_sought(e, way, scope)]
     shown = [(effect, way) for effect, way in ways if isinstance(way, Shown)]
     for j in range(c.n):
-        for effect, way in ways:
+        for effect, way in ways if scope.has_joint(j + 1) else ():
             if not isinstance(way, Shown) or effect.traits.channel is not None:
                 yield from _AT_JOINT[type(way)](c, effect, way, j)
     for effect, way in shown:
@@ -51,3 +59,7 @@ def candidates(c: Context) -> Iterator[Candidate]:
             yield from numbers(c, effect, way)
         elif way.of_all is not None:
             yield from late_channels(c, effect, way)
+
+
+def _is_sought(effect: Effect, way: Any, scope: Scope) -> bool:
+    return scope.has_effect(effect.id) or (isinstance(way, Dahl) and scope.has_effect(way.sliding))

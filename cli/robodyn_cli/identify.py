@@ -1,0 +1,158 @@
+"""``robodyn identify``: the numbers of an arm from logs, in a new description and as data."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from robodyn.errors import InputError
+from robodyn_cli import progress
+from robodyn_cli.common import (
+    json_option,
+    load_robot,
+    parameter_values,
+    printable,
+    robot_argument,
+    write_files,
+)
+from robodyn_cli.log_files import description_of, read_all, result_folder, spare_inputs
+from robodyn_cli.log_options import input_files, log_map, log_options
+from robodyn_cli.simulate_options import Parameter
+
+if TYPE_CHECKING:
+    from robodyn.identify.fit import Load
+
+_DATA, _MODEL = "identify.json", "identified.yaml"
+#: What stands for the mass of a load that is not known.
+_UNKNOWN: Final = "unknown"
+
+
+@click.command()
+@robot_argument
+@click.argument("logs", metavar="LOG [LOG ...]", nargs=-1, required=True)
+@click.option("--validate", metavar="V.csv", help="Log for validation, not used for fitting.")
+@log_options
+@click.option("-o", "--output", "out", required=True, metavar="DIR", help="Output folder.")
+@click.option(
+    "--gains",
+    is_flag=True,
+    help="Fit a gain of each torque channel: torque constants are known only roughly.",
+)
+@click.option(
+    "--offsets",
+    type=click.Choice(["auto", "yes", "no"]),
+    default="auto",
+    show_default=True,
+    help="Fit a constant offset of each torque channel; auto: where held-out samples show one.",
+)
+@click.option(
+    "--load",
+    multiple=True,
+    metavar="LOG=MASS",
+    help="Mass [kg] that the arm carried in that log beyond its description, or LOG=unknown.",
+)
+@click.option(
+    "--param", type=Parameter(), multiple=True, metavar="NAME=VALUE", help="Set a run-time parameter."
+)
+@click.option("--strict", is_flag=True, help="Refuse physically implausible values.")
+@json_option
+def command(
+    robot: str,
+    logs: tuple[str, ...],
+    validate: str | None,
+    map_file: str | None,
+    columns: str | None,
+    out: str,
+    gains: bool,
+    offsets: str,
+    load: tuple[str, ...],
+    param: tuple[tuple[str, float], ...],
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Identify links, friction and rotors from logs, physically consistent, with intervals.
+
+    Logs (CSV, Parquet, npz, MATLAB, MCAP, rosbag2, JSON) have the columns t, q1.., tau1.. in SI units, unless
+    --map or --columns says otherwise. The command writes identified.yaml (the description
+    with its new numbers, physically consistent) and identify.json (all numbers with standard errors, what
+    the logs do not show, residuals) to DIR. Numbers stay as near to the description as its `confidence`
+    says. Without --validate the residual is that of 30 % of the samples, which a first fit leaves out.
+    """
+    from robodyn.identify.fit import Options
+    from robodyn.identify.run import identify
+
+    folder = result_folder(out)
+    paths = [*logs, *([] if validate is None else [validate])]
+    inputs = [robot, *(str(file) for path in paths for file in input_files(path))]
+    spare_inputs([folder / _DATA, folder / _MODEL], inputs)
+    described = load_robot(robot, strict=strict)
+    values = parameter_values(described, param) or None
+    options = Options(
+        offsets={"auto": "auto", "yes": True, "no": False}[offsets],  # type: ignore[arg-type]
+        gains=gains,
+        loads=_loads(load, logs),
+    )
+    with progress.line() as shown:
+        read, hashes = read_all(described, paths, log_map(map_file, columns), shown)
+        outcome = identify(
+            described,
+            read[: len(logs)],
+            None if validate is None else read[-1],
+            options=options,
+            text=description_of(robot),
+            names=[printable(Path(path).name) for path in paths],
+            hashes=hashes,
+            parameters=values,
+            progress=lambda what: shown.tell(f"robodyn: {described.name}: {what}"),
+        )
+    text = json.dumps(outcome.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    write_files(folder, {_DATA: text, _MODEL: outcome.model_text})
+    if as_json:
+        click.echo(text, nl=False)
+        return
+    from robodyn.report.identification import summary
+
+    for line in summary(outcome, printable(folder / _MODEL)):
+        click.echo(line)
+
+
+def _loads(texts: Sequence[str], logs: Sequence[str]) -> tuple[Load, ...]:
+    """What ``--load`` says; logs with one known mass carried the same body.
+
+    Raises
+    ------
+    InputError: no such log, twice the same, or no mass.
+    """
+    from robodyn.identify.fit import Load
+
+    masses: dict[int, float | None] = {}
+    for text in texts:
+        name, sign, mass = text.rpartition("=")
+        places = [k for k, log in enumerate(logs) if name in (log, Path(log).name)]
+        if not sign or len(places) != 1:
+            raise InputError(
+                "--load names no log, or more than one",
+                found=repr(text),
+                expected=f"LOG=MASS with one of {', '.join(map(printable, logs))}",
+            )
+        if places[0] in masses:
+            raise InputError("--load names a log twice", found=repr(text))
+        masses[places[0]] = None if mass == _UNKNOWN else _mass(mass, text)
+    groups: dict[float | None, list[int]] = {}
+    for place, value in sorted(masses.items()):
+        groups.setdefault(value, []).append(place)
+    return tuple(Load(tuple(places), value) for value, places in groups.items())
+
+
+def _mass(text: str, option: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = float("nan")
+    if not 0 < value < float("inf"):
+        raise InputError("--load: not a mass", found=repr(option), expected=f"more than 0 kg, or {_UNKNOWN}")
+    return value

@@ -1,0 +1,224 @@
+"""Contacts in a log, and the log without them.
+
+A contact is a burst of the residual that a quick robust fit leaves (the arm's numbers and friction are
+uncertain), as long as a force on one link explains it: De Luca and Mattone 2005 (residuals of
+collisions), with the friction fitted beside it. The start of a motion, a joint that sticks at a
+reversal, a drive at its limit, or a load that stays are none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.gate.gate import Gate
+from robodyn.identify.contact.bursts import Burst, Seen, bursts, seen
+from robodyn.identify.contact.force import Push, push_in
+from robodyn.identify.contact.limits import (
+    ABOVE_OTHERS,
+    ALONE_SHARE,
+    CONTACT_ROUNDS,
+    END_TIME,
+    EXCESS_SHARE,
+    EXPLAINED,
+    LEAST_EVIDENCE,
+    LEAST_OF_LARGEST,
+    LEAST_PUSH,
+    LONGEST_SHARE,
+    MARGIN,
+    MOST_LOAD,
+    REST_EDGE,
+    SHORT_REST,
+    SHORT_TIME,
+)
+from robodyn.identify.contact.rough import Rough, fitted_rest, rough_signals
+from robodyn.identify.rigid import Model
+from robodyn.robot.model import Robot
+
+Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contact:
+    """Somebody touched the arm from ``start`` to ``end`` [s] on ``link`` (from 1): ``force`` [3], the
+    mean over the window, acts on the arm, along the base's axes (N), ``stderr`` [3] its standard
+    errors; ``explained``: share of the window's squares that it explains; ``at_rest``: the arm stood."""
+
+    start: float
+    end: float
+    link: int
+    force: Floats
+    stderr: Floats
+    explained: float
+    at_rest: bool
+
+
+def contacts(robot: Robot, gate: Gate) -> tuple[Contact, ...]:
+    """The contacts in a log of ``robot`` that has passed its ``gate``, in the order of time."""
+    model = Model(robot)
+    rough = rough_signals(model, gate)
+    if rough is None:
+        return ()
+    pushed: list[tuple[NDArray[np.intp], Push]] = []
+    out = np.zeros(len(rough.t), dtype=bool)
+    view: Seen | None = None
+    for round_ in range(CONTACT_ROUNDS):
+        left, sigma, stiction = fitted_rest(rough, out)
+        view = seen(robot, rough, left, sigma, stiction)
+        pushed = _pushed(model, rough, view, stiction, last=round_ == CONTACT_ROUNDS - 1)
+        now = np.zeros_like(out)
+        for rows, _ in pushed:
+            now |= (rough.t >= rough.t[rows[0]] - MARGIN) & (rough.t <= rough.t[rows[-1]] + MARGIN)
+        out = now
+    return tuple(
+        Contact(
+            float(rough.t[rows[0]]), float(rough.t[rows[-1]]), push.link, push.force, push.stderr,
+            push.explained, bool(view is not None and view.quiet[rows].mean() > 0.5),
+        )
+        for rows, push in pushed
+    )  # fmt: skip
+
+
+def _pushed(
+    model: Model, rough: Rough, view: Seen, stiction: Floats, *, last: bool
+) -> list[tuple[NDArray[np.intp], Push]]:
+    """The bursts that are contacts; all that may be, until the ``last`` round."""
+    usual = rough.size + stiction
+    accepted: list[tuple[float, NDArray[np.intp], Push]] = []
+    taken = np.zeros(len(rough.t), dtype=bool)
+    for candidates in bursts(rough, view):
+        best: tuple[float, float, NDArray[np.intp], Push] | None = None
+        for burst in candidates:
+            rows = burst.rows
+            if taken[rows].any() or _starts(rough, view, rows) or _limited(rough, burst):
+                continue
+            wide = view.spread[rows]
+            torque = burst.z * wide
+            push = push_in(model, rough.q[rows], torque, wide, burst.shift * wide[-1])
+            if push.explained < EXPLAINED or not _sure(rough, view, burst, push):
+                continue
+            energy = push.explained * float((burst.z**2).sum())
+            if best is None or energy > best[0]:
+                best = energy, float((np.sqrt((torque**2).mean(axis=0)) / usual).max()), rows, push
+        if best is not None:
+            accepted.append(best[1:])
+            taken[best[2]] = True
+    least = max(LEAST_PUSH, LEAST_OF_LARGEST * max((size for size, _, _ in accepted), default=0.0))
+    pushed = sorted(
+        ((rows, push) for size, rows, push in accepted if size > least), key=lambda one: int(one[0][0])
+    )
+    if not last:
+        return pushed
+    # In motion: if much else stands out, the model lacks something, and this may be that.
+    excess: Floats = np.where(view.hot & ~view.quiet, (view.z**2).sum(axis=1), 0.0)
+    inside: Mask = np.zeros(len(excess), dtype=bool)
+    for rows, _ in pushed:
+        inside[max(rows[0] - 6, 0) : rows[-1] + 7] = True
+    if excess[inside].sum() < EXCESS_SHARE * excess.sum():
+        pushed = [(rows, push) for rows, push in pushed if view.quiet[rows].all()]
+    outside = _largest(rough, view, inside)
+    pushed = [
+        (rows, push)
+        for rows, push in pushed
+        if view.quiet[rows].all() or _size(view, rows) > ABOVE_OTHERS * outside
+    ]
+    length = sum(len(rows) for rows, _ in pushed)
+    return pushed if length <= LONGEST_SHARE * len(rough.t) or view.quiet.all() else []
+
+
+def _size(view: Seen, rows: NDArray[np.intp]) -> float:
+    """RMS of all joints' residuals in ``rows``."""
+    return float(np.sqrt((view.z[rows] ** 2).sum(axis=1).mean()))
+
+
+def _largest(rough: Rough, view: Seen, inside: Mask) -> float:
+    """The largest RMS over a short time of what stands out in motion, but for what is ``inside`` [N]."""
+    wide = max(1, round(SHORT_TIME / rough.step))
+    squares = np.where(inside | view.quiet, 0.0, (view.z**2).sum(axis=1))
+    return float(np.sqrt(np.convolve(squares, np.ones(wide) / wide, mode="same").max()))
+
+
+def _sure(rough: Rough, view: Seen, burst: Burst, push: Push) -> bool:
+    """Whether it is a force, and not what a joint does by itself."""
+    if push.evidence > LEAST_EVIDENCE or view.quiet[burst.rows].all():
+        return True
+    # A joint alone, in motion: if it does so once, and not where its torque is largest, at a drive's limit.
+    j = push.alone - 1
+    load = np.abs(rough.tau[:, j])
+    others = np.delete(load, burst.rows)
+    if not len(others) or float(np.median(load[burst.rows])) > MOST_LOAD * float(others.max()):
+        return False
+    squares = view.z[:, j] ** 2
+    outside = squares * (view.hot & ~view.quiet)
+    share = squares[burst.rows].sum() / max(float(outside.sum()), 1e-300)
+    return bool(view.z.shape[1] > 1 and share > ALONE_SHARE)
+
+
+def _starts(rough: Rough, view: Seen, rows: NDArray[np.intp]) -> bool:
+    """Whether a burst is of joints that set out or come to rest, or of brakes that open and close."""
+    if view.quiet.all():
+        return False
+    first, last = int(rows[0]), int(rows[-1])
+    if not view.quiet[rows].all():
+        if view.quiet[rows].any():
+            return True
+        return bool(rough.t[first] < rough.t[0] + END_TIME or rough.t[last] > rough.t[-1] - END_TIME)
+    same = view.quiet & (rough.part == rough.part[first])
+    begin, end = first, last
+    while begin > 0 and same[begin - 1]:
+        begin -= 1
+    while end < len(same) - 1 and same[end + 1]:
+        end += 1
+    at_begin = begin == 0 or rough.part[begin - 1] != rough.part[first]
+    at_end = end == len(same) - 1 or rough.part[end + 1] != rough.part[first]
+    if (at_begin or at_end) and rough.t[end] - rough.t[begin] < SHORT_REST:
+        return True
+    near_begin = not at_begin and rough.t[first] < rough.t[begin] + REST_EDGE
+    near_end = not at_end and rough.t[last] > rough.t[end] - REST_EDGE
+    return bool(near_begin or near_end)
+
+
+def _limited(rough: Rough, burst: Burst) -> bool:
+    """Whether the burst is of torques that are cut off."""
+    squares = burst.z**2
+    return bool(squares[rough.saturated[burst.rows]].sum() > 0.5 * squares.sum())
+
+
+def without(gate: Gate, outside: Sequence[Contact]) -> Gate:
+    """The ``gate`` without the windows of contacts, cut there as at gaps."""
+    return without_windows(gate, [(one.start, one.end) for one in outside])
+
+
+def without_windows(gate: Gate, windows: Sequence[tuple[float, float]]) -> Gate:
+    """The ``gate`` without ``windows`` of time [s], and a margin before and after each."""
+    t = gate.log.t
+    out = np.zeros(len(t), dtype=bool)
+    for start, end in windows:
+        out |= (t >= start - MARGIN) & (t <= end + MARGIN)
+    return without_rows(gate, out) if out.any() else gate
+
+
+def without_rows(gate: Gate, out: Mask) -> Gate:
+    """The ``gate`` without the samples of the mask ``out`` [K], cut there as at gaps."""
+    segments, start = [], 0
+    for part in gate.segments:
+        kept = np.flatnonzero(~out[part])
+        for run in np.split(kept, np.flatnonzero(np.diff(kept) > 1) + 1) if len(kept) else []:
+            segments.append(slice(start, start + len(run)))
+            start += len(run)
+    inside = np.zeros(len(out), dtype=bool)
+    for part in gate.segments:
+        inside[part] = True
+    kept = np.flatnonzero(inside & ~out)
+    log = gate.log
+    groups = {name: getattr(log, name) for name in ("t", "q", "qd", "qdd", "tau", "ql")}
+    cut: dict[str, Any] = {name: None if x is None else x[kept] for name, x in groups.items()}
+    return replace(
+        gate, log=replace(log, **cut), segments=tuple(segments), rows=gate.rows[kept],
+        saturated=gate.saturated[kept], resting=gate.resting[kept],
+    )  # fmt: skip

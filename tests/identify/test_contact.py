@@ -1,0 +1,129 @@
+"""Pushes, simulated by MuJoCo, are found in time and with their force; nothing else is taken for one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+
+import numpy as np
+import pytest
+
+from diagnose.hidden.pushed import Kind, Push, Pushed, pushed_log
+from peers.numbers import Array
+from robodyn.diagnose.select.contact import contact_findings, without_contacts
+from robodyn.gate.gate import inspect
+from robodyn.identify.contact.contact import Contact, contacts, without_rows
+from robodyn.robot.model import EffectEntry
+
+#: A push is found if it begins and ends within so much [s].
+IN_TIME = 0.2
+ARMS = ("puma560_3dof", "puma560", "ur10", "stanford")
+
+
+def matched(made: Pushed, seen: tuple[Contact, ...]) -> Iterator[tuple[Push, Contact | None]]:
+    """Each push and the contact that is found of it."""
+    for push in made.pushes:
+        near = (one for one in seen if abs(one.start - push.start) + abs(one.end - push.end) < 2 * IN_TIME)
+        yield push, next(near, None)
+
+
+def angle(push: Push, force: Array) -> float:
+    """Between a force and that which was found [degrees], as far as joints show it."""
+    _, size, way = np.linalg.svd(push.columns)
+    shown = way[: len(size)][size > 0.15 * size.max()]
+    a, b = shown @ push.force, shown @ force
+    return float(np.degrees(np.arccos(np.clip(a @ b / np.linalg.norm(a) / np.linalg.norm(b), -1, 1))))
+
+
+@cache
+def found(arm: str, kind: Kind, seed: int, *, pushes: int = 3) -> tuple[Pushed, tuple[Contact, ...]]:
+    made = pushed_log(arm, kind, seed, pushes=pushes)
+    return made, contacts(made.given, inspect(made.log, made.given))
+
+
+@pytest.mark.parametrize("kind", ["rest", "full"])
+def test_pushes_are_found_though_the_model_is_wrong(kind: Kind) -> None:
+    """Masses, centres and inertias 30 % off, friction unknown."""
+    made, seen = found("puma560_3dof", kind, 1)
+    assert len(seen) == 3
+    for push, contact in matched(made, seen):
+        assert contact is not None, push
+        assert angle(push, contact.force) < 45
+        assert contact.at_rest == (kind == "rest")
+
+
+@pytest.mark.parametrize("kind", ["rest", "stops"])
+def test_an_arm_that_nobody_pushes_is_not_touched(kind: Kind) -> None:
+    assert found("puma560_3dof", kind, 2, pushes=0)[1] == ()
+
+
+def test_windows_are_left_out_and_known_the_next_time() -> None:
+    made, _ = found("puma560_3dof", "rest", 1)
+    gate = inspect(made.log, made.given)
+    (rest,), touched = without_contacts(made.given, [gate], ["ab"])
+    assert len(rest.segments) == 4
+    for one in touched:
+        inside = (rest.log.t > one.contact.start) & (rest.log.t < one.contact.end)
+        assert not inside.any()
+    assert rest.resting.shape == rest.log.tau.shape
+    assert len(rest.rows) == rest.log.samples
+    parameters = [one.parameters for one in contact_findings(touched)]
+    assert [row["log"].value for row in parameters] == ["ab"] * 3
+    entries = tuple(
+        EffectEntry(
+            "external_contact",
+            None,
+            tuple(
+                (name, x if isinstance(x := each.value, str) else Fraction(repr(x)))
+                for name, each in row.items()
+            ),
+        )
+        for row in parameters
+    )
+    known = replace(made.given, effects=entries)
+    (again, other), news = without_contacts(known, [gate, gate], ["ab", "cd"])
+    assert [one.log for one in news] == ["cd"] * 3
+    np.testing.assert_array_equal(again.log.t, rest.log.t)
+    np.testing.assert_array_equal(other.log.t, rest.log.t)
+
+
+def test_rows_that_are_left_out_cut_the_log() -> None:
+    made = pushed_log("puma560_3dof", "rest", 1, pushes=0, duration=4.0)
+    gate = inspect(made.log, made.given)
+    out = np.zeros(gate.log.samples, dtype=bool)
+    out[:10] = out[700:800] = True
+    cut = without_rows(gate, out)
+    assert cut.segments == (slice(0, 690), slice(690, gate.log.samples - 110))
+    np.testing.assert_array_equal(cut.log.tau, gate.log.tau[~out])
+    np.testing.assert_array_equal(cut.rows, gate.rows[~out])
+
+
+@pytest.mark.thorough
+def test_how_often_pushes_are_found() -> None:
+    """Of 72 pushes with shares of the joints' torques; at rest nearly all, their directions too."""
+    right: dict[str, list[bool]] = {}
+    for arm in ARMS:
+        for kind in ("rest", "full", "stops"):
+            for seed in (0, 1):
+                made, seen = found(arm, kind, seed)
+                pairs = list(matched(made, seen))
+                hits = [(push, one) for push, one in pairs if one is not None]
+                right.setdefault(kind, []).extend(one is not None for _, one in pairs)
+                right.setdefault("nothing else", []).append(len(seen) <= len(hits))
+                right.setdefault("sign", []).extend(angle(push, one.force) < 90 for push, one in hits)
+                if kind == "rest":
+                    right.setdefault("direction at rest", []).extend(
+                        angle(push, one.force) < 20 for push, one in hits
+                    )
+    shares = {name: float(np.mean(each)) for name, each in right.items()}
+    least = {
+        "rest": 0.95,
+        "full": 0.7,
+        "stops": 0.7,
+        "nothing else": 0.9,
+        "sign": 0.97,
+        "direction at rest": 0.8,
+    }
+    assert {name for name, x in shares.items() if x < least[name]} == set(), shares
