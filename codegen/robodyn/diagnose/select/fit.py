@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION, UNSEEN_NUISANCE
+from robodyn.diagnose.select.limits import BLOCKS, FEW_PARTS, FREE_PRECISION, UNSEEN_NUISANCE
 
 Floats = NDArray[np.float64]
 
@@ -222,6 +222,18 @@ def fitted(p: Problem) -> Fit:
     held_out = np.maximum(squares, 0.0) / counts(p)[:, None]
     penalty = float(np.sum(p.prior[: p.nuisance] * known[-1, : p.nuisance] ** 2)) / p.thin / 2
     return Fit(np.zeros(0), np.zeros((0, 0)), known[-1], held_out, penalty, Folds(known, root, slope))
+
+
+def covariance(now: Problem, last: Fit) -> Floats:
+    """The covariance [p, p] of the coefficients, by how much the parts of the log pull at them (White 1980,
+    with parts as clusters: what is left is correlated over time), no less than of as many independent
+    samples."""
+    inverse = np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True)
+    pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
+    clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
+    independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
+    scale = np.sqrt(np.maximum(1.0, np.diag(independent) / np.maximum(np.diag(clustered), 1e-300)))
+    return np.asarray(clustered * np.outer(scale, scale))
 
 
 def counts(p: Problem) -> Floats:

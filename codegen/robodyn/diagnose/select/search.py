@@ -55,9 +55,9 @@ def search(
     are not in them."""
     pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
 
-    def look(model: Robot, known: Iterable[Key], widest: bool | None) -> Selection:
+    def look(model: Robot, known: Iterable[Key], unstated: float | None) -> Selection:
         return select(
-            model, pieces, known=frozenset(known), widest=widest, scope=scope,
+            model, pieces, known=frozenset(known), unstated=unstated, scope=scope,
             progress=lambda name: tell(f"found {name}"),
         )  # fmt: skip
 
@@ -77,7 +77,7 @@ def search(
             break  # what was left out comes again, or in another guise
         findings, model = more, amended(robot, _amendments(more))
         tell("fitting what is left")
-        last = look(model, findings, first.widest)
+        last = look(model, findings, first.unstated)
     return Outcome(findings, model, first, last)
 
 
