@@ -221,7 +221,7 @@ RUNS: dict[str, Run] = {
     ),
     "panda_bag, as recorded": Run(
         REAL / "panda_bag" / "panda_bag.yaml", ("panda_bag_as_recorded.csv",),
-        (Fact("14 rows repeat the row before", flagged("repeat")),),
+        (Fact("14 rows repeat the row before", flagged("same as the row before", "repeat")),),
     ),
     "servo": Run(
         REAL / "servo" / "xl330.yaml",

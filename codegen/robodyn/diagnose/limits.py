@@ -17,6 +17,9 @@ CLAIM: Final = 0.5
 ABOVE_NOISE: Final = 1.15
 """[noise floors] A joint whose RMS is larger has something to be explained."""
 
+HALF_WIDTH: Final = 1.96
+"""[standard errors] Half the width of an interval that holds a number in 95 of 100 cases."""
+
 # --- evidence --------------------
 
 MOST_TRIED: Final = 8

@@ -266,14 +266,14 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
     spread = covariance(now, last)
     for one in findings:
         if one.trial.candidate.fixed:
-            done.append(replace(one, x=np.ones(1), stderr=np.zeros(1)))
+            done.append(replace(one, x=np.ones(1), spread=np.zeros((1, 1))))
             continue
         wide = one.trial.columns.shape[2]
         x = last.known[at : at + wide]
         signs = np.array(one.trial.candidate.signs)
         if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # the fit of all together cannot separate them
-        error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
-        done.append(replace(one, x=x, stderr=error))
+        sizes, ways = np.linalg.eigh(spread[at : at + wide, at : at + wide])
+        done.append(replace(one, x=x, spread=ways * np.sqrt(np.maximum(sizes, 0))))
         at += wide
     return tuple(done)
