@@ -22,9 +22,9 @@ from benchmarks.gap.recordings import Floats, Motion
 from robodyn.robot.model import Robot
 
 #: So many of the fitted samples are used, evenly.
-SAMPLES = 1500
+SAMPLES = 1000
 #: Iterations at most, in each of the rounds; after the first, weights are those of the residuals.
-ITERATIONS = 40
+ITERATIONS = 30
 ROUNDS = 2
 #: A point mass becomes a ball of this radius [m]: logarithms of its inertia are wanted.
 _BALL = 0.05

@@ -117,7 +117,7 @@ def command(
     if as_json:
         click.echo(text, nl=False)
     else:
-        from robodyn.report.diagnosis_text import summary
+        from robodyn.report.diagnosis_terminal import summary
 
         for line in summary(diagnosis, printable(folder / _REPORT), validated=validated):
             click.echo(line)

@@ -154,12 +154,13 @@ def test_what_is_written_and_said(capsys: Capture, tmp_path: Path) -> None:
     assert json.loads((folder / "diagnosis.json").read_text())["findings"][0]["parameters"] == {
         "level": {"value": 2.0, "stderr": 0.01, "unit": "N*m"}
     }
-    assert "arm: Coulomb friction at joint 1 is missing." in (folder / "report.html").read_text(
+    assert "arm: Coulomb friction at joint 1 is missing; " in (folder / "report.html").read_text(
         encoding="utf-8"
     )
     lines = out.splitlines()
     assert 5 <= len(lines) <= 10
-    assert lines[0] == "missing effect: arm: Coulomb friction at joint 1 is missing."
+    assert lines[0].startswith("missing effect: arm: Coulomb friction at joint 1 is missing; ")
+    assert lines[0].endswith("% of the torque stays unexplained.")
     assert lines[-1].startswith("report: deep/out/report.html")
     assert err == ""
 

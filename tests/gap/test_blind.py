@@ -25,6 +25,7 @@ from benchmarks.gap.blind.identification import (  # noqa: E402
     free_of,
     numbers,
 )
+from benchmarks.gap.blind.published import intervals_table, names_table, published  # noqa: E402
 from benchmarks.gap.blind.summary import coverage, intervals, names  # noqa: E402
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, arm_of, model_of, trials  # noqa: E402
 
@@ -101,6 +102,24 @@ def test_contacts() -> None:
     )  # fmt: skip
     off = contact(seen, push)
     assert off == pytest.approx({"start": 0.1, "end": 0.0, "angle": 180.0, "ratio": 1.0})
+
+
+def test_a_push_counts_once_in_each_log_and_at_its_time() -> None:
+    push = effect("external_contact", None, start=1.0, end=1.5, link=6, force_x=3.0)
+
+    def seen(log: str, start: float, end: float) -> Finding:
+        times = {
+            "start": Estimate(start, 0.1, "s"),
+            "end": Estimate(end, 0.1, "s"),
+            "log": Estimate(log, None, ""),
+        }
+        return replace(finding("external_contact", None), parameters=times)
+
+    assert status([push], [seen("log 1", 1.1, 1.5)]) == "right"
+    assert status([push], [seen("log 1", 1.1, 1.5), seen("log 2", 0.9, 1.4)]) == "right"
+    assert status([push], [seen("log 1", 1.0, 1.2), seen("log 1", 1.3, 1.5)]) == "extra"
+    assert status([push], [seen("log 1", 1.1, 1.5), seen("log 2", 2.0, 2.4)]) == "extra"
+    assert status([push], [seen("log 1", 2.0, 2.4)]) == "wrong"
 
 
 def test_trials_are_drawn_the_same_again_and_each_is_its_own() -> None:
@@ -186,3 +205,35 @@ def test_an_identified_arm_leaves_what_the_true_one_leaves() -> None:
     assert row["strict"]
     assert np.array(row["floor_ratio"]) == pytest.approx(row["truth_ratio"], rel=0.05)
     assert sum(abs(value - true) > 4 * error for _, value, error, true in row["values"]) <= 2
+
+
+def test_published_figures_are_counts_of_rows() -> None:
+    rows: list[dict[str, Any]] = [
+        {
+            "kind": "clear",
+            "status": "right",
+            "values": [["backlash.gap", 1.1, 0.1, 1.0], ["a.b", 1.0, 0.1, 2.0]],
+        },
+        {"kind": "clear", "status": "missed", "arm": "ur5", "contacts": [{"angle": 100.0}, {"angle": 10.0}]},
+        {"kind": "null", "status": "silent"},
+        {"kind": "outside", "status": "missed"},
+        {"kind": "outside", "status": "error"},
+        {"kind": "identify", "status": "right", "floor_ratio": [1.2, 1.0], "truth_ratio": [1.0, 1.0]},
+        {"kind": "payload", "status": "right", "masses": {"together": 0.05}},
+    ]
+    rows = [{"arm": "puma560", **row} for row in rows]
+    figures = published(rows)
+    assert figures["intervals"] == {"a.b": [1, 0], "backlash.gap": [1, 1]}
+    assert (figures["pushes"], figures["widths"], figures["payloads"]) == ([2, 1, 1], [1, 1], [1, 1])
+    assert figures["identified"] == {"arms": 1, "worst beside the true arm": 1.2}
+    lines = names_table(figures).splitlines()
+    assert [line.split("|")[2:-1] for line in lines[2:]] == [
+        [" 2 ", " 1 ", " 0 ", " 1 ", " 0 ", " 0 "],
+        [" 1 ", " 1 ", " 0 ", " 0 ", " 0 ", " 0 "],
+        [" 2 ", " 1 ", " 0 ", " 0 ", " 0 ", " 1 "],
+    ]
+    assert intervals_table(figures).splitlines()[2:] == [
+        "| a: b | 1 | 0 % |",
+        "| backlash: gap | 1 | 100 % |",
+        "| all | 2 | 50 % |",
+    ]

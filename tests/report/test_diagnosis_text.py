@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from report.made_up import made
-from robodyn.diagnose.result import Estimate, Finding, Gap, Verdict
-from robodyn.report.diagnosis_text import LINES, closed, summary, with_error
+from robodyn.diagnose.result import Estimate, Finding, Gap, Verdict, gap_closed
+from robodyn.report.diagnosis_terminal import LINES, summary
+from robodyn.report.diagnosis_text import with_interval
 from robodyn.robot import Robot, load, read_text
 
 
@@ -21,30 +22,47 @@ def robot() -> Robot:
 @pytest.mark.parametrize(
     ("value", "stderr", "expected"),
     [
-        (2.9012, 0.0531, "2.901 +- 0.053 N m"),
-        (1234.56, 31.0, "1235 +- 31 N m"),
-        (0.0, 0.5, "0.00 +- 0.50 N m"),
-        (-3.21e-9, 4e-11, "-3.210e-09 +- 4.0e-11 N m"),
+        (2.9012, 0.0531, "2.901 N m (2.797 to 3.005)"),
+        (1234.56, 31.0, "1235 N m (1174 to 1295)"),
+        (0.0, 0.5, "0 N m (-0.98 to 0.98)"),
+        (-3.21e-9, 4e-11, "-3.21e-09 N m (-3.288e-09 to -3.132e-09)"),
         (3.14159, None, "3.142 N m"),
-        (3.14159, np.inf, "3.14 +- n/a N m"),
-        (np.nan, 0.1, "n/a +- 0.1 N m"),
+        (3.14159, np.inf, "not identifiable"),
+        (np.nan, 0.1, "n/a"),
         ("motor", None, "motor"),
         (0.04899, 0.0, "0.04899 N m"),
-        (-9.1, 3.2e7, "not seen by this motion"),
-        (-0.042, 7.2e-9, "-0.042 +- 7.2e-09 N m"),
+        (-9.1, 3.2e7, "not identifiable"),
+        (0.0, 58684.0, "0 N m (-1.15e+05 to 1.15e+05)"),
+        (-0.042, 7.2e-9, "-0.042 N m (-0.04200001 to -0.04199999)"),
     ],
 )  # fmt: skip
-def test_figures_with_errors(value: float | str, stderr: float | None, expected: str) -> None:
-    assert with_error(Estimate(value, stderr, "N m")) == expected
+def test_figures_with_intervals(value: float | str, stderr: float | None, expected: str) -> None:
+    assert with_interval(Estimate(value, stderr, "N m")) == expected
+
+
+def test_of_a_size_nothing_is_known_where_its_error_is_as_large() -> None:
+    assert with_interval(Estimate(2.0, 3.0, "N m"), "coulomb_friction", "level") == "not identifiable"
+    assert with_interval(Estimate(2.0, 0.5, "N m"), "coulomb_friction", "level") != "not identifiable"
+    # A position may well be nothing within its error.
+    assert with_interval(Estimate(0.01, 0.05, "rad"), "spring", "rest") == "0.01 rad (-0.088 to 0.11)"
 
 
 def test_share_of_the_gap_that_is_closed() -> None:
     floor = np.array([1.0, 2.0])
-    assert closed(np.array([5.0, 2.0]), np.array([1.0, 2.0]), floor) == 1
-    assert closed(np.array([5.0, 2.0]), np.array([5.0, 2.0]), floor) == 0
-    assert closed(floor, floor, floor) is None
+    assert gap_closed(np.array([5.0, 2.0]), np.array([1.0, 2.0]), floor) == 1
+    assert gap_closed(np.array([5.0, 2.0]), np.array([5.0, 2.0]), floor) == 0
+    assert gap_closed(floor, floor, floor) is None
     # What exceeds the noise falls from a mean square of 24 to 6.
-    assert closed(np.array([5.0, 2.0]), np.array([7.0**0.5, 2.0]), floor) == pytest.approx(0.5)
+    assert gap_closed(np.array([5.0, 2.0]), np.array([7.0**0.5, 2.0]), floor) == pytest.approx(0.5)
+    # A floor that is far too low at one joint does not let that joint speak for all.
+    both = gap_closed(np.array([5.0, 50.0]), np.array([1.0, 25.0]), np.array([1.0, 1e-3]))
+    assert both == pytest.approx(1 - (0.25 / 1.96) ** 0.5, rel=1e-3)
+    # A joint within its noise does not count, unless it has left it.
+    quiet = np.array([5.0, 2.1])
+    assert gap_closed(quiet, np.array([1.0, 2.2]), floor) == 1
+    grown = gap_closed(quiet, np.array([1.0, 8.0]), floor)
+    assert grown is not None
+    assert grown < 0
 
 
 def findings(count: int) -> tuple[Finding, ...]:
@@ -64,18 +82,20 @@ def test_ten_lines_at_most(robot: Robot, count: int, verdict: Verdict) -> None:
     assert lines[-1].startswith("report: out/report.html")
     assert any(line.split()[:2] == ["noise", "floor"] for line in lines)
     if count:
-        assert "6 more; a suspicion, 40 % sure" in lines[1]
+        assert f"{7 if count == 1 else 9} more; a suspicion, 40 % sure" in lines[1]
+        assert ("joint 1:" if count == 1 else f"joints 1 to {count}:") in lines[1]
 
 
 def test_the_lines_say_what_the_page_says(robot: Robot) -> None:
     assert summary(made(robot), "r.html", validated=True) == [
-        "missing effect: puma560_3dof: Coulomb friction at joint 3 is missing.",
-        "1. coulomb_friction, joint 3: level 2.901 +- 0.053 N m; 97 % sure; or stribeck_friction",
-        "joint           1    2     3  (N m, RMS, validation log)",
+        "missing effect: puma560_3dof: Coulomb friction at joint 3 is missing; 11 % of the torque stays "
+        "unexplained.",
+        "1. coulomb_friction, joint 3: level 2.901 N m (2.797 to 3.005); 97 % sure; or stribeck_friction",
+        "joint           1    2     3  (N m, RMS, validation log); brackets: 95 % intervals",
         "gap before      5   10    15",
         "gap after    1.25  2.5  3.75",
         "noise floor     1    2     3",
-        "85 % of the removable gap closed; inverse dynamics 80 -> 83 operations (+3)",
+        "85 % of the gap closed; inverse dynamics 80 -> 83 operations (+3)",
         "record next: slow reversals of joint 3",
         "report: r.html; one remark on the data there",
     ]
@@ -98,7 +118,8 @@ def test_nothing_changed_and_contact(robot: Robot) -> None:
     rubbing = made(robot).findings
     lines = summary(made(robot, findings=(*rubbing, contact)), "r.html", validated=True)
     assert lines[0].endswith(
-        "Coulomb friction at joint 3 is missing; something touched link 2 from 5.80 to 6.30 s."
+        "Coulomb friction at joint 3 is missing; something touched link 2 from 5.80 to 6.30 s; 11 % of the "
+        "torque stays unexplained."
     )
 
 

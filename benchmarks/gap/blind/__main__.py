@@ -2,6 +2,7 @@
 
     python -m benchmarks.gap.blind KIND... -o results.jsonl [--arms a,b] [--seeds 1:3] [--most N] [--cache D]
     python -m benchmarks.gap.blind --summary results.jsonl
+    python -m benchmarks.gap.blind --publish results.jsonl
 
 A run can be stopped at any time and begun again. With a cache, logs are made once and used for every version
 of the tool. The kinds are those of :mod:`benchmarks.gap.blind.trials`.
@@ -23,6 +24,7 @@ from typing import Any
 
 from benchmarks.gap.blind.grade import graded
 from benchmarks.gap.blind.identification import RUNS
+from benchmarks.gap.blind.published import published
 from benchmarks.gap.blind.summary import summary
 from benchmarks.gap.blind.trials import ALL_ARMS, KINDS, Trial, trials
 
@@ -30,6 +32,8 @@ from diagnose.hidden.logs import Hidden
 from robodyn.diagnose.run import diagnose
 from robodyn.logs.log import Log
 from robodyn.robot.model import EffectEntry, Joint, Link, Robot
+
+RESULTS = Path(__file__).parents[2] / "results" / "blind.json"
 
 
 def made(trial: Trial, cache: Path | None) -> Hidden:
@@ -89,9 +93,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--most", type=int, help="at most so many trials, drawn from all asked for")
     parser.add_argument("--cache", type=Path)
     parser.add_argument("--summary", type=Path)
+    parser.add_argument("--publish", type=Path, help="write these rows' figures to results/blind.json")
     options = parser.parse_args(arguments)
     if options.summary:
         print(summary([json.loads(line) for line in options.summary.read_text().splitlines()]))
+        return 0
+    if options.publish:
+        rows = [json.loads(line) for line in options.publish.read_text().splitlines()]
+        RESULTS.write_text(json.dumps(published(rows), indent=1) + "\n", encoding="utf-8")
         return 0
     if not options.output:
         parser.error("-o is missing")

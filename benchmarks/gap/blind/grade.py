@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from diagnose.hidden.logs import Hidden
-from robodyn.diagnose.result import Diagnosis, Finding
+from robodyn.diagnose.result import Diagnosis, Finding, gap_closed
 from robodyn.robot.model import EffectEntry
 
 #: From this confidence on a finding is a claim.
@@ -48,14 +48,34 @@ def status(hidden: Sequence[EffectEntry], claims: Sequence[Finding]) -> str:
     if not hidden:
         return "silent"
     if named:
-        return "right" if len(claims) == len(hidden) else "extra"
+        return "right" if len(_distinct(claims)) == len(hidden) else "extra"
     return "set" if all(any(same(f, e) or declared(f, e) for f in claims) for e in hidden) else "missed"
 
 
+def _distinct(claims: Sequence[Finding]) -> list[Finding]:
+    """Claims without those of the same push in further logs: each log has its own, at the same time."""
+    logs: list[float | str] = []
+    kept = []
+    for f in claims:
+        log = f.parameters.get("log")
+        if log is None:
+            kept.append(f)
+        elif log.value not in logs:
+            kept += [] if logs else [f]
+            logs.append(log.value)
+        else:
+            kept.append(f)
+    return kept
+
+
 def same(f: Finding, e: EffectEntry) -> bool:
-    """Whether a finding is of the effect that is hidden, at its joint: a coupling's joints are a pair."""
+    """Whether a finding is of the effect that is hidden, at its joint: a coupling's joints are a pair, and a
+    push must have been there at that time."""
     if f.effect != e.effect:
         return False
+    if "start" in f.parameters:
+        start, end = (float(f.parameters[name].value) for name in ("start", "end"))
+        return min(end, e.number("end")) > max(start, e.number("start"))
     other = f.parameters.get("with")
     ours = {f.joint} | ({int(float(other.value))} if other is not None else set())
     return ours == {e.joint} | ({int(e["with"])} if "with" in e else set())
@@ -122,12 +142,7 @@ def contact(f: Finding, e: EffectEntry) -> dict[str, float]:
 
 
 def closed(made: Hidden, diagnosis: Diagnosis) -> float | None:
-    """Share of the mean square beyond the true noise that the model closes on the validation log, each joint
-    in units of its noise; None where there is none."""
-    noise = made.truth.noise
-
-    def beyond(rms: Any) -> float:
-        return float(np.maximum((rms / noise) ** 2 - 1, 0).sum())
-
-    before, after = beyond(diagnosis.gap.validate_before), beyond(diagnosis.gap.validate_after)
-    return None if before < 0.1 else 1 - after / before
+    """Share of the gap beyond the true noise that the model closes on the validation log; None where there is
+    none."""
+    gap = diagnosis.gap
+    return gap_closed(gap.validate_before, gap.validate_after, made.truth.noise)

@@ -17,6 +17,9 @@ CLAIM: Final = 0.5
 ABOVE_NOISE: Final = 1.15
 """[noise floors] A joint whose RMS is larger has something to be explained."""
 
+HALF_WIDTH: Final = 1.96
+"""[standard errors] Half the width of an interval that holds a number in 95 of 100 cases."""
+
 # --- evidence --------------------
 
 MOST_TRIED: Final = 8
@@ -52,6 +55,12 @@ EXCITE_SHARE: Final = 0.95
 
 LEAST_EXPLAINED: Final = 0.8
 """[share of mean square] Findings that explain less of what a joint lacks are withdrawn,"""
+
+REFIT_SHARE: Final = 0.1
+"""[share of mean square] The arm's own numbers are written anew if they take away so much at some joint,"""
+
+REFIT_WORSE: Final = 1.05
+"""[ratio of RMS] and add no more than this at another."""
 
 COMMON_EXPLAINED: Final = 0.5
 """[share of mean square] Of what most joints lack so much suffices."""

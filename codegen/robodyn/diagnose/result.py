@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.limits import ABOVE_NOISE
+from robodyn.diagnose.limits import ABOVE_NOISE, HALF_WIDTH
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -23,6 +23,13 @@ class Estimate:
     value: float | str
     stderr: float | None
     unit: str
+
+    @property
+    def interval(self) -> tuple[float, float] | None:
+        """The interval that holds the true value in 95 of 100 cases; None where no error is known."""
+        if isinstance(self.value, str) or self.stderr is None or not 0 < self.stderr < np.inf:
+            return None
+        return self.value - HALF_WIDTH * self.stderr, self.value + HALF_WIDTH * self.stderr
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +118,23 @@ class Series:
     after: Floats
 
 
+def gap_closed(before: Floats, after: Floats, floor: Floats) -> float | None:
+    """The share of the gap that is closed, of RMS [n] ``before`` and ``after`` and of the noise ``floor``
+    [n]: a gap is what the RMS has beyond the noise (the root of the difference of the squares). Joints count
+    each by what it left before, joints that never stand out of their noise do not; None where none stands
+    out, negative where the gap has grown."""
+    with np.errstate(all="ignore"):
+        counts = np.maximum(before, after) > ABOVE_NOISE * np.nan_to_num(floor)
+        weight = np.where(counts & (before > 0), 1 / np.square(before), 0.0)
+        removable, left = (
+            float(np.nansum(weight * np.maximum(np.square(x) - np.square(np.nan_to_num(floor)), 0)))
+            for x in (before, after)
+        )
+    if not removable > 1e-9:
+        return None
+    return 1 - float(np.sqrt(left / removable))
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Gap:
     """RMS [n] of logged torque less the model's, over all samples but 2 % at either end."""
@@ -120,6 +144,12 @@ class Gap:
     validate_before: Floats
     validate_after: Floats
     noise_floor: Floats
+
+    def closed(self, *, validated: bool) -> float | None:
+        """:func:`gap_closed` on the validation log, or on the logs that were fitted."""
+        if validated:
+            return gap_closed(self.validate_before, self.validate_after, self.noise_floor)
+        return gap_closed(self.train_before, self.train_after, self.noise_floor)
 
     def unexplained_share(self) -> tuple[float | None, ...]:
         """Of each joint's mean square beyond the noise floor, in the logs that were fitted, the share
@@ -152,6 +182,7 @@ class Gap:
             "train": {"before": self.train_before.tolist(), "after": self.train_after.tolist()},
             "validate": {"before": self.validate_before.tolist(), "after": self.validate_after.tolist()},
             "noise_floor": self.noise_floor.tolist(),
+            "closed": {"train": self.closed(validated=False), "validate": self.closed(validated=True)},
         }
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend.amend import Amendment, amended, amended_text, difference
+from robodyn.diagnose.amend.amend import Amendment, apply_amendments, comments_of, difference
 from robodyn.diagnose.evidence import (
     by_kind,
     doubtful,
@@ -31,6 +31,7 @@ from robodyn.diagnose.limits import (
     UNSEEN,
     WITHDRAWN,
 )
+from robodyn.diagnose.refit import is_better, refit
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.select.contact import contact_findings, without_contacts
 from robodyn.diagnose.select.forward import Named
@@ -45,6 +46,7 @@ from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log, read_log
 from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
+from robodyn.robot.rewriting import Place, rewritten
 
 Floats = NDArray[np.float64]
 
@@ -110,23 +112,33 @@ def diagnose(
         verdict = "unexplained"
         findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
         gap = _gap(lacks, robot, robot, gates, seen)
-    amendments = [_amendment(f) for f in findings]
-    if verdict != "missing_effect":
-        model, amendments = robot, []
+    named = findings if verdict == "missing_effect" else ()
+    amendments = [_amendment(f) for f in named]
+    done = apply_amendments(robot, amendments)
+    model, origins = done.robot, done.origins
+    own = refit(robot, amendments, gates, unstated=first.unstated) if verdict != "unexplained" else None
+    refitted = own is not None and _is_refitted(lacks, model, own.robot, gates, seen)
+    if own is not None and refitted:
+        model, origins = own.robot, own.origins
+        findings = tuple(_with_estimates(f, own.estimates.get((f.effect, f.joint), {})) for f in findings)
+        gap = _gap(lacks, robot, model, gates, seen)
     if touched:
         outside = contact_findings(touched)
-        findings, notes = (*findings, *outside), [_amendment(f) for f in outside]
-        model, amendments = amended(model, notes), [*amendments, *notes]
+        findings, windowed = (*findings, *outside), [_amendment(f) for f in outside]
+        more = apply_amendments(model, windowed)
+        model = more.robot
+        origins = tuple(None if k is None else origins[k] for k in more.origins)
+        amendments += windowed
         verdict = "missing_effect" if verdict == "consistent" else verdict
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = old
-    if amendments:
+    if model != robot:
         note = f"robodyn diagnose: {', '.join(hashes[: len(logs)]) or 'a log'}"
-        new = (
-            amended_text(old, robot, amendments, dict.fromkeys(range(len(amendments)), note))
-            if parameters is None
-            else to_yaml(model)
-        )
+        notes = dict.fromkeys(range(len(amendments)), note)
+        comments = comments_of(apply_amendments(robot, amendments), amendments, notes)
+        if refitted:
+            comments += [(_refitted_places(robot, model), [f"{note}: fitted within their confidence"])]
+        new = to_yaml(model) if parameters else rewritten(old, robot, model, origins, comments)
     described = tuple(
         {
             "name": _name(names, k) or f"log {k + 1}",
@@ -151,12 +163,33 @@ def diagnose(
     )  # fmt: skip
 
 
+def _amendment(f: Finding) -> Amendment:
+    return Amendment(f.effect, f.joint, {name: p.value for name, p in f.parameters.items()})
+
+
+def _is_refitted(lacks: _Lacking, model: Robot, other: Robot, gates: Sequence[Gate], seen: Gate) -> bool:
+    """Whether the arm's own numbers, refitted, explain more of logs that were fitted and of one that was
+    not."""
+    return all(is_better(*(_rms(lacks, arm, which) for arm in (model, other))) for which in (gates, [seen]))
+
+
+def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:
+    return replace(finding, parameters={**finding.parameters, **estimates})
+
+
+def _refitted_places(robot: Robot, model: Robot) -> frozenset[Place]:
+    """Where the arm's own numbers are new."""
+    pairs = zip(robot.links, model.links, strict=True)
+    return frozenset(
+        (j, key)
+        for j, (old, new) in enumerate(pairs, 1)
+        for key in ("mass", "com", "inertia")
+        if getattr(old, key) != getattr(new, key)
+    )
+
+
 def _name(names: Sequence[str], k: int) -> str | None:
     return names[k] if k < len(names) else None
-
-
-def _amendment(one: Finding) -> Amendment:
-    return Amendment(one.effect, one.joint, {k: p.value for k, p in one.parameters.items()})
 
 
 def _shown(digests: Sequence[str], *, validated: bool) -> dict[str, str]:
@@ -176,7 +209,7 @@ def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected
     share, stands_out = _share(first, last, one.named.trial.candidate.rows)
     left = _left(last)
     rows = list(one.named.trial.candidate.rows)
-    if one.named.is_common:
+    if any(each.is_common for each in first.findings):  # the whole arm was described without its drives
         return one, share > COMMON_EXPLAINED
     return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
 
@@ -288,15 +321,18 @@ def _inner(x: Floats) -> Floats:
 
 
 def _gap(lacks: _Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
-    def rms(of: Robot, which: Sequence[Gate]) -> Floats:
-        squares, count = np.zeros(robot.n), 0
-        for gate in which:
-            kept = _inner(lacks(of, gate))
-            squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
-        return np.sqrt(squares / count)
-
     noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
-    return Gap(rms(robot, gates), rms(model, gates), rms(robot, [seen]), rms(model, [seen]), noise)
+    train, validate = ([_rms(lacks, arm, which) for arm in (robot, model)] for which in (gates, [seen]))
+    return Gap(train[0], train[1], validate[0], validate[1], noise)
+
+
+def _rms(lacks: _Lacking, arm: Robot, gates: Sequence[Gate]) -> Floats:
+    """RMS [n] of what ``arm`` leaves of logs."""
+    squares, count = np.zeros(arm.n), 0
+    for gate in gates:
+        kept = _inner(lacks(arm, gate))
+        squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
+    return np.asarray(np.sqrt(squares / count))
 
 
 def _series(lacks: _Lacking, name: str, robot: Robot, model: Robot, gate: Gate) -> Series:

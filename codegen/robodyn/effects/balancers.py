@@ -136,6 +136,7 @@ GAS_SPRING = Effect(
     check=_fault,
     linear=("torque",),
     traits=Traits(
+        noun="a gas spring",
         several=True,
         combines="balancers",
         candidates=(

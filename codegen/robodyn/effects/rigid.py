@@ -41,7 +41,9 @@ PAYLOAD = Effect(
     rivals=("inertial_error", "base_tilt", "torque_gain", "encoder_offset"),
     separates="turning the wrist; a log of the same trajectory without the load",
     source="Atkeson, An and Hollerbach 1986",
-    traits=Traits(body=True, candidates=(Shown(6),), wide=True, hidden=Hidden(_load_form)),
+    traits=Traits(
+        noun="a payload", body=True, candidates=(Shown(6),), wide=True, hidden=Hidden(_load_form)
+    ),
 )  # fmt: skip
 
 
@@ -79,6 +81,7 @@ INERTIAL = Effect(
     separates="motions that excite that link's accelerations in all directions",
     source="Gautier and Khalil 1990",
     traits=Traits(
+        noun="wrong inertial numbers",
         fold=Fold("link"), candidates=(Shown(8),), wide=True, hidden=Hidden(_numbers_form, needs="load")
     ),
 )  # fmt: skip
@@ -108,6 +111,7 @@ TILT = Effect(
     separates="turning the first joint by more than 120 degrees with the arm stretched out",
     source="Craig, Introduction to Robotics, section 6.5",
     traits=Traits(
+        noun="a tilted base",
         fold=Fold("gravity"), candidates=(Shown(3),), reevaluate=True, wide=True, hidden=Hidden(_tilt_form)
     ),
 )  # fmt: skip

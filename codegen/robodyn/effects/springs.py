@@ -68,6 +68,7 @@ SPRING = Effect(
     potential=_spring_energy,
     linear=("stiffness", "cubic"),
     traits=Traits(
+        noun="a spring or cable",
         combines="springs",
         candidates=(Line(_line_read, 3),),
         contains=("torque_bias",),

@@ -267,7 +267,8 @@ class Traits:
         ``hidden``: how a blind test hides it.
 
     In a picture
-        ``over``: what it is drawn over; ``cycles``: the parameter that says how often it repeats in a turn;
+        ``noun``: what it is in a sentence, with its article, where the title is no such word; ``over``: what
+        it is drawn over; ``cycles``: the parameter that says how often it repeats in a turn;
         ``nothing``: values that mean nothing is there, where that is not 0.
     """
 
@@ -292,6 +293,7 @@ class Traits:
     twist: str = ""
     limit: Limit | None = None
     hidden: Hidden | None = None
+    noun: str = ""
     over: str = ""
     cycles: str = ""
     nothing: Mapping[str, float] = field(default_factory=dict)

@@ -56,13 +56,15 @@ class Load:
 class Options:
     """What is fitted. ``offsets`` of torque channels: all, none, or where they are worth it on samples that
     were held out; ``gains`` of torque channels, known to about ``gain_spread``; ``loads`` of some logs;
-    ``confidence``: in place of what the description says of its links."""
+    ``confidence``: in place of what the description says of its links; ``joints``: by the name of a joint's
+    column (``viscous``, ``coulomb``, ``rotor``) the joints (from 0) at which it is fitted, None: at all."""
 
     offsets: bool | Literal["auto"] = "auto"
     gains: bool = False
     gain_spread: float = GAIN_SPREAD
     loads: tuple[Load, ...] = ()
     confidence: float | None = None
+    joints: Mapping[str, frozenset[int]] | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -167,6 +169,10 @@ def _unknowns(robot: Robot, layout: Layout, prior: Prior, options: Options, logs
         about = layout.link(0)[_ABOUT_AXIS]
         free[about] = True
         positive.append(np.array([about]))
+    if options.joints is not None:
+        for name in set(layout.own) - {"offset"}:
+            held = sorted(set(range(n)) - options.joints.get(name, frozenset()))
+            free[layout.joint(name)[held]] = False
     for entry in robot.effects:
         if entry.joint is not None and entry.definition.traits.levels:
             free[layout.joint("coulomb")[entry.joint - 1]] = False  # the joint has a law with a level

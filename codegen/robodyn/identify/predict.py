@@ -75,12 +75,21 @@ def _sums(robot: Robot, acts: Acts) -> Floats:
 
 
 def model_torque(
-    robot: Robot, t: Floats, q: Floats, qd: Floats, qdd: Floats, tau: Floats | None = None
+    robot: Robot,
+    t: Floats,
+    q: Floats,
+    qd: Floats,
+    qdd: Floats,
+    tau: Floats | None = None,
+    *,
+    compiled: bool = True,
 ) -> Floats:
     """What the torque channel of ``robot`` shows [K, n] along measured positions, evenly sampled. What it
-    showed, ``tau`` [K, n], tells of joints with springs how they were twisted at first."""
+    showed, ``tau`` [K, n], tells of joints with springs how they were twisted at first. Not ``compiled``: by
+    the same equations on arrays where nothing remembers, which spares a model that is only tried its C."""
     model = Model(robot)
-    if model.couplers:  # a kernel can only look back
+    remembers = any(entry.definition.memory is not None for entry in robot.effects)
+    if model.couplers or not (compiled or remembers):  # a kernel can only look back
         torque = behind_motors(model, q - offsets(robot), qd, qdd, float(t[1] - t[0]), tau)
         return measured_torque(torque.total, t, robot.effects)
     kernel = kernel_of(robot)

@@ -57,6 +57,18 @@ class Reuse:
     def __init__(self, most: int = KEPT_RESULTS) -> None:
         self._most = most
         self._results: list[tuple[str, Arm, Moved, Any]] = []
+        self._shifted: list[tuple[Floats, Floats, Floats]] = []
+
+    def shifted(self, q: Floats, by: Floats) -> Floats:
+        """``q`` [K, n] less ``by`` [n]; the same array when it is asked for again."""
+        if not by.any():
+            return q
+        for positions, offset, shifted in self._shifted:
+            if positions is q and np.array_equal(offset, by):
+                return shifted
+        shifted = q - by
+        self._shifted = [*self._shifted[1 - self._most :], (q, by, shifted)]
+        return shifted
 
     def of(self, what: str, arm: Arm, motion: Moved, evaluate: Callable[[], Any]) -> Any:
         """The result ``what`` of ``arm`` along ``motion``: kept, or from ``evaluate``."""

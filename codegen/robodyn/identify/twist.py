@@ -24,7 +24,7 @@ from robodyn.identify.limits import (
     TWIST_DIVERGED,
     TWIST_PLACES,
 )
-from robodyn.identify.oscillator import oscillation
+from robodyn.identify.oscillator import Oscillator
 from robodyn.identify.rigid import Evaluated, Model, Moved
 
 Floats = NDArray[np.float64]
@@ -73,25 +73,25 @@ def lag_of(
     without that it begins at rest.
     """
     spring = _Spring.of(effect, values, float(np.abs(torque).max()))
-    inputs = (torque, *felt)
+    link = Oscillator((torque, *felt), period, (spring.force, spring.low, spring.width), spring.damping)
     begin = np.array([spring.at_rest(float(torque[0])), 0.0])
     if passed is not None and len(passed) * period > LAG_PIECE:  # two numbers more for each piece of a log
-        begin = _begun(spring, inputs, period, begin, passed)
-    return spring.oscillation(inputs, period, begin)
+        quick = np.sqrt(spring.stiffest / max(float(felt[0][0]), 1e-9))
+        sizes = spring.width * np.array([1.0, quick])
+        begin = _begun(link, begin, sizes, passed[: max(8, round(LAG_BEGIN / period))])
+    lag = link.motion((float(begin[0]), float(begin[1])))
+    far = np.abs(lag[:, 0]) > TWIST_DIVERGED * -spring.low
+    if far.any():
+        lag[int(np.argmax(far)) :] = np.nan
+    return lag
 
 
-def _begun(
-    spring: _Spring, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats, passed: Floats
-) -> Floats:
-    """Place and rate at first with which the torque of the ``spring`` is nearest to ``passed`` [K]."""
-    count = min(max(8, round(LAG_BEGIN / step)), len(passed))
-    load, mass, rub, stiff = (x[:count] for x in inputs)
-    quick = np.sqrt(spring.stiffest / max(float(mass[0]), 1e-9))
-    sizes = spring.width * np.array([1.0, quick])
+def _begun(link: Oscillator, begin: Floats, sizes: Floats, passed: Floats) -> Floats:
+    """Place and rate at first with which the torque of the spring is nearest to ``passed`` [L], by steps of
+    ``sizes`` from ``begin``."""
 
     def missed(at: Floats) -> Floats:
-        lag = spring.oscillation((load, mass, rub, stiff), step, at)
-        return np.asarray(spring.torque(lag[:, 0]) + spring.damping * lag[:, 1] - passed[:count])
+        return link.misfit((float(at[0]), float(at[1])), passed)
 
     left = missed(begin)
     for _ in range(LAG_TRIES):
@@ -129,28 +129,10 @@ class _Spring:
         """Its largest slope."""
         return float(np.diff(self.force).max()) / self.width
 
-    def torque(self, x: Floats) -> Floats:
-        """Torques [K] of twists, without damping."""
-        i = np.clip(np.nan_to_num((x - self.low) / self.width), 0, len(self.force) - 2).astype(int)
-        slope = (self.force[i + 1] - self.force[i]) / self.width
-        return np.asarray(self.force[i] + slope * (x - self.low - i * self.width))
-
     def at_rest(self, torque: float) -> float:
         """The twist that holds ``torque``."""
         places = self.low + self.width * np.arange(len(self.force))
         return float(np.interp(torque, self.force, places))
-
-    def oscillation(
-        self, inputs: tuple[Floats, Floats, Floats, Floats], step: float, begin: Floats
-    ) -> Floats:
-        """Place, rate and acceleration [K, 3] of a link on it; not finite from where it diverges."""
-        lag = oscillation(
-            inputs, step, (self.force, self.low, self.width), self.damping, (float(begin[0]), float(begin[1]))
-        )
-        far = np.abs(lag[:, 0]) > TWIST_DIVERGED * -self.low
-        if far.any():
-            lag[int(np.argmax(far)) :] = np.nan
-        return lag
 
 
 def _slopes(model: Model, motion: Moved, rigid: Floats, j: int) -> Slopes:

@@ -12,11 +12,11 @@ from robodyn.draw.markup import markup_template
 from robodyn.report.diagnosis_charts import COLUMNS, DOTS, over, over_time, range_text
 from robodyn.report.diagnosis_findings import MOST_CARDS, across, cards, looks, next_of, part
 from robodyn.report.diagnosis_gap import ladder, tables, units_at
+from robodyn.report.diagnosis_headline import headline
 from robodyn.report.diagnosis_summary import advice, main_joint, tiles
 from robodyn.report.diagnosis_text import (
     VERDICTS,
     formatted,
-    headline,
     is_contact,
     is_touched_only,
     place_of,
@@ -55,7 +55,7 @@ def page(diagnosis: Diagnosis, *, validated: bool) -> str:
         robot=diagnosis.robot,
         verdict=diagnosis.verdict,
         verdict_words=VERDICTS[diagnosis.verdict],
-        headline=headline(diagnosis),
+        headline=headline(diagnosis, validated=validated),
         words=diagnosis.words,
         validated=validated,
         tiles=tiles(diagnosis, validated, places),

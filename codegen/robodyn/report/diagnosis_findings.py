@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.diagnose.limits import CLAIM
+from robodyn.diagnose.limits import CLAIM, HALF_WIDTH
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
 from robodyn.report.diagnosis_charts import Across, over, over_time
 from robodyn.report.diagnosis_frames import Chart, percent
@@ -21,12 +21,10 @@ from robodyn.report.diagnosis_text import (
     place_of,
     title_of,
     traits_of,
-    with_error,
+    value_text,
 )
 from robodyn.report.diagnosis_where import Localised
 
-#: Half the width of an interval that holds the value in 95 of 100 cases, in standard errors.
-HALF: Final = 1.96
 #: An interval is drawn from nothing to this many times the value.
 REACH: Final = 2.0
 #: Cards with pictures, and with values, at most.
@@ -60,9 +58,11 @@ def cards(diagnosis: Diagnosis, places: Sequence[Localised], windows: Any) -> li
             "rivals": f.confounded_with,
             "where": _where(f),
             "parameters": [
-                _parameter(f.effect, name, p) for name, p in f.parameters.items() if not is_unseen(p)
+                _parameter(f.effect, name, p)
+                for name, p in f.parameters.items()
+                if not is_unseen(p, f.effect, name)
             ],
-            "unseen": [name for name, p in f.parameters.items() if is_unseen(p)],
+            "unseen": [name for name, p in f.parameters.items() if is_unseen(p, f.effect, name)],
             "evidence": _evidence(f),
             "parts": _parts(f),
             "t": formatted(f.t),
@@ -86,19 +86,19 @@ def _parameter(effect: str, name: str, estimate: Estimate) -> dict[str, Any]:
     value, error = estimate.value, estimate.stderr
     nothing = traits_of(effect).nothing.get(name, 0.0)
     drawn, words, relative = None, "", ""
-    is_known = not isinstance(value, str) and math.isfinite(value) and not is_unseen(estimate)
+    is_known = not isinstance(value, str) and math.isfinite(value) and not is_unseen(estimate, effect, name)
     if is_known and error is not None and 0 < error < math.inf and not isinstance(value, str):
-        low, high = value - HALF * error, value + HALF * error
+        low, high = value - HALF_WIDTH * error, value + HALF_WIDTH * error
         digits = max(3, min(7, 2 + math.ceil(math.log10(max(abs(value), error) / error))))
         words = f"{low:.{digits}g} to {high:.{digits}g}"
         away = value - nothing
         if away:
             relative = (
-                f"± {100 * HALF * error / abs(away):.2g} %"
-                if not nothing and HALF * error < abs(away)
+                f"± {100 * HALF_WIDTH * error / abs(away):.2g} %"
+                if not nothing and HALF_WIDTH * error < abs(away)
                 else ""
             )
-            way, half = math.copysign(1, away), HALF * error / abs(away)
+            way, half = math.copysign(1, away), HALF_WIDTH * error / abs(away)
             scale = 100 / (2 * REACH)
             ends = sorted(min(max(scale * (REACH + way * (1 + s * half)), 0.0), 100.0) for s in (-1, 1))
             drawn = {
@@ -109,7 +109,7 @@ def _parameter(effect: str, name: str, estimate: Estimate) -> dict[str, Any]:
             }
     return {
         "name": name,
-        "text": with_error(estimate, "±").replace("^2", "²"),
+        "text": value_text(estimate, effect, name).replace("^2", "²"),
         "words": words,
         "relative": relative,
         "nothing": f"{nothing:g}",

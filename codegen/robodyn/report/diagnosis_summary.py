@@ -14,7 +14,6 @@ from robodyn.report.diagnosis_gap import units_at
 from robodyn.report.diagnosis_text import (
     chosen,
     claims,
-    closed,
     formatted,
     is_touched_only,
     joints_of,
@@ -160,8 +159,8 @@ def _better(diagnosis: Diagnosis, validated: bool, places: Sequence[Localised]) 
         stays = f"RMS at joint {j + 1}, {formatted(times)} times its noise"
         touched = "; contact is not added to a model" if diagnosis.verdict == "missing_effect" else ""
         return "How much is left", f"{formatted(before[j])} {unit}", stays + touched
-    share = closed(before, after, diagnosis.gap.noise_floor)
-    gone = f"{100 * share:.0f} % of what can be removed is gone; " if share is not None else ""
+    share = diagnosis.gap.closed(validated=validated)
+    gone = f"{100 * share:.0f} % of the gap closed; " if share is not None else ""
     where = f"RMS at joint {j + 1}{', on a log that was not fitted' if validated else ''}; {noise}"
     return question, f"{formatted(before[j])} → {formatted(after[j])} {unit}", gone + where
 

@@ -7,7 +7,7 @@ summed where the effect is linear in it, and replaced elsewhere. A joint keeps o
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from robodyn.diagnose.amend.amending import Work
@@ -77,12 +77,19 @@ def amended_text(
     """
     amendments = tuple(amendments)
     done = apply_amendments(robot, amendments)
-    comments = []
-    for i, amendment in enumerate(amendments):
-        note = (notes or {}).get(i, "")
-        lines = (*note.splitlines(), *(f"{amendment.effect}: {remark}" for remark in done.remarks[i]))
-        comments.append((done.places[i], lines))
-    return rewritten(text, robot, done.robot, done.origins, comments)
+    return rewritten(text, robot, done.robot, done.origins, comments_of(done, amendments, notes or {}))
+
+
+def comments_of(
+    done: Amended, amendments: Sequence[Amendment], notes: Mapping[int, str]
+) -> list[tuple[frozenset[Place], Sequence[str]]]:
+    """What stands above the places that each of the ``amendments`` changed: its note, and what is to be
+    remarked of it."""
+    comments: list[tuple[frozenset[Place], Sequence[str]]] = []
+    for i, (amendment, places, remarks) in enumerate(zip(amendments, done.places, done.remarks, strict=True)):
+        lines = (*notes.get(i, "").splitlines(), *(f"{amendment.effect}: {remark}" for remark in remarks))
+        comments.append((places, lines))
+    return comments
 
 
 def difference(old: str, new: str, name: str = "model.yaml") -> str:

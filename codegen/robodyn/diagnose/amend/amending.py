@@ -23,6 +23,12 @@ from robodyn.robot.values import ZERO, Value
 _LEVEL = "coulomb"
 
 
+def is_of_motor(known: Effect) -> bool:
+    """Whether a torque that is measured behind the gear does not have the effect."""
+    fold = known.traits.fold
+    return known.place in ("motor", "gear", "pair") or (fold is not None and fold.into == "joint")
+
+
 class Work:
     """A model in the making: its links and gravity, and its effects with where they come from."""
 
@@ -47,6 +53,8 @@ class Work:
             raise InputError(f"{known.id}: no such joint", found=str(joint), expected=f"1 to {self.robot.n}")
         settings = read_settings(known, parameters, self.robot.n)
         fold = known.traits.fold
+        if self.robot.torque_side == "link" and is_of_motor(known):
+            self._to_motor()
         if known.traits.body:
             self._body(known.id, settings)
         elif fold is not None and fold.into == "gravity":
@@ -61,6 +69,22 @@ class Work:
             self._level(joint, settings[fold.parameter])
         else:
             self._of_joint(joint, fold.key, settings[fold.parameter])
+
+    def _to_motor(self) -> None:
+        """The torque has something of the drive in it after all. What is described of motors was not in it,
+        and leaves the model."""
+        for index, link in enumerate(self.robot.links, 1):
+            for key in ("motor_inertia", "viscous", "coulomb"):
+                if getattr(link.joint, key) != ZERO:
+                    joint = self.robot.links[index - 1].joint
+                    self._link(index, key, joint=replace(joint, **{key: ZERO}))  # type: ignore[arg-type]
+        kept = [(origin, entry) for origin, entry in self.entries if not is_of_motor(entry.definition)]
+        self.entries[:] = kept
+        self.robot = replace(self.robot, torque_side="motor")
+        self.places.add((None, "torque_side"))
+        self.remarks.append(
+            "was torque_side: link; yet this shows in the torque: not all of the drive is before it"
+        )
 
     # --- numbers of the rigid arm -----------------------------------------------------------------------
 

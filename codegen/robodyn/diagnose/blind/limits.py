@@ -47,6 +47,3 @@ LEAST_SIZE: Final = 0.7
 
 LONGEST_ANSWER: Final = 8_000_000
 """[characters] A longer sealed answer is refused before it is unpacked."""
-
-LEAST_GAP: Final = 0.2
-"""[noise floors] Of a smaller gap no share that was closed is given."""

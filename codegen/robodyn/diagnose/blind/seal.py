@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from robodyn.diagnose.blind.json_part import Part
-from robodyn.diagnose.blind.limits import LEAST_GAP, LONGEST_ANSWER
+from robodyn.diagnose.blind.limits import LONGEST_ANSWER
 from robodyn.diagnose.limits import CLAIM
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError, Place
@@ -248,21 +248,19 @@ def _wide(id: str) -> bool:
 
 
 def _closed(answer: Mapping[str, Any], diagnosis: Part) -> float | None:
-    """Of all joints together, each in units of its noise, what of the gap went; None where a number is
-    missing."""
+    """:func:`gap_closed` on the validation log, by the test's own noise; None where a number is missing."""
+    import numpy as np  # not at the top: opening and sealing do without
+
+    from robodyn.diagnose.result import gap_closed
+
     gap = diagnosis.get("gap")
     validate = None if gap is None else gap.get("validate")
     sides = [None if validate is None else validate.get(key) for key in ("before", "after")]
-    before, after = ([] if side is None else _gaps(side) for side in sides)
-    noise = [float(x) for x in answer.get("noise") or ()]
-    if not noise or not min(noise) or not len(before) == len(after) == len(noise):
+    before, after = (np.array([] if side is None else _gaps(side)) for side in sides)
+    noise = np.array([float(x) for x in answer.get("noise") or ()])
+    if not len(noise) or not noise.min() or not len(before) == len(after) == len(noise):
         return None
-
-    def excess(rms: list[float]) -> float:
-        return math.hypot(*(x / of for x, of in zip(rms, noise, strict=True))) / math.sqrt(len(noise)) - 1
-
-    lacking, left = excess(before), excess(after)
-    share = 1 - left / lacking if lacking > LEAST_GAP else None
+    share = gap_closed(before, after, noise)
     return share if share is not None and math.isfinite(share) else None
 
 

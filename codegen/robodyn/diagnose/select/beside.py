@@ -116,7 +116,7 @@ def _own(p: Problem, rows: Rows, columns: Floats, wide: NDArray[np.intp]) -> Flo
     [BLOCKS, rows, M, c, c]."""
     c = wide.shape[1]
     sums = np.empty((BLOCKS, len(rows), len(wide), c, c))
-    counted = np.any(p.rest != 0, axis=1)[:, None]
+    counted = p.counted[:, None]
     for i, j in enumerate(rows):
         for a in range(c):
             for b in range(a + 1):

@@ -28,7 +28,9 @@ from robodyn.diagnose.select.limits import (
     REPLACING_SHARE,
     REPLACING_T,
     ROUGH,
+    ROUGH_SHARE,
     ROUGH_T,
+    ROUGH_TIE,
     TIE,
     TIE_LOSS,
 )
@@ -168,7 +170,8 @@ def best_of(
         steady = steady or (one.t >= LEAST_T / 3 and better >= BLOCKS - 2 and one.gain > 10 * wanted)
         if rough and c.definition.kind != "sensor":  # parts differ by what is not in the library
             steady = steady or (one.t >= ROUGH_T and one.gain > 2 * wanted)
-        if one.share < (REPLACING_SHARE if one.replaced else LEAST_SHARE) and not c.local:
+        least_share = (ROUGH_SHARE if rough else REPLACING_SHARE) if one.replaced else LEAST_SHARE
+        if one.share < least_share and (rough or not c.local):
             return False
         if one.replaced and one.t < REPLACING_T:
             return False
@@ -203,7 +206,7 @@ def best_of(
     else:
         ranked = sorted(best.values(), key=lambda one: -one.gain)
     winner = ranked[0]
-    ties = [one for one in ranked[1:] if _tied(now, winner, one)]
+    ties = [one for one in ranked[1:] if _tied(now, winner, one, ROUGH_TIE if rough else TIE_LOSS)]
     simplest = min([winner, *ties], key=lambda one: (one.candidate.order, -one.gain))
     others = [one for one in [winner, *ties] if one is not simplest]
     names = [one.candidate.effect for one in others if not _contains(one.candidate, simplest.candidate)]
@@ -257,11 +260,12 @@ def _contains(wide: Candidate, narrow: Candidate) -> bool:
     return narrow.effect in (*wide.beside, *wide.definition.traits.contains)
 
 
-def _tied(now: Problem, winner: Trial, other: Trial) -> bool:
-    """Whether ``other`` explains what ``winner`` does, as far as the log can tell."""
+def _tied(now: Problem, winner: Trial, other: Trial, loss: float) -> bool:
+    """Whether ``other`` explains what ``winner`` does, as far as the log can tell; ``loss``: the share of the
+    gain that does not count."""
     if not set(winner.candidate.rows) & set(other.candidate.rows) or other.gain < 0.5 * winner.gain:
         return False
-    if other.gain > (1 - TIE_LOSS) * winner.gain:
+    if other.gain > (1 - loss) * winner.gain:
         return True
     # Where nearly all is explained, a small share of the gain may be much more than noise, or no more.
     left = np.maximum(winner.fit.held_out.mean(axis=0), 1.0)

@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.select.limits import BLOCKS, FREE_PRECISION, UNSEEN_NUISANCE
+from robodyn.diagnose.select.limits import BLOCKS, FEW_PARTS, FREE_PRECISION, UNSEEN_NUISANCE
 
 Floats = NDArray[np.float64]
 
@@ -54,6 +54,11 @@ class Problem:
         return len(self.rest) / self.thin
 
     @property
+    def counted(self) -> NDArray[np.bool_]:
+        """Which of the samples count [N]."""
+        return np.asarray(np.any(self.rest != 0, axis=1))
+
+    @property
     def grams(self) -> Floats:
         """Products [BLOCKS, p, p] of the columns over all joints."""
         return np.asarray(self.gram.sum(axis=1))
@@ -66,10 +71,19 @@ class Problem:
     def with_columns(self, rows: tuple[int, ...], columns: Floats, scale: Floats | None = None) -> Problem:
         """The problem with more known columns [N, rows, c], in N m or N, fitted freely, or with a prior of
         standard deviations ``scale`` [c]."""
-        wide = np.zeros((*self.rest.shape, columns.shape[2]))
-        wide[:, list(rows)] = columns / self.sigma[list(rows)][None, :, None]
-        prior = np.concatenate([self.prior, precisions(columns.shape[2], scale, self.thin)])
-        return _summed(replace(self, A=np.concatenate([self.A, wide], axis=2), prior=prior))
+        p, c = self.A.shape[2], columns.shape[2]
+        A = np.concatenate([self.A, np.zeros((*self.rest.shape, c))], axis=2)
+        gram, right = np.zeros((*self.square.shape, p + c, p + c)), np.zeros((*self.square.shape, p + c))
+        gram[:, :, :p, :p], right[:, :, :p] = self.gram, self.right
+        for i, j in enumerate(rows):
+            A[:, j, p:] = columns[:, i] / self.sigma[j] * self.counted[:, None]
+            for k, part in enumerate(self.parts):
+                new = A[part, j, p:]
+                gram[k, j, :, p:] = A[part, j].T @ new
+                right[k, j, p:] = new.T @ self.rest[part, j]
+        gram[:, :, p:, :p] = np.swapaxes(gram[:, :, :p, p:], 2, 3)
+        prior = np.concatenate([self.prior, precisions(c, scale, self.thin)])
+        return replace(self, A=A, prior=prior, gram=gram, right=right)
 
     def without_column(self, at: int) -> Problem:
         """The problem without one of its known columns."""
@@ -101,7 +115,7 @@ def less(p: Problem, rows: tuple[int, ...], column: Floats) -> Problem:
     """The problem with a column [N, rows] taken off, in N m or N."""
     at = list(rows)
     rest = p.rest.copy()
-    rest[:, at] -= column / p.sigma[at]
+    rest[:, at] -= column / p.sigma[at] * p.counted[:, None]
     return _summed(replace(p, rest=rest))
 
 
@@ -120,7 +134,7 @@ def tighter(p: Problem, share: float) -> Problem:
 def wider(p: Problem, fresh: Problem) -> Problem:
     """The problem with the nuisance of ``fresh``, which is of the same log: its columns in the weights and
     without the rows that no longer count."""
-    A = fresh.A * (fresh.sigma / p.sigma)[:, None] * np.any(p.rest != 0, axis=1)[:, None, None]
+    A = fresh.A * (fresh.sigma / p.sigma)[:, None] * p.counted[:, None, None]
     return _summed(replace(p, A=A, prior=fresh.prior, nuisance=fresh.nuisance, basis=fresh.basis))
 
 
@@ -208,6 +222,18 @@ def fitted(p: Problem) -> Fit:
     held_out = np.maximum(squares, 0.0) / counts(p)[:, None]
     penalty = float(np.sum(p.prior[: p.nuisance] * known[-1, : p.nuisance] ** 2)) / p.thin / 2
     return Fit(np.zeros(0), np.zeros((0, 0)), known[-1], held_out, penalty, Folds(known, root, slope))
+
+
+def covariance(now: Problem, last: Fit) -> Floats:
+    """The covariance [p, p] of the coefficients, by how much the parts of the log pull at them (White 1980,
+    with parts as clusters: what is left is correlated over time), no less than of as many independent
+    samples."""
+    inverse = np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True)
+    pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
+    clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
+    independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
+    scale = np.sqrt(np.maximum(1.0, np.diag(independent) / np.maximum(np.diag(clustered), 1e-300)))
+    return np.asarray(clustered * np.outer(scale, scale))
 
 
 def counts(p: Problem) -> Floats:

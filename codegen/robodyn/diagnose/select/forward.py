@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.choice import Trial, best_of, trials, without_columns
 from robodyn.diagnose.select.common import common
-from robodyn.diagnose.select.fit import Fit, Problem, fitted, less
+from robodyn.diagnose.select.fit import Fit, Problem, covariance, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
-from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, SURE
+from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, MOST_VAGUE, SURE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 
@@ -24,14 +24,15 @@ Key = tuple[str, int | None]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Named:
-    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first;
-    ``is_common``: most joints lack it."""
+    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first; its
+    coefficients ``x`` [c], and by columns of ``spread`` [c, c] how they go together, each a standard error
+    (the sum of the columns' outer products is their covariance); ``is_common``: most joints lack it."""
 
     trial: Trial
     rivals: tuple[str, ...]
     confidence: float
     x: Floats
-    stderr: Floats
+    spread: Floats
     beside: tuple[Trial, ...] = ()
     is_common: bool = False
 
@@ -66,9 +67,11 @@ def forward(
     findings: list[Named] = []
     now, current = start, fitted(start)
     begun: list[Trial] = []
+    refused = set[Key]()
     is_grouped = False
     for _ in range(MOST_EFFECTS):
         which = _untaken(library, findings, known, rough=rough, links=links, most=most)
+        which = [k for k in which if _key(library.candidates[k]) not in refused]
         tried = _tried(start, now, current, findings, library, which, least)
         begun = begun or [without_columns(one) for one in tried]
         best = best_of(now, current, tried, least, contexts, rough=rough)
@@ -79,20 +82,24 @@ def forward(
                 is_grouped = True
                 several = _kinds(group.trials, most - len({effect for effect, _ in known}))
                 for one in several:
+                    tell(one.candidate.name)
                     one = replace(one, columns=one.columns.copy())
                     findings.append(Named(one, (), SURE, one.fit.x, np.zeros(0), is_common=True))
-                for one in several:
-                    tell(one.candidate.name)
+                findings = _without_vague(start, findings)
                 now = _with(start, findings)
                 current = fitted(now)
                 continue
         if best is None:
             break
         one, rivals, confidence = best
-        findings = [each for k, each in enumerate(findings) if k not in one.replaced]
         one = replace(one, columns=one.columns.copy())
         beside = tuple(without_columns(each) for each in tried[:40])
-        findings.append(Named(one, rivals, confidence, one.fit.x, np.zeros(0), beside))
+        kept = [each for k, each in enumerate(findings) if k not in one.replaced]
+        more = _with_new(start, kept, Named(one, rivals, confidence, one.fit.x, np.zeros(0), beside))
+        if more is None:
+            refused.add(_key(one.candidate))
+            continue
+        findings = more
         now = _with(start, findings)
         current = fitted(now)
         tell(one.candidate.name)
@@ -119,10 +126,78 @@ def _untaken(
         for k, c in enumerate(library.candidates)
         if (c.effect, c.joint) not in taken
         and (rough or not c.rough)
+        # In a log with more in it than the catalogue has, whatever is cut off explains something.
+        and not (rough and c.local and c.values)
         and (links or not _is_of_link(c))
         and (len(kinds) < most or c.effect in kinds)
         and not _is_covered(c, taken)
     ]
+
+
+def _with_new(start: Problem, kept: list[Named], new: Named) -> list[Named] | None:
+    """The findings with a ``new`` one, without those of which nothing can be known beside it, its special
+    cases and what explains less; None where nothing can be known of itself, or of what explains more."""
+    was = _vague(start, kept)
+    *is_vague, new_is_vague = _vague(start, [*kept, new])
+    if new_is_vague:
+        return None
+    candidate = new.trial.candidate
+    special = {*candidate.definition.traits.contains, *candidate.beside}
+    findings = []
+    for one, before, after in zip(kept, was, is_vague, strict=True):
+        other = one.trial.candidate
+        if not after or before:
+            findings.append(one)
+        elif one.trial.gain > new.trial.gain and not (
+            other.effect in special and set(other.rows) <= set(candidate.rows)
+        ):
+            return None
+    return [*findings, new]
+
+
+def _without_vague(start: Problem, findings: list[Named]) -> list[Named]:
+    """The findings of which something is known."""
+    while True:
+        vague = _vague(start, findings)
+        if not any(vague):
+            return findings
+        weakest = min((k for k, each in enumerate(vague) if each), key=lambda k: findings[k].trial.gain)
+        findings = [one for k, one in enumerate(findings) if k != weakest]
+
+
+def _vague(start: Problem, findings: Sequence[Named]) -> list[bool]:
+    """Of which of the findings, fitted together, nothing is known to better than about itself."""
+    p = _with(start, findings)
+    fit = fitted(p)
+    spread = covariance(p, fit)
+    vague, at = [], p.nuisance
+    for one in findings:
+        c = 0 if one.trial.candidate.fixed else one.trial.columns.shape[2]
+        part = slice(at, at + c)
+        vague.append(bool(c) and _is_vague(one.trial.candidate, fit.known[part], spread[part, part]))
+        at += c
+    return vague
+
+
+def _is_vague(candidate: Candidate, x: Floats, spread: Floats) -> bool:
+    """Whether the parameters in which an effect is linear are not known to better than about themselves;
+    ``x`` [c] are its coefficients, ``spread`` [c, c] their covariance."""
+    values = candidate.read(x)
+    names = [name for name in candidate.definition.linear if values.get(name)]
+    error = np.sqrt(np.maximum(np.diag(spread), 0.0))
+    if not names:
+        return bool(np.all(error > MOST_VAGUE * np.abs(x)))
+    steps = np.diag(np.maximum(1e-3 * np.abs(x), 1e-6 * np.abs(x).max()))
+    for name in names:
+        value = float(values[name])
+        slope = np.array([(float(candidate.read(x + step)[name]) - value) / step.sum() for step in steps])
+        if np.sqrt(max(float(slope @ spread @ slope), 0.0)) < MOST_VAGUE * abs(value):
+            return False
+    return True
+
+
+def _key(candidate: Candidate) -> Key:
+    return candidate.effect, candidate.joint
 
 
 def _kinds(trials: Sequence[Trial], most: int) -> list[Trial]:

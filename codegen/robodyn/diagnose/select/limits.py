@@ -44,6 +44,9 @@ fitted: a real arm has many small things in it, and a name for each helps nobody
 REPLACING_SHARE: Final = 0.2
 """[share of the mean square left] The same for a law that takes the place of a plainer one."""
 
+ROUGH_SHARE: Final = 0.5
+"""[share of the mean square left] And in a log with more in it than the catalogue has."""
+
 RELIEF: Final = 20.0
 """[log-likelihood] With more, the arm's own numbers would be too far beyond their confidence without it."""
 
@@ -55,6 +58,9 @@ TIE: Final = 2.0
 
 TIE_LOSS: Final = 0.02
 """[share of the gain] and those that lose no more of its gain,"""
+
+ROUGH_TIE: Final = 0.15
+"""[share of the gain] or this, in a log with more in it than the catalogue has,"""
 
 CLOSE: Final = 5.0
 """[log-likelihood] and those as near,"""
@@ -71,7 +77,7 @@ REPLACING_T: Final = 2.0
 ROUGH_T: Final = 1.3
 """[standard errors] In such a log this t suffices with twice the evidence."""
 
-MANY_POWER: Final = 0.25
+MANY_POWER: Final = 0.1
 """[exponent of the number of numbers] There a candidate of several must explain more by this power."""
 
 REFINING_ROUNDS: Final = 12
@@ -104,6 +110,9 @@ COMMON_PARTS: Final = 0.8
 
 SURE: Final = 0.95
 """[probability] Of a name without rivals."""
+
+MOST_VAGUE: Final = 0.5
+"""[share of the value] A standard error that is larger says that the value is not known."""
 
 MOST_KINDS: Final = 8
 """[effects] So many different ones are named at most; what is left beyond is unexplained."""
@@ -244,6 +253,10 @@ TIGHT_EVIDENCE: Final = 5.0
 
 POSES: Final = 50
 """[poses] at which inertias are looked at."""
+
+UNSTATED: Final = (0.3, 1.0)
+"""[shares] Where nothing is said of inertial numbers, they may be wrong by so much instead of a tenth, if the
+evidence is better by as much as TIGHT_EVIDENCE; 1: they are a guess."""
 
 SHORTEST_PIECE: Final = 6.0
 """[periods of the cutoff] Shorter pieces of a log are left out."""

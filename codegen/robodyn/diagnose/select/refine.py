@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.fit import Problem
 from robodyn.diagnose.select.library import Context
-from robodyn.diagnose.select.library.laws import dahl_deflection
 from robodyn.diagnose.select.limits import (
     HUBER,
     HUBER_ROUNDS,
@@ -27,6 +26,7 @@ from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Dahl
 from robodyn.errors import InputError
+from robodyn.identify.oscillator import dahl_deflection
 from robodyn.identify.predict import given_torque, offsets
 from robodyn.identify.rigid import Model
 from robodyn.identify.twist import behind_motors
@@ -166,10 +166,8 @@ def _least(b: Floats, A: Floats, prior: Floats, free: int = 0) -> tuple[float, F
 
 def _rest(robot: Robot, c: Context) -> Floats:
     """What ``robot`` leaves of a log, filtered and thinned."""
-    s, off = c.signals, offsets(robot)
-    moved = bool(off.any())
-    model = Model(robot, reuse=None if moved else c.reuse)
-    q = s.q - off if moved else s.q
+    s, model = c.signals, Model(robot, reuse=c.reuse)
+    q = c.reuse.shifted(s.q, offsets(robot))
     torque = behind_motors(model, q, s.qd, s.qdd, s.period, s.tau)
     total = torque.total
     for entry in robot.effects:

@@ -27,14 +27,22 @@ from robodyn.diagnose.select.choice import (
     prepared,
     trials,
 )
-from robodyn.diagnose.select.fit import Fit, Problem, coarser, fitted, problem, tighter, wider
+from robodyn.diagnose.select.fit import (
+    Fit,
+    Problem,
+    coarser,
+    covariance,
+    fitted,
+    problem,
+    tighter,
+    wider,
+)
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
-from robodyn.diagnose.select.library import Context, candidates, context_of
+from robodyn.diagnose.select.library import Context, context_of, regressor_seen
+from robodyn.diagnose.select.library.matched import matched
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
-    BLOCKS,
     DIVERGED,
-    FEW_PARTS,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -43,6 +51,7 @@ from robodyn.diagnose.select.limits import (
     STANDS_OUT,
     TIGHT,
     TIGHT_EVIDENCE,
+    UNSTATED,
 )
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.identify.rigid import Model
@@ -57,8 +66,8 @@ Floats = NDArray[np.float64]
 class Selection:
     """The effects selected in the parts of a log; ``first`` and ``last`` fits; all trials of the first step,
     best first; ``residue`` [n]: the median of what is left, in units of the noise (a median, so that short
-    bursts of joints that stick at reversals do not count); ``widest``: inertial numbers of which nothing is
-    stated were taken for a guess."""
+    bursts of joints that stick at reversals do not count); ``unstated``: by which share the inertial numbers
+    were taken to be wrong of which nothing is stated, None: by that of the description."""
 
     contexts: tuple[Context, ...]
     start: Problem
@@ -67,7 +76,7 @@ class Selection:
     last: Fit
     trials: tuple[Trial, ...]
     residue: Floats
-    widest: bool = False
+    unstated: float | None = None
 
     @property
     def context(self) -> Context:
@@ -75,32 +84,30 @@ class Selection:
         return self.contexts[0]
 
 
-def prior_scales(model: Model, widest: bool = False) -> Floats:
+def prior_scales(model: Model, unstated: float | None = None) -> Floats:
     """Standard deviations [n, 10] of the links' standard parameters about the description: by the share that
-    is stated of each; ``widest``: where none is stated, as of a guess."""
+    is stated of each, or ``unstated``."""
     phi = model.standard_parameters()
     scales, usual = np.zeros_like(phi), usual_sizes(model)
     for k, link in enumerate(model.robot.links):
-        guessed = link.confidence == "unknown" or (widest and link.confidence is None)
-        if guessed:
-            scales[k] = np.maximum(np.abs(phi[k]), usual[k])
-            continue
+        share = float(link.inertial_share)
+        is_free = link.confidence == "unknown"
+        if link.confidence is None and unstated is not None:
+            share, is_free = unstated, True
         size = np.abs(phi[k])
         floor = np.concatenate([[0.0], np.full(3, 0.02 * size[0]), np.full(6, 0.1 * size[4:7].max())])
-        scales[k] = float(link.inertial_share) * np.maximum(size, floor)
+        scales[k] = share * np.maximum(size, usual[k] if is_free else floor)
     return scales
 
 
 def start_of(contexts: Sequence[Context], scale: Floats) -> Problem:
     """The filtered residual of the model, and the nuisance of its rigid numbers, which are right to
     ``scale`` [n, 10]."""
-    model, s = contexts[0].model, contexts[0].signals
+    s = contexts[0].signals
     rests, nuisances = [], []
     for c in contexts:
         rests.append(c.signals.thinned(c.signals.filtered(c.signals.tau - c.at.total)))
-        Y = c.model.regressor(c.slow.q, c.slow.qd, c.slow.qdd)
-        flat = (Y * scale).reshape(len(Y), model.n, -1)
-        nuisances.append(c.slow.thinned(c.slow.filtered(flat)))
+        nuisances.append(regressor_seen(c) * scale.reshape(-1))
     Y = np.concatenate(nuisances)
     Y = Y[:, :, np.abs(Y).max(axis=(0, 1)) > 0]
     thin = max(1.0, 1 / (2 * s.cutoff * s.period * s.every))
@@ -153,14 +160,14 @@ def select(
     logs: Log | Sequence[Log],
     *,
     known: frozenset[Key] = frozenset(),
-    widest: bool | None = None,
+    unstated: float | None = None,
     progress: Callable[[str], object] | None = None,
     cutoff: float | None = None,
     scope: Scope = EVERYTHING,
 ) -> Selection:
     """What ``robot`` lacks to explain ``logs``, each evenly sampled, in ``scope``; parts too short to be
-    filtered are left out. ``known``: what the model has of earlier passes; ``widest``: whether the
-    inertial numbers of which nothing is stated are a guess (None: the logs decide)."""
+    filtered are left out. ``known``: what the model has of earlier passes; ``unstated``: by which share
+    the inertial numbers may be wrong of which nothing is stated (None: the logs decide)."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     pieces.sort(key=lambda log: -log.samples)
     longest = signals_of(pieces[0], cutoff=cutoff)
@@ -173,11 +180,7 @@ def select(
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
-    columns = zip(*(candidates(each, scope) for each in contexts), strict=True)
-    library = Library.of(
-        (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
-        for each in columns
-    )
+    library = Library.of(matched(contexts, prepared, scope))
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
@@ -189,23 +192,27 @@ def select(
             progress=progress,
         )  # fmt: skip
 
-    scales = prior_scales(context.model, widest=True)
-    wide = wider(start, start_of(contexts, scales)) if np.any(scales > narrow) else None
-    if widest and wide is not None:
-        start, chosen = wide, choose(wide, links=False)
+    def wide(share: float) -> Problem:
+        return wider(start, start_of(contexts, prior_scales(context.model, share)))
+
+    if unstated is not None:
+        start = wide(unstated)
+        chosen = choose(start, links=False)
     else:
         chosen = choose(start)
         # Perhaps the arm's numbers are better than they are said to be, and something else shows (not their
-        # errors, which are within what is said of them); or, where nothing is said of them, they are a guess.
-        other = None if chosen.findings else tighter(start, TIGHT)
-        if chosen.findings and wide is not None and widest is None:
-            other = wide
-        if other is not None:
+        # errors, which are within what is said of them); or, where nothing is said of them, they are worse.
+        others: list[tuple[float | None, Problem]] = []
+        if not chosen.findings:
+            others = [(None, tighter(start, TIGHT))]
+        elif any(link.confidence is None for link in robot.links):
+            others = [(share, wide(share)) for share in UNSTATED]
+        evidence = _evidence(start, chosen)
+        for share, other in others:
             again = choose(other, links=False)
-            if (again.findings or other is wide) and (
-                _evidence(other, again) > _evidence(start, chosen) + TIGHT_EVIDENCE
-            ):
-                start, chosen, widest = other, again, other is wide
+            better = _evidence(other, again)
+            if (again.findings or share) and better > evidence + TIGHT_EVIDENCE:
+                start, chosen, unstated, evidence = other, again, share, better
     now, current, findings = chosen.now, chosen.current, chosen.findings
     first = fitted(start)
     estimated = _estimated(now, current, findings)
@@ -214,7 +221,7 @@ def select(
     for each in contexts:
         each.kept.clear()
     return Selection(
-        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, bool(widest)
+        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated
     )
 
 
@@ -252,33 +259,21 @@ def _factor(start: Problem, library: Library, least: Floats, contexts: Sequence[
     return factor
 
 
-def _covariance(now: Problem, last: Fit) -> Floats:
-    """The covariance [p, p] of the coefficients, by how much the parts of the log pull at them (White 1980,
-    with parts as clusters: what is left is correlated over time), no less than of as many independent
-    samples."""
-    inverse = np.linalg.pinv(now.grams.sum(axis=0) + np.diag(now.prior), hermitian=True)
-    pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
-    clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
-    independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
-    scale = np.sqrt(np.maximum(1.0, np.diag(independent) / np.maximum(np.diag(clustered), 1e-300)))
-    return np.asarray(clustered * np.outer(scale, scale))
-
-
 def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Named, ...]:
     """The effects with their coefficients in the fit of all together."""
     done = []
     at = now.nuisance
-    spread = _covariance(now, last)
+    spread = covariance(now, last)
     for one in findings:
         if one.trial.candidate.fixed:
-            done.append(replace(one, x=np.ones(1), stderr=np.zeros(1)))
+            done.append(replace(one, x=np.ones(1), spread=np.zeros((1, 1))))
             continue
         wide = one.trial.columns.shape[2]
         x = last.known[at : at + wide]
         signs = np.array(one.trial.candidate.signs)
         if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # the fit of all together cannot separate them
-        error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
-        done.append(replace(one, x=x, stderr=error))
+        sizes, ways = np.linalg.eigh(spread[at : at + wide, at : at + wide])
+        done.append(replace(one, x=x, spread=ways * np.sqrt(np.maximum(sizes, 0))))
         at += wide
     return tuple(done)

@@ -21,7 +21,9 @@ def context_of(model: Model, signals: Signals, hints: Hints | None = None) -> Co
     slow = signals.coarse()
     at, at_slow = (behind_motors(model, s.q, s.qd, s.qdd, s.period, s.tau) for s in (signals, slow))
     if model.robot.effects:
-        total = model_torque(model.robot, signals.t, signals.q, signals.qd, signals.qdd, signals.tau)
+        total = model_torque(
+            model.robot, signals.t, signals.q, signals.qd, signals.qdd, signals.tau, compiled=False
+        )
         at = replace(at, total=total)
         at_slow = replace(
             at_slow, total=signals.filtered(total)[:: max(1, signals.every // 2)][: len(slow.t)]

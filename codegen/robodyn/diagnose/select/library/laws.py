@@ -12,6 +12,7 @@ from robodyn.diagnose.select.limits import GRAVITY_SAMPLES, GRAVITY_SHARE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Dahl, Law
+from robodyn.identify.oscillator import dahl_deflection
 
 Floats = NDArray[np.float64]
 Values = Mapping[str, float]
@@ -100,17 +101,3 @@ def _dahl(c: Context, effect: Effect, law: Dahl, j: int, settings: Values) -> Ca
         effect.id, j, [column], (1,), lambda x: law.read(x, settings), law.order, values=settings,
         again=lambda c, values: _dahl(c, effect, law, j, values),
     )  # fmt: skip
-
-
-def dahl_deflection(q: Floats, limit: float) -> Floats:
-    """Deflection of a Dahl contact [K] as a share of ``limit``, at which it slides, along positions ``q``;
-    exact between samples."""
-    way = np.diff(q, prepend=q[0]) / limit
-    left = np.exp(-np.abs(way)).tolist()
-    gone = (np.sign(way) * -np.expm1(-np.abs(way))).tolist()
-    columns = []
-    z = 0.0
-    for kept, new in zip(left, gone, strict=True):
-        z = z * kept + new
-        columns.append(z)
-    return np.array(columns)

@@ -80,6 +80,16 @@ def _regressor(c: Context) -> Floats:
     return Y
 
 
+def regressor_seen(c: Context) -> Floats:
+    """Torques [N, n, 10 n] by the numbers of all links, filtered and thinned like the torque."""
+    key = ("regressor", 1)
+    if key not in c.kept:
+        flat = _regressor(c).reshape(len(c.slow.q), c.n, -1)
+        c.kept[key] = c.slow.thinned(c.slow.filtered(flat)).copy()
+    Y: Floats = c.kept[key]
+    return Y
+
+
 def _body(c: Context, effect: Effect, shown: Shown) -> Candidate:
     def read(x: Floats) -> dict[str, float | str]:
         names = ("mass", "com_x", "com_y", "com_z", *(f"inertia_{axes}" for axes in AXES))

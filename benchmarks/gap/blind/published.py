@@ -1,0 +1,90 @@
+"""The figures of blind trials for the documents: counts and shares from the rows, tables from the counts."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from benchmarks.gap.blind.summary import WIDE, coverage
+
+TITLES = {
+    "clear": "one effect, 3 to 8 times the noise",
+    "near": "one effect, 1.5 to 3 times the noise",
+    "after": "one effect of 3 times the noise, the arm identified before from a description 30 % off",
+    "backlash": "backlash, 3 to 8 times the noise",
+    "load": "load-dependent friction, 3 to 8 times the noise",
+    "contact": "a push, during a motion or at rest",
+    "null": "nothing; inertial numbers right, or 5 to 30 % off and said to be",
+    "outside": "an effect of no catalogue, 4 to 8 times the noise",
+}
+#: Arms of which the last joints feel a push at the last link: in a spherical wrist's centre they do not, and
+#: which link was pushed, and with it the direction, cannot be known.
+WRISTS = ("ur5", "ur10", "panda")
+#: What is right where nothing of the catalogue is hidden: no name.
+_QUIET = {"null": "silent", "outside": "missed"}
+
+
+def published(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """The figures, from the rows of :mod:`benchmarks.gap.blind`."""
+    counts: dict[str, Counter[str]] = {}
+    for row in rows:
+        counts.setdefault(row["kind"], Counter())[row["status"]] += 1
+    off = coverage(rows)
+    identified = [row for row in rows if row["kind"] == "identify" and "truth_ratio" in row]
+    pushes = [c for row in rows if row["arm"] in WRISTS for c in row.get("contacts", ()) if "angle" in c]
+    widths = [
+        abs(value / true - 1)
+        for row in rows
+        for name, value, _, true in row.get("values", ())
+        if name == "backlash.gap"
+    ]
+    masses = [row["masses"]["together"] for row in rows if "masses" in row]
+    return {
+        "names": {kind: dict(counts[kind]) for kind in TITLES if kind in counts},
+        "intervals": {name: [len(each), sum(z <= WIDE for z in each)] for name, each in sorted(off.items())},
+        "identified": {
+            "arms": len(identified),
+            "worst beside the true arm": max(
+                (
+                    a / b
+                    for row in identified
+                    for a, b in zip(row["floor_ratio"], row["truth_ratio"], strict=True)
+                ),
+                default=None,
+            ),
+        },
+        "pushes": [len(pushes), sum(c["angle"] <= 20 for c in pushes), sum(c["angle"] > 90 for c in pushes)],
+        "widths": [len(widths), sum(w <= 0.2 for w in widths)],
+        "payloads": [len(masses), sum(abs(m) <= 0.1 for m in masses)],
+    }
+
+
+def names_table(figures: Mapping[str, Any]) -> str:
+    """How often names are right."""
+    lines = [
+        "| hidden | cases | right | in the declared set | nothing claimed | more than that | wrong |",
+        "|" + "---|" * 7,
+    ]
+    for kind, counts in figures["names"].items():
+        right = counts.get(_QUIET.get(kind, "right"), 0)
+        quiet = 0 if kind in _QUIET else counts.get("missed", 0)
+        cells = [
+            sum(counts.values()), right, counts.get("set", 0), quiet, counts.get("extra", 0),
+            counts.get("wrong", 0) + counts.get("error", 0),
+        ]  # fmt: skip
+        lines.append(f"| {TITLES[kind]} | " + " | ".join(map(str, cells)) + " |")
+    return "\n".join(lines)
+
+
+def intervals_table(figures: Mapping[str, Any]) -> str:
+    """How many 95 % intervals hold the true value, by what they are of."""
+    lines = ["| number | estimates | interval holds the truth |", "|---|---|---|"]
+    total = [0, 0]
+    for name, (count, within) in figures["intervals"].items():
+        lines.append(
+            f"| {name.replace('_', ' ').replace('.', ': ')} | {count} | {100 * within / count:.0f} % |"
+        )
+        total = [total[0] + count, total[1] + within]
+    lines.append(f"| all | {total[0]} | {100 * total[1] / max(total[0], 1):.0f} % |")
+    return "\n".join(lines)

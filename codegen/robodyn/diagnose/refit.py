@@ -1,0 +1,146 @@
+"""The arm's own numbers, fitted once more with all that was named: links, friction, rotors, loads.
+
+The search gives names while the inertial numbers are a nuisance. Here they are estimated with what was named,
+physically consistent and no farther from the description than its confidence and the logs say
+(:mod:`robodyn.identify`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.amend.amend import Amendment, apply_amendments
+from robodyn.diagnose.limits import REFIT_SHARE, REFIT_WORSE
+from robodyn.diagnose.result import Estimate
+from robodyn.diagnose.select.forward import Key
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.gate.gate import Gate
+from robodyn.identify.fit import Load, Options, fit_arm
+from robodyn.identify.outcome import Estimate as Number
+from robodyn.identify.outcome import Identified, identified
+from robodyn.robot.model import AXES, Link, Robot
+from robodyn.robot.parts import SHARE_NOT_STATED
+
+Floats = NDArray[np.float64]
+#: By the key of a joint that holds a number the name of its column.
+_COLUMNS = {"viscous": "viscous", "coulomb": "coulomb", "motor_inertia": "rotor"}
+_BODY = ("mass", "com_x", "com_y", "com_z", *(f"inertia_{axes}" for axes in AXES))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Refit:
+    """``robot``: the model with its new numbers and all that was named; ``origins``: of each of its effects
+    the index among those of the description, None where it is new; ``estimates``: of what was named, where
+    the fit has better ones."""
+
+    robot: Robot
+    origins: tuple[int | None, ...]
+    estimates: Mapping[Key, Mapping[str, Estimate]]
+
+
+def refit(
+    robot: Robot, amendments: Sequence[Amendment], gates: Sequence[Gate], *, unstated: float | None
+) -> Refit | None:
+    """``robot`` with the ``amendments`` and new numbers of its own; ``unstated``: by which share
+    the numbers may be wrong of which nothing is said. None where the numbers lead to no model."""
+    rigid = {(a.effect, a.joint) for a in amendments if _fold(a.effect) == "link"}
+    bodies = [a for a in amendments if CATALOGUE[a.effect].traits.body]
+    kept = [a for a in amendments if (a.effect, a.joint) not in rigid and a not in bodies]
+    amended = apply_amendments(robot, kept)
+    loose = {joint for _, joint in rigid}
+    links = tuple(
+        _stated(link, 1.0 if j in loose else unstated) for j, link in enumerate(amended.robot.links, 1)
+    )
+    joints: dict[str, set[int]] = {}
+    for one in kept:
+        fold = CATALOGUE[one.effect].traits.fold
+        if fold is not None and fold.into == "joint" and one.joint is not None:
+            joints.setdefault(_COLUMNS[fold.key], set()).add(one.joint - 1)
+    loads = (Load(tuple(range(len(gates)))),) if bodies else ()
+    options = Options(
+        offsets=False, loads=loads, joints={name: frozenset(places) for name, places in joints.items()}
+    )
+    outcome = identified(fit_arm(replace(amended.robot, links=links), gates, options))
+    model = replace(outcome.robot, links=tuple(map(_with_confidence, outcome.robot.links, robot.links)))
+    estimates = _estimates(robot, model, kept, outcome)
+    for joint in sorted(j for _, j in rigid if j is not None):
+        (id,) = {effect for effect, j in rigid if j == joint}
+        estimates[id, joint] = _changes(robot.links[joint - 1], outcome, joint)
+    origins = amended.origins
+    for body in bodies:
+        estimates[body.effect, None] = _load(outcome)
+        values = {name: one.value for name, one in estimates[body.effect, None].items()}
+        again = apply_amendments(model, [replace(body, parameters=values)])
+        model, origins = again.robot, tuple(None if k is None else origins[k] for k in again.origins)
+    return Refit(model, origins, estimates)
+
+
+def is_better(before: Floats, after: Floats) -> bool:
+    """Whether what is left of logs, RMS [n] by joint, is clearly less at some joint ``after`` a refit, and
+    nowhere more."""
+    ratio = after / np.maximum(before, 1e-300)
+    return bool(np.min(ratio) < np.sqrt(1 - REFIT_SHARE) and np.max(ratio) < REFIT_WORSE)
+
+
+def _fold(id: str) -> str | None:
+    fold = CATALOGUE[id].traits.fold
+    return None if fold is None else fold.into
+
+
+def _stated(link: Link, share: float | None) -> Link:
+    """A link of which is stated how well it is known."""
+    if link.confidence is not None:
+        return link
+    if share is None:
+        return replace(link, confidence=SHARE_NOT_STATED)
+    return replace(link, confidence="unknown" if share >= 1 else Fraction(share).limit_denominator(1000))
+
+
+def _with_confidence(link: Link, described: Link) -> Link:
+    return replace(link, confidence=described.confidence)
+
+
+def _estimates(
+    robot: Robot, model: Robot, kept: Sequence[Amendment], outcome: Identified
+) -> dict[Key, Mapping[str, Estimate]]:
+    """Of what every joint has, the increments to the description."""
+    estimates: dict[Key, Mapping[str, Estimate]] = {}
+    for one in kept:
+        fold = CATALOGUE[one.effect].traits.fold
+        if fold is None or fold.into != "joint" or one.joint is None:
+            continue
+        estimate = outcome.parameters.get(f"joint{one.joint}.{one.effect}.{fold.parameter}")
+        if estimate is None:
+            continue
+        new, old = (getattr(arm.links[one.joint - 1].joint, fold.key) for arm in (model, robot))
+        assert isinstance(new, Fraction)
+        described = (
+            float(old) if isinstance(old, Fraction) and robot.torque_side == model.torque_side else 0.0
+        )
+        value = float(new) - described
+        estimates[one.effect, one.joint] = {fold.parameter: Estimate(value, estimate.stderr, estimate.unit)}
+    return estimates
+
+
+def _changes(link: Link, outcome: Identified, joint: int) -> dict[str, Estimate]:
+    """What a link's numbers are more than described."""
+    changes: dict[str, Estimate] = {}
+    for name in _BODY:
+        estimate = outcome.parameters.get(f"link{joint}.{name}")
+        if estimate is not None:
+            axis = name.removeprefix("inertia_")
+            changes[f"delta_{axis}"] = Estimate(
+                estimate.value - estimate.described, estimate.stderr, estimate.unit
+            )
+    return changes
+
+
+def _load(outcome: Identified) -> dict[str, Estimate]:
+    """The body that the arm carries."""
+    numbers: dict[str, Number] = {name: outcome.parameters[f"load1.{name}"] for name in _BODY}
+    return {name: Estimate(one.value, one.stderr, one.unit) for name, one in numbers.items()}

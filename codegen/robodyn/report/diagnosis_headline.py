@@ -1,0 +1,180 @@
+"""The verdict of a diagnosis as one sentence: what all joints lack first, then what single ones lack, and how
+much of the torque stays unexplained.
+
+Findings of one kind are one thing: whatever rubs is friction, unless a single law is all there is of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+
+from robodyn.diagnose.result import Diagnosis, Finding
+from robodyn.effects.catalogue import CATALOGUE
+from robodyn.report.diagnosis_text import (
+    chosen,
+    claims,
+    is_contact,
+    joints_of,
+    listed,
+    named,
+    still,
+    touched_at,
+    traits_of,
+    worst_joint,
+)
+
+#: Things in one sentence; the others are counted.
+_MOST: Final = 5
+#: Joints before the tip that make a wrist.
+_WRIST: Final = 3
+_TIMES: Final = {2: "twice", 3: "three times", 4: "four times", 5: "five times", 6: "six times"}
+
+
+def headline(diagnosis: Diagnosis, *, validated: bool = True) -> str:
+    """The verdict as a sentence; ``validated``: whether there was a log that was not fitted."""
+    name = diagnosis.robot.name
+    if diagnosis.verdict == "consistent":
+        return f"{name} {consistent_words(diagnosis, validated=validated)}."
+    if diagnosis.verdict == "unexplained":
+        worst = worst_joint(diagnosis.left)
+        where = "" if worst is None else f" It is largest at joint {worst}."
+        return f"A residual remains that no effect of the catalogue explains.{where}"
+    lacking = [f for f in claims(diagnosis) if not is_contact(f.effect)]
+    touched = [_touched(f) for f in claims(diagnosis) if is_contact(f.effect)]
+    if not lacking and touched:
+        return f"{name}: no effect is missing, but {listed(touched)}."
+    things = missing_words(lacking, diagnosis.robot.n) or ["an effect"]
+    verb = "are" if len(things) > 1 or things[0].split(" at ")[0].endswith("s") else "is"
+    left = [left_words(diagnosis, validated=validated)]
+    parts = [
+        f"{name}: {listed(things)} {verb} missing",
+        *([listed(touched)] if touched else []),
+        *filter(None, left),
+    ]
+    return "; ".join(parts) + "."
+
+
+def missing_words(lacking: Sequence[Finding], n: int) -> list[str]:
+    """What ``lacking`` lists of an arm of ``n`` joints, by kind: what most joints have first, then in the
+    order given; things at the same joints stand together, what is beyond a handful is counted."""
+    kinds: dict[str, list[Finding]] = {}
+    for finding in lacking:
+        kinds.setdefault(_kind(finding), []).append(finding)
+    places: dict[tuple[int, ...], list[str]] = {}
+    alone: list[tuple[int, str]] = []
+    for findings in kinds.values():
+        joints = tuple(sorted({f.joint for f in findings if f.joint is not None}))
+        if findings[0].effect in CATALOGUE and CATALOGUE[findings[0].effect].level == "pair":
+            alone += [(1, _coupled(f, n)) for f in findings]
+        elif not joints:
+            alone.append((n, _noun(findings, 1)))
+        else:
+            places.setdefault((*joints, -1) if _is_of_link(findings[0]) else joints, []).append(
+                _noun(findings, len(joints))
+            )
+    things = alone
+    for key, nouns in places.items():
+        joints = tuple(joint for joint in key if joint > 0)
+        of_links = len(joints) < len(key)
+        where = f"of link{'s' if len(joints) > 1 else ''} " if of_links else "at "
+        where += listed([str(j) for j in joints]) if of_links else _joints(joints, n)
+        things.append((len(joints), f"{listed(nouns)} {where}"))
+    words = [text for _, text in sorted(things, key=lambda thing: -thing[0])]
+    return words if len(words) <= _MOST else [*words[: _MOST - 1], f"{len(words) - _MOST + 1} more"]
+
+
+def left_words(diagnosis: Diagnosis, *, validated: bool) -> str:
+    """``12 % of the torque stays unexplained``; empty where that is not known."""
+    share = share_left(diagnosis, validated=validated)
+    if share is None:
+        return ""
+    text = f"{100 * share:.0f} %" if share >= 0.01 else "less than 1 %"
+    return f"{text} of the torque stays unexplained"
+
+
+def share_left(diagnosis: Diagnosis, *, validated: bool) -> float | None:
+    """RMS of what the model leaves by RMS of the torque, the mean over the joints that carry some; None where
+    no log is there to tell."""
+    wanted = [s for s in diagnosis.series if s.name.startswith("validate")] if validated else []
+    if not diagnosis.series:
+        return None
+    tau = (wanted or list(diagnosis.series))[-1 if wanted else 0].tau
+    size = np.sqrt(np.mean(np.square(tau), axis=0))
+    _, after = chosen(diagnosis, validated)
+    with np.errstate(all="ignore"):
+        shares = after / size
+    shares = shares[np.isfinite(shares)]
+    return float(np.mean(shares)) if len(shares) else None
+
+
+def consistent_words(diagnosis: Diagnosis, *, validated: bool) -> str:
+    """What a consistent model leaves, after the robot's name: nothing beyond the noise, or more within what
+    is stated of the arm's numbers. ``refitted`` in :attr:`Diagnosis.extra` is the share within which these
+    numbers were moved; None or absent where they were not."""
+    rest = still(diagnosis, validated)
+    if not rest:
+        known = bool(np.isfinite(diagnosis.gap.noise_floor).all())
+        floor = ", what it leaves is at the noise floor" if known else ""
+        return f"explains the logs: no effect needs to be added{floor}"
+    _, after = chosen(diagnosis, validated)
+    with np.errstate(all="ignore"):
+        ratio = np.nan_to_num(after / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
+    most = max(rest, key=lambda joint: float(ratio[joint - 1]))
+    leaves = f"joint {most} leaves {_times(float(ratio[most - 1]))} the noise"
+    refitted = diagnosis.extra.get("refitted")
+    if refitted is not None:
+        return f"is within your {100 * float(refitted):.0f} %: refitted numbers are in model.yaml, {leaves}"
+    return f"lacks no effect that the logs could name, but {leaves}"
+
+
+def _times(ratio: float) -> str:
+    return _TIMES.get(round(ratio), f"{ratio:.2g} times") if ratio >= 1.75 else f"{ratio:.2g} times"
+
+
+def _kind(finding: Finding) -> str:
+    """Findings of one kind are one thing in a sentence."""
+    known = CATALOGUE.get(finding.effect)
+    if known is not None and known.level == "joint" and known.dissipative:
+        return "friction"
+    return finding.effect
+
+
+def _noun(findings: Sequence[Finding], count: int) -> str:
+    effects = list(dict.fromkeys(f.effect for f in findings))
+    if len(effects) > 1:
+        return "friction"
+    noun = traits_of(effects[0]).noun or named(effects[0])
+    article, _, thing = noun.partition(" ")
+    return f"{thing}s" if count > 1 and article in ("a", "an") else noun
+
+
+def _is_of_link(finding: Finding) -> bool:
+    fold = traits_of(finding.effect).fold
+    return fold is not None and fold.into == "link"
+
+
+def _coupled(finding: Finding, n: int) -> str:
+    """Joints that share a motor; the last ones of an arm are its wrist."""
+    other = finding.parameters["with"].value if "with" in finding.parameters else None
+    joints = sorted({finding.joint or 0, *([int(other)] if isinstance(other, float | int) else [])})
+    is_wrist = n > _WRIST and joints[0] > n - _WRIST
+    return f"{'a coupled wrist' if is_wrist else 'coupled joints'} ({', '.join(map(str, joints))})"
+
+
+def _joints(joints: Sequence[int], n: int) -> str:
+    """``all joints``, ``all joints but 3``, ``joints 1 to 3``, ``joints 1 and 4``."""
+    others = [j for j in range(1, n + 1) if j not in joints]
+    if len(joints) > 1 and not others:
+        return "all joints"
+    if len(others) == 1 and n > _WRIST:
+        return f"all joints but {others[0]}"
+    return joints_of(joints)
+
+
+def _touched(contact: Finding) -> str:
+    """A contact within a sentence."""
+    place, time = touched_at(contact)
+    return f"something touched {place} {time}".rstrip()
