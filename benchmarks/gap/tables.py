@@ -36,7 +36,7 @@ def markdown(results: Results) -> str:
 
 def table(results: Results) -> str:
     """Held-out shares, joint by joint, a row for each arm and tool; CPU time, memory and kinds of names."""
-    joints = max(len(_shares(one)) for arm in results["arms"].values() for one in arm["rows"])
+    joints = _most_joints(results)
     head = ["arm", "by", *(str(j + 1) for j in range(joints)), "CPU, s", "MB", "names (kinds)"]
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for name, arm in results["arms"].items():
@@ -63,6 +63,15 @@ def known_table(results: Results) -> str:
     return "\n".join(lines)
 
 
+def _most_joints(results: Results) -> int:
+    return max(len(_shares(one)) for arm in results["arms"].values() for one in arm["rows"])
+
+
+def _legend(axes: Any) -> tuple[list[str], list[Any]]:
+    handles, labels = axes.get_legend_handles_labels()
+    return labels, handles
+
+
 def _shares(row: Mapping[str, Any]) -> list[float]:
     return row["held_out"]["percent"] if "held_out" in row else []
 
@@ -76,6 +85,7 @@ def picture(results: Results, path: Path) -> None:
 
     greys = {"before": "#e4e4e4", "least_squares": "#9a9a9a", "mujoco_sysid": "#c9b48a", "sparse": "#c98a8a"}
     ours = {"identify": "#7fb3c4", "diagnose": _OURS}
+    joints = _most_joints(results)
     with plt.rc_context(_PLAIN):
         figure, panels = plt.subplots(
             len(results["arms"]),
@@ -91,10 +101,18 @@ def picture(results: Results, path: Path) -> None:
                 places = [j + 1 + (k - (len(rows) - 1) / 2) * width for j in range(len(_shares(one)))]
                 colour = (greys | ours).get(one["tool"], _THEIRS)
                 axes.bar(places, _shares(one), width, color=colour, label=one["title"].replace("`", ""))
-            axes.set(ylim=(0, 100), xticks=range(1, len(_shares(rows[0])) + 1), ylabel=f"{name}\n% of torque")
+            axes.set(
+                xlim=(0.4, joints + 0.6),
+                ylim=(0, 100),
+                xticks=range(1, len(_shares(rows[0])) + 1),
+                ylabel=f"{name}\n% of torque",
+            )
             axes.spines[["top", "right"]].set_visible(False)
         panels[-1, 0].set_xlabel("joint")
-        panels[0, 0].legend(frameon=False, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1))
+        shown = dict(pair for axes in panels[:, 0] for pair in zip(*_legend(axes), strict=True))
+        panels[0, 0].legend(
+            shown.values(), shown.keys(), frameon=False, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1)
+        )
         figure.savefig(path, format="svg", metadata={"Date": None, "Creator": None})
         plt.close(figure)
     lines = path.read_text(encoding="utf-8").splitlines()

@@ -232,8 +232,10 @@ def test_published_figures_are_counts_of_rows() -> None:
         [" 1 ", " 1 ", " 0 ", " 0 ", " 0 ", " 0 "],
         [" 2 ", " 1 ", " 0 ", " 0 ", " 0 ", " 1 "],
     ]
-    assert intervals_table(figures).splitlines()[2:] == [
-        "| a: b | 1 | 0 % |",
-        "| backlash: gap | 1 | 100 % |",
-        "| all | 2 | 50 % |",
+    rows.append({"kind": "identify", "arm": "ur5", "status": "right", "values": [["com_x", 1.0, 0.1, 1.0]]})
+    assert intervals_table(published(rows)).splitlines()[2:] == [
+        "| a | 1 | 0 % |",
+        "| backlash | 1 | 100 % |",
+        "| centres of mass | 1 | 100 % |",
+        "| all | 3 | 67 % |",
     ]

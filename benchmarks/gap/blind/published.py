@@ -18,6 +18,8 @@ TITLES = {
     "null": "nothing; inertial numbers right, or 5 to 30 % off and said to be",
     "outside": "an effect of no catalogue, 4 to 8 times the noise",
 }
+#: What the numbers of a link are called.
+_GROUPS = {"com": "centres of mass", "mass": "masses of links", "inertia": "inertias of links"}
 #: Arms of which the last joints feel a push at the last link: in a spherical wrist's centre they do not, and
 #: which link was pushed, and with it the direction, cannot be known.
 WRISTS = ("ur5", "ur10", "panda")
@@ -78,13 +80,16 @@ def names_table(figures: Mapping[str, Any]) -> str:
 
 
 def intervals_table(figures: Mapping[str, Any]) -> str:
-    """How many 95 % intervals hold the true value, by what they are of."""
-    lines = ["| number | estimates | interval holds the truth |", "|---|---|---|"]
-    total = [0, 0]
+    """How many 95 % intervals hold the true value, by the effect or the link's numbers that they are of."""
+    groups: dict[str, list[int]] = {}
     for name, (count, within) in figures["intervals"].items():
-        lines.append(
-            f"| {name.replace('_', ' ').replace('.', ': ')} | {count} | {100 * within / count:.0f} % |"
-        )
-        total = [total[0] + count, total[1] + within]
-    lines.append(f"| all | {total[0]} | {100 * total[1] / max(total[0], 1):.0f} % |")
+        whose = name.partition(".")[0] if "." in name else name.partition("_")[0]
+        group = groups.setdefault(_GROUPS.get(whose, whose.replace("_", " ")), [0, 0])
+        group[0] += count
+        group[1] += within
+    groups["all"] = [sum(each[k] for each in groups.values()) for k in (0, 1)]
+    lines = ["| of | estimates | the interval holds the truth |", "|---|---|---|"]
+    lines += [
+        f"| {name} | {count} | {100 * within / count:.0f} % |" for name, (count, within) in groups.items()
+    ]
     return "\n".join(lines)
