@@ -252,6 +252,9 @@ FLAGGED_GAIN: Final = 3.0
 SURE_GAIN: Final = 100.0
 """[factor of the unexplained] One that gains more holds even if an effect hides one of the joints."""
 
+REVERSED_SHARE: Final = 0.5
+"""[-] Joints numbered from the tip: read from the base, most of them leave no more than so much of it."""
+
 LEAST_SCALE: Final = 0.2
 """[-] Below this multiple of the model's torques, a log's are of another unit;"""
 

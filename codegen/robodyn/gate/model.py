@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.gate.flag import Flag, Floats, named, refuse
+from robodyn.gate.flag import Flag, Floats, count, named, refuse
 from robodyn.gate.likeness import Likeness, Trial, gain_of, likeness
 from robodyn.gate.limits import (
     ALIKE_GAIN,
@@ -30,6 +30,7 @@ from robodyn.gate.limits import (
     NEARER,
     NEARER_EXACT,
     REFUSED_GAIN,
+    REVERSED_SHARE,
     SLIGHT,
     SLIGHT_EXACT,
     SPRUNG_FACTOR,
@@ -39,7 +40,7 @@ from robodyn.gate.limits import (
     WORSE_EXACT,
     WORSE_FACTOR,
 )
-from robodyn.gate.readings import Change, signs_and_order, units
+from robodyn.gate.readings import Change, reversed_order, signs_and_order, units
 from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import ZERO
@@ -82,6 +83,7 @@ def check_model(
         return fit.unexplained
     if (fit.unexplained > UNLIKE).any():
         _tell(changed(units(robot, smooth)), fit, source, flags)
+    _reversed(changed(reversed_order(robot)), fit, source)
     _scales(fit, source)
     _tell(changed(signs_and_order(robot, fit)), fit, source, flags)
     _unlike(fit, torque, trial, source, flags)
@@ -156,6 +158,22 @@ def _tell(
     first = chosen[0]
     text = f"perhaps {where}; read so, the model leaves less (joint {shares})"
     flags.append(Flag(f"perhaps_{first.kind}", first.where, (), text, first.joints))
+
+
+def _reversed(read: list[tuple[float, Change, Likeness]], before: Likeness, source: str | None) -> None:
+    """Refuse a log in which the joints are numbered from the tip: nearly all are far nearer read so."""
+    for gain, change, after in read:
+        telling = np.isfinite(before.unexplained) & np.isfinite(after.unexplained)
+        nearer = telling & (after.unexplained < REVERSED_SHARE * before.unexplained)
+        if gain > SURE_GAIN and nearer.sum() > 0.5 * len(telling) and nearer.sum() > 1:
+            refuse(
+                source,
+                f"{change.where}: {change.text}",
+                found=f"torques unlike the model's at {count(int(nearer.sum()), 'joint')}, and like it "
+                "counted from the tip",
+                expected="joints numbered from the base",
+                remedy=change.remedy,
+            )
 
 
 def _nearer(before: Likeness, after: Likeness, change: Change) -> NDArray[np.bool_] | None:

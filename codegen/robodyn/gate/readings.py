@@ -80,6 +80,34 @@ def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
             yield Change(kind, numbers, where, text, remedy.format(where), scale=scale)
 
 
+def reversed_order(robot: Robot) -> Iterator[Change]:
+    """The reading in which the joints are numbered from the tip."""
+    order = tuple(range(robot.n - 1, -1, -1))
+    if robot.n > 3:  # of three, it is two that are swapped
+        yield Change(
+            "reversed", tuple(j + 1 for j in order), "q, tau", "the joints are in the reverse order",
+            f"number them from the base{_map(q=order, tau=order)}", order=order, tau_order=order,
+        )  # fmt: skip
+
+
+def _map(**groups: tuple[float, ...]) -> str:
+    """How a map of columns (--map) says so: signs, which are +-1 and floats, or the order, which are ints."""
+    lines = []
+    for group, values in groups.items():
+        if all(isinstance(x, int) for x in values):
+            columns = ", ".join(f"{group}{int(j) + 1}" for j in values)
+            lines.append(f"{group}: {{columns: [{columns}]}}")
+        else:
+            lines.append(f"{group}: {{columns: {group}%d, sign: [{', '.join(f'{x:g}' for x in values)}]}}")
+    return f" (with --map, in a file: {' and '.join(lines)})"
+
+
+def _exchange(group: str, where: str, order: tuple[int, ...]) -> str:
+    if group == "all":
+        return f"swap all columns of {where}{_map(q=order, tau=order)}"
+    return f"swap the columns {where}{_map(**{group: order})}"
+
+
 def signs_and_order(robot: Robot, fit: Likeness) -> Iterator[Change]:
     """Readings with other signs and in another order."""
     n = robot.n
@@ -97,16 +125,16 @@ def signs_and_order(robot: Robot, fit: Likeness) -> Iterator[Change]:
         one = tuple(-1.0 if k == j else 1.0 for k in everyone)
         if j - 1 in unlike:
             yield Change(
-                "sign", (j,), f"tau{j}", "the sign of the torque is flipped", f"change the sign of tau{j}",
-                tau_sign=one,
+                "sign", (j,), f"tau{j}", "the sign of the torque is flipped",
+                f"change the sign of tau{j}{_map(tau=one)}", tau_sign=one,
             )  # fmt: skip
         yield Change(
             "sign", (j,), f"q{j}", "the sign of the position is flipped",
-            f"change the sign of q{j} and its rates", scale=one,
+            f"change the sign of q{j} and its rates{_map(q=one)}", scale=one,
         )  # fmt: skip
         yield Change(
             "sign", (j,), f"q{j}, tau{j}", "the joint turns the other way than the model's",
-            f"change the signs of q{j}, its rates and tau{j}", scale=one, tau_sign=one,
+            f"change the signs of q{j}, its rates and tau{j}{_map(q=one, tau=one)}", scale=one, tau_sign=one,
         )  # fmt: skip
     for i in range(n):
         for j in range(i):
@@ -119,9 +147,7 @@ def signs_and_order(robot: Robot, fit: Likeness) -> Iterator[Change]:
                 ("all", f"joints {both[0]} and {both[1]}"),
             ):
                 yield Change(
-                    "order", both, where, "swapped", f"swap the columns {where}"
-                    if group != "all"
-                    else f"swap all columns of {where}",
+                    "order", both, where, "swapped", _exchange(group, where, tuple(order)),
                     order=tuple(order) if group != "tau" else None,
                     tau_order=tuple(order) if group != "q" else None,
                 )  # fmt: skip
