@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from robodyn.diagnose.amend.amend import Amendment, amended
+from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.identify import rigid
 from robodyn.identify.rigid import Model, Reuse
 from robodyn.robot.bundled import robot_of
@@ -17,11 +18,10 @@ PUMA = robot_of("puma560_3dof")
 
 def test_models_that_differ_in_their_drives_share_the_arm(monkeypatch: pytest.MonkeyPatch) -> None:
     calls = []
-    evaluate = rigid.newton_euler
 
     def counted(*arguments: Any) -> Any:
         calls.append(arguments)
-        return evaluate(*arguments)
+        return newton_euler(*arguments)
 
     monkeypatch.setattr(rigid, "newton_euler", counted)
     q, qd, qdd = np.random.default_rng(0).uniform(-1, 1, (3, 50, PUMA.n))
