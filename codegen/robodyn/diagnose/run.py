@@ -212,7 +212,7 @@ def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected
     share, stands_out = _share(first, last, one.named.trial.candidate.rows)
     left = _left(last)
     rows = list(one.named.trial.candidate.rows)
-    if one.named.is_common:
+    if any(each.is_common for each in first.findings):  # the whole arm was described without its drives
         return one, share > COMMON_EXPLAINED
     return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
 

@@ -38,7 +38,8 @@ from robodyn.diagnose.select.fit import (
     wider,
 )
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
-from robodyn.diagnose.select.library import Context, candidates, context_of, regressor_seen
+from robodyn.diagnose.select.library import Context, context_of, regressor_seen
+from robodyn.diagnose.select.library.matched import matched
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     DIVERGED,
@@ -179,11 +180,7 @@ def select(
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
-    columns = zip(*(candidates(each, scope) for each in contexts), strict=True)
-    library = Library.of(
-        (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
-        for each in columns
-    )
+    library = Library.of(matched(contexts, prepared, scope))
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
