@@ -97,8 +97,7 @@ def diagnose(
         inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS)
         for k, log in enumerate([*logs, *([] if validate is None else [validate])])
     ]
-    gates, seen = gates[: len(logs)], gates[-1]
-    whole = list(dict.fromkeys([*gates, seen]))
+    whole = list(dict.fromkeys(gates))
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
     gates, seen = cleaned[: len(logs)], cleaned[-1]
