@@ -43,6 +43,7 @@ COMMANDS: Final[dict[str, tuple[str, str]]] = {
         "robodyn_cli.diagnose",
         "Find the effects that a model is missing, add them, and validate the amended model.",
     ),
+    "logs": ("robodyn_cli.logs", "Show what is in a log, and propose which columns are what."),
     "identify": (
         "robodyn_cli.identify",
         "Identify links, friction and rotors from logs, physically consistent, with intervals.",

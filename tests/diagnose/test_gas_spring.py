@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.blind.hide import Setup, hide
 from robodyn.diagnose.select.library.candidate import Candidate
+from robodyn.diagnose.select.search import estimates
 from robodyn.diagnose.select.selection import select
 from robodyn.robot import load
 
@@ -28,3 +30,16 @@ def test_a_gas_spring_is_named_with_its_torque(seed: int) -> None:
 
 def test_a_spring_that_is_no_counterbalance_stays_a_spring() -> None:
     assert first_name("spring", 1)[0].effect == "spring"
+
+
+def test_errors_follow_what_coefficients_do_together() -> None:
+    """Two coefficients that are known by their sum alone: its error is small, and that of each is not."""
+    robot = load("puma560_3dof", warn=lambda _: None)
+    blind = hide(robot, [Amendment("gas_spring", 2, {})], setup=Setup(seed=3, rate=250.0))
+    selection = select(blind.model, blind.train)
+    candidate = selection.findings[0].trial.candidate
+    x, way = np.array([5.0, 6.0]), np.array([[0.01, 1.0], [0.01, -1.0]])
+    values, errors = estimates(candidate, x, way, selection.context.model)
+    assert values["torque"] == pytest.approx(11.0)
+    assert errors["torque"] == pytest.approx(0.02)
+    assert errors["rise"] > 0.05

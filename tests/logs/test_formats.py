@@ -190,6 +190,14 @@ def test_rows_and_columns_may_be_exchanged(tmp_path: Path) -> None:
     np.testing.assert_array_equal(read.t, log.t)
 
 
+def test_arrays_longer_than_any_is_wide(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("robodyn.logs.arrays.WIDEST", 20)
+    log = motion(50)
+    path = tmp_path / "log.npz"
+    np.savez(path, t=log.t, q=log.q, tau=log.tau, image=np.zeros((50, 30)))
+    same(read_log(path), replace(log, qd=None))
+
+
 # --- several streams --------------------------------------------------------------------------------------
 
 

@@ -22,6 +22,8 @@ from robodyn.identify.limits import (
     GAIN_SPREAD,
     HUBER_FACTOR,
     KNOWN_MASS,
+    LARGE_SHARE,
+    LIKELY_T,
     LOAD_REACH,
     PASSES,
     WORTH_SHARE,
@@ -214,6 +216,7 @@ def _with_offsets(unknowns: Unknowns, worth: Floats, left: Floats) -> Unknowns:
     spread = worth.std(axis=1, ddof=1) * np.sqrt(worth.shape[1])
     total = worth.sum(axis=1)
     free = unknowns.free.copy()
-    worthy = (total > WORTH_T * spread) & (total > WORTH_SHARE * left)
+    sure = (total > WORTH_T * spread) & (total > WORTH_SHARE * left)
+    worthy = sure | ((total > LIKELY_T * spread) & (total > LARGE_SHARE * left))
     free[unknowns.layout.joint("offset")] = worthy
     return replace(unknowns, free=free)

@@ -89,8 +89,11 @@ LONG_CHUNK: Final = 4096
 
 # --- prior --------------------
 
-UNSTATED_CONFIDENCE: Final = 0.3
-"""[share] So far off may the inertial numbers be of a link that does not say: few makers' files keep 10 %."""
+UNSTATED_CONFIDENCE: Final = 0.5
+"""[share] So far off may the inertial numbers be of a link that does not say: few files keep 10 %."""
+
+ASYMMETRY: Final = 2.0
+"""[-] A confidence c is a standard deviation of c (1 + 2 c): what is described 30 % too small lacks 43 %."""
 
 LEAST_MASS: Final = 0.02
 """[share of the heaviest link] No link is thought to be lighter,"""
@@ -138,6 +141,12 @@ WORTH_T: Final = 2.5
 """[-] Student's t over held-out blocks from which on an offset is fitted,"""
 
 WORTH_SHARE: Final = 0.02
+"""[share of what is left there] if it removes so much."""
+
+LIKELY_T: Final = 1.5
+"""[-] This is sure enough"""
+
+LARGE_SHARE: Final = 0.08
 """[share of what is left there] if it removes so much."""
 
 GAIN_SPREAD: Final = 0.3

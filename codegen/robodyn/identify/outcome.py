@@ -139,8 +139,10 @@ def _numbers(fit: Fit) -> tuple[dict[str, Estimate], list[str]]:
     unknowns, z = fit.unknowns, fit.solution.z
     prior = np.diag(unknowns.sd**2)
 
-    def put(name: str, value: float, described: float, error: float, before: float, unit: str) -> None:
-        seen = error < UNSEEN_SHARE * before
+    def put(
+        name: str, value: float, described: float, error: float, before: float, unit: str, known: bool = False
+    ) -> None:
+        seen = error < UNSEEN_SHARE * before or known
         numbers[name] = Estimate(value, described, error if seen else None, unit)
         if not seen:
             unseen.append(name)
@@ -166,7 +168,8 @@ def _numbers(fit: Fit) -> tuple[dict[str, Estimate], list[str]]:
         before = np.sqrt(np.diag(slopes @ prior[np.ix_(at, at)] @ slopes.T))
         figures = np.stack([values, described, after, before], axis=1).tolist()
         for name, (value, was, error, prior_error), unit in zip(_LINK, figures, _UNITS, strict=True):
-            put(f"{word}.{name}", value, was, error, prior_error, unit)
+            stated = k >= fit.layout.n and name == "mass" and was > 0  # of a load: as good as it is
+            put(f"{word}.{name}", value, was, error, prior_error, unit, known=stated)
     for name in fit.layout.own:
         for j, at in enumerate(fit.layout.joint(name).tolist()):
             if unknowns.free[at]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.identify.limits import (
+    ASYMMETRY,
     FREE_SHARE,
     LEAST_INERTIA,
     LEAST_LENGTH,
@@ -84,7 +85,9 @@ def prior_of(robot: Robot, layout: Layout, usual: Usual, confidence: float | Non
         second = np.full(6, LEAST_INERTIA * mass * length**2)
         second = np.maximum(second, float(np.abs(phi[k, 4:]).max()))
         mean[layout.link(k)] = phi[k]
-        sd[layout.link(k)] = share * np.concatenate([[mass], np.full(3, first), second])
+        # A number that is described too small by that share is farther from the truth in its own units.
+        spread = share * (1 + ASYMMETRY * share)
+        sd[layout.link(k)] = spread * np.concatenate([[mass], np.full(3, first), second])
     motor = robot.torque_side == "motor"
     for j, link in enumerate(robot.links):
         values = {

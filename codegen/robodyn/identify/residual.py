@@ -1,7 +1,8 @@
 """What models leave of logs: RMS of the raw torque less the model's, sample for sample.
 
-Torques are neither filtered nor left out, save 1 % at either end of a log: a figure for people, and the same
-for every model. Positions are filtered as for any model (:func:`robodyn.identify.predict.smooth_motion`).
+Torques are neither filtered nor left out, save 1 % at either end of an unbroken piece: a figure for people,
+and the same for every model. Positions are filtered as for any model
+(:func:`robodyn.identify.predict.smooth_motion`).
 """
 
 from __future__ import annotations
@@ -75,7 +76,6 @@ def squares_of(
     edges, held_out = blocks_of(gate.log.samples)
     sums = [np.zeros((len(models), robot.n)) for _ in range(2)]
     torque, counts = [np.zeros(robot.n) for _ in range(2)], [0, 0]
-    end = int(END_SHARE * gate.log.samples)
     rigid = models[:, : 10 * robot.n].reshape(len(models), robot.n, 10)
     for part in gate.segments:
         piece = Log(gate.log.t[part], gate.log.q[part], None, None, gate.log.tau[part])
@@ -88,7 +88,8 @@ def squares_of(
         own = {"viscous": qd, "coulomb": way, "rotor": qdd, "offset": np.ones_like(q)}
         index = part.start + np.arange(len(q))
         which = held_out[np.searchsorted(edges, index, side="right") - 1]
-        inner = (index >= end) & (index < gate.log.samples - end)
+        end = int(END_SHARE * len(q))
+        inner = (index >= part.start + end) & (index < part.stop - end)
         for a in range(0, len(q), LONG_CHUNK):
             chunk = slice(a, min(a + LONG_CHUNK, len(q)))
             predicted = Links.along(model.arm, q[chunk], qd[chunk], qdd[chunk]).torques(rigid)

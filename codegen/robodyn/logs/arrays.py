@@ -42,9 +42,9 @@ class ArraysRecording:
         rows: dict[int, list[str]] = {}
         for name, shape in shapes.items():
             long = [length for length in shape if length != 1]
-            if not 1 <= len(long) <= 2 or max(long) < FEWEST or min(long) > WIDEST:
-                continue
             wide = len(long) == 2
+            if not 1 <= len(long) <= 2 or max(long) < FEWEST or (wide and min(long) > WIDEST):
+                continue
             for j in range(min(long)) if wide else (0,):
                 column = f"{name}.{j}" if wide else name
                 rows.setdefault(max(long), []).append(column)

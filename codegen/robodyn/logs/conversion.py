@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +36,9 @@ def convert(x: Floats, channel: Channel, group: str, joint: int, stated: str, ro
     unit = _unit(channel, group, stated, prismatic=prismatic)
     factor = _factor(channel, group, joint, unit, robot, prismatic=prismatic)
     zero, offset = channel.number("zero", joint), channel.number("offset", joint)
+    bits = channel.number("bits", joint)
+    if bits:
+        x[x >= 2.0 ** (int(bits) - 1)] -= 2.0 ** int(bits)
     if zero:
         x -= float(zero)
     scaled(x, factor * (channel.number("sign", joint) or 1))
@@ -159,10 +161,10 @@ def _of(channel: Channel, key: str, joint: int, robot: Robot | None) -> Fraction
 
 def _described(robot: Robot | None, joint: int, key: str) -> Fraction | None:
     """``ratio`` or ``torque_constant`` of the gear that the description has for ``joint``, if it has one."""
-    link: Any = robot.links[joint] if robot is not None else None
-    gear: Any = getattr(link, "gear", None)
-    value = getattr(gear, key, None)
-    return value if isinstance(value, Fraction) else None
+    gear = None if robot is None else robot.links[joint].joint.gear
+    if gear is None:
+        return None
+    return gear.ratio if key == "ratio" else gear.torque_constant
 
 
 def _needs(channel: Channel, group: str, unit: Unit, key: str, meaning: str) -> InputError:

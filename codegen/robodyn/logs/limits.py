@@ -17,6 +17,53 @@ SAME_TIME: Final = 0.5
 APART: Final = 3.5
 """[times between two samples] Between samples further apart nothing is interpolated."""
 
+STILL_TIME: Final = 0.1
+"""[s] Over so long a time an arm moves or stands still,"""
+
+STANDSTILL: Final = 1e-3
+"""[share of the largest motion in that time] which it does if all its joints move less."""
+
+# --- proposals --------------------
+
+FASTEST_RATE: Final = 20_000.0
+"""[Hz] Rows that would come faster have another unit of time,"""
+
+SLOWEST_RATE: Final = 5.0
+"""[Hz] and so have rows that would come more slowly."""
+
+TURNED: Final = 7.0
+"""[rad] Positions beyond, and beyond the limits of the joint, are not in rad."""
+
+COUNTS: Final = 100.0
+"""[-] Torques that are all whole numbers, and reach further, are counts of a converter."""
+
+MOST_AMPERES: Final = 200.0
+"""[A] Currents that reach further are taken for mA."""
+
+RATE_NEAR: Final = 0.1
+"""[share] A rate has a unit if it is as many times that of the positions as the unit says, up to this."""
+
+RATE_MATCH: Final = 0.5
+"""[-] A rate correlates as much with the difference of what it is the rate of."""
+
+BEYOND: Final = 0.02
+"""[share of the joint's range] Positions further beyond its limits are remarked on."""
+
+SIGN_MATCH: Final = 0.8
+"""[-] A torque that correlates with gravity's by less than minus this has the other sign."""
+
+GAIN_MATCH: Final = 0.4
+"""[-] With a weaker correlation nothing is said of how large a torque is beside gravity's,"""
+
+SMALL_GAIN: Final = 0.1
+"""[-] which is remarked on below this many times"""
+
+LARGE_GAIN: Final = 8.0
+"""[-] and above this many times."""
+
+TELLING: Final = 0.02
+"""[share of the largest change] Where gravity's torque changes less it says nothing of a joint."""
+
 # --- signals --------------------
 
 LOWEST_CUTOFF: Final = 6.0

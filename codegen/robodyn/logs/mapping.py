@@ -31,6 +31,7 @@ NUMBERS: Final = {
     "torque_constant": "N m/A at the motor",
     "rated": "N m or N that the shares are of, at the motor's side if there is a gear",
     "counts_per_turn": "ticks to a turn",
+    "bits": "bits of whole numbers that have a sign, and were recorded without it",
 }
 #: These may also be the word robot: as the description has it.
 OF_ROBOT: Final = ("gear", "torque_constant")
@@ -233,8 +234,8 @@ class _Reader:
             self.fail(node, f"{group} needs a column" + (" or a rate" if group == "t" else ""), expected=one)
         sound = {
             "t": ("sign", "zero", "offset", "factor"),
-            "tau": ("sign", "zero", "offset", "factor", "gear", "torque_constant", "rated"),
-        }.get(group, ("sign", "zero", "offset", "factor", "gear", "counts_per_turn"))
+            "tau": ("sign", "zero", "offset", "factor", "bits", "gear", "torque_constant", "rated"),
+        }.get(group, ("sign", "zero", "offset", "factor", "bits", "gear", "counts_per_turn"))
         for key in (*channel.numbers, *channel.of_robot):
             if key not in sound:
                 self.fail(
@@ -304,6 +305,8 @@ class _Reader:
             self.fail(node, "a sign is 1 or -1", found=node.text)
         if key in ("factor", "gear", "torque_constant", "rated", "counts_per_turn") and value == 0:
             self.fail(node, f"{key} is 0", expected=NUMBERS[key])
+        if key == "bits" and not (value.denominator == 1 and 2 <= value <= 64):
+            self.fail(node, "this is no number of bits", found=node.text, expected="8, 16 or 32")
         if key == "rate" and value <= 0:
             self.fail(node, "the rate is not positive", found=node.text, expected="samples a second [Hz]")
         return value

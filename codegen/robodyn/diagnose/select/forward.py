@@ -24,14 +24,15 @@ Key = tuple[str, int | None]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Named:
-    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first;
-    ``is_common``: most joints lack it."""
+    """A selected effect, ids of what explains as much, and the trials ``beside`` it, best first; its
+    coefficients ``x`` [c], and by columns of ``spread`` [c, c] how they go together, each a standard error
+    (the sum of the columns' outer products is their covariance); ``is_common``: most joints lack it."""
 
     trial: Trial
     rivals: tuple[str, ...]
     confidence: float
     x: Floats
-    stderr: Floats
+    spread: Floats
     beside: tuple[Trial, ...] = ()
     is_common: bool = False
 

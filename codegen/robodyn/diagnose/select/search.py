@@ -160,7 +160,7 @@ def _take(step: Selection, findings: dict[Key, Detected]) -> None:
     cases."""
     for named in step.findings:
         candidate = named.trial.candidate
-        values, errors = estimates(candidate, named.x, named.stderr, step.context.model)
+        values, errors = estimates(candidate, named.x, named.spread, step.context.model)
         key = (candidate.effect, candidate.joint)
         for plain in [(id, candidate.joint) for id in special_cases(candidate)]:
             if plain in findings:
@@ -193,9 +193,10 @@ def _piece(log: Log, part: slice) -> Log:
 
 
 def estimates(
-    candidate: Candidate, x: Floats, stderr: Floats, model: Model
+    candidate: Candidate, x: Floats, spread: Floats, model: Model
 ) -> tuple[dict[str, float | str], dict[str, float]]:
-    """The catalogue's parameters of the coefficients, and their standard errors."""
+    """The catalogue's parameters of the coefficients ``x`` [c], and their standard errors by the ``spread``
+    [c, c] of those."""
     fold = candidate.definition.traits.fold
     of_link = fold is not None and fold.into == "link"
     read = (lambda v: _deltas(candidate, v, model)) if of_link else candidate.read
@@ -205,10 +206,8 @@ def estimates(
         if isinstance(value, str):
             continue
         square = 0.0
-        for i in range(len(x)):
-            moved = x.copy()
-            moved[i] += stderr[i]
-            other = read(moved)[name]
+        for way in spread.T:
+            other = read(x + way)[name]
             square += (float(other) - value) ** 2
         errors[name] = float(np.sqrt(square))
     return values, errors

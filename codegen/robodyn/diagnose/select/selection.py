@@ -38,7 +38,8 @@ from robodyn.diagnose.select.fit import (
     wider,
 )
 from robodyn.diagnose.select.forward import Chosen, Key, Named, forward
-from robodyn.diagnose.select.library import Context, candidates, context_of, regressor_seen
+from robodyn.diagnose.select.library import Context, context_of, regressor_seen
+from robodyn.diagnose.select.library.matched import matched
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     DIVERGED,
@@ -179,11 +180,7 @@ def select(
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
-    columns = zip(*(candidates(each, scope) for each in contexts), strict=True)
-    library = Library.of(
-        (each[0], np.concatenate([prepared(c, one) for c, one in zip(contexts, each, strict=True)]))
-        for each in columns
-    )
+    library = Library.of(matched(contexts, prepared, scope))
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor
@@ -269,14 +266,14 @@ def _estimated(now: Problem, last: Fit, findings: Sequence[Named]) -> tuple[Name
     spread = covariance(now, last)
     for one in findings:
         if one.trial.candidate.fixed:
-            done.append(replace(one, x=np.ones(1), stderr=np.zeros(1)))
+            done.append(replace(one, x=np.ones(1), spread=np.zeros((1, 1))))
             continue
         wide = one.trial.columns.shape[2]
         x = last.known[at : at + wide]
         signs = np.array(one.trial.candidate.signs)
         if np.any((signs > 0) & (x < 0)) or np.abs(x).max() > DIVERGED * np.abs(one.trial.fit.x).max():
             x = one.trial.fit.x  # the fit of all together cannot separate them
-        error = np.sqrt(np.maximum(np.diag(spread)[at : at + wide], 0))
-        done.append(replace(one, x=x, stderr=error))
+        sizes, ways = np.linalg.eigh(spread[at : at + wide, at : at + wide])
+        done.append(replace(one, x=x, spread=ways * np.sqrt(np.maximum(sizes, 0))))
         at += wide
     return tuple(done)

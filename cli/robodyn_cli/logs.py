@@ -1,0 +1,59 @@
+"""``robodyn logs``: what is in a log, and the map that it needs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from robodyn.errors import InputError
+from robodyn_cli.choices import ROBOTS
+from robodyn_cli.common import echo_json, json_option, load_robot, printable, talk, write_files
+from robodyn_cli.log_options import input_files, log_map, log_options
+
+
+@click.command()
+@click.argument("file", metavar="FILE")
+@click.option("--robot", type=ROBOTS, metavar="ROBOT", help="Compare joints, limits and signs.")
+@log_options
+@click.option("-o", "--output", "out", metavar="MAP.yaml", help="Write the map to this file.")
+@json_option
+def command(
+    file: str, robot: str | None, map_file: str | None, columns: str | None, out: str | None, as_json: bool
+) -> None:
+    """Show what is in a log, and propose which columns are what.
+
+    FILE is CSV or other text, Parquet, npz, MATLAB, MCAP, rosbag2 (.db3 or its folder) or JSON. The command
+    lists its columns with their ranges, proposes a map by their names and numbers, says why, and shows the
+    log as the map reads it. Give the map to diagnose with --map.
+    """
+    from robodyn.logs.map_text import map_text
+    from robodyn.logs.wizard import examine
+    from robodyn.report.logs import data, lines
+
+    described = None if robot is None else load_robot(robot)
+    if out is not None:
+        _spare(out, [str(path) for path in input_files(file)] + ([map_file] if map_file else []))
+    result = examine(file, described, log_map(map_file, columns))
+    if as_json:
+        echo_json(data(result))
+    else:
+        for line in lines(result, "" if described is None else described.name):
+            click.echo(line)
+    if out is not None:
+        title = f"Map of {Path(file).name}. Check it; robodyn logs FILE --map shows what it does."
+        text = map_text(result.mapping, result.reasons, result.missing, title)
+        path = Path(out)
+        write_files(path.parent, {path.name: text})
+        talk(f"robodyn: wrote {printable(out)}")
+
+
+def _spare(out: str, inputs: list[str]) -> None:
+    """Refuse to overwrite an input."""
+    if not Path(out).name:
+        raise InputError("the path after -o is empty", remedy="use -o map.yaml")
+    for source in inputs:
+        if Path(out).exists() and Path(source).exists() and Path(out).samefile(source):
+            raise InputError(
+                f"{printable(out)} is an input and would be overwritten", remedy="choose another -o"
+            )

@@ -1,0 +1,160 @@
+"""What is in a file: streams, columns, ranges, how often rows come, what is missing, what stands still."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.logs.limits import APART, STANDSTILL, STILL_TIME
+from robodyn.logs.log import Log
+from robodyn.logs.recording import Recording, Stream
+
+Floats = NDArray[np.float64]
+
+#: Numbers that are read at once, columns of a stream that are looked at, and rows that are kept of each.
+AT_ONCE, COLUMNS, KEPT = 1 << 25, 512, 20_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ColumnFacts:
+    """A column: the smallest and largest of its numbers, in its own unit, the share of its rows that have
+    one, whether all are whole, and ``window``, unbroken rows from its middle."""
+
+    name: str
+    low: float
+    high: float
+    share: float
+    whole: bool
+    window: Floats
+
+    @property
+    def constant(self) -> bool:
+        """Whether it never changes."""
+        return not self.low < self.high
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StreamFacts:
+    """A stream, its columns by name, and ``seconds`` [K] of the window's rows, if it has stamps."""
+
+    stream: Stream
+    rows: int
+    columns: Mapping[str, ColumnFacts]
+    seconds: Floats | None
+
+
+def look(recording: Recording) -> tuple[StreamFacts, ...]:
+    """The streams of ``recording``, those with most rows first.
+
+    Raises
+    ------
+    InputError: the file is damaged.
+    """
+    facts = [_stream(recording, stream) for stream in recording.streams if stream.columns]
+    return tuple(sorted(facts, key=lambda one: -one.rows))
+
+
+def _stream(recording: Recording, stream: Stream) -> StreamFacts:
+    names = [name for name in stream.columns if name][:COLUMNS]
+    rows = stream.rows
+    if rows is None:
+        rough = getattr(recording, "rough_rows", lambda: None)()
+        rows = rough or 1
+    width = max(1, AT_ONCE // max(1, rows))
+    stamp = stream.stamps[0] if stream.stamps else None
+    columns: dict[str, ColumnFacts] = {}
+    seconds: Floats | None = None
+    # Joints of several publishers, or of several kinds of message, are not in the same rows.
+    for start in range(0, len(names), width):
+        part = names[start : start + width]
+        tables = _alike(recording, stream, part) if stream.stamps else [{"all": part}]
+        for one in tables:
+            table = recording.read(stream, one, stamp)
+            for group, listed in one.items():
+                for k, name in enumerate(listed):
+                    columns[name] = _column(name, table.groups[group][:, k])
+            count = len(next(iter(table.groups.values())))
+            if seconds is None and table.stamps is not None and count:
+                window = _window(count)
+                seconds = (table.stamps[window] - table.stamps[0]) / 1e9
+            rows = count if stream.rows is None else rows
+    return StreamFacts(stream, rows, {name: columns[name] for name in names if name in columns}, seconds)
+
+
+def _alike(recording: Recording, stream: Stream, names: list[str]) -> list[dict[str, list[str]]]:
+    """The columns ``names`` of messages, in groups that the same messages have."""
+    whole = {name: [name] for name in names}
+    table = recording.read(stream, whole, None)
+    if table.skipped == 0:
+        return [whole]
+    return [{name: [name]} for name in names]
+
+
+def _window(rows: int) -> slice:
+    start = max(0, (rows - KEPT) // 2)
+    return slice(start, start + KEPT)
+
+
+def _column(name: str, x: Floats) -> ColumnFacts:
+    finite = x[np.isfinite(x)]
+    if not len(finite):
+        return ColumnFacts(name, np.nan, np.nan, 0.0, False, x[:0])
+    whole = bool((finite[:KEPT] == np.rint(finite[:KEPT])).all())
+    window = np.where(np.isfinite(x[_window(len(x))]), x[_window(len(x))], np.nan)
+    share = len(finite) / len(x)
+    return ColumnFacts(name, float(finite.min()), float(finite.max()), share, whole, window)
+
+
+# --- of a log in SI units -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class LogFacts:
+    """A log: ``samples``, ``joints``, ``duration`` [s], ``rate`` [Hz], ``jitter`` (the share of the period
+    by which one interval in a hundred is off), ``gaps`` (start and length [s]), times that go ``backwards``,
+    rows that are ``repeated`` in every digit or have a number ``missing``, the share of time at
+    ``standstill``, and the joints (from 1) that ``move``."""
+
+    samples: int
+    joints: int
+    duration: float
+    rate: float
+    jitter: float
+    gaps: tuple[tuple[float, float], ...]
+    backwards: int
+    repeated: int
+    missing: int
+    standstill: float
+    move: tuple[int, ...]
+
+
+def facts_of(log: Log) -> LogFacts:
+    """What there is to know of ``log`` before it is used."""
+    steps = np.diff(log.t)
+    forward = steps[steps > 0]
+    period = float(np.median(forward)) if len(forward) else np.nan
+    gaps = np.flatnonzero(steps > APART * period) if len(forward) else np.empty(0, int)
+    near: Floats = np.abs(forward[forward <= APART * period] / period - 1)
+    same = (np.diff(log.q, axis=0) == 0).all(axis=1) & (np.diff(log.tau, axis=0) == 0).all(axis=1)
+    reach = np.ptp(np.where(np.isfinite(log.q), log.q, 0.0), axis=0)
+    stride = max(1, min(round(STILL_TIME / period), log.samples // 4)) if len(forward) else 1
+    moved = np.abs(log.q[stride:] - log.q[:-stride])
+    speed = np.nanmax(moved, axis=0, initial=0.0)
+    still: NDArray[np.bool_] = np.all(moved <= STANDSTILL * np.where(speed > 0, speed, 1), axis=1)
+    broken = ~np.isfinite(np.column_stack([log.t, log.q, log.tau])).all(axis=1)
+    return LogFacts(
+        samples=log.samples,
+        joints=log.n,
+        duration=float(log.t[-1] - log.t[0]),
+        rate=1 / period if period > 0 else float("nan"),
+        jitter=float(np.quantile(near, 0.99)) if len(near) else 0.0,
+        gaps=tuple((float(log.t[k]), float(steps[k])) for k in gaps[:20]),
+        backwards=int((steps < 0).sum()),
+        repeated=int(same.sum()),
+        missing=int(broken.sum()),
+        standstill=float(still.mean()) if len(still) else 1.0,
+        move=tuple(j + 1 for j in range(log.n) if reach[j] > 1e-3),
+    )
