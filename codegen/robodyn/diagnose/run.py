@@ -26,6 +26,8 @@ from robodyn.diagnose.limits import (
     CONFIRMED_SHARE,
     DRAWN_POINTS,
     END_SHARE,
+    FITTED_SAMPLES,
+    FITTED_WINDOWS,
     LEAST_EXPLAINED,
     STANDS_OUT_LEFT,
     UNSEEN,
@@ -90,11 +92,12 @@ def diagnose(
     tell("looking at the logs")
     n = robot.n
     scope = scope_of(n, only, without, joints, most)
-    gates = [inspect(_log(log, n), robot, source=_name(names, k)) for k, log in enumerate(logs)]
-    seen = gates[-1]
-    if validate is not None:
-        seen = inspect(_log(validate, n), robot, source=_name(names, len(logs)))
-    whole = list(dict.fromkeys([*gates, seen]))
+    share = FITTED_SAMPLES // max(1, len(logs))
+    gates = [
+        inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS)
+        for k, log in enumerate([*logs, *([] if validate is None else [validate])])
+    ]
+    whole = list(dict.fromkeys(gates))
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
     gates, seen = cleaned[: len(logs)], cleaned[-1]
