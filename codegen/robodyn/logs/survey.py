@@ -103,7 +103,7 @@ def _column(name: str, x: Floats) -> ColumnFacts:
     if not len(finite):
         return ColumnFacts(name, np.nan, np.nan, 0.0, False, x[:0])
     whole = bool((finite[:KEPT] == np.rint(finite[:KEPT])).all())
-    window = np.array(x[_window(len(x))])
+    window = np.where(np.isfinite(x[_window(len(x))]), x[_window(len(x))], np.nan)
     share = len(finite) / len(x)
     return ColumnFacts(name, float(finite.min()), float(finite.max()), share, whole, window)
 
