@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from robodyn.diagnose.run import diagnose
 from robodyn.diagnose.select.encoders import elastic_findings, elasticity
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.rigid import Model
@@ -99,3 +100,19 @@ def test_without_second_encoders_nothing_is_said(arm: Robot) -> None:
         to_yaml(arm).replace("motor_inertia: 2\n", f"motor_inertia: 2{soft}\n"), warn=lambda _: None
     )
     assert elastic_findings(described, gates(arm, 1)) == ()
+
+
+@pytest.mark.thorough
+def test_diagnose_names_the_elastic_joint_beside_what_the_torques_lack(arm: Robot) -> None:
+    full = read_text(to_yaml(load("puma560_3dof", warn=lambda _: None)), warn=lambda _: None)
+    log = logged(arm, 1)
+    result = diagnose(full, [log])
+    assert result.verdict == "missing_effect"
+    (one,) = (f for f in result.findings if f.effect == "joint_elasticity")
+    assert one.joint == 2
+    assert one.parameters["stiffness"].value == pytest.approx(STIFFNESS, rel=0.1)
+    assert {f.effect for f in result.findings} == {"joint_elasticity", "viscous_friction", "coulomb_friction"}
+    assert "joint_elasticity, stiffness: 2" in result.model_text
+    assert diagnose(result.model, [log]).verdict == "consistent"
+    assert not [f for f in diagnose(full, [log], without=["joint_elasticity"]).findings if f.joint == 2
+                and f.effect == "joint_elasticity"]  # fmt: skip

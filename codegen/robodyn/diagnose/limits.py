@@ -53,6 +53,14 @@ EXCITE_SHARE: Final = 0.95
 
 # --- run --------------------
 
+FITTED_SAMPLES: Final = 30_000
+"""[samples] Of all logs that are fitted as many are used at most, of each an equal share, which bounds time
+and memory (60 s at 500 Hz);"""
+
+FITTED_WINDOWS: Final = 8
+"""[windows] of a longer log in as many, spread over its motion: few and long, since slow friction and the
+first swing of a spring need seconds."""
+
 LEAST_EXPLAINED: Final = 0.8
 """[share of mean square] Findings that explain less of what a joint lacks are withdrawn,"""
 

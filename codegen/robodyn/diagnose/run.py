@@ -26,6 +26,8 @@ from robodyn.diagnose.limits import (
     CONFIRMED_SHARE,
     DRAWN_POINTS,
     END_SHARE,
+    FITTED_SAMPLES,
+    FITTED_WINDOWS,
     LEAST_EXPLAINED,
     STANDS_OUT_LEFT,
     UNSEEN,
@@ -34,6 +36,7 @@ from robodyn.diagnose.limits import (
 from robodyn.diagnose.refit import is_better, refit
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.select.contact import contact_findings, without_contacts
+from robodyn.diagnose.select.encoders import elastic_findings
 from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.scope import scope_of
@@ -89,11 +92,12 @@ def diagnose(
     tell("looking at the logs")
     n = robot.n
     scope = scope_of(n, only, without, joints, most)
-    gates = [inspect(_log(log, n), robot, source=_name(names, k)) for k, log in enumerate(logs)]
-    seen = gates[-1]
-    if validate is not None:
-        seen = inspect(_log(validate, n), robot, source=_name(names, len(logs)))
-    whole = list(dict.fromkeys([*gates, seen]))
+    share = FITTED_SAMPLES // max(1, len(logs))
+    gates = [
+        inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS)
+        for k, log in enumerate([*logs, *([] if validate is None else [validate])])
+    ]
+    whole = list(dict.fromkeys(gates))
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
     gates, seen = cleaned[: len(logs)], cleaned[-1]
@@ -122,13 +126,15 @@ def diagnose(
         model, origins = own.robot, own.origins
         findings = tuple(_with_estimates(f, own.estimates.get((f.effect, f.joint), {})) for f in findings)
         gap = _gap(lacks, robot, model, gates, seen)
-    if touched:
-        outside = contact_findings(touched)
-        findings, windowed = (*findings, *outside), [_amendment(f) for f in outside]
-        more = apply_amendments(model, windowed)
+    springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
+    observed = [*springs, *contact_findings(touched)]  # which no fit to the torques needs to show
+    if observed:
+        findings = (*findings, *observed)
+        more = apply_amendments(model, [_amendment(f) for f in observed])
         model = more.robot
         origins = tuple(None if k is None else origins[k] for k in more.origins)
-        amendments += windowed
+        amendments += [_amendment(f) for f in observed]
+        gap = _gap(lacks, robot, model, gates, seen) if springs else gap
         verdict = "missing_effect" if verdict == "consistent" else verdict
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = old
