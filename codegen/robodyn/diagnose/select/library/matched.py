@@ -2,7 +2,7 @@
 
 What a log can show depends on it: a limit that it reaches, a deflection that is shorter than its travel
 between samples, what springs resonate with its inertias. The first log says what is tried; along the others
-it is made with the same values, or is zero there if it is local, or is left out.
+it is again with the same values, or is zero there if it is local, or is left out.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ def matched(contexts: Sequence[Context], scope: Scope) -> Iterator[tuple[Candida
     parts: list[list[Floats | None]] = [[part] for _, part in pairs]
     fixed = frozenset(one.effect for one, _ in pairs if one.again is None)
     for c in others:
-        made = (one.again(c, one.values) for one, _ in pairs if one.again is not None)
-        along = (part for _, part in prepared(c, made))
+        again = (one.again(c, one.values) for one, _ in pairs if one.again is not None)
+        along = (part for _, part in prepared(c, again))
         several = list(prepared(c, candidates(c, replace(scope, only=fixed))))
         own = dict(zip(_numbered([one for one, _ in several]), (part for _, part in several), strict=True))
         length = len(c.slow.thinned(c.slow.q))
