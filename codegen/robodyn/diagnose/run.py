@@ -100,7 +100,7 @@ def diagnose(
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
     gates, seen = cleaned[: len(logs)], cleaned[-1]
-    outcome = search(robot, gates, tell, scope)
+    outcome = search(robot, gates, tell, scope.at_rest() if all(g.stands for g in gates) else scope)
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
     checked = [_doubted(one, first, last) for one in accepted.values()]

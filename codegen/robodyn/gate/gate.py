@@ -17,7 +17,7 @@ from robodyn.gate.flag import Flag, Floats, Span, count, refuse
 from robodyn.gate.grid import on_grid
 from robodyn.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_LEAST, WINDOWS
 from robodyn.gate.links import check_links, with_usable_links
-from robodyn.gate.model import check_model
+from robodyn.gate.model import check_model, least_way
 from robodyn.gate.rates import check_rates
 from robodyn.gate.rest import resting
 from robodyn.gate.rows import usable
@@ -54,6 +54,11 @@ class Gate:
     def flags_of(self, kind: str) -> tuple[Flag, ...]:
         """The flags of that ``kind``."""
         return tuple(flag for flag in self.flags if flag.kind == kind)
+
+    @property
+    def stands(self) -> bool:
+        """Whether the arm stands still throughout, but for what a hand moves it."""
+        return bool(self.flags_of("at_rest"))
 
     @property
     def torque_noise(self) -> Floats:
@@ -129,7 +134,7 @@ def inspect(
             remedy="record a longer motion, without gaps",
         )
     constant(grid.log, flags)
-    if still.all():
+    if (np.ptp(grid.log.q, axis=0) <= least_way(robot)).all():
         flags.append(Flag("at_rest", "q", (), "the arm stands still: only contacts and a constant load show"))
     length = sum(part.stop - part.start for part in grid.segments) * grid.period
     if 1 / grid.period < SLOW_RATE:
