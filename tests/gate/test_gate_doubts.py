@@ -112,6 +112,7 @@ def test_a_long_log_is_cut_down_to_windows_of_its_motion(log: Log) -> None:
     assert len(gate.segments) > 5
     np.testing.assert_array_equal(gate.log.tau, long.tau[gate.rows])
     assert np.ptp(gate.log.q, axis=0) == pytest.approx(np.ptp(log.q, axis=0), rel=0.1)
+    assert 1 < len(inspect(long, GIVEN, most=5000, windows=3).segments) <= 3
 
 
 @pytest.mark.slow

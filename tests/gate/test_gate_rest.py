@@ -35,6 +35,8 @@ def test_an_arm_that_is_pushed_at_rest_passes(log: Log) -> None:
     gate = inspect(held(log), GIVEN)
     assert not {flag.kind for flag in gate.flags} & WRONG
     assert gate.resting.mean() > 0.7
+    assert gate.stands
+    assert not inspect(log, GIVEN).stands
 
 
 def test_an_arm_that_only_stands_is_said_to(log: Log) -> None:

@@ -53,6 +53,14 @@ EXCITE_SHARE: Final = 0.95
 
 # --- run --------------------
 
+FITTED_SAMPLES: Final = 30_000
+"""[samples] Of all logs that are fitted as many are used at most, of each an equal share, which bounds time
+and memory (60 s at 500 Hz);"""
+
+FITTED_WINDOWS: Final = 8
+"""[windows] of a longer log in as many, spread over its motion: few and long, since slow friction and the
+first swing of a spring need seconds."""
+
 LEAST_EXPLAINED: Final = 0.8
 """[share of mean square] Findings that explain less of what a joint lacks are withdrawn,"""
 
@@ -64,6 +72,9 @@ REFIT_WORSE: Final = 1.05
 
 COMMON_EXPLAINED: Final = 0.5
 """[share of mean square] Of what most joints lack so much suffices."""
+
+SPRING_WORSE: Final = 1.05
+"""[share] A spring that two encoders show is added to the model where no joint's RMS grows by more."""
 
 STANDS_OUT_LEFT: Final = 3.0
 """[-] if what is left stands out of the noise by more than this."""

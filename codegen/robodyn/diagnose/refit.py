@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, apply_amendments
-from robodyn.diagnose.limits import REFIT_SHARE, REFIT_WORSE
+from robodyn.diagnose.limits import REFIT_SHARE, REFIT_WORSE, SPRING_WORSE
 from robodyn.diagnose.result import Estimate
 from robodyn.diagnose.select.forward import Key
 from robodyn.effects.catalogue import CATALOGUE
@@ -85,6 +85,19 @@ def is_better(before: Floats, after: Floats) -> bool:
     nowhere more."""
     ratio = after / np.maximum(before, 1e-300)
     return bool(np.min(ratio) < np.sqrt(1 - REFIT_SHARE) and np.max(ratio) < REFIT_WORSE)
+
+
+def no_worse(before: Floats, after: Floats) -> bool:
+    """Whether what is left of logs, RMS [n] by joint, grows at no joint; a stiff spring of which no damping
+    is known may ring."""
+    return bool(np.all(after <= SPRING_WORSE * before))
+
+
+def share_allowed(robot: Robot, unstated: float | None) -> float:
+    """The share by which a refit may change the numbers of the links: what is stated of them at most,
+    ``unstated`` of those of which nothing is."""
+    plain = float(SHARE_NOT_STATED) if unstated is None else unstated
+    return max(plain if link.confidence is None else float(link.inertial_share) for link in robot.links)
 
 
 def _fold(id: str) -> str | None:

@@ -26,14 +26,17 @@ from robodyn.diagnose.limits import (
     CONFIRMED_SHARE,
     DRAWN_POINTS,
     END_SHARE,
+    FITTED_SAMPLES,
+    FITTED_WINDOWS,
     LEAST_EXPLAINED,
     STANDS_OUT_LEFT,
     UNSEEN,
     WITHDRAWN,
 )
-from robodyn.diagnose.refit import is_better, refit
+from robodyn.diagnose.refit import is_better, no_worse, refit, share_allowed
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.select.contact import contact_findings, without_contacts
+from robodyn.diagnose.select.encoders import elastic_findings
 from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.scope import scope_of
@@ -84,20 +87,20 @@ def diagnose(
     tell = progress or (lambda _: None)
     if text is None and not isinstance(robot, Robot):
         text = text_of(robot)
-    robot = robot_of(robot)
-    robot = robot.at(parameters or {})
+    robot = robot_of(robot).at(parameters or {})
     tell("looking at the logs")
     n = robot.n
     scope = scope_of(n, only, without, joints, most)
-    gates = [inspect(_log(log, n), robot, source=_name(names, k)) for k, log in enumerate(logs)]
-    seen = gates[-1]
-    if validate is not None:
-        seen = inspect(_log(validate, n), robot, source=_name(names, len(logs)))
-    whole = list(dict.fromkeys([*gates, seen]))
+    share = FITTED_SAMPLES // max(1, len(logs))
+    gates = [
+        inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS)
+        for k, log in enumerate([*logs, *([] if validate is None else [validate])])
+    ]
+    whole = list(dict.fromkeys(gates))
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
     gates, seen = cleaned[: len(logs)], cleaned[-1]
-    outcome = search(robot, gates, tell, scope)
+    outcome = search(robot, gates, tell, scope.at_rest() if all(g.stands for g in gates) else scope)
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
     checked = [_doubted(one, first, last) for one in accepted.values()]
@@ -122,13 +125,15 @@ def diagnose(
         model, origins = own.robot, own.origins
         findings = tuple(_with_estimates(f, own.estimates.get((f.effect, f.joint), {})) for f in findings)
         gap = _gap(lacks, robot, model, gates, seen)
-    if touched:
-        outside = contact_findings(touched)
-        findings, windowed = (*findings, *outside), [_amendment(f) for f in outside]
-        more = apply_amendments(model, windowed)
-        model = more.robot
+    springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
+    findings = (*findings, *springs, *(added := contact_findings(touched)))  # not by a fit to torques
+    stiff = apply_amendments(model, [_amendment(f) for f in springs]).robot
+    if springs and _is_refitted(lacks, model, stiff, gates, seen, no_worse):
+        added, gap = (*springs, *added), _gap(lacks, robot, stiff, gates, seen)
+    if added:
+        more = apply_amendments(model, [_amendment(f) for f in added])
+        model, amendments = more.robot, [*amendments, *(_amendment(f) for f in added)]
         origins = tuple(None if k is None else origins[k] for k in more.origins)
-        amendments += windowed
         verdict = "missing_effect" if verdict == "consistent" else verdict
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = old
@@ -153,13 +158,12 @@ def diagnose(
     seen_names = _shown(digests, validated=validate is not None)
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
-        flags,
-        left, (*_words(verdict, findings, last), *scope.words()), described,
+        flags, left, (*_words(verdict, findings, last), *scope.words()), described,
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
         windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
-        (by_kind(before), by_kind(after)),
-        agreement(model, gates[0]), to_record(robot, gates),
+        (by_kind(before), by_kind(after)), agreement(model, gates[0]), to_record(robot, gates),
+        {"refitted": share_allowed(robot, first.unstated)} if refitted else {},
     )  # fmt: skip
 
 
@@ -167,10 +171,12 @@ def _amendment(f: Finding) -> Amendment:
     return Amendment(f.effect, f.joint, {name: p.value for name, p in f.parameters.items()})
 
 
-def _is_refitted(lacks: _Lacking, model: Robot, other: Robot, gates: Sequence[Gate], seen: Gate) -> bool:
-    """Whether the arm's own numbers, refitted, explain more of logs that were fitted and of one that was
-    not."""
-    return all(is_better(*(_rms(lacks, arm, which) for arm in (model, other))) for which in (gates, [seen]))
+def _is_refitted(
+    lacks: _Lacking, model: Robot, other: Robot, gates: Sequence[Gate], seen: Gate,
+    judge: Callable[[Floats, Floats], bool] = is_better,
+) -> bool:  # fmt: skip
+    """Whether ``other`` explains more by its ``judge`` of logs that were fitted and of one that was not."""
+    return all(judge(*(_rms(lacks, arm, which) for arm in (model, other))) for which in (gates, [seen]))
 
 
 def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from robodyn.gate.content import JointContent, content, steps_of
 from robodyn.gate.flag import Flag, Floats, Span, count, refuse
 from robodyn.gate.grid import on_grid
-from robodyn.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_LEAST
+from robodyn.gate.limits import MOST_SAMPLES, SHORT_LOG, SLOW_RATE, SMOOTHING_LEAST, WINDOWS
 from robodyn.gate.links import check_links, with_usable_links
-from robodyn.gate.model import check_model
+from robodyn.gate.model import check_model, least_way
 from robodyn.gate.rates import check_rates
 from robodyn.gate.rest import resting
 from robodyn.gate.rows import usable
@@ -56,6 +56,11 @@ class Gate:
         return tuple(flag for flag in self.flags if flag.kind == kind)
 
     @property
+    def stands(self) -> bool:
+        """Whether the arm stands still throughout, but for what a hand moves it."""
+        return bool(self.flags_of("at_rest"))
+
+    @property
     def torque_noise(self) -> Floats:
         """Standard deviations [n] of what is white in the torques [N m or N]."""
         return np.array([one.torque_noise for one in self.joints])
@@ -68,11 +73,12 @@ def inspect(
     *,
     source: str | None = None,
     most: int = MOST_SAMPLES,
+    windows: int = WINDOWS,
 ) -> Gate:
     """Look at ``log`` of ``robot`` before anything is fitted.
 
     ``parameters``: values of the robot's run-time parameters; ``source``: what the log is called in messages;
-    ``most``: as many samples are kept at most.
+    ``most``: as many samples are kept at most, of a longer log in so many ``windows``.
 
     Raises
     ------
@@ -96,7 +102,7 @@ def inspect(
     rows = usable(log, source, flags, repeats)
     some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
     steps = steps_of(log.q[some]), steps_of(log.tau[some])
-    grid = on_grid(log, rows, most, flags)
+    grid = on_grid(log, rows, most, flags, windows)
     check_stuck(grid, source, flags)
     smooth = smoothed(grid.log, grid.segments, grid.period)
     noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)
@@ -128,7 +134,7 @@ def inspect(
             remedy="record a longer motion, without gaps",
         )
     constant(grid.log, flags)
-    if still.all():
+    if (np.ptp(grid.log.q, axis=0) <= least_way(robot)).all():
         flags.append(Flag("at_rest", "q", (), "the arm stands still: only contacts and a constant load show"))
     length = sum(part.stop - part.start for part in grid.segments) * grid.period
     if 1 / grid.period < SLOW_RATE:

@@ -41,15 +41,15 @@ class Grid:
         return spans_of(self.rows()[samples], self.raw.t)
 
 
-def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
-    """The rows of ``log`` that are used: all, or ``most`` of them in windows spread over the motion."""
+def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag], windows: int = WINDOWS) -> Grid:
+    """The rows of ``log`` that are used: all, or ``most`` of them in ``windows`` spread over the motion."""
     index, period, stride = rows.index, rows.period, 1
     parts = rows.parts
     total = sum(b - a for a, b in parts)
     if total > most:
         if rows.even and 1 / period > FAST_RATE:
             stride = min(int(2 / (FAST_RATE * period)), total // most)
-        parts = _windows(log, rows, most * stride)
+        parts = _windows(log, rows, most * stride, windows)
         kept = sum(b - a for a, b in parts)
         spans = tuple(span(int(index[a]), int(index[b - 1]), log.t) for a, b in parts)
         text = f"{kept} of {total} usable rows, in {len(parts)} windows spread over the motion, are used"
@@ -90,9 +90,9 @@ def on_grid(log: Log, rows: Usable, most: int, flags: list[Flag]) -> Grid:
     return Grid(result, log, tuple(segments), origins, period * stride, stride)
 
 
-def _windows(log: Log, rows: Usable, most: int) -> tuple[tuple[int, int], ...]:
-    """Windows of the parts, evenly among those that move."""
-    length = most // WINDOWS
+def _windows(log: Log, rows: Usable, most: int, count: int) -> tuple[tuple[int, int], ...]:
+    """``count`` windows of the parts, evenly among those that move."""
+    length = most // count
     windows = []
     for a, b in rows.parts:
         count = max(1, (b - a) // length)

@@ -65,7 +65,7 @@ def check_model(
     InputError: another reading of the log agrees with the model, and the log as it stands does not.
     """
     rows = np.flatnonzero(smooth.inside & moving)
-    if len(rows) < FEWEST_MOVING or not (np.ptp(smooth.q[rows], axis=0) > _way(robot)).any():
+    if len(rows) < FEWEST_MOVING or not (np.ptp(smooth.q[rows], axis=0) > least_way(robot)).any():
         return None
     rows = rows[np.linspace(0, len(rows) - 1, min(COMPARED_STATES, len(rows))).astype(int)]
     offset = measured_position(np.zeros((1, robot.n)), robot.effects, parameters)
@@ -90,7 +90,7 @@ def check_model(
     return fit.unexplained
 
 
-def _way(robot: Robot) -> Floats:
+def least_way(robot: Robot) -> Floats:
     """How far [n] a joint must go for its motion to say something."""
     return np.array([LEAST_ANGLE if k.joint.kind == "revolute" else LEAST_WAY for k in robot.links])
 

@@ -57,7 +57,8 @@ class Options:
     """What is fitted. ``offsets`` of torque channels: all, none, or where they are worth it on samples that
     were held out; ``gains`` of torque channels, known to about ``gain_spread``; ``loads`` of some logs;
     ``confidence``: in place of what the description says of its links; ``joints``: by the name of a joint's
-    column (``viscous``, ``coulomb``, ``rotor``) the joints (from 0) at which it is fitted, None: at all."""
+    column (``viscous``, ``coulomb``, ``rotor``) the joints (from 0) at which it is fitted, None: at all;
+    ``left_out``: windows of time that do not count, as (log from 0, start [s], end [s])."""
 
     offsets: bool | Literal["auto"] = "auto"
     gains: bool = False
@@ -65,6 +66,7 @@ class Options:
     loads: tuple[Load, ...] = ()
     confidence: float | None = None
     joints: Mapping[str, frozenset[int]] | None = None
+    left_out: tuple[tuple[int, float, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -105,12 +107,13 @@ class Fit:
 def fit_arm(robot: Robot, gates: Sequence[Gate], options: Options | None = None) -> Fit:
     """The numbers of ``robot`` from logs that have passed their gates."""
     options = options or Options()
-    pieces = [piece for k, gate in enumerate(gates) for piece in rows_of(robot, gate, k)]
+    windows = [[(a, b) for log, a, b in options.left_out if log == k] for k in range(len(gates))]
+    pieces = [piece for k, gate in enumerate(gates) for piece in rows_of(robot, gate, k, windows[k])]
     layout = layout_of(robot.n, rotors=robot.torque_side == "motor", offsets=options.offsets is not False)
     arm = Model(bare(robot)).arm
     raw, _ = blocks_of(arm, layout, pieces)
     prior = prior_of(robot, layout, _usual(pieces), options.confidence)
-    unknowns = _unknowns(robot, layout, prior, options, len(gates))
+    unknowns = _unknowns(robot, layout, prior, options, gates)
     alike = _band(pieces) * np.ones(robot.n)
     solution = solve(unknowns, raw, alike)
     blocks, left = raw, [piece.tau for piece in pieces]
@@ -158,7 +161,9 @@ def _usual(pieces: Sequence[Rows]) -> Usual:
     return Usual(rms("tau"), rms("qd"), rms("qdd"))
 
 
-def _unknowns(robot: Robot, layout: Layout, prior: Prior, options: Options, logs: int) -> Unknowns:
+def _unknowns(
+    robot: Robot, layout: Layout, prior: Prior, options: Options, gates: Sequence[Gate]
+) -> Unknowns:
     """What is fitted of ``robot`` with ``prior`` and ``options``."""
     n = robot.n
     free, rigid = np.ones(layout.size, dtype=bool), np.ones(n + len(options.loads), dtype=bool)
@@ -177,7 +182,10 @@ def _unknowns(robot: Robot, layout: Layout, prior: Prior, options: Options, logs
         if entry.joint is not None and entry.definition.traits.levels:
             free[layout.joint("coulomb")[entry.joint - 1]] = False  # the joint has a law with a level
     mean, sd, sizes = [prior.mean], [prior.sd], list(prior.sizes)
-    carried = [-1] * logs
+    for j in still_joints(gates):  # what noise makes of its motion says nothing
+        for name in layout.own:
+            free[layout.joint(name)[j]] &= name == "offset"
+    carried = [-1] * len(gates)
     reach = LOAD_REACH * max(length for _, length in prior.sizes)
     heaviest = max(mass for mass, _ in prior.sizes)
     for k, load in enumerate(options.loads):
@@ -197,6 +205,12 @@ def _unknowns(robot: Robot, layout: Layout, prior: Prior, options: Options, logs
         layout, len(options.loads), options.gains, np.concatenate(mean), np.concatenate(sd), free,
         np.concatenate(positive), tuple(carried), tuple(sizes), rigid,
     )  # fmt: skip
+
+
+def still_joints(gates: Sequence[Gate]) -> list[int]:
+    """Joints (from 0) that move in none of the logs."""
+    moves = np.any([[joint.moves for joint in gate.joints] for gate in gates], axis=0)
+    return [int(j) for j in np.flatnonzero(~moves)]
 
 
 def _turns_only(robot: Robot) -> bool:

@@ -51,6 +51,11 @@ def examine(
     InputError: the file cannot be read, is damaged or empty.
     ToolError: the library for its format is missing.
     """
+    with np.errstate(invalid="ignore", over="ignore"):  # a file may hold any number
+        return _examined(path, robot, mapping)
+
+
+def _examined(path: str | os.PathLike[str], robot: Robot | None, mapping: LogMap | None) -> Examination:
     name, second = split_pair(os.fspath(path))
     recording = open_recording(name)
     with readable(recording.file):

@@ -43,10 +43,7 @@ class Library:
             places.append(slice(begin, widths[rows]))
             parts.setdefault(rows, []).append(columns)
             candidates.append(replace(candidate, columns=columns[:0].copy()))  # no view, which keeps it all
-        joined = {}
-        for rows in widths:
-            joined[rows] = np.concatenate(parts.pop(rows), axis=2)
-        return cls(tuple(candidates), joined, tuple(places))
+        return cls(tuple(candidates), {rows: _joined(parts.pop(rows)) for rows in widths}, tuple(places))
 
     def __len__(self) -> int:
         return len(self.candidates)
@@ -62,6 +59,17 @@ class Library:
             one, place = self.candidates[k], self.places[k]
             groups.setdefault((one.rows, place.stop - place.start, one.fixed), []).append(k)
         return list(groups.values())
+
+
+def _joined(parts: list[Floats]) -> Floats:
+    """Columns [N, rows, c] side by side; the list is used up, so that they are in memory once."""
+    joined = np.empty((*parts[0].shape[:2], sum(part.shape[2] for part in parts)))
+    end = joined.shape[2]
+    while parts:
+        part = parts.pop()
+        joined[:, :, end - part.shape[2] : end] = part
+        end -= part.shape[2]
+    return joined
 
 
 @dataclass(frozen=True, slots=True, eq=False)

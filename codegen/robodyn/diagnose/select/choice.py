@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from robodyn.diagnose.select.beside import Library, fits
 from robodyn.diagnose.select.fit import Fit, Problem
 from robodyn.diagnose.select.library import Candidate, Context
+from robodyn.diagnose.select.library.prepared import prepared
 from robodyn.diagnose.select.limits import (
     BLOCKS,
     BODY_NUMBERS,
@@ -36,7 +37,6 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.limits import ONE_WAY_SHARE
-from robodyn.identify.predict import delays
 
 Floats = NDArray[np.float64]
 
@@ -133,24 +133,6 @@ def _per_part(now: Problem, base: Fit, held_out: Floats) -> Floats:
 def gain_of(now: Problem, base: Fit, fit: Fit) -> float:
     """What ``fit`` explains more than ``base`` of all parts, in units of log-likelihood."""
     return float(_per_part(now, base, fit.held_out).sum()) + base.prior_penalty - fit.prior_penalty
-
-
-def prepared(context: Context, candidate: Candidate) -> Floats:
-    """The candidate's columns, filtered and thinned like the torque."""
-    signals = context.slow if candidate.coarse else context.signals
-    columns = candidate.columns
-    late = delays(context.model.robot)[list(candidate.rows)]
-    if late.any() and not _of_torque_channel(candidate):
-        columns = columns.copy()
-        for k, delay in enumerate(late):
-            for i in range(columns.shape[2]):
-                columns[:, k, i] = np.interp(signals.t - delay, signals.t, columns[:, k, i])
-    return signals.thinned(signals.filtered(columns))
-
-
-def _of_torque_channel(candidate: Candidate) -> bool:
-    channel = candidate.definition.traits.channel
-    return channel is not None and channel.is_torque
 
 
 def best_of(
@@ -284,11 +266,9 @@ def _refined(current: Fit, one: Trial, least: Floats, contexts: Sequence[Context
     def at(settings: Sequence[dict[str, float]]) -> list[Trial]:
         again = one.candidate.again
         assert again is not None
-        pairs = []
-        for values in settings:
-            candidates = [again(c, values) for c in contexts]
-            columns = [prepared(c, each) for c, each in zip(contexts, candidates, strict=True)]
-            pairs.append((candidates[0], np.concatenate(columns)))
+        several = [[again(c, values) for values in settings] for c in contexts]
+        columns = zip(*(prepared(c, each) for c, each in zip(contexts, several, strict=True)), strict=True)
+        pairs = [(parts[0][0], np.concatenate([part for _, part in parts])) for parts in columns]
         assert one.beside is not None
         problem, fit = one.beside
         return trials(problem, fit, Library.of(pairs), least, against=current, replaced=one.replaced)

@@ -106,6 +106,11 @@ COMMON_T: Final = 2.0
 COMMON_PARTS: Final = 0.8
 """[share of the parts] or as many parts in which it explains something."""
 
+# --- prepared --------------------
+
+FILTERED_AT_ONCE: Final = 1_000_000
+"""[samples] About so many of candidates' columns are filtered in one pass, or those of one candidate."""
+
 # --- forward --------------------
 
 SURE: Final = 0.95

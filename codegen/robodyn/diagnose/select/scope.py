@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from robodyn.diagnose.select.limits import MOST_KINDS
@@ -34,6 +34,18 @@ class Scope:
     def has_joint(self, joint: int | None) -> bool:
         """Whether effects at ``joint`` (from 1; None: of the whole robot) are looked for."""
         return self.joints is None or joint in self.joints
+
+    def at_rest(self) -> Scope:
+        """Of an arm that stands: loads and constant torques alone; stiction leaves nothing of friction."""
+        shown = {
+            each.id
+            for each in CATALOGUE.values()
+            if each.traits.body
+            or (each.traits.fold is not None and each.traits.fold.into in ("link", "gravity"))
+            or (each.traits.channel is not None and each.traits.channel.acts == "bias")
+            or each.place == "outside"
+        }
+        return replace(self, without=self.without | (set(CATALOGUE) - shown))
 
     def allows(self, id: str, joint: int | None) -> bool:
         """Whether the effect is looked for there."""

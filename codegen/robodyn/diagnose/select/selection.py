@@ -24,7 +24,6 @@ from robodyn.diagnose.select.choice import (
     evidence_threshold,
     nearest,
     numbers_of,
-    prepared,
     trials,
 )
 from robodyn.diagnose.select.fit import (
@@ -180,7 +179,7 @@ def select(
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
     least = what_matters(context) / start.sigma
-    library = Library.of(matched(contexts, prepared, scope))
+    library = Library.of(matched(contexts, scope))
     factor = _factor(start, library, least, contexts)
     start = coarser(start, factor)
     least = least / factor

@@ -64,7 +64,8 @@ def push_in(model: Model, q: Floats, torque: Floats, spread: Floats, shift: Floa
     b = (mean * strength[:, None]).ravel()
     wide = np.stack([spread[rows].mean(axis=0) for rows in pieces])
     tried: list[tuple[float, int, Floats, Floats, Floats]] = []
-    for link in range(1, n + 1):
+    # What only joint 1 feels is taken to act on link 2, whose frame tells on which side of the axis.
+    for link in range(min(n, 2), n + 1):
         for place in _points(model, link):
             columns = _columns(model, poses, link, place) / wide[:, :, None] * strength[:, None, None]
             A = columns.reshape(-1, 6)

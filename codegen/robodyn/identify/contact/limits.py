@@ -110,7 +110,7 @@ EXCESS_SHARE: Final = 0.5
 """[share of all that stands out] In motion, contacts make up so much of it; else the model lacks
 something."""
 
-ABOVE_OTHERS: Final = 1.3
+ABOVE_OTHERS: Final = 2.0
 """[-] In motion a contact is so many times larger than what else stands out,"""
 
 SHORT_TIME: Final = 0.15
