@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 import robodyn
-from diagnose.hidden.arms import perturbed, rubbing
+from diagnose.hidden.arms import bare, perturbed, rubbing
 from identify.exact import log_of, motion
 from peers.numbers import number
 from robodyn.identify.consistent import pseudo_inertia
 from robodyn.identify.regressor import Links
 from robodyn.identify.rigid import Model
+from robodyn.logs.log import Log
 from robodyn.robot import load
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import read_text
@@ -75,6 +76,24 @@ def test_what_logs_do_not_show_stays_and_is_listed() -> None:
     assert "joint1.viscous_friction.coefficient" not in outcome.not_identifiable
 
 
+def test_of_a_joint_that_stands_still_nothing_is_said() -> None:
+    """Noise of its encoder must not pass for a motion."""
+    truth = rubbing(bare("puma560_3dof"))
+    log = log_of(truth, seconds=6.0)
+    q = log.q.copy()
+    q[:, 2] = 0.3 + 1e-5 * np.random.default_rng(2).standard_normal(len(q))
+    t, moved, qd, qdd = motion(3, seconds=6.0)
+    moved[:, 2], qd[:, 2], qdd[:, 2] = 0.3, 0.0, 0.0
+    tau = Model(truth).torque(moved, qd, qdd)
+    tau += 0.01 * tau.std(axis=0) * np.random.default_rng(1).standard_normal(tau.shape)
+    outcome = robodyn.identify(_without_friction(truth), [Log(t, q, None, None, tau)])
+    own = {name for name in outcome.not_identifiable if name.startswith("joint")}
+    assert {name.partition(".")[0] for name in own} == {"joint3"}
+    assert len(own) == 3
+    assert any("joint 3 does not move" in line for line in outcome.words)
+    assert outcome.model.links[2].joint.coulomb == 0
+
+
 def test_torque_behind_the_gear_may_show_friction() -> None:
     truth = replace(_ur10(), torque_side="motor")
     links = tuple(replace(x, joint=replace(x.joint, motor_inertia=Fraction(0))) for x in truth.links)
@@ -88,8 +107,6 @@ def test_torque_behind_the_gear_may_show_friction() -> None:
 
 def _ur10() -> Robot:
     """With rotors and friction, which its file leaves out."""
-    from diagnose.hidden.arms import bare
-
     return rubbing(bare("ur10"))
 
 

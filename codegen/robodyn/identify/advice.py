@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from robodyn.gate.gate import Gate
-from robodyn.identify.fit import Fit
+from robodyn.identify.fit import Fit, still_joints
 from robodyn.identify.limits import POOR_CONDITION, WORTH_T
 from robodyn.identify.outcome import Identified
 
@@ -15,9 +15,10 @@ from robodyn.identify.outcome import Identified
 def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate]) -> tuple[str, ...]:
     """Remarks for people, most important first."""
     words = []
-    still = [j + 1 for j in range(fit.robot.n) if not any(gate.joints[j].moves for gate in gates)]
+    still = [j + 1 for j in still_joints(gates)]
     if still:
-        words.append(f"joint {_listed(still)} does not move in these logs: nothing is known of its friction")
+        verb = "does" if len(still) == 1 else "do"
+        words.append(f"{_named('joint', still)} {verb} not move in these logs: friction and rotor stay")
     if fit.condition > POOR_CONDITION:
         words.append(
             f"the motion excites the arm poorly (condition {fit.condition:.3g}; below {POOR_CONDITION:g} is "
@@ -26,7 +27,7 @@ def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate]) -> tuple[str, 
     offsets = fit.layout.joint("offset") if "offset" in fit.layout.own else np.zeros(0, dtype=np.intp)
     shown = [j + 1 for j, at in enumerate(offsets.tolist()) if fit.unknowns.free[at]]
     if shown:
-        words.append(f"the torque of joint {_listed(shown)} is off by a constant, also on held-out samples")
+        words.append(f"the torque of {_named('joint', shown)} is off by a constant, also on held-out samples")
     wide = [
         k + 1
         for k in range(fit.robot.n)
@@ -34,8 +35,8 @@ def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate]) -> tuple[str, 
     ]
     if wide:
         words.append(
-            f"link {_listed(wide)} is farther from its description than its confidence says: something else "
-            "may be behind it (a spring, a load, a coupling); `robodyn diagnose` looks for it"
+            f"{_named('link', wide)}: farther from the description than its confidence says; a spring, load "
+            "or a coupling may be behind that: `robodyn diagnose` looks for it"
         )
     if outcome.robot.torque_side != fit.robot.torque_side:
         words.append(
@@ -45,10 +46,11 @@ def remarks(fit: Fit, outcome: Identified, gates: Sequence[Gate]) -> tuple[str, 
     if "rotor" in fit.layout.own:
         weak = [j + 1 for j in np.flatnonzero(fit.worth_t("rotor") < -WORTH_T).tolist()]
         if weak:
-            words.append(f"the rotor of joint {_listed(weak)} makes predictions worse on held-out samples")
+            words.append(f"the rotor of {_named('joint', weak)} does not help on held-out samples")
     return tuple(words)
 
 
-def _listed(joints: Sequence[int]) -> str:
-    *several, last = map(str, joints)
-    return f"{', '.join(several)} and {last}" if several else last
+def _named(what: str, places: Sequence[int]) -> str:
+    """``joint 2``, ``joints 2, 3 and 5``."""
+    *several, last = map(str, places)
+    return f"{what}s {', '.join(several)} and {last}" if several else f"{what} {last}"

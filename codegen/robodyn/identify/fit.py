@@ -110,7 +110,7 @@ def fit_arm(robot: Robot, gates: Sequence[Gate], options: Options | None = None)
     arm = Model(bare(robot)).arm
     raw, _ = blocks_of(arm, layout, pieces)
     prior = prior_of(robot, layout, _usual(pieces), options.confidence)
-    unknowns = _unknowns(robot, layout, prior, options, len(gates))
+    unknowns = _unknowns(robot, layout, prior, options, gates)
     alike = _band(pieces) * np.ones(robot.n)
     solution = solve(unknowns, raw, alike)
     blocks, left = raw, [piece.tau for piece in pieces]
@@ -158,7 +158,9 @@ def _usual(pieces: Sequence[Rows]) -> Usual:
     return Usual(rms("tau"), rms("qd"), rms("qdd"))
 
 
-def _unknowns(robot: Robot, layout: Layout, prior: Prior, options: Options, logs: int) -> Unknowns:
+def _unknowns(
+    robot: Robot, layout: Layout, prior: Prior, options: Options, gates: Sequence[Gate]
+) -> Unknowns:
     """What is fitted of ``robot`` with ``prior`` and ``options``."""
     n = robot.n
     free, rigid = np.ones(layout.size, dtype=bool), np.ones(n + len(options.loads), dtype=bool)
@@ -177,7 +179,10 @@ def _unknowns(robot: Robot, layout: Layout, prior: Prior, options: Options, logs
         if entry.joint is not None and entry.definition.traits.levels:
             free[layout.joint("coulomb")[entry.joint - 1]] = False  # the joint has a law with a level
     mean, sd, sizes = [prior.mean], [prior.sd], list(prior.sizes)
-    carried = [-1] * logs
+    for j in still_joints(gates):  # what noise makes of its motion says nothing
+        for name in layout.own:
+            free[layout.joint(name)[j]] &= name == "offset"
+    carried = [-1] * len(gates)
     reach = LOAD_REACH * max(length for _, length in prior.sizes)
     heaviest = max(mass for mass, _ in prior.sizes)
     for k, load in enumerate(options.loads):
@@ -197,6 +202,12 @@ def _unknowns(robot: Robot, layout: Layout, prior: Prior, options: Options, logs
         layout, len(options.loads), options.gains, np.concatenate(mean), np.concatenate(sd), free,
         np.concatenate(positive), tuple(carried), tuple(sizes), rigid,
     )  # fmt: skip
+
+
+def still_joints(gates: Sequence[Gate]) -> list[int]:
+    """Joints (from 0) that move in none of the logs."""
+    moves = np.any([[joint.moves for joint in gate.joints] for gate in gates], axis=0)
+    return [int(j) for j in np.flatnonzero(~moves)]
 
 
 def _turns_only(robot: Robot) -> bool:

@@ -89,11 +89,12 @@ LONG_CHUNK: Final = 4096
 
 # --- prior --------------------
 
-UNSTATED_CONFIDENCE: Final = 0.5
+UNSTATED_CONFIDENCE: Final = 0.4
 """[share] So far off may the inertial numbers be of a link that does not say: few files keep 10 %."""
 
-ASYMMETRY: Final = 2.0
-"""[-] A confidence c is a standard deviation of c (1 + 2 c): what is described 30 % too small lacks 43 %."""
+ASYMMETRY: Final = 3.5
+"""[-] A confidence c is a standard deviation of c (1 + 3.5 c) of what is described: described 30 % too small,
+a number lacks 43 % of itself; at twice that 150 %. Intervals of masses hold with it (docs/identify.md)."""
 
 LEAST_MASS: Final = 0.02
 """[share of the heaviest link] No link is thought to be lighter,"""

@@ -170,19 +170,16 @@ def _numbers(fit: Fit) -> tuple[dict[str, Estimate], list[str]]:
         for name, (value, was, error, prior_error), unit in zip(_LINK, figures, _UNITS, strict=True):
             stated = k >= fit.layout.n and name == "mass" and was > 0  # of a load: as good as it is
             put(f"{word}.{name}", value, was, error, prior_error, unit, known=stated)
+    laws = {entry.joint for entry in fit.robot.effects if entry.joint and entry.definition.traits.levels}
     for name in fit.layout.own:
         for j, at in enumerate(fit.layout.joint(name).tolist()):
-            if unknowns.free[at]:
-                label, unit = _label(name, fit.robot.links[j].joint.kind == "revolute")
-                error = math.sqrt(float(fit.covariance[at, at]))
-                put(
-                    f"joint{j + 1}.{label}",
-                    float(z[at]),
-                    float(unknowns.mean[at]),
-                    error,
-                    float(unknowns.sd[at]),
-                    unit,
-                )
+            free = unknowns.free[at]
+            if not free and (name == "offset" or (name == "coulomb" and j + 1 in laws)):
+                continue
+            label, unit = _label(name, fit.robot.links[j].joint.kind == "revolute")
+            spread = float(unknowns.sd[at])
+            error = math.sqrt(float(fit.covariance[at, at])) if free else spread
+            put(f"joint{j + 1}.{label}", float(z[at]), float(unknowns.mean[at]), error, spread, unit)
     for j, at in enumerate(unknowns.gain.tolist()):
         label, unit = _label("gain", revolute=True)
         error = math.sqrt(float(fit.covariance[at, at]))
