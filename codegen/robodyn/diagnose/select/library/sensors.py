@@ -17,6 +17,7 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Channel, Shown
+from robodyn.gate.limits import PILED_SAMPLES
 from robodyn.identify.twist import slopes_of
 
 Floats = NDArray[np.float64]
@@ -66,7 +67,8 @@ def _saturation(c: Context, effect: Effect, channel: Channel, shown: Shown, j: i
     for share in DRIVE_LIMITS:
         yield _clipped(c, effect, channel, shown, j, {"limit": share * float(np.abs(tau).max())})
     top, total = float(np.abs(tau).max()), c.at.total[:, j]
-    if np.mean(np.abs(tau) > (1 - 1e-9) * top) > SENSOR_PILED:
+    piled = np.abs(tau) > (1 - 1e-9) * top
+    if piled.mean() > SENSOR_PILED and piled.sum() >= PILED_SAMPLES:
         beyond = -np.sign(total) * np.maximum(np.abs(total) - top, 0.0)
         yield single(
             effect.id, j, [beyond], (1,), lambda x: {channel.parameter: top, channel.who: "sensor"},
