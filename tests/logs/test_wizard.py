@@ -286,3 +286,10 @@ def test_everything_said_is_json_and_text(tmp_path: Path) -> None:
     result: Examination = examine(path)
     json.dumps(data(result), allow_nan=False)
     assert any("no numbers" in line for line in lines(result))
+
+
+def test_joints_of_several_publishers_are_all_listed(tmp_path: Path) -> None:
+    path = bag(arm_log(samples=60), tmp_path / "bag", ".db3", name_of=lambda k: (0,) if k % 3 else (1, 2))
+    columns = data(examine(path))["streams"][0]["columns"]
+    effort = {column["name"]: column["share"] for column in columns if column["name"].startswith("effort")}
+    assert effort == {"effort.base_joint": 1.0, "effort.upper_joint": 1.0, "effort.fore_joint": 1.0}

@@ -10,6 +10,7 @@ import pytest
 from report.made_up import made
 from robodyn.diagnose.result import Estimate, Finding, Gap
 from robodyn.report.diagnosis_headline import headline, missing_words
+from robodyn.report.diagnosis_terminal import summary
 from robodyn.robot import load
 
 
@@ -98,3 +99,10 @@ def test_consistent_is_said_of_the_noise_floor_only() -> None:
         "puma560_3dof is within your 10 %: refitted numbers are in model.yaml, joint 2 leaves three times "
         "the noise."
     )
+    settled = replace(quiet, extra={"refitted": 0.3})
+    assert headline(settled) == (
+        "puma560_3dof is within your 30 %: refitted numbers are in model.yaml, what they leave is at the "
+        "noise floor."
+    )
+    assert any(line.startswith("gap after") for line in summary(settled, "r.html", validated=True))
+    assert not any(line.startswith("gap after") for line in summary(quiet, "r.html", validated=True))

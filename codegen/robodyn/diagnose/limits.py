@@ -85,6 +85,9 @@ LOAD_CONFIDENCE: Final = 0.69
 COMMON_EXPLAINED: Final = 0.5
 """[share of mean square] Of what most joints lack so much suffices."""
 
+SPRING_WORSE: Final = 1.05
+"""[share] A spring that two encoders show is added to the model where no joint's RMS grows by more."""
+
 STANDS_OUT_LEFT: Final = 3.0
 """[-] if what is left stands out of the noise by more than this."""
 

@@ -22,6 +22,7 @@ from robodyn.diagnose.limits import (
     LOAD_WORTH,
     REFIT_SHARE,
     REFIT_WORSE,
+    SPRING_WORSE,
 )
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.forward import Key
@@ -129,8 +130,9 @@ def renumbered(
     best = Renumbered(done.robot, done.origins, tuple(findings), is_refitted=False)
     if not _explains_more(left, done.robot, own.robot):
         return best
-    if unstated is not None and may_load:
-        load = _load_instead(robot, amendments, gates, left, own, everywhere=everywhere)
+    if may_load and (unstated is not None or (everywhere and any(x.confidence is None for x in robot.links))):
+        guessed = own if unstated else refit(robot, amendments, gates, unstated=1.0, everywhere=everywhere)
+        load = _load_instead(robot, amendments, gates, left, guessed, everywhere=everywhere)
         if load is not None:
             own, more = load
             findings = [*findings, more]
@@ -202,6 +204,19 @@ def is_better(before: Floats, after: Floats) -> bool:
     nowhere more."""
     ratio = after / np.maximum(before, 1e-300)
     return bool(np.min(ratio) < np.sqrt(1 - REFIT_SHARE) and np.max(ratio) < REFIT_WORSE)
+
+
+def no_worse(before: Floats, after: Floats) -> bool:
+    """Whether what is left of logs, RMS [n] by joint, grows at no joint; a stiff spring of which no damping
+    is known may ring."""
+    return bool(np.all(after <= SPRING_WORSE * before))
+
+
+def share_allowed(robot: Robot, unstated: float | None) -> float:
+    """The share by which a refit may change the numbers of the links: what is stated of them at most,
+    ``unstated`` of those of which nothing is."""
+    plain = float(SHARE_NOT_STATED) if unstated is None else unstated
+    return max(plain if link.confidence is None else float(link.inertial_share) for link in robot.links)
 
 
 def _fold(id: str) -> str | None:

@@ -33,7 +33,7 @@ from robodyn.diagnose.limits import (
     UNSEEN,
     WITHDRAWN,
 )
-from robodyn.diagnose.refit import amendment, refitted_places, renumbered
+from robodyn.diagnose.refit import amendment, no_worse, refitted_places, renumbered, share_allowed
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.select.contact import contact_findings, without_contacts
 from robodyn.diagnose.select.encoders import elastic_findings
@@ -87,8 +87,7 @@ def diagnose(
     tell = progress or (lambda _: None)
     if text is None and not isinstance(robot, Robot):
         text = text_of(robot)
-    robot = robot_of(robot)
-    robot = robot.at(parameters or {})
+    robot = robot_of(robot).at(parameters or {})
     tell("looking at the logs")
     n = robot.n
     scope = scope_of(n, only, without, joints, most)
@@ -132,16 +131,16 @@ def diagnose(
         amendments = [amendment(f) for f in own.findings]
         gap = _gap(lacks, robot, model, gates, seen)
     refitted = own is not None and own.is_refitted
-    extra = {"refitted": max(float(link.inertial_share) for link in robot.links)} if refitted else {}
     springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
-    observed = [*springs, *contact_findings(touched)]  # which no fit to the torques needs to show
-    if observed:
-        findings = (*findings, *observed)
-        more = apply_amendments(model, [amendment(f) for f in observed])
-        model = more.robot
+    findings = (*findings, *springs, *(added := contact_findings(touched)))  # not by a fit to torques
+    stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
+    logs_of = (gates, [seen])
+    if springs and all(no_worse(*(_rms(lacks, arm, which) for arm in (model, stiff))) for which in logs_of):
+        added, gap = (*springs, *added), _gap(lacks, robot, stiff, gates, seen)
+    if added:
+        more = apply_amendments(model, [amendment(f) for f in added])
+        model, amendments = more.robot, [*amendments, *(amendment(f) for f in added)]
         origins = tuple(None if k is None else origins[k] for k in more.origins)
-        amendments += [amendment(f) for f in observed]
-        gap = _gap(lacks, robot, model, gates, seen) if springs else gap
         verdict = "missing_effect" if verdict == "consistent" else verdict
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = old
@@ -166,13 +165,12 @@ def diagnose(
     seen_names = _shown(digests, validated=validate is not None)
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
-        flags,
-        left, (*_words(verdict, findings, last), *scope.words()), described,
+        flags, left, (*_words(verdict, findings, last), *scope.words()), described,
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
         windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
-        (by_kind(before), by_kind(after)),
-        agreement(model, gates[0]), to_record(robot, gates), extra,
+        (by_kind(before), by_kind(after)), agreement(model, gates[0]), to_record(robot, gates),
+        {"refitted": share_allowed(robot, first.unstated)} if own is not None and own.is_refitted else {},
     )  # fmt: skip
 
 
@@ -198,7 +196,8 @@ def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected
     left = _left(last)
     rows = list(one.named.trial.candidate.rows)
     if any(each.is_common for each in first.findings):  # the whole arm was described without its drives
-        return one, share > COMMON_EXPLAINED
+        raw, after = np.mean(first.start.rest[:, rows] ** 2, axis=0), last.last.held_out.mean(axis=0)[rows]
+        return one, bool(np.max(1 - after / np.maximum(raw, 1e-300)) > COMMON_EXPLAINED)
     return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
 
 

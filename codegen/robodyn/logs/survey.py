@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 
 from robodyn.logs.limits import APART, STANDSTILL, STILL_TIME
 from robodyn.logs.log import Log
-from robodyn.logs.recording import Recording, Stream
+from robodyn.logs.recording import Recording, Stream, Table
+from robodyn.logs.usual import joints_in
 
 Floats = NDArray[np.float64]
 
 #: Numbers that are read at once, columns of a stream that are looked at, and rows that are kept of each.
 AT_ONCE, COLUMNS, KEPT = 1 << 25, 512, 20_000
+#: Parts of messages that are not all alike, that are looked at one by one.
+PARTS = 24
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,30 +70,32 @@ def _stream(recording: Recording, stream: Stream) -> StreamFacts:
     stamp = stream.stamps[0] if stream.stamps else None
     columns: dict[str, ColumnFacts] = {}
     seconds: Floats | None = None
-    # Joints of several publishers, or of several kinds of message, are not in the same rows.
     for start in range(0, len(names), width):
-        part = names[start : start + width]
-        tables = _alike(recording, stream, part) if stream.stamps else [{"all": part}]
-        for one in tables:
-            table = recording.read(stream, one, stamp)
-            for group, listed in one.items():
-                for k, name in enumerate(listed):
-                    columns[name] = _column(name, table.groups[group][:, k])
-            count = len(next(iter(table.groups.values())))
-            if seconds is None and table.stamps is not None and count:
-                window = _window(count)
-                seconds = (table.stamps[window] - table.stamps[0]) / 1e9
-            rows = count if stream.rows is None else rows
+        for listed, table in _tables(recording, stream, names[start : start + width], stamp):
+            numbers = table.groups["all"]
+            for k, name in enumerate(listed):
+                columns[name] = _column(name, numbers[:, k])
+            if seconds is None and table.stamps is not None and len(numbers):
+                seconds = (table.stamps[_window(len(numbers))] - table.stamps[0]) / 1e9
+            rows = len(numbers) if stream.rows is None else rows
     return StreamFacts(stream, rows, {name: columns[name] for name in names if name in columns}, seconds)
 
 
-def _alike(recording: Recording, stream: Stream, names: list[str]) -> list[dict[str, list[str]]]:
-    """The columns ``names`` of messages, in groups that the same messages have."""
-    whole = {name: [name] for name in names}
-    table = recording.read(stream, whole, None)
-    if table.skipped == 0:
-        return [whole]
-    return [{name: [name]} for name in names]
+def _tables(
+    recording: Recording, stream: Stream, names: list[str], stamp: str | None
+) -> Iterator[tuple[list[str], Table]]:
+    """The columns ``names``, together if all rows have them all. Joints of several publishers are not in the
+    same messages: then those of one joint, or one part of a message, at a time."""
+    table = recording.read(stream, {"all": names}, stamp)
+    if not table.skipped:
+        yield names, table
+        return
+    groups: dict[str, list[str]] = {}
+    for name in names:
+        part = name.rpartition(".")[2] if joints_in(stream) else name.partition(".")[0]
+        groups.setdefault(part, []).append(name)
+    for listed in list(groups.values())[:PARTS]:
+        yield listed, recording.read(stream, {"all": listed}, stamp)
 
 
 def _window(rows: int) -> slice:

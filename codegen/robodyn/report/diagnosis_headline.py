@@ -114,7 +114,12 @@ def consistent_words(diagnosis: Diagnosis, *, validated: bool) -> str:
     """What a consistent model leaves, after the robot's name: nothing beyond the noise, or more within what
     is stated of the arm's numbers. ``refitted`` in :attr:`Diagnosis.extra` is the share within which these
     numbers were moved; None or absent where they were not."""
-    rest = still(diagnosis, validated)
+    rest, refitted = still(diagnosis, validated), diagnosis.extra.get("refitted")
+    within = (
+        "" if refitted is None else f"is within your {100 * float(refitted):.0f} %: refitted numbers are in "
+    )
+    if not rest and within:
+        return f"{within}model.yaml, what they leave is at the noise floor"
     if not rest:
         known = bool(np.isfinite(diagnosis.gap.noise_floor).all())
         floor = ", what it leaves is at the noise floor" if known else ""
@@ -124,9 +129,8 @@ def consistent_words(diagnosis: Diagnosis, *, validated: bool) -> str:
         ratio = np.nan_to_num(after / diagnosis.gap.noise_floor, nan=0.0, posinf=0.0)
     most = max(rest, key=lambda joint: float(ratio[joint - 1]))
     leaves = f"joint {most} leaves {_times(float(ratio[most - 1]))} the noise"
-    refitted = diagnosis.extra.get("refitted")
-    if refitted is not None:
-        return f"is within your {100 * float(refitted):.0f} %: refitted numbers are in model.yaml, {leaves}"
+    if within:
+        return f"{within}model.yaml, {leaves}"
     return f"lacks no effect that the logs could name, but {leaves}"
 
 

@@ -93,7 +93,7 @@ def _gap(diagnosis: Diagnosis, validated: bool) -> list[str]:
     """Before, after and noise by joint, of long arms where most is there."""
     gap = diagnosis.gap
     before, after = chosen(diagnosis, validated)
-    changed = diagnosis.verdict == "missing_effect"
+    changed = diagnosis.verdict == "missing_effect" or "refitted" in diagnosis.extra
     log = "validation log" if validated else "logs that were fitted"
     with np.errstate(all="ignore"):
         size = np.nan_to_num(before / gap.noise_floor, nan=0.0, posinf=0.0)
@@ -118,7 +118,7 @@ def _gap(diagnosis: Diagnosis, validated: bool) -> list[str]:
 
 def _better(diagnosis: Diagnosis, validated: bool) -> str:
     """How much of the gap is gone, and what the kernel costs; empty where nothing was added."""
-    if diagnosis.verdict != "missing_effect":
+    if diagnosis.verdict != "missing_effect" and "refitted" not in diagnosis.extra:
         return ""
     share = diagnosis.gap.closed(validated=validated)
     if is_touched_only(diagnosis):

@@ -174,6 +174,9 @@ LIMIT_SHARE: Final = 0.3
 LIMIT_EXPLAINED: Final = 0.4
 """[share of squares] What a limit must explain where it clips."""
 
+GAIN_MOST: Final = 0.5
+"""[share] A torque constant is wrong by less."""
+
 ENCODER_OFF: Final = 0.25
 """[rad or m] An encoder is off by less."""
 

@@ -11,6 +11,7 @@ from robodyn.diagnose.select.library.candidate import Candidate, Context, single
 from robodyn.diagnose.select.limits import (
     DRIVE_LIMITS,
     ENCODER_OFF,
+    GAIN_MOST,
     LIMIT_EXPLAINED,
     LIMIT_SHARE,
     SENSOR_PILED,
@@ -45,7 +46,10 @@ def channels(c: Context, effect: Effect, shown: Shown, j: int) -> Iterator[Candi
         yield single(effect.id, j, [late], (1,), read, shown.order)
     else:
         column = total if channel.acts == "gain" else np.ones_like(c.signals.t)
-        yield single(effect.id, j, [column], (0,), read, shown.order)
+        most = GAIN_MOST if channel.acts == "gain" else np.inf
+        yield single(
+            effect.id, j, [column], (0,), read, shown.order, feasible=lambda x: bool(abs(x[0]) < most)
+        )
 
 
 def late_channels(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
