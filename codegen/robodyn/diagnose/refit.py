@@ -23,9 +23,11 @@ from robodyn.diagnose.limits import (
     REFIT_SHARE,
     REFIT_WORSE,
     SPRING_WORSE,
+    WITHDRAWN,
 )
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.forward import Key
+from robodyn.diagnose.select.limits import MOST_VAGUE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.fit import Load, Options, fit_arm
@@ -185,7 +187,11 @@ def amendment(f: Finding) -> Amendment:
 
 
 def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:
-    return replace(finding, parameters={**finding.parameters, **estimates})
+    """The finding with better numbers; no claim where nothing is known of them."""
+    known = [one for one in estimates.values() if isinstance(one.value, float) and one.value]
+    vague = [one.stderr is None or one.stderr > MOST_VAGUE * abs(float(one.value)) for one in known]
+    confidence = min(finding.confidence, WITHDRAWN) if vague and all(vague) else finding.confidence
+    return replace(finding, parameters={**finding.parameters, **estimates}, confidence=confidence)
 
 
 def refitted_places(robot: Robot, model: Robot) -> frozenset[Place]:
