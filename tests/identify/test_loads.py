@@ -12,11 +12,12 @@ import robodyn
 from diagnose.hidden.arms import bare, perturbed, rubbing
 from diagnose.hidden.logs import effect
 from identify.exact import log_of
+from peers.numbers import number
 from robodyn.identify.fit import Load, Options
 from robodyn.identify.run import Identification
 from robodyn.logs.log import Log
 from robodyn.robot import to_yaml
-from robodyn.robot.model import Robot
+from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.reader import read_text
 
 GAINS = (0.25, -0.25, 0.25)
@@ -76,3 +77,29 @@ def test_what_a_description_knows_beside_links_stays(arm: Robot) -> None:
         assert isinstance(new.mass, Fraction)
         assert isinstance(old.mass, Fraction)
         assert float(abs(new.mass - old.mass)) <= 0.05 * float(old.mass)
+
+
+def test_a_contact_that_is_known_does_not_count(arm: Robot) -> None:
+    """A push of two seconds, as the description notes it with the log's hash."""
+    log = log_of(arm, noise=0.01, seconds=8.0)
+    tau = log.tau.copy()
+    pushed = (log.t > 3) & (log.t < 5)
+    tau[pushed] += [40.0, 60.0, 25.0]
+    push = EffectEntry(
+        "external_contact",
+        None,
+        (("start", Fraction(3)), ("end", Fraction(5)), ("link", 3), ("force_x", Fraction(0)),
+         ("force_y", Fraction(0)), ("force_z", Fraction(0)), ("log", "abc")),
+    )  # fmt: skip
+    log = Log(log.t, log.q, None, None, tau)
+    known = robodyn.identify(replace(arm, effects=(push,)), [log], hashes=["abc"])
+    unknown = robodyn.identify(replace(arm, effects=(push,)), [log], hashes=["other"])
+
+    def worst(outcome: Identification) -> float:
+        return max(
+            abs(outcome.parameters[f"joint{j}.coulomb_friction.level"].value - number(link.joint.coulomb))
+            for j, link in enumerate(arm.links, 1)
+        )
+
+    assert worst(known) < 0.1
+    assert worst(unknown) > 3 * worst(known)

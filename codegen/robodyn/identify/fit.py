@@ -57,7 +57,8 @@ class Options:
     """What is fitted. ``offsets`` of torque channels: all, none, or where they are worth it on samples that
     were held out; ``gains`` of torque channels, known to about ``gain_spread``; ``loads`` of some logs;
     ``confidence``: in place of what the description says of its links; ``joints``: by the name of a joint's
-    column (``viscous``, ``coulomb``, ``rotor``) the joints (from 0) at which it is fitted, None: at all."""
+    column (``viscous``, ``coulomb``, ``rotor``) the joints (from 0) at which it is fitted, None: at all;
+    ``left_out``: windows of time that do not count, as (log from 0, start [s], end [s])."""
 
     offsets: bool | Literal["auto"] = "auto"
     gains: bool = False
@@ -65,6 +66,7 @@ class Options:
     loads: tuple[Load, ...] = ()
     confidence: float | None = None
     joints: Mapping[str, frozenset[int]] | None = None
+    left_out: tuple[tuple[int, float, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -105,7 +107,8 @@ class Fit:
 def fit_arm(robot: Robot, gates: Sequence[Gate], options: Options | None = None) -> Fit:
     """The numbers of ``robot`` from logs that have passed their gates."""
     options = options or Options()
-    pieces = [piece for k, gate in enumerate(gates) for piece in rows_of(robot, gate, k)]
+    windows = [[(a, b) for log, a, b in options.left_out if log == k] for k in range(len(gates))]
+    pieces = [piece for k, gate in enumerate(gates) for piece in rows_of(robot, gate, k, windows[k])]
     layout = layout_of(robot.n, rotors=robot.torque_side == "motor", offsets=options.offsets is not False)
     arm = Model(bare(robot)).arm
     raw, _ = blocks_of(arm, layout, pieces)

@@ -7,6 +7,7 @@ Coulomb friction (springs, couplings, sensors) is taken off the torque, and stay
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -48,8 +49,9 @@ def bare(robot: Robot) -> Robot:
     return replace(robot, effects=())
 
 
-def rows_of(robot: Robot, gate: Gate, log: int) -> list[Rows]:
-    """The rows of a log that has passed its ``gate``, a piece for each of its segments."""
+def rows_of(robot: Robot, gate: Gate, log: int, left_out: Sequence[tuple[float, float]] = ()) -> list[Rows]:
+    """The rows of a log that has passed its ``gate``, a piece for each of its segments; torques in windows of
+    time that are ``left_out`` [s] do not count, nor what the filter brings of them."""
     count = gate.log.samples
     edges, held_out = blocks_of(count)
     pieces = []
@@ -64,6 +66,9 @@ def rows_of(robot: Robot, gate: Gate, log: int) -> list[Rows]:
         way = direction(signals.qd, rest_band(signals.acceleration_noise, signals.cutoff))
         block = np.searchsorted(edges, part.start + np.arange(K), side="right") - 1
         used = ~gate.saturated[part][:K]
+        for start, end in left_out:
+            reach = 1 / signals.cutoff
+            used &= ((signals.t < start - reach) | (signals.t > end + reach))[:, None]
         q, qd, qdd, way, tau = (
             signals.thinned(x)
             for x in (signals.q, signals.qd, signals.qdd, signals.filtered(way), signals.filtered(tau))

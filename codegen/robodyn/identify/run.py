@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from typing import Any
 
@@ -134,7 +134,7 @@ def identify(
     gates = [inspect(_log(log, robot.n), robot, source=labels[k]) for k, log in enumerate(logs)]
     seen = None if validate is None else inspect(_log(validate, robot.n), robot, source=labels[len(logs)])
     tell("fitting the arm")
-    fit = fit_arm(robot, gates, options)
+    fit = fit_arm(robot, gates, _without_contacts(robot, options or Options(), hashes[: len(logs)]))
     tell("comparing the torques")
     outcome = identified(fit)
     old = text if text is not None and parameters is None else to_yaml(robot)
@@ -153,6 +153,16 @@ def identify(
 
 def _log(log: Log | str | PathLike[str], n: int) -> Log:
     return log if isinstance(log, Log) else read_log(log, n)
+
+
+def _without_contacts(robot: Robot, options: Options, hashes: Sequence[str]) -> Options:
+    """``options`` that leave out where the description knows of contacts in these logs."""
+    windows = tuple(
+        (list(hashes).index(entry.text("log")), entry.number("start"), entry.number("end"))
+        for entry in robot.effects
+        if entry.definition.place == "outside" and "log" in entry and entry.text("log") in hashes
+    )
+    return replace(options, left_out=(*options.left_out, *windows))
 
 
 def _notes(robot: Robot, outcome: Identified, hashes: Sequence[str]) -> list[Any]:
