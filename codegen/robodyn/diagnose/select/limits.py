@@ -231,8 +231,8 @@ PASSES: Final = 10
 """[passes] After each the model is amended and looked at again."""
 
 PASSES_ROUGH: Final = 2
-"""[passes] The same for a log with more in it than the catalogue has: what the model lacks has no end, and what
-comes late has no size that matters."""
+"""[passes] The same for a log with more in it than the catalogue has: what the model lacks has no end, and
+what comes late has no size that matters."""
 
 PRICE: Final = 0.3
 """[share of the evidence threshold] An effect stays if leaving it out loses more."""
