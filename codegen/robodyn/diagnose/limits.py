@@ -70,6 +70,18 @@ REFIT_SHARE: Final = 0.1
 REFIT_WORSE: Final = 1.05
 """[ratio of RMS] and add no more than this at another."""
 
+LOAD_VAGUE: Final = 0.5
+"""[share of the mass] A load whose mass is known no better than this is not named,"""
+
+LOAD_WORTH: Final = 0.3
+"""[mean squares left] nor one where the arm's numbers as a guess explain less than this more,"""
+
+LOAD_SHARE_OF_GUESS: Final = 0.85
+"""[share] nor one that does not explain so much of it."""
+
+LOAD_CONFIDENCE: Final = 0.69
+"""[probability] Of a load in place of numbers that would all be wrong."""
+
 COMMON_EXPLAINED: Final = 0.5
 """[share of mean square] Of what most joints lack so much suffices."""
 

@@ -7,7 +7,7 @@ physically consistent and no farther from the description than its confidence an
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -15,9 +15,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, apply_amendments
-from robodyn.diagnose.limits import REFIT_SHARE, REFIT_WORSE, SPRING_WORSE
-from robodyn.diagnose.result import Estimate
+from robodyn.diagnose.limits import (
+    LOAD_CONFIDENCE,
+    LOAD_SHARE_OF_GUESS,
+    LOAD_VAGUE,
+    LOAD_WORTH,
+    REFIT_SHARE,
+    REFIT_WORSE,
+    SPRING_WORSE,
+    WITHDRAWN,
+)
+from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.forward import Key
+from robodyn.diagnose.select.limits import MOST_VAGUE
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.fit import Load, Options, fit_arm
@@ -25,6 +35,7 @@ from robodyn.identify.outcome import Estimate as Number
 from robodyn.identify.outcome import Identified, identified
 from robodyn.robot.model import AXES, Link, Robot
 from robodyn.robot.parts import SHARE_NOT_STATED
+from robodyn.robot.rewriting import Place
 
 Floats = NDArray[np.float64]
 #: By the key of a joint that holds a number the name of its column.
@@ -44,10 +55,16 @@ class Refit:
 
 
 def refit(
-    robot: Robot, amendments: Sequence[Amendment], gates: Sequence[Gate], *, unstated: float | None
-) -> Refit | None:
+    robot: Robot,
+    amendments: Sequence[Amendment],
+    gates: Sequence[Gate],
+    *,
+    unstated: float | None,
+    everywhere: bool = False,
+) -> Refit:
     """``robot`` with the ``amendments`` and new numbers of its own; ``unstated``: by which share
-    the numbers may be wrong of which nothing is said. None where the numbers lead to no model."""
+    the numbers may be wrong of which nothing is said; ``everywhere``: friction and rotors are fitted at all
+    joints."""
     rigid = {(a.effect, a.joint) for a in amendments if _fold(a.effect) == "link"}
     bodies = [a for a in amendments if CATALOGUE[a.effect].traits.body]
     kept = [a for a in amendments if (a.effect, a.joint) not in rigid and a not in bodies]
@@ -61,6 +78,8 @@ def refit(
         fold = CATALOGUE[one.effect].traits.fold
         if fold is not None and fold.into == "joint" and one.joint is not None:
             joints.setdefault(_COLUMNS[fold.key], set()).add(one.joint - 1)
+    if everywhere:
+        joints = {name: set(range(robot.n)) for name in _COLUMNS.values()}
     loads = (Load(tuple(range(len(gates)))),) if bodies else ()
     options = Options(
         offsets=False, loads=loads, joints={name: frozenset(places) for name, places in joints.items()}
@@ -78,6 +97,112 @@ def refit(
         again = apply_amendments(model, [replace(body, parameters=values)])
         model, origins = again.robot, tuple(None if k is None else origins[k] for k in again.origins)
     return Refit(model, origins, estimates)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Renumbered:
+    """An arm with what was named: ``robot``, ``origins`` of its effects, the ``findings`` with their best
+    numbers, and whether the arm's own numbers are new."""
+
+    robot: Robot
+    origins: tuple[int | None, ...]
+    findings: tuple[Finding, ...]
+    is_refitted: bool
+
+
+def renumbered(
+    robot: Robot,
+    findings: Sequence[Finding],
+    gates: Sequence[Gate],
+    left: Callable[[Robot], tuple[Floats, Floats]],
+    *,
+    unstated: float | None,
+    everywhere: bool,
+    may_load: bool,
+) -> Renumbered:
+    """``robot`` with its findings, and with numbers of its own that explain more, if there are such.
+
+    ``left``: RMS [n] that an arm leaves of logs that were fitted and of one that was not; ``unstated`` as in
+    :func:`refit`; ``everywhere``: friction and rotors are fitted at all joints, named or not; ``may_load``:
+    where the numbers were taken for a guess, a load is named that explains as much.
+    """
+    amendments = [amendment(f) for f in findings]
+    done = apply_amendments(robot, amendments)
+    own = refit(robot, amendments, gates, unstated=unstated, everywhere=everywhere)
+    best = Renumbered(done.robot, done.origins, tuple(findings), is_refitted=False)
+    if not _explains_more(left, done.robot, own.robot):
+        return best
+    if may_load and (unstated is not None or (everywhere and any(x.confidence is None for x in robot.links))):
+        guessed = own if unstated else refit(robot, amendments, gates, unstated=1.0, everywhere=everywhere)
+        load = _load_instead(robot, amendments, gates, left, guessed, everywhere=everywhere)
+        if load is not None:
+            own, more = load
+            findings = [*findings, more]
+    known = tuple(_with_estimates(f, own.estimates.get((f.effect, f.joint), {})) for f in findings)
+    return Renumbered(own.robot, own.origins, known, is_refitted=True)
+
+
+def _load_instead(
+    robot: Robot,
+    amendments: Sequence[Amendment],
+    gates: Sequence[Gate],
+    left: Callable[[Robot], tuple[Floats, Floats]],
+    guessed: Refit,
+    *,
+    everywhere: bool,
+) -> tuple[Refit, Finding] | None:
+    """A load in place of numbers that are all ``guessed``, if with it and numbers that are nearly right as
+    much is explained: one body is simpler."""
+    body = next(each for each in CATALOGUE.values() if each.traits.body)
+    if any(one.effect == body.id for one in amendments):
+        return None
+    lean = refit(robot, amendments, gates, unstated=None, everywhere=everywhere)
+    loaded = refit(
+        robot, [*amendments, Amendment(body.id, None, {})], gates, unstated=None, everywhere=everywhere
+    )
+    numbers = loaded.estimates[body.id, None]
+    mass = numbers["mass"]
+    if not isinstance(mass.value, float) or mass.stderr is None or mass.stderr > LOAD_VAGUE * mass.value:
+        return None
+    best, before, after = (left(arm.robot)[0] for arm in (guessed, lean, loaded))
+    gain, most = (float(np.sum((before**2 - x**2) / best**2)) for x in (after, best))
+    if most < LOAD_WORTH or gain < LOAD_SHARE_OF_GUESS * most:
+        return None
+    rivals = tuple(each.id for each in CATALOGUE.values() if _fold(each.id) == "link")
+    where = f"the whole robot: {body.signature}"
+    experiment = f"to tell it from {', '.join(rivals)}: {body.separates}"
+    return loaded, Finding(
+        body.id, None, numbers, LOAD_CONFIDENCE, rivals, where, experiment, gain, float("nan")
+    )
+
+
+def _explains_more(left: Callable[[Robot], tuple[Floats, Floats]], one: Robot, other: Robot) -> bool:
+    """Whether ``other`` leaves less of logs that were fitted and of one that was not."""
+    return all(is_better(before, after) for before, after in zip(left(one), left(other), strict=True))
+
+
+def amendment(f: Finding) -> Amendment:
+    """What a finding adds to a model."""
+    return Amendment(f.effect, f.joint, {name: p.value for name, p in f.parameters.items()})
+
+
+def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:
+    """The finding with better numbers; no claim where nothing is known of them."""
+    known = [one for one in estimates.values() if isinstance(one.value, float) and one.value]
+    vague = [one.stderr is None or one.stderr > MOST_VAGUE * abs(float(one.value)) for one in known]
+    confidence = min(finding.confidence, WITHDRAWN) if vague and all(vague) else finding.confidence
+    return replace(finding, parameters={**finding.parameters, **estimates}, confidence=confidence)
+
+
+def refitted_places(robot: Robot, model: Robot) -> frozenset[Place]:
+    """Where the arm's own numbers are new."""
+    pairs = zip(robot.links, model.links, strict=True)
+    return frozenset(
+        (j, key)
+        for j, (old, new) in enumerate(pairs, 1)
+        for key in ("mass", "com", "inertia")
+        if getattr(old, key) != getattr(new, key)
+    )
 
 
 def is_better(before: Floats, after: Floats) -> bool:

@@ -33,7 +33,7 @@ from robodyn.diagnose.limits import (
     UNSEEN,
     WITHDRAWN,
 )
-from robodyn.diagnose.refit import is_better, no_worse, refit, share_allowed
+from robodyn.diagnose.refit import amendment, no_worse, refitted_places, renumbered, share_allowed
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
 from robodyn.diagnose.select.contact import contact_findings, without_contacts
 from robodyn.diagnose.select.encoders import elastic_findings
@@ -49,7 +49,7 @@ from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log, read_log
 from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
-from robodyn.robot.rewriting import Place, rewritten
+from robodyn.robot.rewriting import rewritten
 
 Floats = NDArray[np.float64]
 
@@ -115,24 +115,31 @@ def diagnose(
         verdict = "unexplained"
         findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
         gap = _gap(lacks, robot, robot, gates, seen)
-    named = findings if verdict == "missing_effect" else ()
-    amendments = [_amendment(f) for f in named]
-    done = apply_amendments(robot, amendments)
-    model, origins = done.robot, done.origins
-    own = refit(robot, amendments, gates, unstated=first.unstated) if verdict != "unexplained" else None
-    refitted = own is not None and _is_refitted(lacks, model, own.robot, gates, seen)
-    if own is not None and refitted:
+    tell("fitting the arm's own numbers")
+    own = renumbered(
+        robot, findings if verdict == "missing_effect" else (), gates,
+        lambda arm: (_rms(lacks, arm, gates), _rms(lacks, arm, [seen])),
+        unstated=first.unstated,
+        everywhere=any(each.is_common for each in first.findings),
+        may_load=scope.joints is None and scope.only is None,
+    ) if verdict != "unexplained" else None  # fmt: skip
+    origins: tuple[int | None, ...] = tuple(range(len(robot.effects)))
+    model, amendments = robot, list[Amendment]()
+    if own is not None:
         model, origins = own.robot, own.origins
-        findings = tuple(_with_estimates(f, own.estimates.get((f.effect, f.joint), {})) for f in findings)
+        findings = own.findings or findings
+        amendments = [amendment(f) for f in own.findings]
         gap = _gap(lacks, robot, model, gates, seen)
+    refitted = own is not None and own.is_refitted
     springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
     findings = (*findings, *springs, *(added := contact_findings(touched)))  # not by a fit to torques
-    stiff = apply_amendments(model, [_amendment(f) for f in springs]).robot
-    if springs and _is_refitted(lacks, model, stiff, gates, seen, no_worse):
+    stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
+    logs_of = (gates, [seen])
+    if springs and all(no_worse(*(_rms(lacks, arm, which) for arm in (model, stiff))) for which in logs_of):
         added, gap = (*springs, *added), _gap(lacks, robot, stiff, gates, seen)
     if added:
-        more = apply_amendments(model, [_amendment(f) for f in added])
-        model, amendments = more.robot, [*amendments, *(_amendment(f) for f in added)]
+        more = apply_amendments(model, [amendment(f) for f in added])
+        model, amendments = more.robot, [*amendments, *(amendment(f) for f in added)]
         origins = tuple(None if k is None else origins[k] for k in more.origins)
         verdict = "missing_effect" if verdict == "consistent" else verdict
     old = text if text is not None and parameters is None else to_yaml(robot)
@@ -142,7 +149,7 @@ def diagnose(
         notes = dict.fromkeys(range(len(amendments)), note)
         comments = comments_of(apply_amendments(robot, amendments), amendments, notes)
         if refitted:
-            comments += [(_refitted_places(robot, model), [f"{note}: fitted within their confidence"])]
+            comments += [(refitted_places(robot, model), [f"{note}: fitted within their confidence"])]
         new = to_yaml(model) if parameters else rewritten(old, robot, model, origins, comments)
     described = tuple(
         {
@@ -163,35 +170,8 @@ def diagnose(
         (before.total, after.total),
         windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
         (by_kind(before), by_kind(after)), agreement(model, gates[0]), to_record(robot, gates),
-        {"refitted": share_allowed(robot, first.unstated)} if refitted else {},
+        {"refitted": share_allowed(robot, first.unstated)} if own is not None and own.is_refitted else {},
     )  # fmt: skip
-
-
-def _amendment(f: Finding) -> Amendment:
-    return Amendment(f.effect, f.joint, {name: p.value for name, p in f.parameters.items()})
-
-
-def _is_refitted(
-    lacks: _Lacking, model: Robot, other: Robot, gates: Sequence[Gate], seen: Gate,
-    judge: Callable[[Floats, Floats], bool] = is_better,
-) -> bool:  # fmt: skip
-    """Whether ``other`` explains more by its ``judge`` of logs that were fitted and of one that was not."""
-    return all(judge(*(_rms(lacks, arm, which) for arm in (model, other))) for which in (gates, [seen]))
-
-
-def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:
-    return replace(finding, parameters={**finding.parameters, **estimates})
-
-
-def _refitted_places(robot: Robot, model: Robot) -> frozenset[Place]:
-    """Where the arm's own numbers are new."""
-    pairs = zip(robot.links, model.links, strict=True)
-    return frozenset(
-        (j, key)
-        for j, (old, new) in enumerate(pairs, 1)
-        for key in ("mass", "com", "inertia")
-        if getattr(old, key) != getattr(new, key)
-    )
 
 
 def _name(names: Sequence[str], k: int) -> str | None:
@@ -216,7 +196,8 @@ def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected
     left = _left(last)
     rows = list(one.named.trial.candidate.rows)
     if any(each.is_common for each in first.findings):  # the whole arm was described without its drives
-        return one, share > COMMON_EXPLAINED
+        raw, after = np.mean(first.start.rest[:, rows] ** 2, axis=0), last.last.held_out.mean(axis=0)[rows]
+        return one, bool(np.max(1 - after / np.maximum(raw, 1e-300)) > COMMON_EXPLAINED)
     return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
 
 

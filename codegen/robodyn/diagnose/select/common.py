@@ -56,7 +56,8 @@ def common(start: Problem, current: Fit, library: Library, which: Sequence[int],
         leaving = [i for i, one in enumerate(tried) if not _stays(start, one)]
         if not leaving:
             joints = {one.candidate.joint for one in tried}
-            if len(joints) < max(2, COMMON_JOINTS * len(moving)):
+            alone = len(moving) == 1 and len(tried) > 1  # a drive on its own
+            if len(joints) < max(2, COMMON_JOINTS * len(moving)) and not alone:
                 break
             return Group(tuple(sorted(tried, key=lambda one: -one.gain)), gain_of(start, current, together))
         del chosen[min(leaving, key=lambda i: tried[i].gain)]

@@ -174,6 +174,9 @@ LIMIT_SHARE: Final = 0.3
 LIMIT_EXPLAINED: Final = 0.4
 """[share of squares] What a limit must explain where it clips."""
 
+GAIN_MOST: Final = 0.5
+"""[share] A torque constant is wrong by less."""
+
 ENCODER_OFF: Final = 0.25
 """[rad or m] An encoder is off by less."""
 
@@ -226,6 +229,10 @@ HUBER_ROUNDS: Final = 3
 
 PASSES: Final = 10
 """[passes] After each the model is amended and looked at again."""
+
+PASSES_ROUGH: Final = 2
+"""[passes] The same for a log with more in it than the catalogue has: what the model lacks has no end, and
+what comes late has no size that matters."""
 
 PRICE: Final = 0.3
 """[share of the evidence threshold] An effect stays if leaving it out loses more."""

@@ -13,7 +13,7 @@ from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.choice import evidence_threshold, numbers_of
 from robodyn.diagnose.select.forward import Key, Named, special_cases
 from robodyn.diagnose.select.library import Candidate
-from robodyn.diagnose.select.limits import FEW, PASSES, PRICE, STANDING
+from robodyn.diagnose.select.limits import FEW, PASSES, PASSES_ROUGH, PRICE, STANDING
 from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.selection import Selection, select
@@ -64,7 +64,7 @@ def search(
     tell("fitting the catalogue")
     first = last = look(robot, (), None)
     model, findings = robot, dict[Key, Detected]()
-    for _ in range(PASSES):
+    for _ in range(PASSES_ROUGH if first.rough else PASSES):
         if not last.findings:
             break
         more = dict(findings)

@@ -66,7 +66,8 @@ class Selection:
     """The effects selected in the parts of a log; ``first`` and ``last`` fits; all trials of the first step,
     best first; ``residue`` [n]: the median of what is left, in units of the noise (a median, so that short
     bursts of joints that stick at reversals do not count); ``unstated``: by which share the inertial numbers
-    were taken to be wrong of which nothing is stated, None: by that of the description."""
+    were taken to be wrong of which nothing is stated, None: by that of the description;
+    ``rough``: the log has more in it than the catalogue."""
 
     contexts: tuple[Context, ...]
     start: Problem
@@ -76,6 +77,7 @@ class Selection:
     trials: tuple[Trial, ...]
     residue: Floats
     unstated: float | None = None
+    rough: bool = False
 
     @property
     def context(self) -> Context:
@@ -220,7 +222,7 @@ def select(
     for each in contexts:
         each.kept.clear()
     return Selection(
-        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated
+        tuple(contexts), start, estimated, first, current, tuple(chosen.trials), residue, unstated, rough
     )
 
 

@@ -2,7 +2,7 @@
 
 What a log can show depends on it: a limit that it reaches, a deflection that is shorter than its travel
 between samples, what springs resonate with its inertias. The first log says what is tried; along the others
-it is again with the same values, or is zero there if it is local, or is left out.
+it is made with the same values, or is zero there if it is local, or is left out.
 """
 
 from __future__ import annotations

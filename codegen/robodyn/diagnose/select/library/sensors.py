@@ -11,12 +11,14 @@ from robodyn.diagnose.select.library.candidate import Candidate, Context, single
 from robodyn.diagnose.select.limits import (
     DRIVE_LIMITS,
     ENCODER_OFF,
+    GAIN_MOST,
     LIMIT_EXPLAINED,
     LIMIT_SHARE,
     SENSOR_PILED,
 )
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Channel, Shown
+from robodyn.gate.limits import PILED_SAMPLES
 from robodyn.identify.twist import slopes_of
 
 Floats = NDArray[np.float64]
@@ -44,7 +46,10 @@ def channels(c: Context, effect: Effect, shown: Shown, j: int) -> Iterator[Candi
         yield single(effect.id, j, [late], (1,), read, shown.order)
     else:
         column = total if channel.acts == "gain" else np.ones_like(c.signals.t)
-        yield single(effect.id, j, [column], (0,), read, shown.order)
+        most = GAIN_MOST if channel.acts == "gain" else np.inf
+        yield single(
+            effect.id, j, [column], (0,), read, shown.order, feasible=lambda x: bool(abs(x[0]) < most)
+        )
 
 
 def late_channels(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
@@ -66,7 +71,8 @@ def _saturation(c: Context, effect: Effect, channel: Channel, shown: Shown, j: i
     for share in DRIVE_LIMITS:
         yield _clipped(c, effect, channel, shown, j, {"limit": share * float(np.abs(tau).max())})
     top, total = float(np.abs(tau).max()), c.at.total[:, j]
-    if np.mean(np.abs(tau) > (1 - 1e-9) * top) > SENSOR_PILED:
+    piled = np.abs(tau) > (1 - 1e-9) * top
+    if piled.mean() > SENSOR_PILED and piled.sum() >= PILED_SAMPLES:
         beyond = -np.sign(total) * np.maximum(np.abs(total) - top, 0.0)
         yield single(
             effect.id, j, [beyond], (1,), lambda x: {channel.parameter: top, channel.who: "sensor"},
