@@ -232,7 +232,8 @@ def covariance(now: Problem, last: Fit) -> Floats:
     pulls = now.rights - now.grams @ last.known - now.prior * last.known / BLOCKS
     clustered = inverse @ (pulls.T @ pulls) @ inverse * (BLOCKS / (BLOCKS - 1)) * FEW_PARTS**2
     independent = now.thin * inverse * max(float(last.held_out.mean()), 1e-300)
-    scale = np.sqrt(np.maximum(1.0, np.diag(independent) / np.maximum(np.diag(clustered), 1e-300)))
+    least, own = np.diag(independent), np.diag(clustered)
+    scale = np.sqrt(np.maximum(1.0, least / np.maximum(own, 1e-12 * least + 1e-300)))
     return np.asarray(clustered * np.outer(scale, scale))
 
 
