@@ -51,6 +51,7 @@ PACKAGES: Final = {"pinocchio": "pin", "yaml": "pyyaml"}
 OPTIONAL: Final = frozenset(
     {
         "build",
+        "h5py",
         "hatchling",
         "hypothesis",
         "jsonschema",
@@ -58,6 +59,7 @@ OPTIONAL: Final = frozenset(
         "ortools",
         "pinocchio",
         "pyarrow",
+        "rosbags",
         "selenium",
     }
 )

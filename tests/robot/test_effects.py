@@ -93,6 +93,11 @@ EXAMPLES: list[tuple[str, str, dict[str, Any]]] = [
         "delta_mass: 1, delta_yz: d",
         {"delta_mass": F(1), "delta_yz": parameter("d")},
     ),
+    (
+        "gas_spring",
+        "torque: 50, rise: 0.3",
+        {"torque": F(50), "dead_center": ZERO, "rise": F(3, 10), "ratio": F(1, 4)},
+    ),
     ("torque_bias", "bias: -1", {"bias": F(-1)}),
     ("torque_gain", "gain: -0.02", {"gain": F(-1, 50)}),
     ("time_delay", "delay: 2e-3", {"delay": F(1, 500)}),

@@ -186,6 +186,22 @@ def amendment(f: Finding) -> Amendment:
     return Amendment(f.effect, f.joint, {name: p.value for name, p in f.parameters.items()})
 
 
+def with_known_errors(finding: Finding) -> Finding:
+    """The finding without errors of sizes that are not known to better than half of themselves: nothing can
+    be said of them."""
+    sizes = {p.name for p in CATALOGUE[finding.effect].parameters if p.sign != "any"}
+    parameters = {
+        name: replace(one, stderr=None)
+        if name in sizes
+        and isinstance(one.value, float)
+        and one.stderr is not None
+        and one.stderr > MOST_VAGUE * abs(one.value)
+        else one
+        for name, one in finding.parameters.items()
+    }
+    return replace(finding, parameters=parameters)
+
+
 def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:
     """The finding with better numbers; no claim where nothing is known of them."""
     known = [one for one in estimates.values() if isinstance(one.value, float) and one.value]

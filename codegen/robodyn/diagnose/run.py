@@ -33,9 +33,16 @@ from robodyn.diagnose.limits import (
     UNSEEN,
     WITHDRAWN,
 )
-from robodyn.diagnose.refit import amendment, no_worse, refitted_places, renumbered, share_allowed
+from robodyn.diagnose.refit import (
+    amendment,
+    no_worse,
+    refitted_places,
+    renumbered,
+    share_allowed,
+    with_known_errors,
+)
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
-from robodyn.diagnose.select.contact import contact_findings, without_contacts
+from robodyn.diagnose.select.contact import contact_findings, standing, without_contacts
 from robodyn.diagnose.select.encoders import elastic_findings
 from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
@@ -120,9 +127,10 @@ def diagnose(
         robot, findings if verdict == "missing_effect" else (), gates,
         lambda arm: (_rms(lacks, arm, gates), _rms(lacks, arm, [seen])),
         unstated=first.unstated,
-        everywhere=any(each.is_common for each in first.findings),
-        may_load=scope.joints is None and scope.only is None,
-    ) if verdict != "unexplained" else None  # fmt: skip
+        # A log with more in it than can be named still has the arm's numbers in it.
+        everywhere=any(each.is_common for each in first.findings) or verdict == "unexplained",
+        may_load=scope.joints is None and scope.only is None and verdict != "unexplained",
+    ) if verdict != "unexplained" or first.rough else None  # fmt: skip
     origins: tuple[int | None, ...] = tuple(range(len(robot.effects)))
     model, amendments = robot, list[Amendment]()
     if own is not None:
@@ -132,6 +140,8 @@ def diagnose(
         gap = _gap(lacks, robot, model, gates, seen)
     refitted = own is not None and own.is_refitted
     springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
+    findings = tuple(map(with_known_errors, findings))
+    touched = standing(touched, dict(zip(digests, whole, strict=True)), lambda gate: lacks(model, gate))
     findings = (*findings, *springs, *(added := contact_findings(touched)))  # not by a fit to torques
     stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
     logs_of = (gates, [seen])

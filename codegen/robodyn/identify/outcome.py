@@ -24,6 +24,8 @@ Floats = NDArray[np.float64]
 
 #: By the name of a joint's column the key of the joint that holds it, or what a sensor's effect does.
 _KEYS = {"viscous": "viscous", "coulomb": "coulomb", "rotor": "motor_inertia"}
+#: By the name of a column what its effect does to a channel, where that is called otherwise.
+_ACTS = {"offset": "bias"}
 _LINK = ("mass", "com_x", "com_y", "com_z", *(f"inertia_{axes}" for axes in AXES))
 _UNITS = ("kg", "m", "m", "m", *["kg m^2"] * 6)
 
@@ -204,7 +206,7 @@ def _label(name: str, revolute: bool) -> tuple[str, str]:
         fold, channel = effect.traits.fold, effect.traits.channel
         if fold is not None and fold.into == "joint" and fold.key == _KEYS.get(name):
             parameter = fold.parameter
-        elif channel is not None and channel.acts == {"offset": "bias"}.get(name, name):
+        elif channel is not None and channel.acts == _ACTS.get(name, name):
             parameter = channel.parameter
         else:
             continue

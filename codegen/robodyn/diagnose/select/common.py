@@ -55,7 +55,8 @@ def common(start: Problem, current: Fit, library: Library, which: Sequence[int],
         tried = [_beside(whole, at + i, library, k, least) for i, k in enumerate(chosen)]
         leaving = [i for i, one in enumerate(tried) if not _stays(start, one)]
         if not leaving:
-            joints = {one.candidate.joint for one in tried}
+            # Rotors alone are no drives: what links are heavier would pass for them.
+            joints = {one.candidate.joint for one in tried if one.candidate.definition.dissipative}
             alone = len(moving) == 1 and len(tried) > 1  # a drive on its own
             if len(joints) < max(2, COMMON_JOINTS * len(moving)) and not alone:
                 break

@@ -7,15 +7,20 @@ anything else (:mod:`robodyn.identify.contact`), and their windows are left out.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from robodyn.diagnose.result import Estimate, Finding
-from robodyn.diagnose.select.limits import CONTACT_CONFIDENCE
+from robodyn.diagnose.select.limits import CONTACT_CONFIDENCE, CONTACT_LOUD
 from robodyn.effects.rigid import CONTACT
 from robodyn.gate.gate import Gate
 from robodyn.identify.contact.contact import Contact, contacts, without, without_windows
 from robodyn.robot.model import Robot
+
+Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +50,30 @@ def without_contacts(
         touched += [Touched(one, digest) for one in news]
         kept.append(without(gate, news))
     return kept, tuple(touched)
+
+
+def standing(
+    touched: Sequence[Touched], logs: Mapping[str, Gate], left: Callable[[Gate], Floats]
+) -> tuple[Touched, ...]:
+    """The contacts in whose windows the model that was found leaves [K, n] clearly more than elsewhere: what
+    an effect explains that was named since is no contact. ``logs`` by what each contact says of its own."""
+    kept = []
+    for one in touched:
+        gate = logs[one.log]
+        inside = _within(gate, one.contact)
+        beyond = ~np.any([_within(gate, each.contact) for each in touched if each.log == one.log], axis=0)
+        rest = left(gate)
+        if not inside.any() or not beyond.any():
+            kept.append(one)
+            continue
+        loud, usual = (np.sqrt(np.mean(rest[rows] ** 2, axis=0)) for rows in (inside, beyond))
+        if np.any(loud > CONTACT_LOUD * usual):
+            kept.append(one)
+    return tuple(kept)
+
+
+def _within(gate: Gate, contact: Contact) -> NDArray[np.bool_]:
+    return np.asarray((gate.log.t >= contact.start) & (gate.log.t <= contact.end))
 
 
 def contact_findings(touched: Sequence[Touched]) -> tuple[Finding, ...]:

@@ -124,6 +124,9 @@ MOST_KINDS: Final = 8
 
 # --- contact --------------------
 
+CONTACT_LOUD: Final = 2.0
+"""[ratio of RMS] In its window a contact leaves more than this at some joint, beside the rest of the log."""
+
 CONTACT_CONFIDENCE: Final = 0.9
 """[probability] That of a contact that was found (docs/diagnose.md)."""
 
