@@ -122,7 +122,7 @@ def _lengths(model: Model) -> list[float]:
     lengths = []
     for k, link in enumerate(links):
         ahead = links[k + 1].joint if k + 1 < len(links) else None
-        numbers = [*link.com, *([ahead.a, ahead.d] if ahead is not None else [])]
+        numbers = [*link.com, *([ahead.a, ahead.b, ahead.d] if ahead is not None else [])]
         sizes = [abs(float(x)) for x in numbers if isinstance(x, Fraction)]
         lengths.append(max(sizes, default=0.0))
     longest = max(*lengths, 1e-3)
