@@ -46,14 +46,14 @@ def wrongs(rows: Sequence[Row]) -> str:
             f"{effect}@{joint or 'all'} {confidence:.2f}" + (f" or {'/'.join(rivals)}" if rivals else "")
             for effect, joint, confidence, rivals, _ in row.get("findings", ())
         ]
-        said = row.get("error") or f"{row.get('verdict', '')}: {'; '.join(claims) or 'nothing'}"
+        answer = row.get("error") or f"{row.get('verdict', '')}: {'; '.join(claims) or 'nothing'}"
         if "floor_ratio" in row:
-            said += f"; left in noise floors {row['floor_ratio']}"
+            answer += f"; left in noise floors {row['floor_ratio']}"
         if "truth_ratio" in row:
-            said += f", the true arm {row['truth_ratio']}"
+            answer += f", the true arm {row['truth_ratio']}"
         if "masses" in row:
-            said += f"; masses off by {row['masses']}"
-        lines.append(f"{row['status']:7s} {row['key']}: {said}")
+            answer += f"; masses off by {row['masses']}"
+        lines.append(f"{row['status']:7s} {row['key']}: {answer}")
     return "\n".join(sorted(lines))
 
 

@@ -71,7 +71,9 @@ def refit(
     amended = apply_amendments(robot, kept)
     loose = {joint for _, joint in rigid}
     links = tuple(
-        _stated(link, 1.0 if j in loose else unstated) for j, link in enumerate(amended.robot.links, 1)
+        # What is said of a link that was named wrong does not hold.
+        replace(link, confidence="unknown") if j in loose else _stated(link, unstated)
+        for j, link in enumerate(amended.robot.links, 1)
     )
     joints: dict[str, set[int]] = {}
     for one in kept:
@@ -133,8 +135,13 @@ def renumbered(
     if not _explains_more(left, done.robot, own.robot):
         return best
     if may_load and (unstated is not None or (everywhere and any(x.confidence is None for x in robot.links))):
-        guessed = own if unstated else refit(robot, amendments, gates, unstated=1.0, everywhere=everywhere)
-        load = _load_instead(robot, amendments, gates, left, guessed, everywhere=everywhere)
+        guessed, lean = (
+            own
+            if unstated == share
+            else refit(robot, amendments, gates, unstated=share, everywhere=everywhere)
+            for share in (unstated or 1.0, None)
+        )
+        load = _load_instead(robot, amendments, gates, left, guessed, lean, everywhere=everywhere)
         if load is not None:
             own, more = load
             findings = [*findings, more]
@@ -148,15 +155,15 @@ def _load_instead(
     gates: Sequence[Gate],
     left: Callable[[Robot], tuple[Floats, Floats]],
     guessed: Refit,
+    lean: Refit,
     *,
     everywhere: bool,
 ) -> tuple[Refit, Finding] | None:
     """A load in place of numbers that are all ``guessed``, if with it and numbers that are nearly right as
-    much is explained: one body is simpler."""
+    much is explained: one body is simpler. ``lean``: with such numbers and no load."""
     body = next(each for each in CATALOGUE.values() if each.traits.body)
     if any(one.effect == body.id for one in amendments):
         return None
-    lean = refit(robot, amendments, gates, unstated=None, everywhere=everywhere)
     loaded = refit(
         robot, [*amendments, Amendment(body.id, None, {})], gates, unstated=None, everywhere=everywhere
     )

@@ -192,10 +192,6 @@ LINK_WRONG: Final = 3.0
 """[shares] Numbers of a link that is not as described are about so many times as large as it says, or its
 neighbours' (a prior, for most motions do not see all of them)."""
 
-LIGHTEST: Final = 0.2
-"""[share of the heaviest, the longest] A link counts as at least so heavy and so long, where the size of an
-error is concerned."""
-
 LOAD_SHARE: Final = 1.0
 """[share of the arm's mass] A load is about as heavy (a prior),"""
 

@@ -85,8 +85,10 @@ def _is_better(
     robot: Robot, findings: Mapping[Key, Detected], more: Mapping[Key, Detected], first: Selection
 ) -> bool:
     """Whether ``more`` explains more of the logs than ``findings``, by as much as its numbers are worth."""
-    if not findings or set(more) == set(findings):
-        return set(more) != set(findings)
+    if set(more) == set(findings):
+        return False
+    if not findings:
+        return True
     added = [one for key, one in more.items() if key not in findings]
     before, after = costs(robot, [_amendments(findings), _amendments(more)], first.contexts, first.start)
     worth = sum(evidence_threshold(first.start, numbers_of(one.named.trial)) for one in added)
