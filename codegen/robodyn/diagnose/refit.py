@@ -194,19 +194,23 @@ def amendment(f: Finding) -> Amendment:
 
 
 def with_known_errors(finding: Finding) -> Finding:
-    """The finding without errors of sizes that are not known to better than half of themselves: nothing can
-    be said of them."""
+    """The finding without errors of sizes that are not known to better than half of themselves: of these the
+    logs tell a bound, and no more."""
     sizes = {p.name for p in CATALOGUE[finding.effect].parameters if p.sign != "any"}
-    parameters = {
-        name: replace(one, stderr=None)
-        if name in sizes
-        and isinstance(one.value, float)
-        and one.stderr is not None
-        and one.stderr > MOST_VAGUE * abs(one.value)
-        else one
-        for name, one in finding.parameters.items()
-    }
-    return replace(finding, parameters=parameters)
+    return replace(
+        finding,
+        parameters={
+            name: _bounded(one) if name in sizes else one for name, one in finding.parameters.items()
+        },
+    )
+
+
+def _bounded(size: Estimate) -> Estimate:
+    """A size; without its error, and with the bounds that are left, where that is too vague."""
+    if isinstance(size.value, str) or size.stderr is None or size.stderr <= MOST_VAGUE * abs(size.value):
+        return size
+    low, high = size.interval or (None, None)
+    return replace(size, stderr=None, bounds=(low if low is not None and low > 0 else None, high))
 
 
 def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:

@@ -194,7 +194,9 @@ def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:
     entry = CATALOGUE[candidate.effect]
     revolute = candidate.joint is None or robot.links[candidate.joint - 1].joint.kind == "revolute"
     parameters = {
-        name: Estimate(value, one.errors.get(name), _unit(candidate.effect, name, revolute))
+        name: Estimate(
+            value, one.errors.get(name), _unit(candidate.effect, name, revolute), one.bounds.get(name)
+        )
         for name, value in one.parameters.items()
     }
     j = max(candidate.rows, key=lambda row: one.before[row])
