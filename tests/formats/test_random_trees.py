@@ -6,9 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from robodyn_testing import require_module, sampled
-from robodyn_testing.chains import PinocchioArm, WorldDynamics
-from robodyn_testing.random_trees import random_urdf
 
 from robodyn.formats.elements import parse
 from robodyn.formats.positions import Positions
@@ -16,6 +13,9 @@ from robodyn.formats.serial import serial_chain
 from robodyn.formats.topology import Topology
 from robodyn.formats.tree import MOVING
 from robodyn.formats.urdf import read_tree
+from robodyn_testing import require_module, sampled
+from robodyn_testing.chains import PinocchioArm, WorldDynamics
+from robodyn_testing.random_trees import random_urdf
 
 
 @pytest.mark.parametrize("seed", sampled(range(500), every=25))

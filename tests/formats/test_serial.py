@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import pytest
-from robodyn_testing.urdf_text import GRIPPER, joint, link, robot
 
 from robodyn.errors import InputError
 from robodyn.formats.chain import Pose
@@ -13,6 +13,7 @@ from robodyn.formats.elements import parse
 from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.tree import Tree
 from robodyn.formats.urdf import read_tree
+from robodyn_testing.urdf_text import GRIPPER, joint, link, robot
 
 
 def tree(text: str) -> Tree:
@@ -197,8 +198,8 @@ def test_what_sits_in_a_joint_arrives() -> None:
     assert (only.viscous, only.coulomb) == (0.5, 0.25)
     assert only.gear is not None
     assert only.gear.ratio == 120
-    assert only.limits.position == (-2.5, 2.5)
-    assert float(only.limits.velocity or 0) == 3.14
+    assert only.limits.position == (Fraction("-2.5"), Fraction("2.5"))
+    assert only.limits.velocity == Fraction("3.14")
     assert only.limits.torque is None
     assert serial.remarks == ("no limit of torque: 0: j",)
     assert [part.what for part in tree(text).unused] == ["signs of reductions"]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from robodyn_testing.urdf_text import joint, link, robot
 
 from robodyn.errors import InputError
 from robodyn.formats.elements import parse
 from robodyn.formats.tree import Tree
 from robodyn.formats.urdf import read_tree
+from robodyn_testing.urdf_text import joint, link, robot
 
 
 def tree(text: str) -> Tree:
@@ -104,5 +104,7 @@ def test_errors_say_where_and_what(old: str, new: str, words: str) -> None:
 
 
 def test_macros_in_urdf_are_no_links() -> None:
-    with pytest.raises(InputError, match="the robot has no links; .*; this is a xacro file: name it .xacro"):
+    with pytest.raises(
+        InputError, match=r"the robot has no links; .*; this is a xacro file: name it \.xacro"
+    ):
         tree('<robot name="arm"><xacro:arm/></robot>')
