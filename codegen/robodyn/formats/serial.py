@@ -67,14 +67,14 @@ def serial_chain(
     frames = _Frames(topology, positions, start, moving)
     _check_loops(tree, frames)
     joints: list[ChainJoint] = []
-    doubts: dict[str, list[str]] = {}
+    left_out: dict[str, list[str]] = {}
     for index, joint in enumerate(moving, 1):
         converted, unlike = joint_of(joint)
-        for doubt in unlike:
-            doubts.setdefault(doubt, []).append(joint.name)
+        for remark in unlike:
+            left_out.setdefault(remark, []).append(joint.name)
         pose = composed(frames.pose[joint.parent], composed(joint.origin, motion(joint, 0.0)))
         joints.append(replace(converted, pose=pose, body=frames.body(index)))
-    remarks += [f"{doubt}: {names(of, NAMES_SHOWN)}" for doubt, of in doubts.items()]
+    remarks += [f"{remark}: {names(of, NAMES_SHOWN)}" for remark, of in left_out.items()]
     remarks += frames.massless()
     remarks += positions.remarks(frames.carrier, {joint.name for joint in moving})
     pose = Pose()
