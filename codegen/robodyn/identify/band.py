@@ -1,11 +1,11 @@
 """Through which filter a log's motion is seen where models are set beside raw torques.
 
-Too low a cutoff smooths what accelerations do at reversals, too high a one carries the encoders' noise through
-two derivatives and the arm's inertias (rotors that no description has included) into the model's torque. Both
-are errors of the same torque: what plain least squares leave of it is least where their sum is. Nothing needs
-to be believed of how noisy signals are, which those that were smoothed before they were logged do not say.
-The same figure tells whether steps of dry friction are to go through the filter: under stiff control the
-torque has them, under soft control the acceleration.
+Too low a cutoff smooths what accelerations do at reversals, too high a one carries the encoders' noise
+through two derivatives and the arm's inertias (rotors that no description has included) into the model's
+torque. Both are errors of the same torque: what plain least squares leave of it is least where their sum is.
+Nothing needs to be believed of how noisy signals are, which those that were smoothed before they were logged
+do not say. The same figure tells whether steps of dry friction are to go through the filter: under stiff
+control the torque has them, under soft control the acceleration.
 """
 
 from __future__ import annotations

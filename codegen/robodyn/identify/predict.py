@@ -102,10 +102,10 @@ def model_torque(
 def blurred_torque(
     robot: Robot, t: Floats, q: Floats, qd: Floats, qdd: Floats, tau: Floats, cutoff: float
 ) -> Floats:
-    """As :func:`model_torque` of positions that were low-passed at ``cutoff`` [Hz], with dry friction low-passed
-    as well. A joint under soft control turns round with a steady torque: its friction jumps, and its
-    acceleration by as much the other way. Of a filtered acceleration and a friction that jumps a burst would
-    be left that the torque does not have."""
+    """As :func:`model_torque` of positions that were low-passed at ``cutoff`` [Hz], with dry friction
+    low-passed as well. A joint under soft control turns round with a steady torque: its friction jumps, and
+    its acceleration by as much the other way. Of a filtered acceleration and a friction that jumps a burst
+    would be left that the torque does not have."""
     period = float(t[1] - t[0])
 
     def seen(x: Floats) -> Floats:

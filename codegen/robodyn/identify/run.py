@@ -142,9 +142,10 @@ def identify(
     new = rewritten(old, robot, outcome.robot, outcome.origins, _notes(robot, outcome, hashes[: len(logs)]))
     every = [*gates, *([] if seen is None else [seen])]
     banded = with_cutoff(robot, fit.layout, every, fit.plain)
+    validation = None if seen is None else banded[-1]
     return Identification(
         robot, outcome.robot, new, outcome.parameters, outcome.not_identifiable,
-        _residual(fit, banded[: len(gates)], None if seen is None else banded[-1]), fit.condition, seen is None,
+        _residual(fit, banded[: len(gates)], validation), fit.condition, seen is None,
         tuple(str(flag) for gate in every for flag in gate.flags), remarks(fit, outcome, gates),
         tuple(
             {"name": labels[k], "sha256": hashes[k] if k < len(hashes) else ""} for k in range(len(every))
