@@ -33,7 +33,7 @@ def soft(bits: int = 20, seconds: float = 12.0) -> Log:
     """The turntable under a torque without jumps, at 1 kHz: where it turns round, its acceleration jumps."""
     rng = np.random.default_rng(4)
     fine, step = 4, 2.5e-4
-    t = step * np.arange(round(seconds / step))
+    t = np.linspace(0.0, seconds, round(seconds / step), endpoint=False)
     tau = sum(4.0 * np.sin(w * t + p) for w, p in zip((3.1, 5.3, 9.7), rng.uniform(0, 6, 3), strict=True))
     q, v, places = 0.0, 0.0, np.empty(len(t))
     for k, torque in enumerate(tau.tolist()):
@@ -81,7 +81,7 @@ def test_noise_of_coarse_encoders_is_kept_out() -> None:
 
 def test_what_moves_fast_is_let_through() -> None:
     """A motion up to 20 Hz, with encoders that can tell it."""
-    t = np.arange(6000) * 1e-3
+    t = np.linspace(0.0, 6.0, 6000, endpoint=False)
     q = 0.3 * np.sin(9 * t) + 1e-3 * np.sin(2 * np.pi * 20 * t)
     qd, qdd = np.gradient(q, t), np.gradient(np.gradient(q, t), t)
     tau = INERTIA * qdd + VISCOUS * qd + NOISE * np.random.default_rng(1).standard_normal(len(t))

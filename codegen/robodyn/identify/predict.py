@@ -118,7 +118,7 @@ def blurred_torque(
         return measured_torque(torque, t, robot.effects)
     filtered, sharp = (one.evaluate(turned, qd, qdd) for one in (model, Model(robot)))
     kernel = kernel_of(robot)
-    more = {"dt": period} if kernel.signatures["inverse_dynamics"].states else {}
+    more: dict[str, Any] = {"dt": period} if kernel.signatures["inverse_dynamics"].states else {}
     whole = kernel.inverse_dynamics(turned, qd, qdd, **more)
     torque = whole + filtered.total - sharp.total
     torque[:, remembering] = (sharp.rigid + seen(whole - sharp.rigid))[:, remembering]
