@@ -42,3 +42,13 @@ NAMES_SHOWN: int = 40
 
 DEGREES: float = 40.0
 """[rad] Limits beyond six turns that are multiples of 5 were probably meant as degrees."""
+
+SAME_INERTIA: float = 1e-9
+"""[share of the largest entry] Tensors that differ by no more are the same but for rounding."""
+
+PLACEHOLDER: float = 1.0
+"""[kg, kg m^2] Mass and moments of a body that has none without its meshes, so that MuJoCo compiles it; the
+tree has none for it."""
+
+ROUNDING: float = 1e-15
+"""[entry of a rotation] An entry this near to 0 or +-1 is that: what is left is the rounding of cosines."""
