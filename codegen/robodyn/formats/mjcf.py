@@ -220,5 +220,5 @@ def pose(xyz: Any, wxyz: Any) -> Pose:
 
 def vector(numbers: Any) -> Vector:
     """Three numbers of a compiled model."""
-    x, y, z = (float(number) for number in numbers)
+    x, y, z = (float(entry) for entry in numbers)
     return (x, y, z)
