@@ -62,3 +62,13 @@ offset is longer than twice the reach."""
 
 NEAR_RIGHT_ANGLE: float = 1e-4
 """[rad] An angle this near to a multiple of pi/2 was probably meant to be it, and written with few digits."""
+
+SAME_INERTIA: float = 1e-9
+"""[share of the largest entry] Tensors that differ by no more are the same but for rounding."""
+
+PLACEHOLDER: float = 1.0
+"""[kg, kg m^2] Mass and moments of a body that has none without its meshes, so that MuJoCo compiles it; the
+tree has none for it."""
+
+ROUNDING: float = 1e-15
+"""[entry of a rotation] An entry this near to 0 or +-1 is that: what is left is the rounding of cosines."""
