@@ -43,6 +43,26 @@ NAMES_SHOWN: int = 40
 DEGREES: float = 40.0
 """[rad] Limits beyond six turns that are multiples of 5 were probably meant as degrees."""
 
+NOTHING: float = 1e-12
+"""[share] Beside the arm's reach (of a tensor: its trace) a smaller number is 0."""
+
+NOISE: float = 1e-15
+"""[share] So much of the arm's reach sums of rounded numbers may be off: a decimal this near is meant."""
+
+DECIMALS: int = 12
+"""[decimal places] Of a decimal that is meant."""
+
+SLIDE: float = 0.25
+"""[share of the reach] Of axes that are nearly parallel, the common normal may lie far away: no frame's
+origin slides further along its axis to it."""
+
+STEEP: float = 0.5
+"""[sine of the angle] Axes that are less parallel always have their frames at the common normal; then no
+offset is longer than twice the reach."""
+
+NEAR_RIGHT_ANGLE: float = 1e-4
+"""[rad] An angle this near to a multiple of pi/2 was probably meant to be it, and written with few digits."""
+
 SAME_INERTIA: float = 1e-9
 """[share of the largest entry] Tensors that differ by no more are the same but for rounding."""
 
