@@ -47,7 +47,7 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
         try:
             data = process.stdout.read(FILE_MIB * MIB + 1)
             process.stdout.close()
-            said = process.stderr.read(4096).decode("utf-8", "replace")
+            stderr = process.stderr.read(4096).decode("utf-8", "replace")
             process.wait(timeout=XACRO_SECONDS)
         finally:
             process.kill()
@@ -55,7 +55,7 @@ def expanded(path: Path, arguments: Mapping[str, str] | None = None) -> elements
         raise _refused(name, f"more than {FILE_MIB} MiB")
     if process.returncode:
         late = process.returncode < 0
-        raise _refused(name, f"more than {XACRO_SECONDS} s or {XACRO_MEMORY} MiB" if late else said)
+        raise _refused(name, f"more than {XACRO_SECONDS} s or {XACRO_MEMORY} MiB" if late else stderr)
     return elements.parse(data, f"{name} (expanded)", "xacro that expands to URDF")
 
 
