@@ -72,7 +72,7 @@ def command(
     force: bool,
     as_json: bool,
 ) -> None:
-    """Import a serial arm from URDF, MJCF, SDF or xacro as a YAML description.
+    """Import a serial arm from URDF, MJCF, SDF or xacro as a description.
 
     Fixed joints are merged. Links beside the chain are locked, at 0 or as --lock says, and lumped into the
     links that carry them. Torques and poses are those of the file, in its joint coordinates. What the file
