@@ -59,3 +59,9 @@ tree has none for it."""
 
 ROUNDING: float = 1e-15
 """[entry of a rotation] An entry this near to 0 or +-1 is that: what is left is the rounding of cosines."""
+
+XACRO_SECONDS: int = 20
+"""[s] Processor time that a xacro file may take; large robots take 2."""
+
+XACRO_MEMORY: int = 1024
+"""[MiB] Memory that the expansion of a xacro file may take, the interpreter in it."""

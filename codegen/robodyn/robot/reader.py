@@ -30,7 +30,8 @@ class DoubtfulRobot(UserWarning):
     """Numbers of a robot that physics hardly allows; see ``strict``."""
 
 
-def _warn(text: str) -> None:
+def doubtful(text: str) -> None:
+    """Make ``text`` a :class:`DoubtfulRobot` warning."""
     warnings.warn(text, DoubtfulRobot, stacklevel=2)
 
 
@@ -44,7 +45,7 @@ def read_text(text: str, file: str = "<text>", *, strict: bool = False, warn: Wa
     ------
     InputError: the text is not a robot description; message and place say why.
     """
-    source = Source(file, strict, warn or _warn)
+    source = Source(file, strict, warn or doubtful)
     return _robot(Section(source, "", compose(text, file), ROBOT))
 
 
