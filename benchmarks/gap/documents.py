@@ -43,7 +43,7 @@ def shown(text: str, mark: str) -> str:
 
 def main() -> int:
     """Writes all tables whose results are there."""
-    for document, mark, results, made in tables():
+    for document, mark, results, rendered in tables():
         path = ROOT / document
         text = path.read_text(encoding="utf-8")
         if not (RESULTS / results).is_file():
@@ -52,7 +52,7 @@ def main() -> int:
         figures = json.loads((RESULTS / results).read_text(encoding="utf-8"))
         head, start, rest = text.partition(f"<!-- {mark} -->\n")
         _, end, tail = rest.partition("<!-- end -->")
-        path.write_text(f"{head}{start}{made(figures).strip()}\n{end}{tail}", encoding="utf-8")
+        path.write_text(f"{head}{start}{rendered(figures).strip()}\n{end}{tail}", encoding="utf-8")
     return 0
 
 

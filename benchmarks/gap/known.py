@@ -37,7 +37,7 @@ _SPEED = 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class Answer:
     """What a run said: ``diagnosis.json`` and the folder where the amended model is."""
 
     diagnosis: Mapping[str, Any]
@@ -58,7 +58,7 @@ class Fact:
     """Something known, in words; ``judge`` says what was said, and whether it agrees."""
 
     words: str
-    judge: Callable[[Said], tuple[str, bool]]
+    judge: Callable[[Answer], tuple[str, bool]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,69 +70,69 @@ class Run:
     facts: tuple[Fact, ...]
 
 
-def kinds(said: Said) -> tuple[str, bool]:
+def kinds(answer: Answer) -> tuple[str, bool]:
     """How many kinds of names there are."""
-    names = {f["effect"] for f in said.claims}
+    names = {f["effect"] for f in answer.claims}
     return ", ".join(sorted(names)) or "none", len(names) <= MOST_KINDS
 
 
-def certain(said: Said) -> tuple[str, bool]:
+def certain(answer: Answer) -> tuple[str, bool]:
     """Claims with a number that is hardly known."""
     vague = [
         f"{f['effect']}@{f['joint'] or 'all'} {name}"
-        for f in said.claims
+        for f in answer.claims
         for name, p in f["parameters"].items()
         if isinstance(p["value"], (int, float)) and p["stderr"] and p["stderr"] > MOST_ERROR * abs(p["value"])
     ]
     return ", ".join(vague) or "none", not vague
 
 
-def claimed(joint: int | None, *effects: str) -> Callable[[Said], tuple[str, bool]]:
+def claimed(joint: int | None, *effects: str) -> Callable[[Answer], tuple[str, bool]]:
     """One of the effects is claimed, at that joint where one is stated."""
 
-    def judge(said: Said) -> tuple[str, bool]:
-        there = [f for f in said.of(*effects) if joint is None or f["joint"] == joint]
+    def judge(answer: Answer) -> tuple[str, bool]:
+        there = [f for f in answer.of(*effects) if joint is None or f["joint"] == joint]
         return ", ".join(f"{f['effect']}@{f['joint'] or 'all'}" for f in there) or "not claimed", bool(there)
 
     return judge
 
 
-def silent(*effects: str) -> Callable[[Said], tuple[str, bool]]:
+def silent(*effects: str) -> Callable[[Answer], tuple[str, bool]]:
     """None of the effects is claimed."""
 
-    def judge(said: Said) -> tuple[str, bool]:
-        there = said.of(*effects)
+    def judge(answer: Answer) -> tuple[str, bool]:
+        there = answer.of(*effects)
         return ", ".join(f"{f['effect']}@{f['joint'] or 'all'}" for f in there) or "not claimed", not there
 
     return judge
 
 
-def flagged(*words: str) -> Callable[[Said], tuple[str, bool]]:
+def flagged(*words: str) -> Callable[[Answer], tuple[str, bool]]:
     """A flag of the data check has one of the words."""
 
-    def judge(said: Said) -> tuple[str, bool]:
-        there = [flag for flag in said.diagnosis["flags"] if any(word in flag for word in words)]
+    def judge(answer: Answer) -> tuple[str, bool]:
+        there = [flag for flag in answer.diagnosis["flags"] if any(word in flag for word in words)]
         return (there[0] if there else "no flag"), bool(there)
 
     return judge
 
 
-def mass(wanted: float) -> Callable[[Said], tuple[str, bool]]:
+def mass(wanted: float) -> Callable[[Answer], tuple[str, bool]]:
     """A payload of that mass [kg], to 10 %."""
 
-    def judge(said: Said) -> tuple[str, bool]:
-        masses = [f["parameters"]["mass"]["value"] for f in said.of("payload")]
+    def judge(answer: Answer) -> tuple[str, bool]:
+        masses = [f["parameters"]["mass"]["value"] for f in answer.of("payload")]
         text = ", ".join(f"{x:.4g} kg" for x in masses) or "no payload"
         return text, len(masses) == 1 and abs(masses[0] / wanted - 1) <= 0.1
 
     return judge
 
 
-def stiffness(wanted: Mapping[int, float], *, needed: bool) -> Callable[[Said], tuple[str, bool]]:
+def stiffness(wanted: Mapping[int, float], *, needed: bool) -> Callable[[Answer], tuple[str, bool]]:
     """Stiffness [N m/rad] of joints, to 25 %; where it is not ``needed``, at least no other."""
 
-    def judge(said: Said) -> tuple[str, bool]:
-        found = {f["joint"]: f["parameters"]["stiffness"]["value"] for f in said.of("joint_elasticity")}
+    def judge(answer: Answer) -> tuple[str, bool]:
+        found = {f["joint"]: f["parameters"]["stiffness"]["value"] for f in answer.of("joint_elasticity")}
         near = [j for j, k in wanted.items() if j in found and abs(found[j] / k - 1) <= 0.25]
         text = ", ".join(f"{j}: {k / 1e6:.3g} MN m/rad" for j, k in sorted(found.items())) or "not claimed"
         return text, len(near) == (len(wanted) if needed else len(set(found) & set(wanted)))
@@ -140,12 +140,12 @@ def stiffness(wanted: Mapping[int, float], *, needed: bool) -> Callable[[Said], 
     return judge
 
 
-def jumps(wanted: Mapping[int, float], share: float | None) -> Callable[[Said], tuple[str, bool]]:
+def jumps(wanted: Mapping[int, float], share: float | None) -> Callable[[Answer], tuple[str, bool]]:
     """Half the jump of torque [N m] at zero velocity, to a share of what is published; None: it is there at
     all, with a fifth of it at least."""
 
-    def judge(said: Said) -> tuple[str, bool]:
-        levels = half_jumps(said.folder / "model.yaml")
+    def judge(answer: Answer) -> tuple[str, bool]:
+        levels = half_jumps(answer.folder / "model.yaml")
         text = ", ".join(f"{j}: {levels[j - 1]:.3g}" for j in wanted)
         if share is None:
             return text, all(levels[j - 1] >= 0.2 * level for j, level in wanted.items())
@@ -263,12 +263,14 @@ def carried_out(run: Run) -> dict[str, Any]:
                 "error": str(error),
                 "facts": [[fact.words, "the run failed", False] for fact in run.facts],
             }
-        said = Said(json.loads((Path(folder) / "diagnosis.json").read_text(encoding="utf-8")), Path(folder))
-        facts = [[fact.words, *fact.judge(said)] for fact in run.facts]
-    claims = [[f["effect"], f["joint"]] for f in said.claims]
+        answer = Answer(
+            json.loads((Path(folder) / "diagnosis.json").read_text(encoding="utf-8")), Path(folder)
+        )
+        facts = [[fact.words, *fact.judge(answer)] for fact in run.facts]
+    claims = [[f["effect"], f["joint"]] for f in answer.claims]
     return {
         "facts": facts,
-        "verdict": said.diagnosis["verdict"],
+        "verdict": answer.diagnosis["verdict"],
         "claims": claims,
         "cpu": round(cpu, 1),
         "memory": round(memory),

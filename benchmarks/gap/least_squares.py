@@ -37,8 +37,8 @@ class Fit:
 def fit(robot: Robot, motions: Sequence[Motion]) -> Fit:
     """Weighted least squares on the fitted samples of ``motions``, three rounds."""
     model = pinocchio_model(robot)
-    kept = base_columns(model)
-    tables = [_columns(robot, regressor(model, m.q, m.qd, m.qdd)[:, :, kept], m) for m in motions]
+    independent = base_columns(model)
+    tables = [_columns(robot, regressor(model, m.q, m.qd, m.qdd)[:, :, independent], m) for m in motions]
     Y = np.concatenate([table[m.fitted] for table, m in zip(tables, motions, strict=True)])
     tau = np.concatenate([m.tau[m.fitted] for m in motions])
     weights = 1 / np.sqrt((tau**2).mean(axis=0))
@@ -47,7 +47,7 @@ def fit(robot: Robot, motions: Sequence[Motion]) -> Fit:
         x = _solved((Y * weights[:, None]).reshape(-1, Y.shape[2]), (tau * weights).ravel())
         weights = 1 / np.sqrt(((tau - Y @ x) ** 2).mean(axis=0))
     residuals = tuple(m.tau - table @ x for table, m in zip(tables, motions, strict=True))
-    names = [f"base{k}" for k in kept] + list(_names(robot))
+    names = [f"base{k}" for k in independent] + list(_names(robot))
     return Fit(residuals, dict(zip(names, map(float, x), strict=True)))
 
 

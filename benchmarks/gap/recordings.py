@@ -103,9 +103,9 @@ def blocks(count: int) -> tuple[Mask, Mask]:
         split = start + int(FITTED * (end - start))
         fitted[start:split] = True
         held_out[split:end] = True
-    kept = np.zeros(count, dtype=bool)
-    kept[edge : count - edge] = True
-    return fitted & kept, held_out & kept
+    inner = np.zeros(count, dtype=bool)
+    inner[edge : count - edge] = True
+    return fitted & inner, held_out & inner
 
 
 def shares(residuals: Sequence[Floats], torques: Sequence[Floats]) -> Floats:

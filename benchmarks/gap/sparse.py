@@ -67,15 +67,15 @@ def _sparse(columns: Floats, tau: Floats) -> Floats:
     search = FROLS(max_iter=TERMS, unbias=False).fit(columns[~test][::every], tau[~test, None][::every])
     best = (np.inf, np.zeros(0, dtype=int))
     for coefficients in search.history_:
-        kept = np.flatnonzero(coefficients[0])
-        error = float(((tau - columns[:, kept] @ _fitted(columns, tau, kept, ~test))[test] ** 2).mean())
+        terms = np.flatnonzero(coefficients[0])
+        error = float(((tau - columns[:, terms] @ _fitted(columns, tau, terms, ~test))[test] ** 2).mean())
         if error < best[0]:
-            best = error, kept
+            best = error, terms
     x = np.zeros(columns.shape[1])
     x[best[1]] = _fitted(columns, tau, best[1], np.ones(len(tau), dtype=bool))
     return x
 
 
-def _fitted(columns: Floats, tau: Floats, kept: NDArray[np.int_], rows: Mask) -> Floats:
-    x, *_ = np.linalg.lstsq(columns[rows][:, kept], tau[rows], rcond=None)
+def _fitted(columns: Floats, tau: Floats, terms: NDArray[np.int_], rows: Mask) -> Floats:
+    x, *_ = np.linalg.lstsq(columns[rows][:, terms], tau[rows], rcond=None)
     return np.asarray(x, dtype=np.float64)

@@ -30,8 +30,8 @@ def split(path: Path, folder: Path, raster: float | None = None) -> tuple[Path, 
     paths = []
     for mask, what in zip(blocks(count), ("fitted", "held_out"), strict=True):
         target = folder / f"{path.stem}_{what}{path.suffix}"
-        kept = (row for row, at in zip(rows, place, strict=True) if mask[at])
-        target.write_text("".join([head, *kept]), encoding="utf-8")
+        chosen = (row for row, at in zip(rows, place, strict=True) if mask[at])
+        target.write_text("".join([head, *chosen]), encoding="utf-8")
         paths.append(target)
     return paths[0], paths[1]
 

@@ -114,8 +114,8 @@ def measured(words: Sequence[str]) -> tuple[float, float]:
     )
     code, cpu, memory = done.stdout.split()
     if code not in ("0", "4"):
-        said = done.stderr.strip().splitlines()
-        raise RuntimeError(f"exit code {code}: {said[-1] if said else ''}")
+        messages = done.stderr.strip().splitlines()
+        raise RuntimeError(f"exit code {code}: {messages[-1] if messages else ''}")
     return float(cpu), float(memory)
 
 

@@ -213,6 +213,7 @@ def test_without_compile_no_compiler_is_looked_for(capsys: Capture, monkeypatch:
     monkeypatch.setenv("FC", "/nonexistent")
     monkeypatch.setenv("PATH", "")
     gen(capsys, "stanford_3dof")
+    assert Path("generated/stanford_3dof/stanford_3dof.c").is_file()
 
 
 def test_no_name_is_no_folder(elsewhere: Path, capsys: Capture) -> None:

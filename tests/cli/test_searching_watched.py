@@ -90,12 +90,19 @@ def test_a_line_is_not_told_too_often(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_terminal_that_goes_away_stops_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     class Gone(Terminal):
+        attempts = 0
+
         def write(self, text: str) -> int:
+            self.attempts += 1
             raise OSError(5, "Input/output error")
 
-    monkeypatch.setattr(sys, "stderr", Gone())
+    monkeypatch.setattr(sys, "stderr", gone := Gone())
+    work = 0
     with progress.line() as line:
         line.tell("text")
+        work += 1
+    assert gone.attempts  # it was written to
+    assert work
 
 
 def test_a_search_tells_how_far_it_is_on_a_terminal(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:

@@ -15,7 +15,7 @@ require_module("pinocchio")
 
 from benchmarks.gap.known import (  # noqa: E402
     RUNS,
-    Said,
+    Answer,
     certain,
     claimed,
     flagged,
@@ -36,19 +36,19 @@ def claim(
     return {"effect": effect, "joint": joint, "confidence": confidence, "parameters": parameters}
 
 
-def said(*findings: dict[str, Any], flags: tuple[str, ...] = (), folder: Path = Path()) -> Said:
-    return Said({"findings": list(findings), "flags": list(flags)}, folder)
+def answer(*findings: dict[str, Any], flags: tuple[str, ...] = (), folder: Path = Path()) -> Answer:
+    return Answer({"findings": list(findings), "flags": list(flags)}, folder)
 
 
 def test_names() -> None:
-    one = said(claim("spring", 2), claim("payload", None, confidence=0.3))
+    one = answer(claim("spring", 2), claim("payload", None, confidence=0.3))
     assert claimed(2, "gas_spring", "spring")(one) == ("spring@2", True)
     assert claimed(3, "spring")(one) == ("not claimed", False)
     assert silent("payload")(one) == ("not claimed", True)
     assert silent("spring")(one) == ("spring@2", False)
     assert kinds(one) == ("spring", True)
-    assert not kinds(said(*(claim(f"e{k}", 1) for k in range(9))))[1]
-    assert flagged("late", "lag")(said(flags=("q1: fine", "qd1: late by 20 ms"))) == (
+    assert not kinds(answer(*(claim(f"e{k}", 1) for k in range(9))))[1]
+    assert flagged("late", "lag")(answer(flags=("q1: fine", "qd1: late by 20 ms"))) == (
         "qd1: late by 20 ms",
         True,
     )
@@ -56,20 +56,20 @@ def test_names() -> None:
 
 
 def test_numbers() -> None:
-    assert certain(said(claim("spring", 2, stiffness=(4.0, 1.0)))) == ("none", True)
-    assert certain(said(claim("spring", 2, stiffness=(4.0, 3.0)))) == ("spring@2 stiffness", False)
-    assert mass(150.0)(said(claim("payload", None, mass=(140.0, 1.0)))) == ("140 kg", True)
-    assert mass(150.0)(said(claim("payload", None, mass=(120.0, 1.0)))) == ("120 kg", False)
-    assert mass(150.0)(said()) == ("no payload", False)
+    assert certain(answer(claim("spring", 2, stiffness=(4.0, 1.0)))) == ("none", True)
+    assert certain(answer(claim("spring", 2, stiffness=(4.0, 3.0)))) == ("spring@2 stiffness", False)
+    assert mass(150.0)(answer(claim("payload", None, mass=(140.0, 1.0)))) == ("140 kg", True)
+    assert mass(150.0)(answer(claim("payload", None, mass=(120.0, 1.0)))) == ("120 kg", False)
+    assert mass(150.0)(answer()) == ("no payload", False)
 
 
 def test_stiffness() -> None:
-    soft = said(claim("joint_elasticity", 1, stiffness=(4e6, 1.0)))
-    wrong = said(claim("joint_elasticity", 1, stiffness=(1e6, 1.0)))
+    soft = answer(claim("joint_elasticity", 1, stiffness=(4e6, 1.0)))
+    wrong = answer(claim("joint_elasticity", 1, stiffness=(1e6, 1.0)))
     wanted = {1: 3.9e6, 2: 5.3e6}
     assert not stiffness(wanted, needed=True)(soft)[1]
     assert stiffness(wanted, needed=False)(soft)[1]
-    assert stiffness(wanted, needed=False)(said())[1]
+    assert stiffness(wanted, needed=False)(answer())[1]
     assert not stiffness(wanted, needed=False)(wrong)[1]
     assert stiffness({1: 3.9e6}, needed=True)(soft)[1]
 
@@ -88,7 +88,7 @@ def test_jumps_are_those_of_the_model_whatever_its_laws(tmp_path: Path) -> None:
         head + "".join(f"  - {link}{law}" for link, law in zip(links, laws, strict=True)), encoding="utf-8"
     )
     assert half_jumps(tmp_path / "model.yaml") == pytest.approx([3.0, 3.0, 5.0], rel=1e-3)
-    seen = said(folder=tmp_path)
+    seen = answer(folder=tmp_path)
     assert jumps({1: 3.5, 3: 4.5}, 0.3)(seen) == ("1: 3, 3: 5", True)
     assert not jumps({1: 5.0}, 0.3)(seen)[1]
     assert jumps({1: 10.0}, None)(seen)[1]

@@ -34,7 +34,7 @@ def motion(samples: int = 300, seed: int = 1) -> Log:
     return Log(t, q, qd, None, tau)
 
 
-def same(one: Log, other: Log) -> None:
+def assert_same(one: Log, other: Log) -> None:
     assert groups_of(one).keys() == groups_of(other).keys()
     for name, array in groups_of(one).items():
         assert array.tobytes() == groups_of(other)[name].tobytes(), name
@@ -49,7 +49,7 @@ def log() -> Log:
 def test_every_format_gives_the_same_arrays(kind: str, log: Log, tmp_path: Path) -> None:
     path = write(log, tmp_path, kind)
     mapping = map_of_text(JOINTS) if kind in (".mcap", ".db3") else None
-    same(read_log(path, 3, mapping=mapping), log)
+    assert_same(read_log(path, 3, mapping=mapping), log)
 
 
 @pytest.mark.parametrize("kind", FORMATS)
@@ -88,7 +88,7 @@ def test_the_gate_hands_on_the_same(kind: str, tmp_path: Path) -> None:
     mapping = map_of_text(JOINTS) if kind in (".mcap", ".db3") else None
     first = inspect(read_log(write(log, tmp_path, ".csv"), robot=robot), robot)
     other = inspect(read_log(write(log, tmp_path, kind), robot=robot, mapping=mapping), robot)
-    same(first.log, other.log)
+    assert_same(first.log, other.log)
     assert first.joints == other.joints
     assert first.flags == other.flags
 
@@ -115,17 +115,17 @@ def _of_robot() -> Log:
 def test_a_folder_and_its_file_alone_are_the_same(kind: str, packed: bool, log: Log, tmp_path: Path) -> None:
     path = bag(log, tmp_path / "bag", kind, packed=packed)
     mapping = map_of_text(JOINTS)
-    same(read_log(path, mapping=mapping), log)
-    same(read_log(path.parent, mapping=mapping), log)
+    assert_same(read_log(path, mapping=mapping), log)
+    assert_same(read_log(path.parent, mapping=mapping), log)
     (path.parent / "metadata.yaml").unlink()
-    same(read_log(path.parent, mapping=mapping), log)
+    assert_same(read_log(path.parent, mapping=mapping), log)
 
 
 @pytest.mark.parametrize("kind", [".mcap", ".db3"])
 def test_joints_go_by_their_names_in_every_message(kind: str, log: Log, tmp_path: Path) -> None:
     orders = [(0, 1, 2), (2, 1, 0), (1, 0, 2)]
     path = bag(log, tmp_path / "bag", kind, name_of=lambda k: orders[k % 7 % 3])
-    same(read_log(path, mapping=map_of_text(JOINTS)), log)
+    assert_same(read_log(path, mapping=map_of_text(JOINTS)), log)
 
 
 def test_messages_of_others_are_left_out(log: Log, tmp_path: Path) -> None:
@@ -140,7 +140,7 @@ def test_messages_of_others_are_left_out(log: Log, tmp_path: Path) -> None:
 
 def test_without_stamps_the_times_of_recording_hold(log: Log, tmp_path: Path) -> None:
     path = bag(log, tmp_path / "bag", ".db3", stamps=False)
-    same(read_log(path, mapping=map_of_text(JOINTS)), log)
+    assert_same(read_log(path, mapping=map_of_text(JOINTS)), log)
     stamped = bag(replace(log, t=log.t + 1.7e9), tmp_path / "dated", ".mcap")
     read = read_log(stamped, mapping=map_of_text(JOINTS + "t: received\n"))
     np.testing.assert_allclose(read.t, log.t, atol=3e-7)  # dates count from the first sample
@@ -195,7 +195,7 @@ def test_arrays_longer_than_any_is_wide(tmp_path: Path, monkeypatch: pytest.Monk
     log = motion(50)
     path = tmp_path / "log.npz"
     np.savez(path, t=log.t, q=log.q, tau=log.tau, image=np.zeros((50, 30)))
-    same(read_log(path), replace(log, qd=None))
+    assert_same(read_log(path), replace(log, qd=None))
 
 
 # --- several streams --------------------------------------------------------------------------------------

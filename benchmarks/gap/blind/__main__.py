@@ -1,6 +1,7 @@
 """Runs blind trials one after the other and adds a line of JSON for each to a file; what is there is kept.
 
-    python -m benchmarks.gap.blind KIND... -o results.jsonl [--arms a,b] [--seeds 1:3] [--most N] [--cache D]
+    python -m benchmarks.gap.blind KIND... -o results.jsonl [--arms a,b] [--effects a,b] [--seeds 1:3]
+                                   [--most N] [--cache D]
     python -m benchmarks.gap.blind --summary results.jsonl
     python -m benchmarks.gap.blind --publish results.jsonl
 
@@ -36,7 +37,7 @@ from robodyn.robot.model import EffectEntry, Joint, Link, Robot
 RESULTS = Path(__file__).parents[2] / "results" / "blind.json"
 
 
-def made(trial: Trial, cache: Path | None) -> Hidden:
+def logs_of(trial: Trial, cache: Path | None) -> Hidden:
     """The trial's logs, from the cache where they are in it."""
     if cache is None:
         return trial.make()
@@ -58,13 +59,13 @@ def made(trial: Trial, cache: Path | None) -> Hidden:
 def run(trial: Trial, cache: Path | None) -> dict[str, Any]:
     """One line of the results."""
     row: dict[str, Any] = {"key": trial.key, "kind": trial.kind, "arm": trial.arm, "seed": trial.seed}
-    hidden = made(trial, cache)
+    hidden = logs_of(trial, cache)
     start = time.process_time()
 
     def make(other: Trial) -> Hidden:
         nonlocal start
         before = time.process_time()
-        logs = hidden if other == trial else made(other, cache)
+        logs = hidden if other == trial else logs_of(other, cache)
         start += time.process_time() - before
         return logs
 
@@ -89,6 +90,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("kinds", nargs="*", choices=[[], *KINDS], metavar="KIND", help=", ".join(KINDS))
     parser.add_argument("-o", "--output", type=Path)
     parser.add_argument("--arms", default=",".join(ALL_ARMS))
+    parser.add_argument("--effects", help="ids of what is hidden; all that the kinds have if left out")
     parser.add_argument("--seeds", default="1:2", help="FIRST:END")
     parser.add_argument("--most", type=int, help="at most so many trials, drawn from all asked for")
     parser.add_argument("--cache", type=Path)
@@ -105,21 +107,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not options.output:
         parser.error("-o is missing")
     first, end = map(int, options.seeds.split(":"))
-    asked = [
+    selected = [
         t for kind in options.kinds for t in trials(kind, tuple(options.arms.split(",")), range(first, end))
     ]
-    random.Random(1).shuffle(asked)  # any first part is of all kinds and arms, and part of any longer one
+    if options.effects:
+        selected = [t for t in selected if t.effect in options.effects.split(",")]
+    random.Random(1).shuffle(selected)  # any first part is of all kinds and arms, and part of any longer one
     done = set()
     if options.output.is_file():
         done = {json.loads(line)["key"] for line in options.output.read_text().splitlines()}
-    for k, trial in enumerate(asked[: options.most]):
+    for k, trial in enumerate(selected[: options.most]):
         if trial.key in done:
             continue
         row = run(trial, options.cache)
         with options.output.open("a") as file:
             file.write(json.dumps(row) + "\n")
         print(
-            f"{k + 1}/{len(asked[: options.most])} {trial.key}: {row['status']}", file=sys.stderr, flush=True
+            f"{k + 1}/{len(selected[: options.most])} {trial.key}: {row['status']}",
+            file=sys.stderr,
+            flush=True,
         )
     return 0
 

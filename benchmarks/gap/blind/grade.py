@@ -17,9 +17,9 @@ from robodyn.robot.model import EffectEntry
 CLAIM = 0.5
 
 
-def graded(made: Hidden, diagnosis: Diagnosis) -> dict[str, Any]:
+def graded(trial: Hidden, diagnosis: Diagnosis) -> dict[str, Any]:
     """Verdict, claims, how right they are, the gap that is closed, and each number beside the true one."""
-    hidden = made.truth.effects
+    hidden = trial.truth.effects
     claims = [f for f in diagnosis.findings if f.confidence >= CLAIM]
     right = [(f, e) for f in claims for e in hidden if same(f, e)]
     return {
@@ -32,8 +32,8 @@ def graded(made: Hidden, diagnosis: Diagnosis) -> dict[str, Any]:
         ],
         "values": [value for f, e in right for value in values(f, e)],
         "contacts": [contact(f, e) for f, e in right if "start" in f.parameters],
-        "closed": closed(made, diagnosis),
-        "floor_ratio": (diagnosis.gap.validate_after / made.truth.noise).round(3).tolist(),
+        "closed": closed(trial, diagnosis),
+        "floor_ratio": (diagnosis.gap.validate_after / trial.truth.noise).round(3).tolist(),
     }
 
 
@@ -55,17 +55,17 @@ def status(hidden: Sequence[EffectEntry], claims: Sequence[Finding]) -> str:
 def _distinct(claims: Sequence[Finding]) -> list[Finding]:
     """Claims without those of the same push in further logs: each log has its own, at the same time."""
     logs: list[float | str] = []
-    kept = []
+    distinct = []
     for f in claims:
         log = f.parameters.get("log")
         if log is None:
-            kept.append(f)
+            distinct.append(f)
         elif log.value not in logs:
-            kept += [] if logs else [f]
+            distinct += [] if logs else [f]
             logs.append(log.value)
         else:
-            kept.append(f)
-    return kept
+            distinct.append(f)
+    return distinct
 
 
 def same(f: Finding, e: EffectEntry) -> bool:
@@ -106,7 +106,7 @@ def truths(e: EffectEntry) -> dict[str, float]:
 
 
 def values(f: Finding, e: EffectEntry) -> list[list[Any]]:
-    """[name, value, standard error, true value] of each number that has a true one."""
+    """[name, value, standard error, true value, ends of the interval] of each number that has a true one."""
     true = truths(e)
     rows: list[list[Any]] = []
     for name, p in f.parameters.items():
@@ -115,7 +115,9 @@ def values(f: Finding, e: EffectEntry) -> list[list[Any]]:
         wanted = true[name]
         if name == "phase":  # a whole turn apart is the same
             wanted += math.tau * round((p.value - wanted) / math.tau)
-        rows.append([f"{f.effect}.{name}", p.value, p.stderr, wanted])
+        rows.append(
+            [f"{f.effect}.{name}", p.value, p.stderr, wanted, *(p.bounds or p.interval or (None, None))]
+        )
     return rows
 
 
@@ -141,8 +143,8 @@ def contact(f: Finding, e: EffectEntry) -> dict[str, float]:
     }
 
 
-def closed(made: Hidden, diagnosis: Diagnosis) -> float | None:
+def closed(trial: Hidden, diagnosis: Diagnosis) -> float | None:
     """Share of the gap beyond the true noise that the model closes on the validation log; None where there is
     none."""
     gap = diagnosis.gap
-    return gap_closed(gap.validate_before, gap.validate_after, made.truth.noise)
+    return gap_closed(gap.validate_before, gap.validate_after, trial.truth.noise)

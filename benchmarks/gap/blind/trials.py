@@ -60,11 +60,11 @@ class Trial:
     def make(self) -> Hidden:
         """Its logs and its answer; the same for the same trial."""
         entries = [] if self.effect is None else [entry(self)]
-        made = hidden_log(
+        logs = hidden_log(
             self.arm, entries, seed=self.seed, noise_share=_NOISE, ratio=self.ratio if entries else None,
             encoder_bits=self.bits, friction=self.friction, motion=self.motion,
         )  # fmt: skip
-        return made._replace(given=model_of(self, made.given))
+        return logs._replace(given=model_of(self, logs.given))
 
 
 def entry(trial: Trial) -> EffectEntry:

@@ -71,7 +71,9 @@ def refit(
     amended = apply_amendments(robot, kept)
     loose = {joint for _, joint in rigid}
     links = tuple(
-        _stated(link, 1.0 if j in loose else unstated) for j, link in enumerate(amended.robot.links, 1)
+        # What is said of a link that was named wrong does not hold.
+        replace(link, confidence="unknown") if j in loose else _stated(link, unstated)
+        for j, link in enumerate(amended.robot.links, 1)
     )
     joints: dict[str, set[int]] = {}
     for one in kept:
@@ -133,8 +135,13 @@ def renumbered(
     if not _explains_more(left, done.robot, own.robot):
         return best
     if may_load and (unstated is not None or (everywhere and any(x.confidence is None for x in robot.links))):
-        guessed = own if unstated else refit(robot, amendments, gates, unstated=1.0, everywhere=everywhere)
-        load = _load_instead(robot, amendments, gates, left, guessed, everywhere=everywhere)
+        guessed, lean = (
+            own
+            if unstated == share
+            else refit(robot, amendments, gates, unstated=share, everywhere=everywhere)
+            for share in (unstated or 1.0, None)
+        )
+        load = _load_instead(robot, amendments, gates, left, guessed, lean, everywhere=everywhere)
         if load is not None:
             own, more = load
             findings = [*findings, more]
@@ -148,15 +155,15 @@ def _load_instead(
     gates: Sequence[Gate],
     left: Callable[[Robot], tuple[Floats, Floats]],
     guessed: Refit,
+    lean: Refit,
     *,
     everywhere: bool,
 ) -> tuple[Refit, Finding] | None:
     """A load in place of numbers that are all ``guessed``, if with it and numbers that are nearly right as
-    much is explained: one body is simpler."""
+    much is explained: one body is simpler. ``lean``: with such numbers and no load."""
     body = next(each for each in CATALOGUE.values() if each.traits.body)
     if any(one.effect == body.id for one in amendments):
         return None
-    lean = refit(robot, amendments, gates, unstated=None, everywhere=everywhere)
     loaded = refit(
         robot, [*amendments, Amendment(body.id, None, {})], gates, unstated=None, everywhere=everywhere
     )
@@ -187,19 +194,23 @@ def amendment(f: Finding) -> Amendment:
 
 
 def with_known_errors(finding: Finding) -> Finding:
-    """The finding without errors of sizes that are not known to better than half of themselves: nothing can
-    be said of them."""
+    """The finding without errors of sizes that are not known to better than half of themselves: of these the
+    logs tell a bound, and no more."""
     sizes = {p.name for p in CATALOGUE[finding.effect].parameters if p.sign != "any"}
-    parameters = {
-        name: replace(one, stderr=None)
-        if name in sizes
-        and isinstance(one.value, float)
-        and one.stderr is not None
-        and one.stderr > MOST_VAGUE * abs(one.value)
-        else one
-        for name, one in finding.parameters.items()
-    }
-    return replace(finding, parameters=parameters)
+    return replace(
+        finding,
+        parameters={
+            name: _bounded(one) if name in sizes else one for name, one in finding.parameters.items()
+        },
+    )
+
+
+def _bounded(size: Estimate) -> Estimate:
+    """A size; without its error, and with the bounds that are left, where that is too vague."""
+    if isinstance(size.value, str) or size.stderr is None or size.stderr <= MOST_VAGUE * abs(size.value):
+        return size
+    low, high = size.interval or (None, None)
+    return replace(size, stderr=None, bounds=(low if low is not None and low > 0 else None, high))
 
 
 def _with_estimates(finding: Finding, estimates: Mapping[str, Estimate]) -> Finding:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.diagnose.amend.amend import Amendment, apply_amendments, comments_of, difference
+from robodyn.diagnose.amend.amend import apply_amendments, comments_of, difference
 from robodyn.diagnose.evidence import (
     by_kind,
     doubtful,
@@ -21,19 +21,10 @@ from robodyn.diagnose.evidence import (
     why_not,
     windows,
 )
-from robodyn.diagnose.limits import (
-    COMMON_EXPLAINED,
-    CONFIRMED_SHARE,
-    DRAWN_POINTS,
-    END_SHARE,
-    FITTED_SAMPLES,
-    FITTED_WINDOWS,
-    LEAST_EXPLAINED,
-    STANDS_OUT_LEFT,
-    UNSEEN,
-    WITHDRAWN,
-)
+from robodyn.diagnose.judgement import Lacking, gap_of, holds, left_over, may_stand, rms, verdict_of, words_of
+from robodyn.diagnose.limits import DRAWN_POINTS, FITTED_SAMPLES, FITTED_WINDOWS, WITHDRAWN
 from robodyn.diagnose.refit import (
+    Renumbered,
     amendment,
     no_worse,
     refitted_places,
@@ -41,20 +32,20 @@ from robodyn.diagnose.refit import (
     share_allowed,
     with_known_errors,
 )
-from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Verdict
+from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
 from robodyn.diagnose.select.contact import contact_findings, standing, without_contacts
 from robodyn.diagnose.select.encoders import elastic_findings
 from robodyn.diagnose.select.forward import Named
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.scope import scope_of
 from robodyn.diagnose.select.search import Detected, search
-from robodyn.diagnose.select.selection import Selection, what_matters
+from robodyn.diagnose.select.selection import what_matters
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
-from robodyn.identify.predict import agreement, lacking, signals_seen
+from robodyn.identify.predict import agreement, signals_seen
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log, read_log
-from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
 from robodyn.robot.rewriting import rewritten
 
@@ -103,50 +94,51 @@ def diagnose(
         inspect(_log(log, n), robot, source=_name(names, k), most=share, windows=FITTED_WINDOWS)
         for k, log in enumerate([*logs, *([] if validate is None else [validate])])
     ]
-    whole = list(dict.fromkeys(gates))
+    whole = gates
     digests = [hashes[k] if k < len(hashes) else f"log {k + 1}" for k in range(len(whole))]
     cleaned, touched = without_contacts(robot, whole, digests) if scope.has_contact else (whole, ())
     gates, seen = cleaned[: len(logs)], cleaned[-1]
     outcome = search(robot, gates, tell, scope.at_rest() if all(g.stands for g in gates) else scope)
     model, accepted, last, first = outcome.model, outcome.findings, outcome.last, outcome.first
     tell("validating the result")
-    checked = [_doubted(one, first, last) for one in accepted.values()]
-    if doubtful(gates):
-        checked = [(one, False) for one, _ in checked]
+    unsure = doubtful(gates)
+    checked = [(one, not unsure and may_stand(one, first, last)) for one in accepted.values()]
     findings = tuple(sorted((_finding(robot, one, sure) for one, sure in checked), key=lambda f: -f.gain))
-    left = _left(last)
-    verdict = _verdict(findings, last, left)
-    lacks = _Lacking()
-    gap = _gap(lacks, robot, model if verdict == "missing_effect" else robot, gates, seen)
-    if verdict == "missing_effect" and not _holds(lacks, gap, findings, robot, model, seen):  # withdrawn
+    left = left_over(last)
+    verdict = verdict_of(findings, last, left)
+    lacks = Lacking()
+    gap = gap_of(lacks, robot, model if verdict == "missing_effect" else robot, gates, seen)
+    if verdict == "missing_effect" and not holds(lacks, gap, findings, robot, model, seen):  # withdrawn
         verdict = "unexplained"
         findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
-        gap = _gap(lacks, robot, robot, gates, seen)
     tell("fitting the arm's own numbers")
-    own = renumbered(
-        robot, findings if verdict == "missing_effect" else (), gates,
-        lambda arm: (_rms(lacks, arm, gates), _rms(lacks, arm, [seen])),
-        unstated=first.unstated,
-        # A log with more in it than can be named still has the arm's numbers in it.
-        everywhere=any(each.is_common for each in first.findings) or verdict == "unexplained",
-        may_load=scope.joints is None and scope.only is None and verdict != "unexplained",
-    ) if verdict != "unexplained" or first.rough else None  # fmt: skip
-    origins: tuple[int | None, ...] = tuple(range(len(robot.effects)))
-    model, amendments = robot, list[Amendment]()
-    if own is not None:
-        model, origins = own.robot, own.origins
-        findings = own.findings or findings
-        amendments = [amendment(f) for f in own.findings]
-        gap = _gap(lacks, robot, model, gates, seen)
-    refitted = own is not None and own.is_refitted
+
+    def renumber(named: Sequence[Finding], *, unexplained: bool) -> Renumbered:
+        return renumbered(
+            robot, named, gates, lambda arm: (rms(lacks, arm, gates), rms(lacks, arm, [seen])),
+            unstated=first.unstated,
+            # A log with more in it than can be named still has the arm's numbers in it.
+            everywhere=any(each.is_common for each in first.findings) or unexplained,
+            may_load=scope.joints is None and scope.only is None and not unexplained,
+        )  # fmt: skip
+
+    own = Renumbered(robot, tuple(range(len(robot.effects))), (), is_refitted=False)
+    if verdict != "unexplained":
+        own = renumber(findings, unexplained=False)
+        findings = own.findings
+        verdict = verdict_of(findings, last, left)  # of better numbers, and perhaps a load
+    if verdict == "unexplained" and (first.rough or own.findings):
+        own = renumber((), unexplained=True)
+    model, origins, amendments = own.robot, own.origins, [amendment(f) for f in own.findings]
+    gap = gap_of(lacks, robot, model, gates, seen)
     springs = [f for f in elastic_findings(model, gates) if scope.allows(f.effect, f.joint)]
     findings = tuple(map(with_known_errors, findings))
     touched = standing(touched, dict(zip(digests, whole, strict=True)), lambda gate: lacks(model, gate))
     findings = (*findings, *springs, *(added := contact_findings(touched)))  # not by a fit to torques
     stiff = apply_amendments(model, [amendment(f) for f in springs]).robot
     logs_of = (gates, [seen])
-    if springs and all(no_worse(*(_rms(lacks, arm, which) for arm in (model, stiff))) for which in logs_of):
-        added, gap = (*springs, *added), _gap(lacks, robot, stiff, gates, seen)
+    if springs and all(no_worse(*(rms(lacks, arm, which) for arm in (model, stiff))) for which in logs_of):
+        added, gap = (*springs, *added), gap_of(lacks, robot, stiff, gates, seen)
     if added:
         more = apply_amendments(model, [amendment(f) for f in added])
         model, amendments = more.robot, [*amendments, *(amendment(f) for f in added)]
@@ -158,7 +150,7 @@ def diagnose(
         note = f"robodyn diagnose: {', '.join(hashes[: len(logs)]) or 'a log'}"
         notes = dict.fromkeys(range(len(amendments)), note)
         comments = comments_of(apply_amendments(robot, amendments), amendments, notes)
-        if refitted:
+        if own.is_refitted:
             comments += [(refitted_places(robot, model), [f"{note}: fitted within their confidence"])]
         new = to_yaml(model) if parameters else rewritten(old, robot, model, origins, comments)
     described = tuple(
@@ -175,12 +167,12 @@ def diagnose(
     seen_names = _shown(digests, validated=validate is not None)
     return Diagnosis(
         verdict, findings, gap, robot, model, new, difference(old, new),
-        flags, left, (*_words(verdict, findings, last), *scope.words()), described,
+        flags, left, (*words_of(verdict, left), *scope.words()), described,
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
         windows(whole[0], findings, seen_names), tried(last, findings), what_matters(last.context),
         (by_kind(before), by_kind(after)), agreement(model, gates[0]), to_record(robot, gates),
-        {"refitted": share_allowed(robot, first.unstated)} if own is not None and own.is_refitted else {},
+        {"refitted": share_allowed(robot, first.unstated)} if own.is_refitted else {},
     )  # fmt: skip
 
 
@@ -193,66 +185,8 @@ def _shown(digests: Sequence[str], *, validated: bool) -> dict[str, str]:
     return {digests[-1]: "validate" if validated else "train", digests[0]: "train"}
 
 
-def _share(first: Selection, last: Selection, rows: Sequence[int]) -> tuple[float, float]:
-    """Of the joints' mean square what is explained; how far what is left stands out of the noise."""
-    before, after = first.first.held_out.mean(axis=0), last.last.held_out.mean(axis=0)
-    j = max(rows, key=lambda row: before[row] - after[row])
-    return 1 - float(after[j] / max(before[j], 1e-300)), float(last.residue[j])
-
-
-def _doubted(one: Detected, first: Selection, last: Selection) -> tuple[Detected, bool]:
-    """Whether what is left at the joints of a finding lets its name stand."""
-    share, stands_out = _share(first, last, one.named.trial.candidate.rows)
-    left = _left(last)
-    rows = list(one.named.trial.candidate.rows)
-    if any(each.is_common for each in first.findings):  # the whole arm was described without its drives
-        raw, after = np.mean(first.start.rest[:, rows] ** 2, axis=0), last.last.held_out.mean(axis=0)[rows]
-        return one, bool(np.max(1 - after / np.maximum(raw, 1e-300)) > COMMON_EXPLAINED)
-    return one, not (share < LEAST_EXPLAINED and stands_out > STANDS_OUT_LEFT and left[rows].max() > 1)
-
-
-def _left(last: Selection) -> Floats:
-    """The median of what is left [n], in units of what would matter."""
-    rms = np.sqrt(np.maximum(last.residue**2 - 1, 0)) * last.start.sigma
-    return np.asarray(rms / what_matters(last.context))
-
-
 def _log(log: Log | str | PathLike[str], n: int) -> Log:
     return log if isinstance(log, Log) else read_log(log, n)
-
-
-class _Lacking:
-    """What models do not explain of logs: each is evaluated along each log once."""
-
-    def __init__(self) -> None:
-        self._known: list[tuple[Robot, Gate, Floats]] = []
-
-    def __call__(self, robot: Robot, gate: Gate) -> Floats:
-        for model, log, rest in self._known:
-            if model is robot and log is gate:
-                return rest
-        rest = lacking(robot, gate)
-        self._known.append((robot, gate, rest))
-        return rest
-
-
-def _holds(
-    lacks: _Lacking, gap: Gap, findings: Sequence[Finding], robot: Robot, model: Robot, seen: Gate
-) -> bool:
-    """Whether the model is nearer to a log that it was not fitted to; or no farther from one in which the
-    findings do not show."""
-    floor = np.maximum(gap.noise_floor, 1e-3 * gap.validate_before.max())
-    before, after = (float(np.sum((x / floor) ** 2)) for x in (gap.validate_before, gap.validate_after))
-    change = _inner(lacks(robot, seen) - lacks(model, seen))
-    shown = float(np.mean((change / floor) ** 2))
-    return bool(shown < UNSEEN or before - after > CONFIRMED_SHARE * shown * robot.n)
-
-
-def _verdict(findings: Sequence[Finding], last: Selection, left: Floats) -> Verdict:
-    if any(f.confidence >= 0.5 for f in findings):
-        return "missing_effect"
-    stands_out = last.residue > STANDS_OUT_LEFT
-    return "unexplained" if findings or bool(np.any(stands_out & (left > 1.5))) else "consistent"
 
 
 def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:
@@ -260,7 +194,9 @@ def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:
     entry = CATALOGUE[candidate.effect]
     revolute = candidate.joint is None or robot.links[candidate.joint - 1].joint.kind == "revolute"
     parameters = {
-        name: Estimate(value, one.errors.get(name), _unit(candidate.effect, name, revolute))
+        name: Estimate(
+            value, one.errors.get(name), _unit(candidate.effect, name, revolute), one.bounds.get(name)
+        )
         for name, value in one.parameters.items()
     }
     j = max(candidate.rows, key=lambda row: one.before[row])
@@ -301,38 +237,7 @@ def _unit(effect: str, name: str, revolute: bool) -> str:
     return "m" if name.startswith("com_") else "kg m^2"
 
 
-def _words(verdict: Verdict, findings: Sequence[Finding], last: Selection) -> tuple[str, ...]:
-    words = []
-    if verdict == "unexplained":
-        worst = int(np.argmax(_left(last)))
-        words.append(f"something moves joint {worst + 1} that no effect of the catalogue explains")
-    if verdict == "consistent":
-        words.append("no effect needs to be added to this model")
-    return tuple(words)
-
-
-def _inner(x: Floats) -> Floats:
-    """``x`` [K, n] without its ends."""
-    edge = int(END_SHARE * len(x))
-    return x[edge : len(x) - edge]
-
-
-def _gap(lacks: _Lacking, robot: Robot, model: Robot, gates: Sequence[Gate], seen: Gate) -> Gap:
-    noise = np.sqrt(np.mean([gate.torque_noise**2 for gate in gates], axis=0))
-    train, validate = ([_rms(lacks, arm, which) for arm in (robot, model)] for which in (gates, [seen]))
-    return Gap(train[0], train[1], validate[0], validate[1], noise)
-
-
-def _rms(lacks: _Lacking, arm: Robot, gates: Sequence[Gate]) -> Floats:
-    """RMS [n] of what ``arm`` leaves of logs."""
-    squares, count = np.zeros(arm.n), 0
-    for gate in gates:
-        kept = _inner(lacks(arm, gate))
-        squares, count = squares + (kept**2).sum(axis=0), count + len(kept)
-    return np.asarray(np.sqrt(squares / count))
-
-
-def _series(lacks: _Lacking, name: str, robot: Robot, model: Robot, gate: Gate) -> Series:
+def _series(lacks: Lacking, name: str, robot: Robot, model: Robot, gate: Gate) -> Series:
     s = signals_seen(gate)
     before, after = (lacks(r, gate) for r in (robot, model))
     load = Model(robot).evaluate(s.q, s.qd, s.qdd).rigid if robot.n else s.q

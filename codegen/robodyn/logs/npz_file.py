@@ -112,7 +112,7 @@ def _members(path: Path, file: str) -> Iterator[list[tuple[str, int, Any]]]:
                     for one in listed
                     if one.filename.endswith(".npy")
                 ]
-    except (zipfile.BadZipFile, ValueError, EOFError, NotImplementedError, RuntimeError, KeyError) as error:
+    except (zipfile.BadZipFile, ValueError, EOFError, RuntimeError, KeyError) as error:
         if isinstance(error, RecursionError):
             raise damaged(file, "of numpy's", "values nested too deeply") from None
         raise damaged(

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.beside import Library
 from robodyn.diagnose.select.choice import Trial, best_of, trials, without_columns
-from robodyn.diagnose.select.common import common
+from robodyn.diagnose.select.common import Group, common
 from robodyn.diagnose.select.fit import Fit, Problem, covariance, fitted, less
 from robodyn.diagnose.select.library import Candidate, Context
 from robodyn.diagnose.select.limits import MOST_EFFECTS, MOST_KINDS, MOST_VAGUE, SURE
@@ -67,28 +67,29 @@ def forward(
     findings: list[Named] = []
     now, current = start, fitted(start)
     begun: list[Trial] = []
+    tried: list[Trial] | None = None  # beside what is chosen by now
+    group = Group((), 0.0)
     refused = set[Key]()
     is_grouped = False
     for _ in range(MOST_EFFECTS):
-        which = _untaken(library, findings, known, rough=rough, links=links, most=most)
-        which = [k for k in which if _key(library.candidates[k]) not in refused]
-        tried = _tried(start, now, current, findings, library, which, least)
-        begun = begun or [without_columns(one) for one in tried]
+        if tried is None:
+            which = _untaken(library, findings, known, rough=rough, links=links, most=most)
+            which = [k for k in which if _key(library.candidates[k]) not in refused]
+            tried = _tried(start, now, current, findings, library, which, least)
+            group = Group((), 0.0) if is_grouped else common(now, current, library, which, least)
+            begun = begun or [without_columns(one) for one in tried]
         best = best_of(now, current, tried, least, contexts, rough=rough)
-        if not is_grouped:
-            group = common(now, current, library, which, least)
-            # One thing that explains more than friction everywhere (a delay) may look like that.
-            if group.trials and (best is None or best[0].gain < group.gain):
-                is_grouped = True
-                several = _kinds(group.trials, most - len({effect for effect, _ in known}))
-                for one in several:
-                    tell(one.candidate.name)
-                    one = replace(one, columns=one.columns.copy())
-                    findings.append(Named(one, (), SURE, one.fit.x, np.zeros(0), is_common=True))
-                findings = _without_vague(start, findings)
-                now = _with(start, findings)
-                current = fitted(now)
-                continue
+        # One thing that explains more than friction everywhere (a delay) may look like that.
+        if group.trials and (best is None or best[0].gain < group.gain):
+            is_grouped, tried = True, None
+            for one in _kinds(group.trials, most - len({effect for effect, _ in known})):
+                tell(one.candidate.name)
+                one = replace(one, columns=one.columns.copy())
+                findings.append(Named(one, (), SURE, one.fit.x, np.zeros(0), is_common=True))
+            findings = _without_vague(start, findings)
+            now = _with(start, findings)
+            current = fitted(now)
+            continue
         if best is None:
             break
         one, rivals, confidence = best
@@ -98,8 +99,9 @@ def forward(
         more = _with_new(start, kept, Named(one, rivals, confidence, one.fit.x, np.zeros(0), beside))
         if more is None:
             refused.add(_key(one.candidate))
+            tried = [each for each in tried if _key(each.candidate) not in refused]
             continue
-        findings = more
+        findings, tried = more, None
         now = _with(start, findings)
         current = fitted(now)
         tell(one.candidate.name)

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context
 from robodyn.diagnose.select.limits import (
-    LIGHTEST,
     LINK_WRONG,
     LOAD_REACH,
     LOAD_SHARE,
@@ -21,6 +20,7 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Shown
+from robodyn.identify.prior import sizes_of as sizes_of_links
 from robodyn.identify.rigid import PARAMETERS, Model, physical
 from robodyn.robot.model import AXES
 
@@ -108,25 +108,8 @@ def sizes_of(mass: float, length: float) -> Floats:
 
 
 def usual_sizes(model: Model) -> Floats:
-    """Standard parameters [n, 10] that are usual of the arm's links: by the mass of each, no less than a
-    share of the heaviest, and by the arm's lengths."""
-    mass = model.standard_parameters()[:, 0]
-    mass = np.maximum(mass, LIGHTEST * mass.max())
-    return np.stack([sizes_of(m, reach) for m, reach in zip(mass, _lengths(model), strict=True)])
-
-
-def _lengths(model: Model) -> list[float]:
-    """About how long [m] each link is, from its centre of mass and the next joint, no less than a
-    share of the longest."""
-    links = model.robot.links
-    lengths = []
-    for k, link in enumerate(links):
-        ahead = links[k + 1].joint if k + 1 < len(links) else None
-        numbers = [*link.com, *([ahead.a, ahead.d] if ahead is not None else [])]
-        sizes = [abs(float(x)) for x in numbers if isinstance(x, Fraction)]
-        lengths.append(max(sizes, default=0.0))
-    longest = max(*lengths, 1e-3)
-    return [max(length, LIGHTEST * longest) for length in lengths]
+    """Standard parameters [n, 10] that are usual of the arm's links."""
+    return np.stack([sizes_of(mass, length) for mass, length in sizes_of_links(model.robot)])
 
 
 def _tilt(c: Context, effect: Effect, shown: Shown) -> Candidate:
