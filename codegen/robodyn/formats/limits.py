@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-QUARTER_TURN: float = 1e-11
-"""[rad] An angle of a file this near to a multiple of pi/2 is that multiple, which was written with 12 digits
-(1.57079632679 is off by 4.9e-12)."""
-
 FILE_MIB: int = 16
 """[MiB] Largest file that is read; the largest of a hundred public robots has 0.2."""
 
@@ -42,15 +38,6 @@ NAMES_SHOWN: int = 40
 
 DEGREES: float = 40.0
 """[rad] Limits beyond six turns that are multiples of 5 were probably meant as degrees."""
-
-NOTHING: float = 1e-12
-"""[share] Beside the arm's reach (of a tensor: its trace) a smaller number is 0."""
-
-NOISE: float = 1e-15
-"""[share] So much of the arm's reach sums of rounded numbers may be off: a decimal this near is meant."""
-
-DECIMALS: int = 12
-"""[decimal places] Of a decimal that is meant."""
 
 SLIDE: float = 0.25
 """[share of the reach] Of axes that are nearly parallel, the common normal may lie far away: no frame's
