@@ -64,7 +64,7 @@ def refined(
             return None
         rows = [_rest(model, c) for c in contexts]
         left = np.concatenate(rows) / start.sigma
-        return left.reshape(-1) * np.repeat(start.rest.any(axis=1), start.n)
+        return (left * start.weight).reshape(-1)
 
     x = np.array([float(amendments[k].parameters[name]) for k, name in places])
     begun, now = x, missed(x)
@@ -108,11 +108,12 @@ def costs(
     """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
     bursts, by the measure of the first model, count by their size (Huber 1964)."""
     nuisance, prior = _own(start)
-    kept = np.any(start.rest != 0, axis=1)[:, None]
     usual: Floats | None = None
     residuals = []
     for model in models:
-        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
+        left = (
+            np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * start.weight
+        )
         weight, usual = _weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
         residuals.append(least / 2 / start.thin)
