@@ -151,9 +151,11 @@ def test_what_is_written_and_said(capsys: Capture, tmp_path: Path) -> None:
     kernels = {f"kernels/arm.{ending}" for ending in ("c", "h", "f90")}
     assert files == {"diagnosis.json", "model.yaml", "report.html", *kernels}
     assert (folder / "model.yaml").read_text() == RUBBING
-    assert json.loads((folder / "diagnosis.json").read_text())["findings"][0]["parameters"] == {
-        "level": {"value": 2.0, "stderr": 0.01, "unit": "N*m"}
-    }
+    level = {
+        "value": 2.0, "stderr": 0.01, "unit": "N*m", "interval": [1.9804, 2.0196], "identifiable": True
+    }  # fmt: skip
+    findings = json.loads((folder / "diagnosis.json").read_text())["findings"]
+    assert findings[0]["parameters"] == {"level": level}
     assert "arm: Coulomb friction at joint 1 is missing; " in (folder / "report.html").read_text(
         encoding="utf-8"
     )

@@ -1,6 +1,7 @@
 """Runs blind trials one after the other and adds a line of JSON for each to a file; what is there is kept.
 
-    python -m benchmarks.gap.blind KIND... -o results.jsonl [--arms a,b] [--seeds 1:3] [--most N] [--cache D]
+    python -m benchmarks.gap.blind KIND... -o results.jsonl [--arms a,b] [--effects a,b] [--seeds 1:3]
+                                   [--most N] [--cache D]
     python -m benchmarks.gap.blind --summary results.jsonl
     python -m benchmarks.gap.blind --publish results.jsonl
 
@@ -89,6 +90,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("kinds", nargs="*", choices=[[], *KINDS], metavar="KIND", help=", ".join(KINDS))
     parser.add_argument("-o", "--output", type=Path)
     parser.add_argument("--arms", default=",".join(ALL_ARMS))
+    parser.add_argument("--effects", help="ids of what is hidden; all that the kinds have if left out")
     parser.add_argument("--seeds", default="1:2", help="FIRST:END")
     parser.add_argument("--most", type=int, help="at most so many trials, drawn from all asked for")
     parser.add_argument("--cache", type=Path)
@@ -108,6 +110,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     selected = [
         t for kind in options.kinds for t in trials(kind, tuple(options.arms.split(",")), range(first, end))
     ]
+    if options.effects:
+        selected = [t for t in selected if t.effect in options.effects.split(",")]
     random.Random(1).shuffle(selected)  # any first part is of all kinds and arms, and part of any longer one
     done = set()
     if options.output.is_file():

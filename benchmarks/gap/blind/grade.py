@@ -106,7 +106,7 @@ def truths(e: EffectEntry) -> dict[str, float]:
 
 
 def values(f: Finding, e: EffectEntry) -> list[list[Any]]:
-    """[name, value, standard error, true value] of each number that has a true one."""
+    """[name, value, standard error, true value, ends of the interval] of each number that has a true one."""
     true = truths(e)
     rows: list[list[Any]] = []
     for name, p in f.parameters.items():
@@ -115,7 +115,9 @@ def values(f: Finding, e: EffectEntry) -> list[list[Any]]:
         wanted = true[name]
         if name == "phase":  # a whole turn apart is the same
             wanted += math.tau * round((p.value - wanted) / math.tau)
-        rows.append([f"{f.effect}.{name}", p.value, p.stderr, wanted])
+        rows.append(
+            [f"{f.effect}.{name}", p.value, p.stderr, wanted, *(p.bounds or p.interval or (None, None))]
+        )
     return rows
 
 

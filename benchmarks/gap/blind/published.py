@@ -38,7 +38,7 @@ def published(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     widths = [
         abs(value / true - 1)
         for row in rows
-        for name, value, _, true in row.get("values", ())
+        for name, value, _, true, *_ in row.get("values", ())
         if name == "backlash.gap"
     ]
     masses = [row["masses"]["together"] for row in rows if "masses" in row]

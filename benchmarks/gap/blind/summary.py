@@ -61,10 +61,14 @@ def coverage(rows: Sequence[Row]) -> dict[str, list[float]]:
     """By parameter: standard errors that values are off (inf: an error of 0 beside a wrong value)."""
     off: dict[str, list[float]] = defaultdict(list)
     for row in rows:
-        for name, value, error, true in row.get("values", ()):
-            if error is not None:
-                beyond = abs(value - true)
+        for name, value, error, true, *bounds in row.get("values", ()):
+            beyond = abs(value - true)
+            if error is not None and bounds in ([], [None, None]):
                 off[name].append(beyond / error if error else math.inf if beyond else 0.0)
+            elif bounds not in ([], [None, None]):  # an open side holds whatever is there
+                end = bounds[true > value]
+                half = math.inf if end is None else abs(end - value)
+                off[name].append(WIDE * beyond / half if half else math.inf if beyond else 0.0)
     return off
 
 
@@ -100,7 +104,7 @@ def contacts(rows: Sequence[Row]) -> str:
     widths = [
         abs(value / true - 1)
         for row in rows
-        for name, value, _, true in row.get("values", ())
+        for name, value, _, true, *_ in row.get("values", ())
         if name == "backlash.gap"
     ]
     if widths:

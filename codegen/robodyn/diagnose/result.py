@@ -16,20 +16,47 @@ Floats = NDArray[np.float64]
 Verdict = Literal["missing_effect", "consistent", "unexplained"]
 
 
+#: The ends of a 95 % interval; None where a side is open.
+Bounds = tuple[float | None, float | None]
+
+
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """A parameter of a finding: what is added to the model that was given, SI."""
+    """A parameter of a finding: what is added to the model that was given, SI; its standard error, None where
+    the logs do not tell it; ``bounds``: its 95 % interval where that is not as wide to either side as the
+    standard error has it."""
 
     value: float | str
     stderr: float | None
     unit: str
+    bounds: Bounds | None = None
 
     @property
-    def interval(self) -> tuple[float, float] | None:
-        """The interval that holds the true value in 95 of 100 cases; None where no error is known."""
-        if isinstance(self.value, str) or self.stderr is None or not 0 < self.stderr < np.inf:
+    def interval(self) -> Bounds | None:
+        """The interval that holds the true value in 95 of 100 cases; None where nothing is known of it, and
+        at a side on which it is open."""
+        if isinstance(self.value, str):
+            return None
+        if self.bounds is not None:
+            return None if self.bounds == (None, None) else self.bounds
+        if self.stderr is None or not 0 < self.stderr < np.inf:
             return None
         return self.value - HALF_WIDTH * self.stderr, self.value + HALF_WIDTH * self.stderr
+
+    @property
+    def is_identifiable(self) -> bool:
+        """Whether the logs bound it, as far as that was asked."""
+        return self.bounds is None or None not in self.bounds
+
+    def to_dict(self) -> dict[str, Any]:
+        """As ``diagnosis.json`` has it."""
+        return {
+            "value": self.value,
+            "stderr": self.stderr,
+            "unit": self.unit.replace(" ", "*"),
+            "interval": None if self.interval is None else list(self.interval),
+            "identifiable": self.is_identifiable,
+        }
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,10 +117,7 @@ class Finding:
         return {
             "effect": self.effect,
             "joint": self.joint,
-            "parameters": {
-                name: {"value": p.value, "stderr": p.stderr, "unit": p.unit.replace(" ", "*")}
-                for name, p in self.parameters.items()
-            },
+            "parameters": {name: p.to_dict() for name, p in self.parameters.items()},
             "confidence": self.confidence,
             "confounded_with": list(self.confounded_with),
             "where": self.where,

@@ -120,14 +120,16 @@ def diagnose(
         )  # fmt: skip
 
     own = Renumbered(robot, tuple(range(len(robot.effects))), (), is_refitted=False)
-    if verdict == "missing_effect" and not holds(lacks, robot, model, gates, seen):
+    if verdict != "unexplained":
+        own = renumber(findings, unexplained=False)
         # The arm's own numbers may be so wrong that what is named shows beside better ones only.
-        bare, named = (renumber(which, unexplained=False).robot for which in ((), findings))
-        if not holds(lacks, bare, named, gates, seen):
+        if verdict == "missing_effect" and not (
+            holds(lacks, robot, model, gates, seen)
+            or holds(lacks, renumber((), unexplained=False).robot, own.robot, gates, seen)
+        ):
             verdict = "unexplained"
             findings = tuple(replace(f, confidence=WITHDRAWN) for f in findings)
     if verdict != "unexplained":
-        own = renumber(findings, unexplained=False)
         findings = own.findings
         verdict = verdict_of(findings, last, left)  # of better numbers, and perhaps a load
     if verdict == "unexplained" and (first.rough or own.findings):
@@ -197,7 +199,9 @@ def _finding(robot: Robot, one: Detected, sure: bool) -> Finding:
     entry = CATALOGUE[candidate.effect]
     revolute = candidate.joint is None or robot.links[candidate.joint - 1].joint.kind == "revolute"
     parameters = {
-        name: Estimate(value, one.errors.get(name), _unit(candidate.effect, name, revolute))
+        name: Estimate(
+            value, one.errors.get(name), _unit(candidate.effect, name, revolute), one.bounds.get(name)
+        )
         for name, value in one.parameters.items()
     }
     j = max(candidate.rows, key=lambda row: one.before[row])

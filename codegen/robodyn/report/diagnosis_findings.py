@@ -8,13 +8,14 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.diagnose.limits import CLAIM, HALF_WIDTH
+from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Rival, Series
 from robodyn.report.diagnosis_charts import Across, over, over_time
 from robodyn.report.diagnosis_frames import Chart, percent
 from robodyn.report.diagnosis_gap import units_at
 from robodyn.report.diagnosis_text import (
     formatted,
+    interval_text,
     is_contact,
     is_unseen,
     named,
@@ -83,29 +84,27 @@ def _where(finding: Finding) -> str:
 
 def _parameter(effect: str, name: str, estimate: Estimate) -> dict[str, Any]:
     """A parameter with its interval, which is drawn beside what would be nothing: as shares of the value."""
-    value, error = estimate.value, estimate.stderr
+    value, error, interval = estimate.value, estimate.stderr, estimate.interval
     nothing = traits_of(effect).nothing.get(name, 0.0)
     drawn, words, relative = None, "", ""
     is_known = not isinstance(value, str) and math.isfinite(value) and not is_unseen(estimate, effect, name)
-    if is_known and error is not None and 0 < error < math.inf and not isinstance(value, str):
-        low, high = value - HALF_WIDTH * error, value + HALF_WIDTH * error
-        digits = max(3, min(7, 2 + math.ceil(math.log10(max(abs(value), error) / error))))
-        words = f"{low:.{digits}g} to {high:.{digits}g}"
+    if is_known and interval is not None and not isinstance(value, str):
+        words = interval_text(value, interval)
         away = value - nothing
         if away:
-            relative = (
-                f"± {100 * HALF_WIDTH * error / abs(away):.2g} %"
-                if not nothing and HALF_WIDTH * error < abs(away)
-                else ""
-            )
-            way, half = math.copysign(1, away), HALF_WIDTH * error / abs(away)
+            low, high = ((side - nothing) / away if side is not None else None for side in interval)
+            low, high = (low, high) if away > 0 else (high, low)
+            half = None if low is None or high is None else (high - low) / 2
+            relative = f"± {100 * half:.2g} %" if half is not None and not nothing and half < 1 else ""
+            way = math.copysign(1, away)
             scale = 100 / (2 * REACH)
-            ends = sorted(min(max(scale * (REACH + way * (1 + s * half)), 0.0), 100.0) for s in (-1, 1))
+            shares = (-math.inf if low is None else low, math.inf if high is None else high)
+            ends = sorted(min(max(scale * (REACH + way * share), 0.0), 100.0) for share in shares)
             drawn = {
                 "low": percent(ends[0]),
                 "width": percent(max(ends[1] - ends[0], 0.6)),
                 "value": percent(scale * (REACH + way)),
-                "reaches": half >= 1,
+                "reaches": shares[0] <= 0,
             }
     return {
         "name": name,
@@ -114,7 +113,7 @@ def _parameter(effect: str, name: str, estimate: Estimate) -> dict[str, Any]:
         "relative": relative,
         "nothing": f"{nothing:g}",
         "drawn": drawn,
-        "is_chosen": error == 0 and not is_contact(effect) and not isinstance(value, str),
+        "is_fitted": is_contact(effect) or isinstance(value, str) or bool(error or estimate.bounds),
     }
 
 

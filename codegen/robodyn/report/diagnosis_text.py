@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.limits import CLAIM
-from robodyn.diagnose.result import Diagnosis, Estimate, Finding
+from robodyn.diagnose.result import Bounds, Diagnosis, Estimate, Finding
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.traits import Traits
 
@@ -63,9 +63,24 @@ def with_interval(estimate: Estimate, effect: str = "", name: str = "") -> str:
     interval = None if is_unseen(estimate, effect, name) else estimate.interval
     if interval is None or isinstance(estimate.value, str) or not math.isfinite(estimate.value):
         return text
+    return f"{text} ({interval_text(estimate.value, interval)})"
+
+
+def interval_text(value: float, interval: Bounds) -> str:
+    """An interval of a ``value`` in words, of which one side may be open."""
     low, high = interval
-    digits = _digits(estimate.value, (high - low) / 2)
-    return f"{text} ({low:.{digits}g} to {high:.{digits}g})"
+    digits = _digits(value, _half(value, interval))
+    if low is None or high is None:
+        return f"at most {high:.{digits}g}" if low is None else f"at least {low:.{digits}g}"
+    return f"{low:.{digits}g} to {high:.{digits}g}"
+
+
+def _half(value: float, interval: Bounds) -> float:
+    """Half the width of an interval about a ``value``; by its one end, where it is open."""
+    low, high = interval
+    if low is None or high is None:
+        return abs(value - (high if low is None else low))  # type: ignore[operator]  # one is known
+    return (high - low) / 2
 
 
 def value_text(estimate: Estimate, effect: str = "", name: str = "") -> str:
@@ -78,7 +93,7 @@ def value_text(estimate: Estimate, effect: str = "", name: str = "") -> str:
         return "not identifiable"
     if not math.isfinite(value):
         return "n/a"
-    digits = 4 if interval is None else _digits(value, (interval[1] - interval[0]) / 2)
+    digits = 4 if interval is None else _digits(value, _half(value, interval))
     return f"{value:.{digits}g}{unit}"
 
 
@@ -90,9 +105,11 @@ def _digits(value: float, half: float) -> int:
 
 
 def is_unseen(estimate: Estimate, effect: str = "", name: str = "") -> bool:
-    """Whether the motion says next to nothing of a parameter: its error is many times its value or, of what
-    cannot be negative, no smaller than it."""
+    """Whether the motion says next to nothing of a parameter: its interval is open on both sides, its error
+    is many times its value or, of what cannot be negative, no smaller than it."""
     value, error = estimate.value, estimate.stderr
+    if estimate.bounds is not None:
+        return estimate.bounds == (None, None)
     if isinstance(value, str) or error is None or error == 0:
         return False
     if not math.isfinite(error):

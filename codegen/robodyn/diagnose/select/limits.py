@@ -224,6 +224,35 @@ HUBER: Final = 2.0
 HUBER_ROUNDS: Final = 3
 """[rounds] of such weights."""
 
+# --- uncertainty --------------------
+
+SCORE_PARTS: Final = 20
+"""[parts] A log is cut into as many: the pulls of each at the numbers say how sure these are."""
+
+LEAST_CURVATURE: Final = 1e-12
+"""[-] Of columns of size 1, directions that show less are taken to show so much."""
+
+LEAST_SPREAD: Final = 1e-6
+"""[variances of the noise] No residual is so small that a number is known better than with this."""
+
+PROFILE_STEPS: Final = 3
+"""[steps] in which all other numbers are refitted where one is held,"""
+
+PROFILE_TRIES: Final = 8
+"""[places] at which it is held, for each end of an interval,"""
+
+NEAR_BOUND: Final = 0.05
+"""[share] of the distance, in standard errors, within which that end is near enough."""
+
+FARTHEST_BOUND: Final = 2.3
+"""[logarithm; intervals] An end that is farther than this (a factor of ten) is open."""
+
+BETTER_FIT: Final = 0.5
+"""[squares of standard errors] A misfit that is smaller by more is a better fit, from which is begun anew,"""
+
+PROFILE_RESTARTS: Final = 2
+"""[times] at most."""
+
 # --- search --------------------
 
 PASSES: Final = 10
@@ -278,10 +307,3 @@ degrees of freedom)."""
 
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
-
-REST_WEIGHT: Final = 0.15
-"""[-] What a row of a joint that rests counts, as a factor: stiction holds it with any torque within
-its level,"""
-
-LEAST_MOVING: Final = 0.1
-"""[share] if the joint moves for more than this: else there is nothing better to go by."""

@@ -7,6 +7,7 @@ miss would look like something else.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,57 +37,87 @@ from robodyn.simulate.sensors import measured_torque
 Floats = NDArray[np.float64]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Freed:
+    """The numbers of ``amendments`` to ``robot`` that logs say, at ``places`` (index, name): their values
+    ``x`` [P] are what is changed; ``contexts`` and ``start`` are of ``robot`` as it was given."""
+
+    robot: Robot
+    amendments: tuple[Amendment, ...]
+    contexts: tuple[Context, ...]
+    start: Problem
+    places: tuple[tuple[int, str], ...]
+
+    @classmethod
+    def of(
+        cls, robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
+    ) -> Freed:
+        """All numbers that are sizes, and not 0."""
+        places = tuple(
+            (k, name)
+            for k, one in enumerate(amendments)
+            for name, value in one.parameters.items()
+            if isinstance(value, float) and value and is_refined(effect(one.effect), name)
+        )
+        return cls(robot, tuple(amendments), tuple(contexts), start, places)
+
+    @property
+    def x(self) -> Floats:
+        """The values [P] of the amendments as they are."""
+        return np.array([float(self.amendments[k].parameters[name]) for k, name in self.places])
+
+    def changed(self, x: Floats) -> list[Amendment]:
+        """The amendments with values ``x`` [P]."""
+        values = [dict(one.parameters) for one in self.amendments]
+        for (k, name), each in zip(self.places, x, strict=True):
+            values[k][name] = float(each)
+        return [Amendment(one.effect, one.joint, v) for one, v in zip(self.amendments, values, strict=True)]
+
+    def missed(self, x: Floats) -> Floats | None:
+        """What is left [N n] of the logs with values ``x`` [P], in units of the noise; None where no robot
+        has such values, or its springs diverge."""
+        try:
+            model = amended(self.robot, self.changed(x))
+        except InputError:
+            return None
+        rows = np.concatenate([_rest(model, c) for c in self.contexts]) / self.start.sigma
+        left = (rows * self.start.weight).reshape(-1)
+        return left if np.isfinite(left).all() else None
+
+    def slopes(self, x: Floats, left: Floats) -> Floats:
+        """Of what is ``left`` [N n] the derivatives [N n, P] by ``x`` [P]; 0 where there is no robot."""
+        columns = []
+        for i in range(len(x)):
+            moved = x.copy()
+            moved[i] *= 1 + REFINE_STEP
+            other = self.missed(moved)
+            columns.append(np.zeros_like(left) if other is None else (other - left) / (REFINE_STEP * x[i]))
+        return np.stack(columns, axis=1)
+
+
 def refined(
     robot: Robot, amendments: Sequence[Amendment], contexts: Sequence[Context], start: Problem
 ) -> list[Amendment]:
     """``amendments`` with numbers that explain more of the logs together; ``contexts`` and ``start`` are of
     ``robot`` as it was given. By Gauss and Newton, differences taken one by one."""
-    places = [
-        (k, name)
-        for k, one in enumerate(amendments)
-        for name, value in one.parameters.items()
-        if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
-    ]
-    if not places:
+    freed = Freed.of(robot, amendments, contexts, start)
+    if not freed.places:
         return list(amendments)
-    nuisance, prior = _own(start)
-
-    def changed(x: Floats) -> list[Amendment]:
-        values = [dict(one.parameters) for one in amendments]
-        for (k, name), each in zip(places, x, strict=True):
-            values[k][name] = float(each)
-        return [Amendment(one.effect, one.joint, v) for one, v in zip(amendments, values, strict=True)]
-
-    def missed(x: Floats) -> Floats | None:
-        try:
-            model = amended(robot, changed(x))
-        except InputError:
-            return None
-        rows = [_rest(model, c) for c in contexts]
-        left = np.concatenate(rows) / start.sigma
-        return (left * start.weight).reshape(-1)
-
-    x = np.array([float(amendments[k].parameters[name]) for k, name in places])
-    begun, now = x, missed(x)
+    nuisance, prior = own_numbers(start)
+    x = freed.x
+    begun, now = x, freed.missed(x)
     if now is None:
         return list(amendments)
     for _ in range(REFINE_ROUNDS):
-        rows = now.reshape(-1, start.n)
-        weight, _ = _weights(rows, nuisance, prior)
+        weight, _ = weights(now.reshape(-1, start.n), nuisance, prior)
         best = _least(weight * now, weight[:, None] * nuisance, prior)[0]
-        columns = []
-        for i in range(len(x)):
-            moved = x.copy()
-            moved[i] *= 1 + REFINE_STEP
-            other = missed(moved)
-            columns.append(np.zeros_like(now) if other is None else (other - now) / (REFINE_STEP * x[i]))
-        J = np.stack(columns, axis=1)
+        J = freed.slopes(x, now)
         all_of_it = weight[:, None] * np.concatenate([J, nuisance], axis=1)
         _, step = _least(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
             tried = x - share * step[: len(x)]
             within = np.all(tried * x > 0) and np.all(np.abs(tried) < REFINE_FARTHEST * np.abs(begun))
-            other = missed(tried) if within else None
+            other = freed.missed(tried) if within else None
             if other is None:
                 continue
             sum_of_squares = _least(weight * other, weight[:, None] * nuisance, prior)[0]
@@ -99,7 +130,7 @@ def refined(
         x, now = tried, other
         if not worth:
             break
-    return changed(x)
+    return freed.changed(x)
 
 
 def costs(
@@ -107,20 +138,19 @@ def costs(
 ) -> list[float]:
     """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
     bursts, by the measure of the first model, count by their size (Huber 1964)."""
-    nuisance, prior = _own(start)
+    nuisance, prior = own_numbers(start)
     usual: Floats | None = None
     residuals = []
     for model in models:
-        left = (
-            np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * start.weight
-        )
-        weight, usual = _weights(left, nuisance, prior, usual)
+        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts])
+        left *= start.weight / start.sigma
+        weight, usual = weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
         residuals.append(least / 2 / start.thin)
     return residuals
 
 
-def _is_refined(known: Effect, name: str) -> bool:
+def is_refined(known: Effect, name: str) -> bool:
     """Whether the number is a size and not a choice, of an effect that is no window in time and whose numbers
     the arm's own do not make up for."""
     fold = known.traits.fold
@@ -128,7 +158,7 @@ def _is_refined(known: Effect, name: str) -> bool:
     return known.place != "outside" and not is_body and name not in known.traits.chosen
 
 
-def _own(start: Problem) -> tuple[Floats, Floats]:
+def own_numbers(start: Problem) -> tuple[Floats, Floats]:
     """Columns [N n, p] of the arm's own numbers, and how they are held [p, p]."""
     nuisance = start.A[:, :, : start.nuisance].reshape(-1, start.nuisance)
     return nuisance, np.diag(np.sqrt(start.prior[: start.nuisance]))
@@ -139,7 +169,7 @@ def _usual(left: Floats) -> Floats:
     return np.asarray(np.maximum(1.4826 * np.median(np.abs(left), axis=0), 1e-3))
 
 
-def _weights(
+def weights(
     left: Floats, nuisance: Floats, prior: Floats, usual: Floats | None = None
 ) -> tuple[Floats, Floats]:
     """Weights [N n] that keep a few bursts (joints that stick at reversals) from having their way (Huber

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
+from robodyn.diagnose.result import Bounds
 from robodyn.diagnose.select.choice import evidence_threshold, numbers_of
 from robodyn.diagnose.select.forward import Key, Named, special_cases
 from robodyn.diagnose.select.library import Candidate
@@ -17,6 +18,7 @@ from robodyn.diagnose.select.limits import FEW, PASSES, PASSES_ROUGH, PRICE, STA
 from robodyn.diagnose.select.refine import costs, refined
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.diagnose.select.selection import Selection, select
+from robodyn.diagnose.select.uncertainty import uncertainties
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.rigid import Model, physical
@@ -29,12 +31,14 @@ Floats = NDArray[np.float64]
 @dataclass(frozen=True, slots=True, eq=False)
 class Detected:
     """A detected effect: the evidence for it, its parameters with errors, and the mean squares [n] that were
-    left before it was named, in units of the noise."""
+    left before it was named, in units of the noise; ``bounds``: 95 % intervals of parameters that were
+    profiled, None where a side is open."""
 
     named: Named
     parameters: dict[str, float | str]
     errors: dict[str, float]
     before: Floats
+    bounds: Mapping[str, Bounds] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -79,7 +83,23 @@ def search(
         findings, model = more, amended(robot, _amendments(more))
         tell("fitting what is left")
         last = look(model, findings, first.unstated)
+    if findings:
+        tell("asking how sure the numbers are")
+        _judge(robot, findings, first)
+        model = amended(robot, _amendments(findings))
     return Outcome(findings, model, first, last)
+
+
+def _judge(robot: Robot, findings: dict[Key, Detected], begun: Selection) -> None:
+    """The findings with errors and intervals of their numbers in the joint fit."""
+    better, sure = uncertainties(robot, _amendments(findings), begun.contexts, begun.start)
+    for key, amendment, known in zip(list(findings), better, sure, strict=True):
+        one = findings[key]
+        # What nothing was fitted to has no error.
+        errors = {name: error for name, error in one.errors.items() if error and name not in known}
+        errors |= {name: each.stderr for name, each in known.items() if each.stderr is not None}
+        bounds = {name: (each.low, each.high) for name, each in known.items()}
+        findings[key] = replace(one, parameters=dict(amendment.parameters), errors=errors, bounds=bounds)
 
 
 def _is_better(
