@@ -62,7 +62,7 @@ def test_pinocchio_agrees(name: str, above: int) -> None:
 @pytest.mark.parametrize("seed", range(6))
 def test_rates_are_derivatives(seed: int) -> None:
     """On arms with any twist: velocity, turning and the Jacobian's rate by central differences."""
-    robot = random_robot(seed, joints=5)
+    robot = random_robot(seed, joints=5, aside=0.5)
     kinematics = Kinematics(robot, point=POINT)
     q, qd, _ = states(robot)
     h = 1e-6

@@ -12,6 +12,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
+from robodyn.effects.scalars import is_zero
 
 #: Rows of scalars.
 Matrix = list[list[Any]]
@@ -53,6 +54,8 @@ def frames(arm: Arm, motion: Motion) -> list[Frame]:
         y = plus(scaled(body.cos_alpha, last.y), scaled(body.sin_alpha, last.z))
         z = _minus(scaled(body.cos_alpha, last.z), scaled(body.sin_alpha, last.y))
         origin = plus(last.origin, scaled(body.a, x), scaled(d, z))
+        if not is_zero(body.b):
+            origin = plus(origin, scaled(body.b, y))
         last = Frame(origin, plus(scaled(c, x), scaled(s, y)), _minus(scaled(c, y), scaled(s, x)), z)
         poses.append(last)
     return poses

@@ -15,6 +15,7 @@ Kind = Literal[
     "number",
     "angle",
     "vector",
+    "angles",
     "range",
     "group",
     "list",
@@ -108,6 +109,16 @@ GEAR = (
         sign="positive",
     ),
 )
+PLACEMENT = (
+    Key("xyz", "vector", "Origin of the frame.", "m", default="[0, 0, 0]"),
+    Key(
+        "rpy",
+        "angles",
+        "Roll, pitch and yaw as in URDF: turned about the fixed x, then y, then z.",
+        "rad",
+        default="[0, 0, 0]",
+    ),
+)
 
 
 def _confidence(of: str, default: str) -> Key:
@@ -132,6 +143,15 @@ LINK = (
     ),
     Key("alpha", "angle", "alpha_{i-1}: twist, about x of the frame before.", "rad", default="0"),
     Key("a", "number", "a_{i-1}: length, along x of the frame before.", "m", names=True, default="0"),
+    Key(
+        "b",
+        "number",
+        "Offset along y behind the twist; 0 in Denavit-Hartenberg rows. It keeps origins near the arm where "
+        "two axes are nearly parallel.",
+        "m",
+        names=True,
+        default="0",
+    ),
     Key("d", "number", "d_i: offset, along z; prismatic: constant added to q.", "m", names=True, default="0"),
     Key("theta", "angle", "theta_i: angle, about z; revolute: constant added to q.", "rad", default="0"),
     Key("mass", "number", "Mass of the link.", "kg", names=True, sign="nonnegative", default="0"),
@@ -182,9 +202,15 @@ ROBOT = (
     Key(
         "gravity",
         "vector",
-        "Acceleration of free fall [x, y, z] in the base frame.",
+        "Acceleration of free fall [x, y, z] in the base frame; with base in the world's.",
         "m/s^2",
         default="[0, 0, -9.81]",
+    ),
+    Key(
+        "base",
+        "group",
+        "Where the base frame stands in the world; gravity is then in the world's frame.",
+        members=PLACEMENT,
     ),
     _confidence("all links that do not state their own", "not stated; 0.1 where a number is needed"),
     Key("compare", "group", "The row of the thesis that this robot is set beside.", members=COMPARE),
@@ -203,6 +229,7 @@ ROBOT = (
         required=True,
         members=LINK,
     ),
+    Key("tool", "group", "Where the tool's frame stands in the last link's frame.", members=PLACEMENT),
     Key(
         "torque_side",
         "choice",
@@ -264,4 +291,10 @@ OTHER_NAMES = {
     "effort": "torque",
     "damping": "viscous",
     "dh": "convention",
+    "mount": "base",
+    "tcp": "tool",
+    "flange": "tool",
+    "translation": "xyz",
+    "position_xyz": "xyz",
+    "rotation": "rpy",
 }

@@ -12,11 +12,13 @@ from robodyn.errors import InputError
 from robodyn.robot import numbers
 from robodyn.robot.dh import effect_from_standard, from_standard
 from robodyn.robot.document import Mapping, Node, Scalar, compose, decode, describe
-from robodyn.robot.fields import Section, Source, expectation
+from robodyn.robot.expectations import expectation
+from robodyn.robot.fields import Section, Source
 from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT
-from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Robot
+from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Placement, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
 from robodyn.robot.plausibility import inertia_doubt, is_judged, only_about_base_axis
+from robodyn.robot.values import ZERO
 
 if TYPE_CHECKING:
     from robodyn.robot.effects import Written
@@ -76,6 +78,7 @@ def _robot(section: Section) -> Robot:
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
         robot = replace(robot, gravity=(x, y, z))
+    robot = replace(robot, base=_placement(section, "base"), tool=_placement(section, "tool"))
     if side == "link":
         robot = replace(robot, torque_side="link")
     if effects:
@@ -83,6 +86,15 @@ def _robot(section: Section) -> Robot:
 
         robot = into_robot(robot, effects)
     return robot
+
+
+def _placement(section: Section, key: str) -> Placement | None:
+    """The frame at ``key``; None where it is left out."""
+    frame = section.section(key)
+    if frame is None:
+        return None
+    x, y, z = (value for value in frame.vector("xyz") or (ZERO,) * 3 if isinstance(value, Fraction))
+    return Placement((x, y, z), frame.angles("rpy"))
 
 
 def _robot_name(section: Section) -> str:
@@ -183,19 +195,15 @@ def _link(section: Section, i: int, joints: int) -> tuple[Link, tuple[Written, .
     name, acknowledged = _stated(section, "name"), _stated(section, "acknowledged")
     friction = section.section("friction")
     # Read in the order of the table, so that the first fault named is the first in a well-kept file.
-    alpha, a, d, theta = (
-        section.angle("alpha"),
-        section.number("a"),
-        section.number("d"),
-        section.angle("theta"),
-    )
+    alpha, a, b = section.angle("alpha"), section.number("a"), section.number("b")
+    d, theta = section.number("d"), section.angle("theta")
     mass, com = section.number("mass"), section.vector("com")
     tensor = section.section("inertia")
     motor_inertia = section.number("motor_inertia")
     gear = _gear(section)
     limits = _limits(section)
     confidence = section.confidence("confidence")
-    joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits, gear=gear)
+    joint = Joint(kind, alpha, a, d, theta, motor_inertia, limits=limits, gear=gear, b=b)
     if friction:
         joint = replace(joint, viscous=friction.number("viscous"), coulomb=friction.number("coulomb"))
     link = Link(name or f"link{i}", joint, mass, confidence=confidence)
