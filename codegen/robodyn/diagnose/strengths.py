@@ -16,7 +16,6 @@ from robodyn.diagnose.amend.amend import Amended, Amendment, apply_amendments
 from robodyn.diagnose.limits import STRENGTH_ROUNDS, STRENGTH_STEP
 from robodyn.diagnose.result import Estimate
 from robodyn.diagnose.select.forward import Key
-from robodyn.diagnose.select.refine import is_refined
 from robodyn.errors import InputError
 from robodyn.gate.gate import Gate
 from robodyn.identify.fit import Options, fit_arm
@@ -63,7 +62,7 @@ def fit_with(
 
 
 def strengths_of(amended: Amended, amendments: Sequence[Amendment]) -> list[Strength]:
-    """The numbers of new effects that are sizes, and that torques show at once."""
+    """The numbers of new effects that torques are in proportion to, and show at once."""
     keys = {(a.effect, a.joint): a for a in amendments}
     return [
         (k, name)
@@ -73,7 +72,7 @@ def strengths_of(amended: Amended, amendments: Sequence[Amendment]) -> list[Stre
         and entry.definition.memory is None
         and entry.definition.traits.channel is None
         for name, value in one.parameters.items()
-        if isinstance(value, float) and value and is_refined(entry.definition, name)
+        if isinstance(value, float) and value and name in entry.definition.linear
     ]
 
 

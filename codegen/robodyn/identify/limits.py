@@ -198,9 +198,3 @@ STRENGTH_SPREAD: Final = 2.0
 
 STRENGTH_STEP: Final = 1e-3
 """[share] Torques by a number of an effect are differences over such a step."""
-
-REST_WEIGHT: Final = 0.1
-"""[-] What a square of a joint that rests counts: stiction holds it with any torque within its level,"""
-
-LEAST_MOVING: Final = 0.1
-"""[share] if the joint moves for more than this: else there is nothing better to go by."""

@@ -115,10 +115,10 @@ def blocks_of(
             into = sums.setdefault((rows.log, block), _Sum(layout, rows.log, bool(rows.held_out[block])))
             for j, A in enumerate(columns_of(arm, layout, rows, part)):
                 tau = rows.tau[part, j]
-                weight = rows.weight[part, j].copy()
+                weight = rows.used[part, j].astype(np.float64)
                 if models is not None:
                     x, scale = models[rows.log]
-                    left[part, j] = (tau - scale[j] * (x[layout.columns(j)] @ A)) * (weight > 0)
+                    left[part, j] = (tau - scale[j] * (x[layout.columns(j)] @ A)) * weight
                     if knees is not None:
                         weight *= np.minimum(1.0, knees[j] / np.maximum(np.abs(left[part, j]), 1e-300))
                 into.add(j, A, tau, weight)

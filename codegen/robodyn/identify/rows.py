@@ -17,9 +17,7 @@ from numpy.typing import NDArray
 from robodyn.gate.gate import Gate
 from robodyn.identify.limits import (
     FOLDS,
-    LEAST_MOVING,
     REST_FACTOR,
-    REST_WEIGHT,
     STRENGTH_STEP,
     SUB_BLOCKS,
     TRAIN_SHARE,
@@ -39,17 +37,17 @@ Strength = tuple[int, str]
 @dataclass(frozen=True, slots=True, eq=False)
 class Rows:
     """Samples [M] of one log, thinned: ``q, qd, qdd`` [M, n], directions of motion ``way`` and torques
-    ``tau`` [M, n], both filtered; ``weight`` [M, n]: what a torque counts, 1, less where its joint rests, 0
-    where it cannot be relied on; ``block`` [M] is which block of the log each is of, ``held_out`` [blocks]
-    which of these a first fit leaves out; ``log``: which of the logs; ``step`` [s] between samples;
-    ``cutoff`` [Hz]; ``by_strength`` [M, n, E]: torques by factors of numbers of effects, filtered."""
+    ``tau`` [M, n], both filtered; ``used`` [M, n]: whether a torque can be relied on; ``block`` [M] is
+    which block of the log each is of, ``held_out`` [blocks] which of these a first fit leaves out; ``log``:
+    which of the logs; ``step`` [s] between samples; ``cutoff`` [Hz]; ``by_strength`` [M, n, E]: torques by
+    factors of numbers of effects, filtered."""
 
     q: Floats
     qd: Floats
     qdd: Floats
     way: Floats
     tau: Floats
-    weight: Floats
+    used: NDArray[np.bool_]
     block: NDArray[np.intp]
     held_out: NDArray[np.bool_]
     log: int
@@ -75,7 +73,6 @@ def rows_of(
     taken off the torque but what is in proportion to ``strengths``."""
     count = gate.log.samples
     edges, held_out = blocks_of(count)
-    rest = np.where(counts_less(gate.resting), REST_WEIGHT, 1.0)
     pieces = []
     for part in gate.segments:
         piece = Log(gate.log.t[part], gate.log.q[part] - offsets(robot), None, None, gate.log.tau[part])
@@ -99,11 +96,11 @@ def rows_of(
         if len(q):
             thin = slice(signals.edge, K - signals.edge, signals.every)
             step = signals.every * signals.period
-            weight, block = np.where(used, rest[part][:K], 0.0)[thin], block[thin]
+            used, block = used[thin], block[thin]
             by_strength = [signals.thinned(signals.filtered(slopes[:, :, e])) for e in range(len(strengths))]
             pieces.append(
                 Rows(
-                    q, qd, qdd, way, tau, weight, block, held_out, log, step, signals.cutoff,
+                    q, qd, qdd, way, tau, used, block, held_out, log, step, signals.cutoff,
                     np.stack(by_strength, axis=2) if by_strength else np.zeros((*q.shape, 0)),
                 )
             )  # fmt: skip
@@ -121,12 +118,6 @@ def blocks_of(samples: int) -> tuple[Floats, NDArray[np.bool_]]:
         starts.append((fold + TRAIN_SHARE) / FOLDS * samples)
         held_out.append(True)
     return np.array(starts), np.array(held_out)
-
-
-def counts_less(resting: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Where [K, n] joints that are ``resting`` count less, for stiction holds them there with any torque
-    within its level. A joint that hardly moves has nothing better."""
-    return np.asarray(resting & (np.mean(~resting, axis=0) > LEAST_MOVING))
 
 
 def direction(qd: Floats, band: Floats) -> Floats:

@@ -57,7 +57,7 @@ class Freed:
             (k, name)
             for k, one in enumerate(amendments)
             for name, value in one.parameters.items()
-            if isinstance(value, float) and value and is_refined(effect(one.effect), name)
+            if isinstance(value, float) and value and _is_refined(effect(one.effect), name)
         )
         return cls(robot, tuple(amendments), tuple(contexts), start, places)
 
@@ -150,7 +150,7 @@ def costs(
     return residuals
 
 
-def is_refined(known: Effect, name: str) -> bool:
+def _is_refined(known: Effect, name: str) -> bool:
     """Whether the number is a size and not a choice, of an effect that is no window in time and whose numbers
     the arm's own do not make up for."""
     fold = known.traits.fold

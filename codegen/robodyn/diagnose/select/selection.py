@@ -42,10 +42,12 @@ from robodyn.diagnose.select.library.matched import matched
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     DIVERGED,
+    LEAST_MOVING,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
     POSES,
+    REST_WEIGHT,
     SHORTEST_PIECE,
     STANDS_OUT,
     TIGHT,
@@ -53,9 +55,7 @@ from robodyn.diagnose.select.limits import (
     UNSTATED,
 )
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
-from robodyn.identify.limits import REST_WEIGHT
 from robodyn.identify.rigid import Model
-from robodyn.identify.rows import counts_less
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
@@ -118,6 +118,13 @@ def start_of(contexts: Sequence[Context], scale: Floats, weight: Floats | None =
     by_encoders = encoder_torque_noise(contexts[0])
     sigma = np.hypot(passed_noise(s), by_encoders)
     return problem(np.concatenate(rests), Y, sigma, thin, by_encoders, weight)
+
+
+def weight_of(resting: Mask) -> Floats:
+    """What rows [N, n] count: less where joints rest, for stiction holds them there with any torque. A joint
+    that hardly moves has nothing better."""
+    is_weighed = resting & (np.mean(~resting, axis=0) > LEAST_MOVING)
+    return np.where(is_weighed, REST_WEIGHT, 1.0)
 
 
 def raw_noise(s: Signals) -> Floats:
@@ -185,7 +192,7 @@ def select(
             more = signals_of(pieces[k], cutoff=longest.cutoff)
             contexts.append(context_of(context.model, more, context.hints))
             rests.append(still[k][more.used])
-    weight = np.where(counts_less(np.concatenate(rests)), np.sqrt(REST_WEIGHT), 1.0)
+    weight = weight_of(np.concatenate(rests))
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow, weight)
     least = what_matters(context) / start.sigma
