@@ -37,7 +37,8 @@ def test_what_is_not_used_is_listed_with_its_lines() -> None:
         ("ros2_control", (8,)),
         ("<friend> in <robot>", (9,)),
     ]
-    assert str(tree(text).unused[1]) == "visual geometry (lines 3, 5)"
+    assert tree(text).unused[1].text("arm.urdf") == "visual geometry (lines 3, 5)"
+    assert tree(text).unused[0].text() == "materials (arm.urdf: line 2)"
 
 
 def test_inertia_is_turned_into_the_link() -> None:

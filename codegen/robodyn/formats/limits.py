@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-QUARTER_TURN: float = 1e-11
-"""[rad] An angle of a file this near to a multiple of pi/2 is that multiple, which was written with 12 digits
-(1.57079632679 is off by 4.9e-12)."""
-
 FILE_MIB: int = 16
 """[MiB] Largest file that is read; the largest of a hundred public robots has 0.2."""
 
@@ -42,3 +38,30 @@ NAMES_SHOWN: int = 40
 
 DEGREES: float = 40.0
 """[rad] Limits beyond six turns that are multiples of 5 were probably meant as degrees."""
+
+SLIDE: float = 0.25
+"""[share of the reach] Of axes that are nearly parallel, the common normal may lie far away: no frame's
+origin slides further along its axis to it."""
+
+STEEP: float = 0.5
+"""[sine of the angle] Axes that are less parallel always have their frames at the common normal; then no
+offset is longer than twice the reach."""
+
+NEAR_RIGHT_ANGLE: float = 1e-4
+"""[rad] An angle this near to a multiple of pi/2 was probably meant to be it, and written with few digits."""
+
+SAME_INERTIA: float = 1e-9
+"""[share of the largest entry] Tensors that differ by no more are the same but for rounding."""
+
+PLACEHOLDER: float = 1.0
+"""[kg, kg m^2] Mass and moments of a body that has none without its meshes, so that MuJoCo compiles it; the
+tree has none for it."""
+
+ROUNDING: float = 1e-15
+"""[entry of a rotation] An entry this near to 0 or +-1 is that: what is left is the rounding of cosines."""
+
+XACRO_SECONDS: int = 20
+"""[s] Processor time that a xacro file may take; large robots take 2."""
+
+XACRO_MEMORY: int = 1024
+"""[MiB] Memory that the expansion of a xacro file may take, the interpreter in it."""

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from robodyn.formats.chain import Body, Pose, Vector, about_axis, product, scaled
+from robodyn.formats.limits import ROUNDING
 from robodyn.formats.quantities import turned_inertia
 from robodyn.formats.tree import TURNING, TreeJoint
 from robodyn.robot.numbers import shortest
@@ -80,3 +81,14 @@ def _position(pose: Pose, point: Vector) -> Vector:
 def _exact(vector: Vector) -> _Exact:
     x, y, z = map(shortest, vector)
     return (x, y, z)
+
+
+def tidy(pose: Pose) -> Pose:
+    """``pose`` with 0 and +-1 in the rotation where rounding left something else."""
+    a, b, c = ((_entry(row[0]), _entry(row[1]), _entry(row[2])) for row in pose.rotation)
+    return Pose(pose.xyz, (a, b, c))
+
+
+def _entry(x: float) -> float:
+    whole = round(x)
+    return float(whole) if abs(x - whole) <= ROUNDING else x

@@ -139,7 +139,7 @@ class Topology:
             found=f"{len(ends)} tips",
             expected="one of "
             + names((f"{name} ({count} joint{'s' * (count != 1)})" for name, count in choices), NAMES_SHOWN),
-            remedy=f"choose one: robodyn import {shown(self.tree.file)} --tip LINK -o arm.yaml",
+            remedy=f"choose one: robodyn import {self.tree.file} --tip LINK -o arm.yaml",
         )
 
     def _leaves(self, group: list[str]) -> list[str]:

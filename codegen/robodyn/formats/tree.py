@@ -109,14 +109,16 @@ class Unused:
     file: str
     lines: tuple[int, ...] = ()
 
-    def __str__(self) -> str:
-        """On one line, the first few places."""
+    def text(self, file: str = "") -> str:
+        """On one line, with the first few places; without the name of the file where that is ``file``."""
+        name = "" if self.file == file else self.file
         if not self.lines:
-            return f"{self.file}: {self.what}"
+            return f"{self.what} ({name})" if name else self.what
         shown = ", ".join(map(str, self.lines[:LINES_SHOWN]))
         more = len(self.lines) - LINES_SHOWN
         rest = f" and {more} more" if more > 0 else ""
-        return f"{self.what} ({'line' if len(self.lines) == 1 else 'lines'} {shown}{rest})"
+        word = "line" if len(self.lines) == 1 else "lines"
+        return f"{self.what} ({name + ': ' if name else ''}{word} {shown}{rest})"
 
 
 @dataclass(frozen=True, slots=True)
