@@ -42,6 +42,7 @@ from robodyn.diagnose.select.library.matched import matched
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     DIVERGED,
+    MOTION_WIDER,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -171,12 +172,12 @@ def select(
     the inertial numbers may be wrong of which nothing is stated (None: the logs decide)."""
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     pieces.sort(key=lambda log: -log.samples)
-    longest = signals_of(pieces[0], cutoff=cutoff)
+    longest = signals_of(pieces[0], cutoff=cutoff, wider=MOTION_WIDER)
     context = context_of(Model(robot), longest)
     contexts = [context]
     for log in pieces[1:]:
         if log.samples * longest.period > SHORTEST_PIECE / longest.cutoff:
-            more = signals_of(log, cutoff=longest.cutoff)
+            more = signals_of(log, cutoff=longest.cutoff, wider=MOTION_WIDER)
             contexts.append(context_of(context.model, more, context.hints))
     narrow = prior_scales(context.model)
     start = start_of(contexts, narrow)
