@@ -37,7 +37,7 @@ def mount(joint: Joint) -> tuple[Floats, Floats]:
     ct, st = float(joint.theta.cos), float(joint.theta.sin)
     about_x = np.array([[1, 0, 0], [0, ca, -sa], [0, sa, ca]])
     about_z = np.array([[ct, -st, 0], [st, ct, 0], [0, 0, 1]])
-    return about_x @ about_z, np.array([plain(joint.a), 0, 0]) + about_x[:, 2] * plain(joint.d)
+    return about_x @ about_z, about_x @ [plain(joint.a), plain(joint.b), plain(joint.d)]
 
 
 def tensor(i: Inertia) -> Floats:

@@ -75,7 +75,7 @@ def torque(model: Any, q: Floats, qd: Floats, qdd: Floats) -> Floats:
 
 
 def _xml(robot: Robot) -> str:
-    gravity = " ".join(repr(float(g)) for g in robot.gravity)
+    gravity = " ".join(repr(float(g)) for g in robot.base_gravity)
     lines = [
         '<mujoco><compiler angle="radian" autolimits="false" balanceinertia="true"/>',
         f'<option gravity="{gravity}"><flag contact="disable" limit="disable"/></option><worldbody>',

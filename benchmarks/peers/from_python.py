@@ -20,7 +20,7 @@ from robodyn.bench.peers.calls import (
     pinocchio_call,
 )
 from robodyn.bench.peers.models import casadi_function
-from robodyn.bench.peers.numbers import Numbers
+from robodyn.bench.peers.numbers import Numbers, check_rows
 from robodyn.robot import Robot
 
 
@@ -57,6 +57,7 @@ def _toolbox(arm: Numbers, states: States) -> Call:
 
     links = []
     for link in arm.links:
+        check_rows(arm)
         kind = rtb.RevoluteMDH if link.revolute else rtb.PrismaticMDH
         place = (
             {"d": link.d, "offset": link.theta[0]}

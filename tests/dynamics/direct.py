@@ -87,7 +87,7 @@ class Recorder:
 
 def exact_arm(seed: int, **choices: Any) -> Robot:
     """A random arm whose friction is exact at rest: without tanh all of it is rational."""
-    return replace(random_robot(seed, **choices), rest_velocity=None)
+    return replace(random_robot(seed, **{"aside": 0.4, **choices}), rest_velocity=None)
 
 
 def with_named_numbers(robot: Robot, chosen: Callable[[str], bool] = lambda name: True) -> Robot:
@@ -101,7 +101,7 @@ def with_named_numbers(robot: Robot, chosen: Callable[[str], bool] = lambda name
         joint = link.joint
         given: dict[str, Any] = {
             key: name(f"{key}_{i}", getattr(joint, key))
-            for key in ("a", "d", "motor_inertia", "viscous", "coulomb")
+            for key in ("a", "b", "d", "motor_inertia", "viscous", "coulomb")
         }
         entries = {
             key: name(f"i{key}_{i}", getattr(link.inertia, key))

@@ -243,7 +243,7 @@ def _mjcf(robot: Robot, patched: Iterable[int], moving: Moving | None = None) ->
     lines = [
         _HEAD.format(
             name=robot.name,
-            gravity=_text(float(g) for g in robot.gravity),
+            gravity=_text(float(g) for g in robot.base_gravity),
             option=option,
             dry="enable" if dry else "disable",
         )

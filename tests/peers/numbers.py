@@ -30,7 +30,7 @@ def placement(joint: Joint) -> tuple[Array, Array]:
     ct, st = float(joint.theta.cos), float(joint.theta.sin)
     rot_x = np.array([[1, 0, 0], [0, ca, -sa], [0, sa, ca]], dtype=np.float64)
     rot_z = np.array([[ct, -st, 0], [st, ct, 0], [0, 0, 1]], dtype=np.float64)
-    position = np.array([number(joint.a), 0.0, 0.0]) + rot_x[:, 2] * number(joint.d)
+    position = rot_x @ [number(joint.a), number(joint.b), number(joint.d)]
     return rot_x @ rot_z, position
 
 

@@ -20,7 +20,7 @@ def pinocchio_model(robot: Robot) -> pin.Model:
     """The robot as a Pinocchio model: one joint about or along z a link, rotors as ``armature``."""
     model = pin.Model()
     model.name = robot.name
-    model.gravity = pin.Motion(np.array([float(g) for g in robot.gravity]), np.zeros(3))
+    model.gravity = pin.Motion(np.array([float(g) for g in robot.base_gravity]), np.zeros(3))
     parent = 0
     for link in robot.links:
         kind = pin.JointModelRZ() if link.joint.kind == "revolute" else pin.JointModelPZ()

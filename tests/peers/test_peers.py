@@ -71,7 +71,7 @@ def test_peers_agree_with_each_other(chunk: int) -> None:
         require_module(name)
     found = []
     for seed in range(2 * CHUNK * chunk, 2 * CHUNK * (chunk + 1)):
-        one, other = references(random_robot(seed), seed)
+        one, other = references(random_robot(seed, aside=0.3), seed)
         for function in ALL_BUT_FORWARD:
             a, b = one.answers[function], other.answers[function]
             found.append(complaint(f"random_{seed} {function}", a, b, one.scale(function), 1e-12))
@@ -100,7 +100,7 @@ def test_random_robots(chunk: int) -> None:
     """
     found = []
     for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):
-        robot = random_robot(seed)
+        robot = random_robot(seed, aside=0.3)
         refs = references(robot, seed)
         functions = refs[0].functions if seed % 4 == 0 else TORQUES[:1]
         found += check(robot, refs, functions, scalar="double", regroup=True, flags=("-O1",))
@@ -116,7 +116,7 @@ def test_random_robots_in_full(chunk: int) -> None:
     """Every function of every robot, regrouped and not, optimised as shipped; in float no accelerations."""
     found = []
     for seed in range(CHUNK * chunk, CHUNK * (chunk + 1)):
-        robot = random_robot(seed)
+        robot = random_robot(seed, aside=0.3)
         refs = references(robot, seed)
         for regroup in (True, False):
             found += check(robot, refs, refs[0].functions, scalar="double", regroup=regroup)
@@ -128,6 +128,6 @@ def test_forward_dynamics_is_asked_of_most_random_robots() -> None:
     require_module("pinocchio")
     regular = 0
     for seed in range(RANDOM_ROBOTS):
-        robot = random_robot(seed)
+        robot = random_robot(seed, aside=0.3)
         regular += reference("pinocchio", robot, random_states(robot, STATES, seed)).qdd is not None
     assert regular >= 0.9 * RANDOM_ROBOTS

@@ -15,12 +15,13 @@ from records.made import TOOL, arm, bundled
 from robodyn.optimize.records import bundled_records, identity
 from robodyn.optimize.records.record import header
 from robodyn.robot import Robot, bundled_names
-from robodyn.robot.model import Comparison, EffectEntry, Gear, Inertia, Joint, Limits, Link
+from robodyn.robot.model import Comparison, EffectEntry, Gear, Inertia, Joint, Limits, Link, Placement
 from robodyn.robot.values import Affine, angle, parameter, quarter_turns
 
 BASE = arm(TOOL)
 LINK, JOINT = BASE.links[1], BASE.links[1].joint
 SMALL = Fraction(1, 10**40)
+ORIGIN, RPY = (Fraction(0), Fraction(0), Fraction(0)), (quarter_turns(0), quarter_turns(0), quarter_turns(0))
 
 
 def with_link(link: Link) -> Robot:
@@ -46,6 +47,8 @@ CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
     (Robot, "torque_side"): (replace(BASE, torque_side="link"), True),
     (Robot, "rest_velocity"): (replace(BASE, rest_velocity=Fraction(1, 1000)), True),
     (Robot, "dead_band"): (replace(BASE, dead_band=Fraction(1, 1000)), True),
+    (Robot, "base"): (replace(BASE, base=Placement(ORIGIN, (quarter_turns(1), *RPY[1:]))), True),
+    (Robot, "tool"): (replace(BASE, tool=Placement((SMALL, *ORIGIN[1:]), RPY)), False),
     (Robot, "effects"): (
         replace(BASE, effects=(EffectEntry("torque_ripple", 1, (("amplitude", Fraction(1)),)),)),
         True,
@@ -64,7 +67,7 @@ CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
     (Joint, "theta"): (with_joint(theta=angle(Fraction(1, 10**11))), True),
     **{
         (Joint, name): (with_joint(**{name: getattr(JOINT, name) + SMALL}), True)
-        for name in ("a", "d", "motor_inertia", "viscous", "coulomb")
+        for name in ("a", "b", "d", "motor_inertia", "viscous", "coulomb")
     },
     **{
         (Inertia, name): (with_inertia(**{name: getattr(LINK.inertia, name) + SMALL}), True)
@@ -87,13 +90,16 @@ def test_each_place_counts_on_its_own() -> None:
     changes: list[Callable[[Fraction], Robot]] = [
         *(lambda x, k=k: replace(BASE, gravity=_put(BASE.gravity, k, x)) for k in range(3)),
         *(lambda x, k=k: with_link(replace(LINK, com=_put(LINK.com, k, x))) for k in range(3)),
-        *(lambda x, n=n: with_joint(**{n: x}) for n in ("a", "d", "motor_inertia", "viscous", "coulomb")),
+        *(
+            lambda x, n=n: with_joint(**{n: x})
+            for n in ("a", "b", "d", "motor_inertia", "viscous", "coulomb")
+        ),
         *(lambda x, n=n: with_inertia(**{n: x}) for n in ("xx", "yy", "zz", "xy", "xz", "yz")),
         lambda x: with_link(replace(LINK, mass=x)),
     ]
     values = (Fraction(7), Fraction(-7), Fraction(1, 7))
     found = [identity(change(x)) for change in changes for x in values]
-    assert len(set(found)) == len(found) == 18 * 3
+    assert len(set(found)) == len(found) == 19 * 3
 
 
 def _put(vector: tuple[Any, ...], k: int, x: Any) -> tuple[Any, ...]:

@@ -27,7 +27,7 @@ KNOWN: Final = drawn_prime(b"passes")
 def hostile(seed: int, *, joints: int | None = None) -> Robot:
     """The arm number ``seed``: a random arm, some of whose numbers are replaced."""
     rng = random.Random(f"hostile {seed}")
-    robot = random_robot(seed, joints=joints or rng.randint(1, 8))
+    robot = random_robot(seed, joints=joints or rng.randint(1, 8), aside=0.3)
     prime = rng.choice(PRIMES) if seed % 3 else PRIMES[0]
     numbers = Numbers(rng, prime, rng.choice((0.1, 0.4, 1.0)))
     return replace(numbers.arm(robot), name=f"hostile{seed}")
@@ -74,6 +74,7 @@ class Numbers:
                 joint,
                 a=swapped(joint.a),
                 d=swapped(joint.d),
+                b=swapped(joint.b) if joint.b else joint.b,
                 motor_inertia=swapped(joint.motor_inertia, positive=True),
                 viscous=swapped(joint.viscous, positive=True),
                 coulomb=swapped(joint.coulomb, positive=True),

@@ -45,6 +45,7 @@ def random_robot(
     motors: float = 0.5,
     friction: float = 0.4,
     exotic: float = 0.15,
+    aside: float = 0.0,
 ) -> Robot:
     """Return the random arm number ``seed``: equal arguments give an equal robot, on any machine.
 
@@ -54,7 +55,8 @@ def random_robot(
     pi); of a length or a coordinate of a centre of mass that is zero (``zeros``); of a link that is a thin
     rod, a point, an inertia without mass, or nothing at all (``degenerate``); of a joint with rotor inertia
     (``motors``); of one with ``friction``; and of each of smoothed friction at rest, torque on the link's
-    side and gravity switched off (``exotic``). At least one link is always a solid body.
+    side and gravity switched off (``exotic``); of an offset ``b`` that no row of DH numbers has (``aside``,
+    which leaves the other draws as they are). At least one link is always a solid body.
     """
     rng = random.Random(seed)
     n = joints if joints is not None else rng.randint(1, MAX_JOINTS)
@@ -79,12 +81,18 @@ def random_robot(
         links.append(Link(name=f"link_{i + 1}", joint=joint, mass=mass, com=com, inertia=inertia))
     return Robot(
         name=f"random_{seed}",
-        links=tuple(links),
+        links=tuple(_aside(links, random.Random(~seed), aside)),
         title=f"random arm {seed}, {n} joint{'s' if n > 1 else ''}",
         gravity=(ZERO, ZERO, ZERO) if rng.random() < exotic / 3 else _gravity(rng),
         torque_side="link" if rng.random() < exotic else "motor",
         rest_velocity=_pick(rng, (Fraction(1, 100), Fraction(1, 10))) if rng.random() < exotic else None,
     )
+
+
+def _aside(links: Sequence[Link], rng: random.Random, share: float) -> list[Link]:
+    """``links`` with offsets ``b`` at a ``share`` of their joints."""
+    offsets = [_length(rng, 0.0) if rng.random() < share else ZERO for _ in links]
+    return [replace(one, joint=replace(one.joint, b=b)) for one, b in zip(links, offsets, strict=True)]
 
 
 def random_states(robot: Robot, N: int, seed: int) -> States:

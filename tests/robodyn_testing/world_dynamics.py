@@ -99,7 +99,8 @@ def loads(
         R_x = _turned(R, *_fixed(joint.alpha), about_x=True)
         d = scalar(joint.d) + (0 if turns else q[i])
         z = [row[2] for row in R_x]
-        step = plus(times(scalar(joint.a), [row[0] for row in R]), times(d, z))
+        x, y = [row[0] for row in R], [row[1] for row in R_x]
+        step = plus(times(scalar(joint.a), x), times(scalar(joint.b), y), times(d, z))
         # A frame's origin moves with the frame before it, and along its own axis where it slides.
         a = plus(a, cross(alpha, step), cross(w, cross(w, step)))
         p = plus(p, step)
@@ -118,7 +119,7 @@ def loads(
             solids += [_payload(e, scalar) for e in robot.effects if e.effect == "payload"]
         for mass, com, rows in solids:
             r = matrix_vector(R, com)
-            gravity = [scalar(x) for x in robot.gravity]
+            gravity = [scalar(x) for x in robot.base_gravity]
             a_com = plus(a, cross(alpha, r), cross(w, cross(w, r)))
             force = times(mass, plus(a_com, times(-1, gravity)))
             own = frames[-1]  # R transposed

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
-from robodyn.errors import InputError
 from robodyn.robot import Comparison, DoubtfulRobot, Gear, Inertia, Limits, Link, Robot, read_text
 from robodyn.robot.values import ZERO, Affine, angle, parameter
 from robodyn_testing import exactly
@@ -84,6 +84,31 @@ def test_everything_stated() -> None:
     assert slide.name == "link2"
     assert slide.joint.kind == "prismatic"
     assert slide.mass == parameter("m_tool")
+
+
+def test_the_base_stands_in_the_world_and_the_tool_in_the_last_link() -> None:
+    text = "name: arm\nlinks: [{joint: revolute}]\ngravity: [1, 2, 3]\n"
+    f = Fraction
+    robot = read_text(text + "base: {rpy: [pi/2, 0, pi/2]}\ntool: {xyz: [0, 0, 0.1]}")
+    assert robot.gravity == exactly(1, 2, 3)
+    # The base's x axis is the world's y, its y the world's z, its z the world's x.
+    assert robot.base_gravity == exactly(2, 3, 1)
+    assert robot.tool is not None
+    assert robot.tool.xyz == exactly(0, 0, f(1, 10))
+    assert robot.tool.rotation == (exactly(1, 0, 0), exactly(0, 1, 0), exactly(0, 0, 1))
+    tilted = read_text(text + "base: {xyz: [5, 5, 5], rpy: [0.1, -0.2, 0.3]}")
+    assert tilted.base is not None
+    R = np.array([[float(x) for x in row] for row in tilted.base.rotation])
+    np.testing.assert_allclose(R.T @ R, np.eye(3), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(R @ [float(x) for x in tilted.base_gravity], [1, 2, 3], rtol=0, atol=1e-14)
+    assert R[2] == pytest.approx([np.sin(0.2), np.cos(0.2) * np.sin(0.1), np.cos(0.2) * np.cos(0.1)])
+    assert read_text(text).base_gravity == exactly(1, 2, 3)
+
+
+def test_an_offset_beside_the_twist() -> None:
+    assert _link("a: 1, b: 2*0.1, d: 3").joint.b == Fraction(1, 5)
+    assert _link("b: b_1").joint.b == parameter("b_1")
+    assert _link("a: 1").joint.b == 0
 
 
 def test_only_name_links_and_joint_are_required() -> None:
@@ -281,28 +306,6 @@ def test_izz_alone_is_enough_for_a_link_on_a_fixed_axis() -> None:
         assert read_text(text + f"inertia: {{{axis}: 0.35}}}}]", strict=True).n == 1
     with pytest.raises(Exception, match="not physical"):
         read_text("name: arm\nlinks: [{joint: prismatic, inertia: {zz: 0.35}}]", strict=True)
-
-
-def test_an_angle_in_degrees_is_doubted() -> None:
-    told: list[str] = []
-    read_text("name: arm\nlinks: [{joint: revolute, alpha: -90, theta: 2*pi}]", "arm.yaml", warn=told.append)
-    assert told == [
-        "arm.yaml:2:34: link 1: alpha = -90 rad is more than one turn; "
-        "angles are in rad: write -90*pi/180 if degrees are meant"
-    ]
-
-
-def test_whole_turns_are_taken_off_exactly() -> None:
-    robots = [
-        read_text(f"name: arm\nlinks: [{{joint: revolute, theta: {text}}}]", warn=lambda _: None)
-        for text in ("0.25", "0.25 + 2*pi", "0.25 - 20000*pi")
-    ]
-    assert len({robot.links[0].joint.theta for robot in robots}) == 1
-
-
-def test_what_is_far_beyond_a_turn_is_no_angle() -> None:
-    with pytest.raises(InputError, match=r"^arm\.yaml:2:34: link 1: theta is no angle"):
-        read_text("name: arm\nlinks: [{joint: revolute, theta: 1e12}]", "arm.yaml")
 
 
 def test_doubts_are_python_warnings_unless_taken() -> None:

@@ -24,6 +24,7 @@ from robodyn.robot import (
     read_text,
     to_yaml,
 )
+from robodyn.robot.model import Placement
 from robodyn.robot.values import PI, ZERO, Angle, Value, angle, parameter
 from robodyn_testing import exactly
 
@@ -39,6 +40,9 @@ _ANGLES = st.one_of(
     st.builds(lambda k, n: angle(k * PI / n), st.integers(-40, 40), st.integers(1, 360)),
     st.decimals(-7, 7, allow_nan=False, places=6).map(lambda d: angle(Fraction(str(d)))),
     st.builds(lambda k, x: angle(k * PI / 3 + x), st.integers(-6, 6), _RATIONALS.map(lambda x: x % 1)),
+)
+_PLACEMENTS = st.none() | st.builds(
+    Placement, st.tuples(_NUMBERS, _NUMBERS, _NUMBERS), st.tuples(_ANGLES, _ANGLES, _ANGLES)
 )
 _TEXTS = st.text(st.characters(blacklist_categories=("Cc", "Cf", "Cs", "Zl", "Zp")), max_size=60).map(
     lambda text: " ".join(text.split())
@@ -86,6 +90,7 @@ def _robots(draw: st.DrawFn) -> Robot:
             draw(_amounts()),
             draw(_limits()),
             draw(st.sampled_from([None, Gear(Fraction(100)), Gear(Fraction(1, 3), Fraction(1, 7))])),
+            draw(st.just(ZERO) | _values()),
         )
         links.append(
             Link(
@@ -106,6 +111,8 @@ def _robots(draw: st.DrawFn) -> Robot:
         draw(st.none() | st.builds(Comparison, _TEXTS, _TEXTS)),
         draw(st.sampled_from(["motor", "link"])),
         draw(st.none() | _POSITIVE),
+        base=draw(_PLACEMENTS),
+        tool=draw(_PLACEMENTS),
     )
 
 

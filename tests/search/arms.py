@@ -41,6 +41,6 @@ SPECIAL: Final = {name: _described(name, text) for name, text in TEXTS.items()}
 def random_arms(count: int, *, joints: int) -> list[Robot]:
     """Random arms of up to so many joints: friction, sliding joints, angles that are no right ones."""
     return [
-        random_robot(seed, joints=1 + seed % joints, full=bool(seed % 2), friction=0.5, exotic=0.1)
+        random_robot(seed, joints=1 + seed % joints, full=bool(seed % 2), friction=0.5, exotic=0.1, aside=0.3)
         for seed in range(count)
     ]

@@ -39,7 +39,7 @@ def joint(kind: Literal["revolute", "prismatic"] = "revolute", **numbers: Any) -
 @pytest.mark.parametrize("joints", [1, 2, 3, 4, 5])
 @pytest.mark.parametrize("seed", range(8))
 def test_newton_euler_is_virtual_work(joints: int, seed: int) -> None:
-    robot = random_robot(seed, joints=joints, **(GENERIC if seed % 2 else {}))
+    robot = random_robot(seed, joints=joints, aside=0.4, **(GENERIC if seed % 2 else {}))
     q, qd, qdd = states(robot, 4, seed)
     qd[-1] = 0.0
     tau = Reference(robot).inverse_dynamics(q, qd, qdd)
@@ -49,7 +49,7 @@ def test_newton_euler_is_virtual_work(joints: int, seed: int) -> None:
 @pytest.mark.parametrize("joints", [1, 2, 3])
 @pytest.mark.parametrize("seed", range(100, 106))
 def test_newton_euler_is_the_lagrangian(joints: int, seed: int) -> None:
-    robot = random_robot(seed, joints=joints, **(GENERIC if joints < 3 or seed == 100 else {}))
+    robot = random_robot(seed, joints=joints, aside=0.4, **(GENERIC if joints < 3 or seed == 100 else {}))
     q, qd, qdd = states(robot, 20, seed)
     qd[-1] = 0.0
     tau = Reference(robot).inverse_dynamics(q, qd, qdd)
@@ -77,7 +77,7 @@ def test_nine_joints() -> None:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_functions_of_the_reference_fit_together(seed: int) -> None:
-    robot = random_robot(seed, joints=4, **GENERIC)
+    robot = random_robot(seed, joints=4, aside=0.5, **GENERIC)
     reference = Reference(robot)
     q, qd, qdd = states(robot, 5)
     tau = reference.inverse_dynamics(q, qd, qdd)

@@ -15,6 +15,7 @@ from diagnose.hidden.logs import Hidden
 from robodyn.diagnose.run import diagnose
 from robodyn.errors import RobodynError
 from robodyn.gate.gate import inspect
+from robodyn.identify.band import banded
 from robodyn.identify.fit import Load, Options
 from robodyn.identify.predict import lacking
 from robodyn.identify.run import Identification, identify
@@ -48,7 +49,7 @@ def numbers(trial: Trial, make: Make) -> dict[str, Any]:
     free = make(trial)
     result = identify(described(trial), [free.train], free.validate)
     left = result.residual.validate_after / free.truth.noise
-    gate = inspect(free.validate, arm_of(trial), source="validation")
+    (gate,) = banded(described(trial), [inspect(free.validate, described(trial), source="validation")])
     true = lacking(arm_of(trial), gate)
     edge = len(true) // 100
     of_truth = np.sqrt((true[edge:-edge] ** 2).mean(axis=0)) / free.truth.noise

@@ -41,11 +41,11 @@ from robodyn.diagnose.select.scope import scope_of
 from robodyn.diagnose.select.search import Detected, search
 from robodyn.diagnose.select.selection import what_matters
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.predict import agreement, signals_seen
 from robodyn.identify.rigid import Model
 from robodyn.logs.log import Log, read_log
-from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
 from robodyn.robot.rewriting import rewritten
 

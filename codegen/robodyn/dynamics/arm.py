@@ -42,6 +42,7 @@ class Symmetric:
 class Body:
     """A link and its joint: DH numbers (cosine and sine of alpha), inertial numbers, what sits in the joint.
 
+    ``b`` [m] is the offset along y behind the twist, which Denavit-Hartenberg rows do not have.
     ``com`` [m] and ``inertia`` [kg m^2] (about the centre of mass) are along the link's own axes.
     """
 
@@ -57,6 +58,7 @@ class Body:
     motor_inertia: Any
     viscous: Any
     coulomb: Any
+    b: Any = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,6 +152,7 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
                 motor_inertia=scalar(joint.motor_inertia) if motor else none,
                 viscous=scalar(joint.viscous) if motor else none,
                 coulomb=scalar(joint.coulomb) if motor else none,
+                b=scalar(joint.b) if joint.b else 0,
             )
         )
     loads = [
@@ -162,7 +165,7 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
         if entry.definition.traits.body
         for tensor in (entry["inertia"] if "inertia" in entry else Inertia(),)
     ]
-    gx, gy, gz = robot.gravity
+    gx, gy, gz = robot.base_gravity
     rest = None if robot.rest_velocity is None else constant(robot.rest_velocity)
     band = None if robot.dead_band is None else constant(robot.dead_band)
     if loads:
@@ -241,4 +244,12 @@ def about_z(c: Any, s: Any, u: Vector) -> Vector:
 
 def origin(body: Body, d: Any) -> Vector:
     """``p``: the origin of the link's frame in the parent's frame [m]."""
-    return (body.a, -(body.sin_alpha * d), body.cos_alpha * d)
+    if is_zero(body.b):
+        return (body.a, -(body.sin_alpha * d), body.cos_alpha * d)
+    return (body.a, *behind_twist(body, body.b, d))
+
+
+def behind_twist(body: Body, b: Any, d: Any) -> tuple[Any, Any]:
+    """What lies ``b`` along y and ``d`` along z behind the twist, along y and z of the parent's frame."""
+    c, s = body.cos_alpha, body.sin_alpha
+    return c * b - s * d, s * b + c * d

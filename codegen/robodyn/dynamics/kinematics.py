@@ -12,6 +12,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Motion
 from robodyn.dynamics.vectors import ZERO, Vector, cross, plus, scaled
+from robodyn.effects.scalars import is_zero
 
 #: Rows of scalars.
 Matrix = list[list[Any]]
@@ -44,15 +45,18 @@ class Frame:
 BASE = Frame(ZERO, (1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
-def frames(arm: Arm, motion: Motion) -> list[Frame]:
-    """Frames of the links [n] of ``arm`` where ``motion`` has it."""
+def frames(arm: Arm, motion: Motion, base: Frame = BASE) -> list[Frame]:
+    """Frames of the links [n] of ``arm`` where ``motion`` has it; ``base`` is its base frame, by default the
+    frame that results are in."""
     poses = []
-    last = BASE
+    last = base
     for body, c, s, d in zip(arm.bodies, motion.c, motion.s, motion.d, strict=True):
         x = last.x
         y = plus(scaled(body.cos_alpha, last.y), scaled(body.sin_alpha, last.z))
         z = _minus(scaled(body.cos_alpha, last.z), scaled(body.sin_alpha, last.y))
         origin = plus(last.origin, scaled(body.a, x), scaled(d, z))
+        if not is_zero(body.b):
+            origin = plus(origin, scaled(body.b, y))
         last = Frame(origin, plus(scaled(c, x), scaled(s, y)), _minus(scaled(c, y), scaled(s, x)), z)
         poses.append(last)
     return poses

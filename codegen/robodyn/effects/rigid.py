@@ -104,7 +104,8 @@ TILT = Effect(
         ),
     ),
     latex=r"g \leftarrow R_y(\epsilon_y) R_x(\epsilon_x)\, g",
-    doc="Gravity is turned in the base's frame, first about x, then about y.",
+    doc="Gravity is turned in the frame in which it is stated, first about x, then about y: the base's, or "
+    "the world's where the description has `base`.",
     signature="the residual depends on the pose alone, and on the first joint too, as nothing else of "
     "gravity does",
     rivals=("payload", "encoder_offset", "spring"),

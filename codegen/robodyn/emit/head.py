@@ -49,7 +49,7 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
     say("Joints, base to tip, in modified Denavit-Hartenberg frames [rad, m]:")
     for line in _table(robot):
         say(line, "      ")
-    say(f"Gravity in the base frame: {', '.join(repr(float(g)) for g in robot.gravity)} m/s^2")
+    say(f"Gravity in the base frame: {', '.join(repr(float(g)) for g in robot.base_gravity)} m/s^2")
     say("Arguments, in SI units, joint 1 first:")
     arrays = dict.fromkeys(a for s, _ in unit.functions for a, _ in (*s.inputs, *s.outputs))
     for array in arrays:
@@ -121,7 +121,7 @@ def _table(robot: Robot) -> Iterator[str]:
             f"{i}",
             link.name if link.name != f"link{i}" else "",
             link.joint.kind,
-            *(f"{name} {text}" for name, text in _row(link.joint)),
+            *(f"{name} {text}" if text else "" for name, text in _row(link.joint)),
         )
         for i, link in enumerate(robot.links, 1)
     ]
@@ -142,7 +142,8 @@ def _row(joint: Joint) -> tuple[tuple[str, str], ...]:
         turned = "q" if turned == "0" else f"q + {turned}"
     else:
         slid = "q" if slid == "0" else f"q + {slid}"
-    return (("alpha", _angle(joint.alpha)), ("a", _value(joint.a)), ("d", slid), ("theta", turned))
+    aside = (("b", _value(joint.b) if joint.b else ""),)
+    return (("alpha", _angle(joint.alpha)), ("a", _value(joint.a)), *aside, ("d", slid), ("theta", turned))
 
 
 def _limits(joint: Joint) -> str:
@@ -280,6 +281,7 @@ def _uses(robot: Robot) -> dict[str, tuple[str, ...]]:
     for i, link in enumerate(robot.links, 1):
         joint = link.joint
         note(joint.a, f"a of joint {i}", "m")
+        note(joint.b, f"b of joint {i}", "m")
         note(joint.d, f"d of joint {i}", "m")
         note(link.mass, f"mass of link {i}", "kg")
         note(link.com, f"centre of mass of link {i}", "m")

@@ -181,11 +181,12 @@ def _largest_term(
     def total(values: Iterable[Value]) -> Fraction:
         return sum((abs(exact_value(value, parameters)) for value in values), Fraction(0))
 
-    length = 1 + total(x for link in robot.links for x in (link.joint.a, link.joint.d, *link.com))
+    offsets = (x for joint in (link.joint for link in robot.links) for x in (joint.a, joint.b, joint.d))
+    length = 1 + total(offsets) + total(x for link in robot.links for x in link.com)
     inertias = ((i.xx, i.yy, i.zz, i.xy, i.xz, i.yz) for i in (link.inertia for link in robot.links))
     drives = ((j.motor_inertia, j.viscous, j.coulomb) for j in (link.joint for link in robot.links))
     body = total(link.mass for link in robot.links) + total(x for row in (*inertias, *drives) for x in row)
     most = {array: Fraction(float(np.abs(x).max())) for array, x in states.items()}
     length += most["q"] if any(link.joint.kind == "prismatic" for link in robot.links) else 0
-    motion = 1 + most.get("qd", 0) ** 2 + most.get("qdd", 0) + total(robot.gravity)
+    motion = 1 + most.get("qd", 0) ** 2 + most.get("qdd", 0) + total(robot.base_gravity)
     return body * length**2 * motion

@@ -96,6 +96,21 @@ END_SHARE: Final = 0.01
 LONG_CHUNK: Final = 4096
 """[samples] Models are evaluated at as many at a time."""
 
+# --- band --------------------
+
+LOWER_STEPS: Final = (0.7, 0.5, 0.35)
+"""[multiples of the cutoff above what moves] Cutoffs that are tried first where models are set beside raw
+torques,"""
+
+HIGHER_STEPS: Final = (1.4, 2.0, 2.8, 4.0)
+"""[multiples of the cutoff above what moves] and afterwards."""
+
+BAND_WORTH: Final = 0.005
+"""[share of what is left] Another cutoff is worth it if less is left by as much,"""
+
+BAND_LOST: Final = 0.02
+"""[share of what is left] and none higher is tried where more is left by as much."""
+
 # --- prior --------------------
 
 UNSTATED_CONFIDENCE: Final = 0.4

@@ -13,8 +13,7 @@ from robodyn.gate.gate import Gate
 from robodyn.identify.rigid import Model
 from robodyn.identify.twist import behind_motors
 from robodyn.kernels.kernel import Kernel
-from robodyn.logs.log import Log
-from robodyn.logs.signals import Signals, knee, smoothed_motion
+from robodyn.logs.signals import Signals, knee, low_pass, smoothed_motion
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import acting_on, measured_torque
 
@@ -37,7 +36,7 @@ def agreement(robot: Robot, gate: Gate) -> float | None:
         return None
     most, size, model = 0.0, 1e-300, Model(robot)
     for part in gate.segments:
-        _, q, qd, qdd = smooth_motion(gate.log, part)
+        _, q, qd, qdd = smooth_motion(gate, part)
         tau = kernel.inverse_dynamics(q, qd, qdd)
         most = max(most, float(np.abs(tau - model.torque(q, qd, qdd)).max()))
         size = max(size, float(np.abs(tau).max()))
@@ -100,6 +99,32 @@ def model_torque(
     return measured_torque(tau, t, robot.effects)
 
 
+def blurred_torque(
+    robot: Robot, t: Floats, q: Floats, qd: Floats, qdd: Floats, tau: Floats, cutoff: float
+) -> Floats:
+    """As :func:`model_torque` of positions that were low-passed at ``cutoff`` [Hz], with dry friction
+    low-passed as well. A joint under soft control turns round with a steady torque: its friction jumps, and
+    its acceleration by as much the other way. Of a filtered acceleration and a friction that jumps a burst
+    would be left that the torque does not have."""
+    period = float(t[1] - t[0])
+
+    def seen(x: Floats) -> Floats:
+        return low_pass(x, 1 / period, cutoff)
+
+    turned, model = q - offsets(robot), Model(robot, seen=seen)
+    remembering = sorted({e.joint - 1 for e in robot.effects if e.joint and e.definition.memory is not None})
+    if not remembering or model.couplers:
+        torque = behind_motors(model, turned, qd, qdd, period, tau).total
+        return measured_torque(torque, t, robot.effects)
+    filtered, sharp = (one.evaluate(turned, qd, qdd) for one in (model, Model(robot)))
+    kernel = kernel_of(robot)
+    more: dict[str, Any] = {"dt": period} if kernel.signatures["inverse_dynamics"].states else {}
+    whole = kernel.inverse_dynamics(turned, qd, qdd, **more)
+    torque = whole + filtered.total - sharp.total
+    torque[:, remembering] = (sharp.rigid + seen(whole - sharp.rigid))[:, remembering]
+    return measured_torque(torque, t, robot.effects)
+
+
 def given_torque(tau: Floats, robot: Robot) -> Floats:
     """Of commands [K, n], what the drives of ``robot`` gave: no more than their limits."""
     torque = np.array(tau)
@@ -110,11 +135,16 @@ def given_torque(tau: Floats, robot: Robot) -> Floats:
     return torque
 
 
-def smooth_motion(log: Log, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
+def cutoff_of(gate: Gate, part: slice) -> float:
+    """The cutoff [Hz] of positions of an even part of a log for models that are set beside raw torques."""
+    return gate.cutoff or knee(gate.log.q[part], 1 / gate.period)
+
+
+def smooth_motion(gate: Gate, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
     """Times, filtered positions and their rates of an even part of a log."""
-    t, q = log.t[part], log.q[part]
+    t, q = gate.log.t[part], gate.log.q[part]
     period = float((t[-1] - t[0]) / (len(t) - 1))
-    smooth = smoothed_motion(q, 1 / period, knee(q, 1 / period))
+    smooth = smoothed_motion(q, 1 / period, cutoff_of(gate, part))
     qd = np.gradient(smooth, period, axis=0)
     return t, smooth, qd, np.gradient(qd, period, axis=0)
 
@@ -123,7 +153,12 @@ def predicted(robot: Robot, gate: Gate) -> Floats:
     """The torques [K, n] that ``robot`` predicts along a log."""
     torque = np.zeros_like(gate.log.tau)
     for part in gate.segments:
-        torque[part] = model_torque(robot, *smooth_motion(gate.log, part), gate.log.tau[part])
+        t, q, qd, qdd = smooth_motion(gate, part)
+        tau = gate.log.tau[part]
+        if gate.blurred:
+            torque[part] = blurred_torque(robot, t, q, qd, qdd, tau, cutoff_of(gate, part))
+        else:
+            torque[part] = model_torque(robot, t, q, qd, qdd, tau)
     return torque
 
 
@@ -135,7 +170,7 @@ def lacking(robot: Robot, gate: Gate) -> Floats:
 
 def signals_seen(gate: Gate) -> Signals:
     """The whole log's motion, for pictures."""
-    parts = [smooth_motion(gate.log, part) for part in gate.segments]
+    parts = [smooth_motion(gate, part) for part in gate.segments]
     t, q, qd, qdd = (np.concatenate([part[k] for part in parts]) for k in range(4))
     count = len(t)
     return Signals(t, q, qd, qdd, gate.log.tau[:count], 1.0, 1, 0)

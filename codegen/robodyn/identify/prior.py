@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -44,7 +45,8 @@ def number_of(value: Value) -> float:
 def sizes_of(robot: Robot) -> tuple[tuple[float, float], ...]:
     """Mass [kg] and length [m] of each link, for scale; descriptions have links without either."""
     phi = Model(bare(robot)).standard_parameters()
-    reach = [float(np.hypot(number_of(link.joint.a), number_of(link.joint.d))) for link in robot.links]
+    joints = [link.joint for link in robot.links]
+    reach = [math.hypot(number_of(joint.a), number_of(joint.b), number_of(joint.d)) for joint in joints]
     heaviest, longest = max(float(phi[:, 0].max()), 1e-9), max(*reach, 1e-9)
     sizes = []
     for k in range(robot.n):

@@ -2,12 +2,13 @@
 
 Torques are neither filtered nor left out, save 1 % at either end of an unbroken piece: a figure for people,
 and the same for every model. Positions are filtered as for any model
-(:func:`robodyn.identify.predict.smooth_motion`).
+(:func:`robodyn.identify.predict.predicted`).
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,11 +16,12 @@ from numpy.typing import NDArray
 from robodyn.gate.gate import Gate
 from robodyn.identify.limits import END_SHARE, LONG_CHUNK
 from robodyn.identify.normal import Layout
-from robodyn.identify.predict import gains, smooth_motion
+from robodyn.identify.predict import cutoff_of, gains, smooth_motion
 from robodyn.identify.regressor import Links
 from robodyn.identify.rigid import Model
 from robodyn.identify.rows import bare, blocks_of, kept_torque, true_torque
 from robodyn.logs.log import Log
+from robodyn.logs.signals import low_pass
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -72,19 +74,21 @@ def squares_of(
 ) -> Squares:
     """What is left of a log by each of the ``models`` [S, p], parameters in the ``layout`` of ``robot``, the
     torque of which is multiplied by ``scales`` [S, n]."""
-    model, gain = Model(bare(robot)), gains(robot)
+    gain = gains(robot)
     edges, held_out = blocks_of(gate.log.samples)
     sums = [np.zeros((len(models), robot.n)) for _ in range(2)]
     torque, counts = [np.zeros(robot.n) for _ in range(2)], [0, 0]
     rigid = models[:, : 10 * robot.n].reshape(len(models), robot.n, 10)
     for part in gate.segments:
         piece = Log(gate.log.t[part], gate.log.q[part], None, None, gate.log.tau[part])
-        _, q, qd, qdd = smooth_motion(gate.log, part)
+        _, q, qd, qdd = smooth_motion(gate, part)
+        through = partial(low_pass, rate=1 / gate.period, cutoff=cutoff_of(gate, part))
+        model = Model(bare(robot), seen=through if gate.blurred else None)
         tau = true_torque(robot, piece)
         known = kept_torque(robot, piece, q, qd, qdd)
         if known is not None:
             tau = tau - known
-        way = np.asarray(model.direction(qd))
+        way = model.direction(qd)
         own = {"viscous": qd, "coulomb": way, "rotor": qdd, "offset": np.ones_like(q)}
         index = part.start + np.arange(len(q))
         which = held_out[np.searchsorted(edges, index, side="right") - 1]

@@ -91,13 +91,19 @@ class _Rigid:
 
 class Model:
     """A robot on arrays: ``q, qd, qdd`` [K, n]. Stateful effects are at their steady values. ``reuse`` is
-    shared by models that may have the same rigid arm."""
+    shared by models that may have the same rigid arm. ``seen``: what directions of motion [K, ...] go
+    through, where states are evenly sampled and went through a filter of their own."""
 
     def __init__(
-        self, robot: Robot, parameters: Mapping[str, float] | None = None, reuse: Reuse | None = None
+        self,
+        robot: Robot,
+        parameters: Mapping[str, float] | None = None,
+        reuse: Reuse | None = None,
+        seen: Callable[[Floats], Floats] | None = None,
     ) -> None:
         self.robot = robot
         self.reuse = reuse
+        self._seen = seen
         values = dict(parameters or {})
         self.n = robot.n
         self.arm: Arm = build_arm(rigid_part(robot, bare=True), float, values.__getitem__)
@@ -124,7 +130,8 @@ class Model:
 
     def direction(self, qd: Floats) -> Floats:
         """Directions of motion as the robot has them near rest."""
-        return np.asarray(smoothed_sign(qd, self._rest, self._band), dtype=np.float64)
+        way = np.asarray(smoothed_sign(qd, self._rest, self._band), dtype=np.float64)
+        return way if self._seen is None else self._seen(way)
 
     def evaluate(self, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None) -> Evaluated:
         """The model's torques along a motion of the links; that of the ``motors`` is the same unless it is

@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.advice import remarks
+from robodyn.identify.band import with_cutoff
 from robodyn.identify.fit import Fit, Options, fit_arm
 from robodyn.identify.outcome import Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
 from robodyn.logs.log import Log, read_log
-from robodyn.robot.bundled import robot_of, text_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -140,9 +141,11 @@ def identify(
     old = text if text is not None and parameters is None else to_yaml(robot)
     new = rewritten(old, robot, outcome.robot, outcome.origins, _notes(robot, outcome, hashes[: len(logs)]))
     every = [*gates, *([] if seen is None else [seen])]
+    banded = with_cutoff(robot, fit.layout, every, fit.plain)
+    validation = None if seen is None else banded[-1]
     return Identification(
         robot, outcome.robot, new, outcome.parameters, outcome.not_identifiable,
-        _residual(fit, gates, seen), fit.condition, seen is None,
+        _residual(fit, banded[: len(gates)], validation), fit.condition, seen is None,
         tuple(str(flag) for gate in every for flag in gate.flags), remarks(fit, outcome, gates),
         tuple(
             {"name": labels[k], "sha256": hashes[k] if k < len(hashes) else ""} for k in range(len(every))

@@ -14,12 +14,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Body, Motion
+from robodyn.dynamics.arm import Arm, Body, Motion, behind_twist
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.parallel import Turns
 from robodyn.dynamics.regroup import about_axis_z
 from robodyn.dynamics.vectors import Mark, unmarked
+from robodyn.effects.scalars import is_zero
 from robodyn.optimize.gauge import Regrouped, Unsuited
 from robodyn.optimize.lazy import (
     NOTHING,
@@ -137,7 +138,10 @@ class _Recursion:
         """``p`` of link ``i``."""
         body, link = self.arm.bodies[i], self.links[i]
         d = link.d if body.revolute else self.per_unit * self.motion.d[i]
-        return (link.x, -(body.sin_alpha * d), body.cos_alpha * d + link.lift)
+        if is_zero(link.side):
+            return (link.x, -(body.sin_alpha * d), body.cos_alpha * d + link.lift)
+        y, z = behind_twist(body, link.side, d)
+        return (link.x, y, z + link.lift)
 
     def _next_origin(self, i: int, before: Moving, p: Components) -> Components:
         """The acceleration of link i's origin: along the axes in which the parent begins to turn where the

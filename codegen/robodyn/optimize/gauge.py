@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from robodyn.dynamics.arm import Arm, Body, Symmetric
+from robodyn.dynamics.arm import Arm, Body, Symmetric, origin
 from robodyn.dynamics.lump import Lump
 from robodyn.dynamics.regroup import (
     about_axis_z,
@@ -47,14 +47,16 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Regrouped:
-    """A link after regrouping: its lump; its frame's origin in the parent's, ``(x, 0, lift)`` and the
-    displacement ``d`` along its own axis; ``point`` where its form asks for one."""
+    """A link after regrouping: its lump; its frame's origin in the parent's, ``(x, 0, lift)``, the
+    displacement ``d`` along its own axis, and ``side``, along y behind the twist; ``point`` where its form
+    asks for one."""
 
     lump: Lump
     x: Any
     lift: Any
     d: Any
     point: Point | None
+    side: Any = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +105,7 @@ def in_scalars(link: Regrouped, constant: Callable[[Any], Any]) -> Regrouped:
         constant(link.lift),
         constant(link.d),
         point,
+        constant(link.side),
     )
 
 
@@ -118,7 +121,7 @@ def assembled(arm: Arm, variant: Variant, gauges: Sequence[Handed]) -> tuple[lis
     for i, body in enumerate(arm.bodies):
         point = point_of(i, gauges[i].own, variant.links[i])
         lift = -gauges[i - 1].slid if i else 0
-        links.append(Regrouped(gauges[i].own, body.a, lift, gauges[i].d, point))
+        links.append(Regrouped(gauges[i].own, body.a, lift, gauges[i].d, point, body.b))
     if variant.unit == "metre":
         return links, 1
     chosen = links[variant.unit_link - 1]
@@ -154,8 +157,7 @@ def give(arm: Arm, lumps: Sequence[Lump], i: int, rules: LinkVariant, child: Han
 
 def in_parent(lump: Lump, body: Body, d: Any) -> Lump:
     """``lump``, given along the axes of a body's frame before its turn about z, in the parent's frame."""
-    p = (body.a, -(body.sin_alpha * d), body.cos_alpha * d)
-    return moved_into(lump, body.cos_alpha, body.sin_alpha, p)
+    return moved_into(lump, body.cos_alpha, body.sin_alpha, origin(body, d))
 
 
 def _known(*values: Any) -> bool:
@@ -299,4 +301,5 @@ def _in_unit(link: Regrouped, length: Any) -> Regrouped:
         _ratio(link.lift, length),
         _ratio(link.d, length),
         point,
+        _ratio(link.side, length),
     )

@@ -10,19 +10,15 @@ from typing import NoReturn
 from robodyn.errors import InputError, Place
 from robodyn.robot import numbers
 from robodyn.robot.document import Mapping, Node, Scalar, Sequence, describe
-from robodyn.robot.keys import OTHER_NAMES, Key, Sign
+from robodyn.robot.expectations import SIGNS, allowed, expectation
+from robodyn.robot.keys import OTHER_NAMES, Key
+from robodyn.robot.limits import ONE_TURN
 from robodyn.robot.names import shown, text_fault
 from robodyn.robot.parts import UNKNOWN, Confidence, Vector
 from robodyn.robot.values import ZERO, Angle, Value, angle
 
 # Plain words by which YAML means that nothing stands there.
 _NOTHING = ("", "~", "null", "Null", "NULL")
-#: Bounds of a number: what is said of one that breaks them, and what was expected.
-SIGNS = {
-    "nonnegative": ("is negative", "0{unit} or more"),
-    "positive": ("is not positive", "more than 0{unit}"),
-    "share": ("is not a share", "more than 0 and at most 1"),
-}
 
 
 class Source:
@@ -251,21 +247,36 @@ class Section:
         node = self.values.get(name)
         if node is None:
             return angle(ZERO)
-        value = self._parse(node, self.keys[name], self.path(name)).value
+        return self._angle(node, self.keys[name], self.path(name))
+
+    def angles(self, name: str) -> tuple[Angle, Angle, Angle]:
+        """Three constant angles [rad]; 0 where the key is left out."""
+        items = self.items(name, 3)
+        if items is None:
+            return angle(ZERO), angle(ZERO), angle(ZERO)
+        key = self.keys[name]
+        roll, pitch, yaw = (
+            self._angle(node, key, f"{self.path(name)} {word}")
+            for node, word in zip(items, ("roll", "pitch", "yaw"), strict=True)
+        )
+        return roll, pitch, yaw
+
+    def _angle(self, node: Node, key: Key, path: str) -> Angle:
+        value = self._parse(node, key, path).value
         assert isinstance(value, Fraction)
         text = numbers.brief(value)
         if abs(value) > 1_000_000:
             self.source.fail(
                 node,
-                f"{self.path(name)} is no angle",
+                f"{path} is no angle",
                 found=f"{text} rad",
                 expected="an angle in rad, such as -pi/2",
             )
         read = angle(value)
-        if abs(value) > Fraction("6.2832"):
+        if abs(value) > ONE_TURN:
             self.doubt(
                 node,
-                f"{self.path(name)} = {text} rad is more than one turn",
+                f"{path} = {text} rad is more than one turn",
                 f"angles are in rad: write {text}*pi/180 if degrees are meant",
             )
         return read
@@ -303,38 +314,6 @@ class Section:
                 node, f"{path} {what}", found=numbers.brief(value) + unit, expected=expected.format(unit=unit)
             )
         return value
-
-
-def allowed(value: Fraction, sign: Sign) -> bool:
-    """Whether ``value`` is within the bounds that ``sign`` names."""
-    if sign == "any":
-        return True
-    if sign == "nonnegative":
-        return value >= 0
-    return value > 0 and (sign == "positive" or value <= 1)
-
-
-def expectation(key: Key) -> str:
-    """What should stand at ``key``, for the "expected" of a message."""
-    if key.kind == "choice":
-        return " or ".join(key.choices)
-    unit = f" [{key.unit}]" if key.unit else ""
-    words = {
-        "name": "a name",
-        "text": "text",
-        "number": " or ".join(["a number" + (", or a name" if key.names else ""), *key.choices]),
-        "angle": "an angle, such as -pi/2",
-        "vector": "three numbers [x, y, z]",
-        "range": "[lowest, highest]",
-        "list": "a list",
-        "group": "a mapping",
-        "rest": "exact, or smooth: {velocity: 1e-3}, or dead_band: {velocity: 1e-3}",
-        "efficiency": "a number, or a table [[load fraction, efficiency], ...]",
-        "joint": "the number of a joint",
-        "effects of a joint": "a list of effects, such as [{effect: backlash, gap: 1e-3}]",
-        "effects of the robot": "a list of effects, such as [{effect: payload, mass: 2}]",
-    }
-    return words[key.kind] + unit
 
 
 def _folded(word: str) -> str | None:

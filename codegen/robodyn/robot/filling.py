@@ -14,7 +14,7 @@ from typing import Any, Protocol
 
 from robodyn.errors import InputError
 from robodyn.robot import numbers
-from robodyn.robot.fields import SIGNS, allowed
+from robodyn.robot.expectations import SIGNS, allowed
 from robodyn.robot.keys import FRICTION, INERTIA, LINK, Key
 from robodyn.robot.parts import AXES, EffectEntry, Inertia, Link
 from robodyn.robot.values import Affine, Value
@@ -126,6 +126,7 @@ class _Filling:
             j,
             a=number("a", j.a),
             d=number("d", j.d),
+            b=number("b", j.b),
             motor_inertia=number("motor_inertia", j.motor_inertia),
             viscous=number("viscous", j.viscous),
             coulomb=number("coulomb", j.coulomb),

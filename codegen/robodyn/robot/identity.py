@@ -15,7 +15,11 @@ def identity(robot: Robot) -> str:
 
     Robots of one identity have the same programs; only the names of the emitted symbols differ.
     """
-    lines = ["robodyn robot 1", "gravity " + " ".join(map(str, robot.gravity)), f"torque {robot.torque_side}"]
+    lines = [
+        "robodyn robot 1",
+        "gravity " + " ".join(map(str, robot.base_gravity)),
+        f"torque {robot.torque_side}",
+    ]
     lines.append(f"rest {robot.rest_velocity}")
     lines += [_link(link) for link in robot.links]
     if robot.dead_band is not None:
@@ -47,7 +51,10 @@ def _link(link: Link) -> str:
 
 def _joint(joint: Joint) -> str:
     numbers = (joint.a, joint.d, joint.motor_inertia, joint.viscous, joint.coulomb)
-    return f"{joint.kind} {_angle(joint.alpha)} {_angle(joint.theta)} {' '.join(map(_value, numbers))}"
+    beside = f" {_value(joint.b)}" if joint.b else ""
+    return (
+        f"{joint.kind} {_angle(joint.alpha)} {_angle(joint.theta)} {' '.join(map(_value, numbers))}{beside}"
+    )
 
 
 def _angle(angle: Angle) -> str:

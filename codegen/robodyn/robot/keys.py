@@ -15,6 +15,7 @@ Kind = Literal[
     "number",
     "angle",
     "vector",
+    "angles",
     "range",
     "group",
     "list",
@@ -50,6 +51,8 @@ class Key:
 
 #: Most links a robot may have.
 LINKS = 100
+#: The numbers that lead from one link's frame to the next, if no pose does.
+ROW = ("alpha", "a", "b", "d", "theta")
 #: Most effects a robot may have, all lists together.
 EFFECTS = 1000
 #: Fewest and most knots of a table of efficiencies.
@@ -108,6 +111,16 @@ GEAR = (
         sign="positive",
     ),
 )
+PLACEMENT = (
+    Key("xyz", "vector", "Origin of the frame.", "m", default="[0, 0, 0]"),
+    Key(
+        "rpy",
+        "angles",
+        "Roll, pitch and yaw as in URDF: turned about the fixed x, then y, then z.",
+        "rad",
+        default="[0, 0, 0]",
+    ),
+)
 
 
 def _confidence(of: str, default: str) -> Key:
@@ -132,8 +145,24 @@ LINK = (
     ),
     Key("alpha", "angle", "alpha_{i-1}: twist, about x of the frame before.", "rad", default="0"),
     Key("a", "number", "a_{i-1}: length, along x of the frame before.", "m", names=True, default="0"),
+    Key(
+        "b",
+        "number",
+        "Offset along y behind the twist; 0 in Denavit-Hartenberg rows. It keeps origins near the arm where "
+        "two axes are nearly parallel.",
+        "m",
+        names=True,
+        default="0",
+    ),
     Key("d", "number", "d_i: offset, along z; prismatic: constant added to q.", "m", names=True, default="0"),
     Key("theta", "angle", "theta_i: angle, about z; revolute: constant added to q.", "rad", default="0"),
+    Key(
+        "pose",
+        "group",
+        "In place of the numbers above: the joint's frame in the frame before at q = 0; q is about or along "
+        "its z axis. Frames turn about their z axes where rows need it, and all that stands in them too.",
+        members=PLACEMENT,
+    ),
     Key("mass", "number", "Mass of the link.", "kg", names=True, sign="nonnegative", default="0"),
     Key(
         "com", "vector", "Centre of mass [x, y, z] in the link's frame.", "m", names=True, default="[0, 0, 0]"
@@ -182,9 +211,15 @@ ROBOT = (
     Key(
         "gravity",
         "vector",
-        "Acceleration of free fall [x, y, z] in the base frame.",
+        "Acceleration of free fall [x, y, z] in the base frame; with base in the world's.",
         "m/s^2",
         default="[0, 0, -9.81]",
+    ),
+    Key(
+        "base",
+        "group",
+        "Where the base frame stands in the world; gravity is then in the world's frame.",
+        members=PLACEMENT,
     ),
     _confidence("all links that do not state their own", "not stated; 0.1 where a number is needed"),
     Key("compare", "group", "The row of the thesis that this robot is set beside.", members=COMPARE),
@@ -203,6 +238,7 @@ ROBOT = (
         required=True,
         members=LINK,
     ),
+    Key("tool", "group", "Where the tool's frame stands in the last link's frame.", members=PLACEMENT),
     Key(
         "torque_side",
         "choice",
@@ -264,4 +300,10 @@ OTHER_NAMES = {
     "effort": "torque",
     "damping": "viscous",
     "dh": "convention",
+    "mount": "base",
+    "tcp": "tool",
+    "flange": "tool",
+    "translation": "xyz",
+    "position_xyz": "xyz",
+    "rotation": "rpy",
 }

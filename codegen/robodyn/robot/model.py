@@ -14,12 +14,14 @@ from robodyn.robot.parts import (
     Comparison,
     Confidence,
     EffectEntry,
+    Exact,
     Gear,
     Inertia,
     Joint,
     JointKind,
     Limits,
     Link,
+    Placement,
     Setting,
     Vector,
 )
@@ -36,6 +38,7 @@ __all__ = [
     "JointKind",
     "Limits",
     "Link",
+    "Placement",
     "Robot",
     "Setting",
     "Vector",
@@ -59,20 +62,24 @@ class Robot:
     m/s] over which ``tanh(qd / rest_velocity)`` replaces the sign. ``torque_side`` says whether the
     joint torque is the motor's (rotor and friction are in it) or the link's (they are not).
     ``dead_band``: the sign is 0 below that velocity. ``effects``: base to tip, then those of the whole robot.
-    ``file`` is where the description was read, None if it came from no file; records may lie beside it.
+    ``gravity`` [m/s^2] is in the frame that ``base`` places the base frame in (None: in the base frame);
+    ``tool`` is the tool's frame in the last link's. ``file`` is where the description was read, None if it
+    came from no file; records may lie beside it.
     """
 
     name: str
     links: tuple[Link, ...]
     title: str = ""
     source: str = ""
-    gravity: tuple[Fraction, Fraction, Fraction] = (ZERO, ZERO, Fraction(-981, 100))
+    gravity: Exact = (ZERO, ZERO, Fraction(-981, 100))
     compare: Comparison | None = None
     torque_side: Literal["motor", "link"] = "motor"
     rest_velocity: Fraction | None = None
     dead_band: Fraction | None = None
     effects: tuple[EffectEntry, ...] = ()
     file: Path | None = field(default=None, compare=False, repr=False)
+    base: Placement | None = None
+    tool: Placement | None = None
 
     def __repr__(self) -> str:
         """A screen's worth: one line a joint, the first twenty. :func:`~robodyn.robot.to_yaml` shows all."""
@@ -94,11 +101,17 @@ class Robot:
         """Number of joints."""
         return len(self.links)
 
+    @property
+    def base_gravity(self) -> Exact:
+        """Gravity [m/s^2] along the axes of the base frame; exact, so with many digits where the base is
+        turned by other than right angles."""
+        return self.gravity if self.base is None else self.base.back(self.gravity)
+
     def values(self) -> Iterator[Value]:
         """Every number that may be a run-time parameter, base to tip."""
         for link in self.links:
             i, j = link.inertia, link.joint
-            yield from (j.a, j.d, link.mass, *link.com)
+            yield from (j.a, j.d, j.b, link.mass, *link.com)
             yield from (i.xx, i.yy, i.zz, i.xy, i.xz, i.yz)
             yield from (j.motor_inertia, j.viscous, j.coulomb)
         for entry in self.effects:

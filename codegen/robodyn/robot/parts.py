@@ -1,7 +1,8 @@
 """The parts of a serial arm: frozen, SI units, modified (Craig) Denavit-Hartenberg frames.
 
-Frame i is reached from frame i-1 by ``Rot(x, alpha) Trans(x, a) Rot(z, theta + q) Trans(z, d)``
-(revolute) or ``Rot(x, alpha) Trans(x, a) Rot(z, theta) Trans(z, d + q)`` (prismatic). Numbers are
+Frame i is reached from frame i-1 by ``Rot(x, alpha) Trans(a, b, 0) Rot(z, theta + q) Trans(z, d)``
+(revolute) or ``Rot(x, alpha) Trans(a, b, 0) Rot(z, theta) Trans(z, d + q)`` (prismatic). ``b`` is 0 in
+Denavit-Hartenberg rows; where two axes are nearly parallel, it keeps the origins near the arm. Numbers are
 :data:`~robodyn.robot.values.Value`: an exact rational, or an affine form in run-time parameters.
 """
 
@@ -25,6 +26,9 @@ UNKNOWN: Literal["unknown"] = "unknown"
 #: The share by which inertial numbers may be wrong where nothing is stated, and where they are a guess.
 SHARE_NOT_STATED, SHARE_UNKNOWN = Fraction(1, 10), Fraction(1)
 Vector = tuple[Value, Value, Value]
+#: Three exact numbers, and three of them.
+Exact = tuple[Fraction, Fraction, Fraction]
+Rows = tuple[Exact, Exact, Exact]
 #: Entries of an inertia tensor, in the order of :class:`Inertia`.
 AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 
@@ -55,6 +59,31 @@ class Limits:
 
 
 @dataclass(frozen=True, slots=True)
+class Placement:
+    """A frame in its parent frame: origin ``xyz`` [m], and URDF's ``rpy`` (roll, pitch, yaw), which is
+    ``Rot(z, yaw) Rot(y, pitch) Rot(x, roll)``."""
+
+    xyz: Exact
+    rpy: tuple[Angle, Angle, Angle]
+
+    @property
+    def rotation(self) -> Rows:
+        """The rotation by rows: it takes vectors of the frame into the parent's."""
+        roll, pitch, yaw = self.rpy
+        (cr, sr), (cp, sp), (cy, sy) = ((angle.cos, angle.sin) for angle in (roll, pitch, yaw))
+        return (
+            (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
+            (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
+            (-sp, cp * sr, cp * cr),
+        )
+
+    def back(self, u: Exact) -> Exact:
+        """A vector of the parent frame along the axes of this one."""
+        x, y, z = (sum((row[k] * e for row, e in zip(self.rotation, u, strict=True)), ZERO) for k in range(3))
+        return x, y, z
+
+
+@dataclass(frozen=True, slots=True)
 class Gear:
     """Between motor and joint: ``ratio``, turns of the motor for one of the joint (prismatic: rad/m), and
     ``torque_constant`` [N m/A] of the motor, in front of the gear; None: not stated."""
@@ -70,10 +99,11 @@ class Gear:
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """The joint before a link: its kind, its four DH numbers, and what sits in it.
+    """The joint before a link: its kind, its DH numbers, and what sits in it.
 
-    ``motor_inertia`` is reflected to the joint [kg m^2, prismatic kg]; ``viscous`` [N m s/rad or
-    N s/m] and ``coulomb`` [N m or N] are the friction shorthand. ``gear``: None where it is not stated.
+    ``b`` [m]: offset along y behind the twist, 0 in a DH row. ``motor_inertia`` is reflected to the joint
+    [kg m^2, prismatic kg]; ``viscous`` [N m s/rad or N s/m] and ``coulomb`` [N m or N] are the friction
+    shorthand. ``gear``: None where it is not stated.
     """
 
     kind: JointKind
@@ -86,6 +116,7 @@ class Joint:
     coulomb: Value = ZERO
     limits: Limits = field(default_factory=Limits)
     gear: Gear | None = None
+    b: Value = ZERO
 
 
 @dataclass(frozen=True, slots=True)

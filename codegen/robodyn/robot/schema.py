@@ -98,8 +98,8 @@ def _of_kind(key: Key) -> Schema:
         return {"enum": list(key.choices)}
     if key.kind in ("number", "angle"):
         return {"anyOf": [*_number(key)["anyOf"], *({"const": word} for word in key.choices)]}
-    if key.kind in ("vector", "range"):
-        count = 3 if key.kind == "vector" else 2
+    if key.kind in ("vector", "angles", "range"):
+        count = 2 if key.kind == "range" else 3
         return {"type": "array", "items": _number(key), "minItems": count, "maxItems": count}
     if key.kind == "group":
         return _object(key.members)

@@ -13,7 +13,8 @@ _HEAD = """\
 name: {name}                     # a C identifier; prefixes every emitted symbol
 title: {title}
 source: where the numbers come from
-gravity: [0, 0, -9.81]           # in the base frame, m/s^2
+gravity: [0, 0, -9.81]           # in the base frame, m/s^2; with base in the world's
+# base: {{xyz: [0, 0, 0.5], rpy: [pi, 0, 0]}}  # the base frame in the world: from a ceiling; rpy as in URDF
 # confidence: unknown            # the inertial numbers of all links are a guess
 
 # Modified (Craig) Denavit-Hartenberg frames: from frame i-1 turn alpha about x and go a along x, then
@@ -25,8 +26,10 @@ _FIRST = """\
     joint: revolute              # or prismatic
     alpha: 0                     # alpha_{i-1}, rad
     a: 0                         # a_{i-1}, m
+    # b: 0                       # along y behind alpha, m: short offsets where axes are nearly parallel
     d: 0.4                       # m; prismatic: constant added to q
     theta: 0                     # rad; revolute: constant added to q
+    # pose: {xyz: [0, 0, 0.4], rpy: [0, 0, 0]}  # in place of these numbers: joint's frame in the one before
     mass: 8.0                    # kg
     com: [0, -0.02, -0.1]        # in the link's frame, m
     inertia: {xx: 0.05, yy: 0.05, zz: 0.03, xy: 0, xz: 0, yz: 0}  # about the centre of mass, kg m^2
@@ -54,6 +57,7 @@ _MORE = """\
 """
 _TAIL = """\
 
+# tool: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}  # the tool's frame in the last link's
 # torque_side: motor             # motor (default): rotor and friction are in the torque; or link
 # friction_at_rest: exact        # or {smooth: {velocity: 1e-3}}, or {dead_band: {velocity: 1e-3}}
 # effects:                       # of the whole robot

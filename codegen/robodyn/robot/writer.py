@@ -15,6 +15,7 @@ from robodyn.robot.model import (
     Joint,
     Limits,
     Link,
+    Placement,
     Robot,
     Setting,
 )
@@ -36,6 +37,8 @@ def to_yaml(robot: Robot) -> str:
         f"{key}: {_quoted(text)}" for key, text in (("title", robot.title), ("source", robot.source)) if text
     ]
     lines.append(f"gravity: {_list(robot.gravity)}")
+    if robot.base is not None:
+        lines.append(f"base: {_placement(robot.base)}")
     if robot.compare:
         lines.append(f"compare: {{table: {_quoted(robot.compare.table)}, row: {_quoted(robot.compare.row)}}}")
     common = _common_confidence(robot)
@@ -45,6 +48,8 @@ def to_yaml(robot: Robot) -> str:
     for i, link in enumerate(robot.links, 1):
         lines += _link_lines(link, i, common)
         lines += _effect_lines(robot.effects_at(i), "    ")
+    if robot.tool is not None:
+        lines.append(f"tool: {_placement(robot.tool)}")
     if robot.torque_side != "motor":
         lines.append(f"torque_side: {robot.torque_side}")
     if robot.rest_velocity is not None:
@@ -72,6 +77,7 @@ def _link_lines(link: Link, i: int, common: Confidence) -> list[str]:
         f"joint: {joint.kind}",
         f"alpha: {_angle(joint.alpha)}",
         f"a: {number_text(joint.a)}",
+        *([f"b: {number_text(joint.b)}"] if joint.b != ZERO else []),
         f"d: {number_text(joint.d)}",
         f"theta: {_angle(joint.theta)}",
         f"mass: {number_text(link.mass)}",
@@ -135,6 +141,10 @@ def _limits(limits: Limits) -> str:
         if value is not None:
             parts.append(f"{name}: {number_text(value)}")
     return "{" + ", ".join(parts) + "}"
+
+
+def _placement(frame: Placement) -> str:
+    return f"{{xyz: {_list(frame.xyz)}, rpy: [{', '.join(map(_angle, frame.rpy))}]}}"
 
 
 def _friction(joint: Joint) -> str:

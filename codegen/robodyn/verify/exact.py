@@ -59,7 +59,7 @@ def exact_torque(
         T = _mul(T, A)
         steps.append(A)
         seconds.append(Tdd)
-    gravity = [*robot.gravity, ZERO]
+    gravity = [*robot.base_gravity, ZERO]
     D = _zeros(4, 4)  # sum of A_{j+1..i} J_i Tdd_i^T over i >= j
     c = [ZERO] * 4  # sum of A_{j+1..i} m_i c_i
     tau = [ZERO] * n
@@ -107,8 +107,8 @@ def _step(link: Link, q: Fraction, values: Parameters) -> tuple[Matrix, Matrix, 
     joint = link.joint
     ca, sa = _grain(joint.alpha.cos), _grain(joint.alpha.sin)
     ct, st = _grain(joint.theta.cos), _grain(joint.theta.sin)
-    a, d = exact_value(joint.a, values), exact_value(joint.d, values)
-    tilt = [[_ONE, ZERO, ZERO, a], [ZERO, ca, -sa, ZERO], [ZERO, sa, ca, ZERO], [ZERO, ZERO, ZERO, _ONE]]
+    a, b, d = (exact_value(x, values) for x in (joint.a, joint.b, joint.d))
+    tilt = [[_ONE, ZERO, ZERO, a], [ZERO, ca, -sa, ca * b], [ZERO, sa, ca, sa * b], [ZERO] * 3 + [_ONE]]
     if joint.kind == "prismatic":
         slide = [[ct, -st, ZERO, ZERO], [st, ct, ZERO, ZERO], [ZERO, ZERO, _ONE, d + q], [ZERO] * 3 + [_ONE]]
         slide1 = [[ZERO] * 4, [ZERO] * 4, [ZERO, ZERO, ZERO, _ONE], [ZERO] * 4]

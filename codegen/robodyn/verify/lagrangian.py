@@ -93,7 +93,7 @@ class _Energies:
             tensor = [[i.xx, i.xy, i.xz], [i.xy, i.yy, i.yz], [i.xz, i.yz, i.zz]]
             com = [*(self.at(x) for x in link.com), one]
             centre = [sum((a * b for a, b in zip(T[r], com, strict=True)), zero) for r in range(3)]
-            for x, g in zip(centre, self.robot.gravity, strict=True):
+            for x, g in zip(centre, self.robot.base_gravity, strict=True):
                 L += mass * (self.rate(x) ** 2 * self.real(Fraction(1, 2)) + self.real(g) * x)
             R = [row[:3] for row in T[:3]]
             spin = _mul(
@@ -108,7 +108,7 @@ class _Energies:
         return self.tidy(L)
 
     def step(self, joint: Joint, k: int) -> Matrix:
-        """Rot(x, alpha) Trans(x, a) Rot(z, theta + q) Trans(z, d), or Rot(z, theta) Trans(z, d + q)."""
+        """Rot(x, alpha) Trans(a, b, 0) Rot(z, theta + q) Trans(z, d), or Rot(z, theta) Trans(z, d + q)."""
         zero, one = self.ring.zero, self.ring.one
         ca, sa, ct, st = (
             self.real(x) for x in (joint.alpha.cos, joint.alpha.sin, joint.theta.cos, joint.theta.sin)
@@ -120,8 +120,8 @@ class _Energies:
         else:
             c, s = self.c[k], self.s[k]
             turn = _mul(turn, [[c, -s, zero, zero], [s, c, zero, zero], turn[2], turn[3]])
-        a = self.at(joint.a)
-        tilt = [[one, zero, zero, a], [zero, ca, -sa, zero], [zero, sa, ca, zero], turn[3]]
+        a, b = self.at(joint.a), self.at(joint.b)
+        tilt = [[one, zero, zero, a], [zero, ca, -sa, ca * b], [zero, sa, ca, sa * b], turn[3]]
         rise = [[one, zero, zero, zero], [zero, one, zero, zero], [zero, zero, one, d], turn[3]]
         return _mul(_mul(tilt, turn), rise)
 

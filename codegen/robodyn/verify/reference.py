@@ -48,6 +48,7 @@ class _Body:
     ca: float
     sa: float
     a: float
+    b: float
     d: float
     ct: float
     st: float
@@ -72,7 +73,7 @@ class Reference:
         self._bodies = [
             _body(link, loads if i == robot.n else [], values) for i, link in enumerate(robot.links, 1)
         ]
-        self._gravity = np.array([float(g) for g in robot.gravity])
+        self._gravity = np.array([float(g) for g in robot.base_gravity])
         self._drives = Drives(robot, values)
 
     def inverse_dynamics(self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> Floats:
@@ -237,7 +238,8 @@ def _transform(body: _Body, q: Floats) -> tuple[Floats, Floats]:
         [s * body.sa, c * body.sa, zero + body.ca],
     ]
     R = np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-    return R, np.stack([zero + body.a, -body.sa * d, body.ca * d], axis=-1)
+    y, z = body.ca * body.b - body.sa * d, body.sa * body.b + body.ca * d
+    return R, np.stack([zero + body.a, y, z], axis=-1)
 
 
 def _apply(R: Floats, x: Floats) -> Floats:
@@ -285,6 +287,7 @@ def _body(link: Link, loads: list[_Solid], parameters: Parameters) -> _Body:
         ca=float(joint.alpha.cos),
         sa=float(joint.alpha.sin),
         a=rounded(exact_value(joint.a, parameters)),
+        b=rounded(exact_value(joint.b, parameters)),
         d=rounded(exact_value(joint.d, parameters)),
         ct=float(joint.theta.cos),
         st=float(joint.theta.sin),

@@ -54,7 +54,7 @@ def build_model(
 ) -> mujoco.MjModel:
     """The arm with its payload. Degrees of freedom: the joints; a rotor of its own for each joint of
     ``motors`` (from 0), whose joint then has none; the ``tool``."""
-    lines = [_HEAD.format(gravity=_text(float(g) for g in robot.gravity), step=step)]
+    lines = [_HEAD.format(gravity=_text(float(g) for g in robot.base_gravity), step=step)]
     solids = []
     rotors = [number(link.joint.motor_inertia) for link in robot.links]
     for i, link in enumerate(robot.links):

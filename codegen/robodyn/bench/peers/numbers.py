@@ -20,9 +20,9 @@ class NumbersLacking(InputError):
 
 @dataclass(frozen=True, slots=True)
 class LinkNumbers:
-    """A link and the joint that carries it: modified DH, mass [kg], centre of mass [3] (m), inertia about it
-    [3, 3] (kg m^2), rotor at the joint (kg m^2, prismatic kg). ``rotation`` [3, 3] and ``position`` [3] place
-    the joint's frame at q = 0 in the frame before it."""
+    """A link and the joint that carries it: modified DH and the offset ``b`` [m] along y behind the twist,
+    mass [kg], centre of mass [3] (m), inertia about it [3, 3] (kg m^2), rotor at the joint (kg m^2, prismatic
+    kg). ``rotation`` [3, 3] and ``position`` [3] place the joint's frame at q = 0 in the frame before it."""
 
     revolute: bool
     alpha: tuple[float, float, float]
@@ -33,6 +33,7 @@ class LinkNumbers:
     com: Floats
     inertia: Floats
     rotor: float
+    b: float = 0.0
 
     @property
     def rotation(self) -> Floats:
@@ -45,7 +46,8 @@ class LinkNumbers:
     @property
     def position(self) -> Floats:
         """Where the frame's origin is [3]."""
-        return np.array([self.a, -self.alpha[2] * self.d, self.alpha[1] * self.d])
+        _, ca, sa = self.alpha
+        return np.array([self.a, ca * self.b - sa * self.d, sa * self.b + ca * self.d])
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,13 +64,25 @@ class Numbers:
         return len(self.links)
 
     def text(self) -> str:
-        """All numbers to the last digit, for programs in C and C++ (``benchmarks/peers/native/peer.h``)."""
+        """All numbers to the last digit, for programs in C and C++ (``benchmarks/peers/native/peer.h``).
+
+        Raises
+        ------
+        NumbersLacking: a link has an offset that no row of DH numbers has.
+        """
+        check_rows(self)
         rows = [[float(self.n), *self.gravity]]
         for link in self.links:
             rows.append([float(link.revolute), *link.alpha, link.a, link.d, *link.theta])
             rows[-1] += [link.mass, *link.com, *link.inertia.ravel(), link.rotor]
             rows[-1] += [*link.rotation.ravel(), *link.position]
         return "".join(" ".join(repr(float(x)) for x in row) + "\n" for row in rows)
+
+
+def check_rows(arm: Numbers) -> None:
+    """:class:`NumbersLacking` where the frames of ``arm`` are no Denavit-Hartenberg rows."""
+    if any(link.b for link in arm.links):
+        raise NumbersLacking(f"{arm.name} has frames that four DH numbers a joint do not describe")
 
 
 def numbers_of(robot: Robot) -> Numbers:
@@ -87,7 +101,7 @@ def numbers_of(robot: Robot) -> Numbers:
     if motor and any(link.joint.viscous or link.joint.coulomb for link in robot.links):
         raise NumbersLacking(f"{robot.name} has friction, which the peers' inverse dynamics leave out")
     links = tuple(_link(link, motor) for link in robot.links)
-    return Numbers(robot.name, np.array([float(g) for g in robot.gravity]), links)
+    return Numbers(robot.name, np.array([float(g) for g in robot.base_gravity]), links)
 
 
 def _link(link: Link, motor: bool) -> LinkNumbers:
@@ -103,6 +117,7 @@ def _link(link: Link, motor: bool) -> LinkNumbers:
         com=np.array([_float(x) for x in link.com]),
         inertia=np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]),
         rotor=_float(joint.motor_inertia) if motor else 0.0,
+        b=_float(joint.b),
     )
 
 

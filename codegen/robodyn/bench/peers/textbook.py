@@ -77,7 +77,12 @@ def _inward(
 
 def _origin(link: LinkNumbers, q: Any) -> Vector:
     d = _plain(link.d) if link.revolute else _sum(q, _plain(link.d))
-    return _plain(link.a), _product(_plain(-link.alpha[2]), d), _product(_plain(link.alpha[1]), d)
+    ca, sa, b = _plain(link.alpha[1]), _plain(link.alpha[2]), _plain(link.b)
+    return (
+        _plain(link.a),
+        _sum(_product(ca, b), _product(_plain(-link.alpha[2]), d)),
+        _sum(_product(sa, b), _product(ca, d)),
+    )
 
 
 def _down(link: LinkNumbers, c: Any, s: Any, v: Vector) -> Vector:

@@ -127,6 +127,12 @@ MOST_KINDS: Final = 8
 CONTACT_LOUD: Final = 2.0
 """[ratio of RMS] In its window a contact leaves more than this at some joint, beside the rest of the log."""
 
+CONTACT_NARROW: Final = 30.0
+"""[degrees] A contact's force has a known direction if the true one is as near to it with 95 %,"""
+
+CONTACT_WIDE: Final = 90.0
+"""[degrees] and none at all, nor a sign, if it may be as far from it."""
+
 CONTACT_CONFIDENCE: Final = 0.9
 """[probability] That of a contact that was found (docs/diagnose.md)."""
 

@@ -1,0 +1,169 @@
+"""XML text to a tree of elements that know their line and column; nothing is interpreted yet.
+
+The parser is expat. A file is untrusted: its size, its depth, and how many elements and attributes it has are
+bounded, and a document type, the only place where XML defines entities, is refused, so that no entity is
+expanded and no other file is read.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from xml.parsers import expat
+
+from robodyn.errors import InputError, Place
+from robodyn.files import MIB, decoded, label, read_bytes
+from robodyn.formats.limits import ATTRIBUTES, DEPTH, ELEMENTS, FILE_MIB
+from robodyn.robot.names import shown
+
+_NOT_XML = "the file is not XML"
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """An element: its tag and attributes as written, its text without that of its children.
+
+    ``line`` and ``column`` count from 1 and are those of its ``<``.
+    """
+
+    tag: str
+    attributes: dict[str, str]
+    children: tuple[Element, ...]
+    text: str
+    line: int
+    column: int
+
+    def all(self, tag: str) -> Iterator[Element]:
+        """The children of that tag, in the order of the file."""
+        return (child for child in self.children if child.tag == tag)
+
+    def first(self, tag: str) -> Element | None:
+        """The first child of that tag."""
+        return next(self.all(tag), None)
+
+    def walk(self) -> Iterator[Element]:
+        """This element and all that are in it, in the order of the file."""
+        stack = [self]
+        while stack:
+            element = stack.pop()
+            yield element
+            stack.extend(reversed(element.children))
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A file's name for messages, its text and its root element."""
+
+    file: str
+    text: str
+    root: Element
+
+    def place(self, element: Element, attribute: str = "") -> Place:
+        """Where ``element`` begins, or where its ``attribute`` does if it can be told."""
+        line, column = element.line, element.column
+        if attribute in element.attributes:
+            start = _offset(self.text, line) + column - 1
+            end = self.text.find(">", start)
+            hit = re.compile(rf"\s({re.escape(attribute)})\s*=").search(self.text, start, end)
+            if hit:
+                line += self.text.count("\n", start, hit.start(1))
+                column = hit.start(1) - self.text.rfind("\n", 0, hit.start(1))
+        return Place(self.file, line, column)
+
+
+def read(path: str, expected: str, name: str | None = None) -> Document:
+    """The document in the file ``path``; ``expected`` says what it should be, ``name`` what messages call it.
+
+    Raises
+    ------
+    InputError: it cannot be read, is too large, or as :func:`parse`.
+    """
+    name = name or label(path)
+    return parse(read_bytes(path, FILE_MIB * MIB, expected, name), name, expected)
+
+
+def parse(data: bytes, file: str, expected: str = "XML") -> Document:
+    """The document in ``data``, which is UTF-8 text.
+
+    Raises
+    ------
+    InputError: not UTF-8, not XML, with a document type, too deep or too large; with the place.
+    """
+    text = decoded(data, file).replace("\r\n", "\n").replace("\r", "\n")
+    if not text.strip():
+        raise InputError("the file is empty", where=Place(file), expected=expected)
+    return Document(file, text, _Builder(file, expected).build(text))
+
+
+class _Builder:
+    """What expat calls; elements are finished from the leaves to the root."""
+
+    def __init__(self, file: str, expected: str) -> None:
+        self.file, self.expected = file, expected
+        self.parser = expat.ParserCreate("UTF-8")  # whatever its declaration says: the text was UTF-8
+        self.parser.buffer_text = True
+        self.parser.StartElementHandler = self.start
+        self.parser.EndElementHandler = self.end
+        self.parser.CharacterDataHandler = self.characters
+        self.parser.StartDoctypeDeclHandler = self.doctype
+        self.open: list[tuple[str, dict[str, str], list[Element], list[str], int, int]] = []
+        self.root: Element | None = None
+        self.elements = 0
+
+    def build(self, text: str) -> Element:
+        try:
+            self.parser.Parse(text, True)
+        except (expat.ExpatError, UnicodeEncodeError) as error:
+            raise self._not_xml(error) from None
+        assert self.root is not None  # expat refuses a document without an element
+        return self.root
+
+    def start(self, tag: str, attributes: dict[str, str]) -> None:
+        self.elements += 1
+        if self.elements > ELEMENTS:
+            self._refuse("the file has too many elements", f"more than {ELEMENTS}")
+        if len(self.open) >= DEPTH:
+            self._refuse("the elements are nested too deeply", f"more than {DEPTH} levels")
+        if len(attributes) > ATTRIBUTES:
+            self._refuse("an element has too many attributes", f"{len(attributes)}, not {ATTRIBUTES}")
+        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+        self.open.append((tag, attributes, [], [], line, column))
+
+    def characters(self, text: str) -> None:
+        self.open[-1][3].append(text)
+
+    def end(self, _: str) -> None:
+        tag, attributes, children, texts, line, column = self.open.pop()
+        element = Element(tag, attributes, tuple(children), "".join(texts).strip(), line, column)
+        if self.open:
+            self.open[-1][2].append(element)
+        else:
+            self.root = element
+
+    def doctype(self, *_: object) -> None:
+        self._refuse("the file has a document type", "<!DOCTYPE", "delete it: entities are not expanded")
+
+    def _refuse(self, what: str, seen: str, remedy: str | None = None) -> None:
+        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+        where = Place(self.file, line, column)
+        raise InputError(what, where=where, found=seen, expected=self.expected, remedy=remedy)
+
+    def _not_xml(self, error: expat.ExpatError | UnicodeEncodeError) -> InputError:
+        if isinstance(error, UnicodeEncodeError):
+            return InputError(_NOT_XML, where=Place(self.file), found="half of a surrogate pair")
+        where = Place(self.file, error.lineno, error.offset + 1)
+        return InputError(_NOT_XML, where=where, found=expat.ErrorString(error.code), expected=self.expected)
+
+
+def _offset(text: str, line: int) -> int:
+    """Where ``line`` begins in ``text``."""
+    start = 0
+    for _ in range(line - 1):
+        start = text.index("\n", start) + 1
+    return start
+
+
+def tag_shown(element: Element) -> str:
+    """``<tag>`` for a message."""
+    return f"<{shown(element.tag)[1:-1]}>"

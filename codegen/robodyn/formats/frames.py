@@ -1,0 +1,180 @@
+"""A chain of joint axes in any direction as a description: modified DH frames, a base and a tool.
+
+Each axis becomes the z axis of its link's frame. Two freedoms are left at every joint: where on its axis the
+frame's origin stands, and how the frame is turned about it. They are chosen so that numbers vanish: x is
+perpendicular to this axis and the next, the origin is where their common normal begins, and where axes are
+parallel (any common normal is one) where the next offset ``d`` is zero. Of axes that are nearly parallel the
+common normal lies far away: the origin stays near the arm, and the row has an offset ``b`` more.
+
+Joint coordinates, their zeros and the torques are those of the chain; the pose of the tool in the world too.
+
+Source: Craig, Introduction to Robotics, section 3.4; of nearly parallel axes Hayati and Mirmirani 1985, where
+a turn about y takes the place of ``b``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from robodyn.formats.axes import Step, aligned
+from robodyn.formats.chain import Chain, ChainJoint
+from robodyn.formats.exact import rows, vector
+from robodyn.formats.limits import SLIDE, STEEP
+from robodyn.robot.limits import NOTHING, QUARTER_TURN
+from robodyn.robot.model import Inertia, Joint, Link, Robot
+from robodyn.robot.numbers import shortest
+from robodyn.robot.parts import Exact, Rows
+from robodyn.robot.rotations import (
+    SAME,
+    about_x,
+    about_z,
+    applied,
+    direction,
+    placement,
+    product,
+    summed,
+    tidy,
+    turned_tensor,
+    twist_of,
+)
+from robodyn.robot.values import ZERO, Angle, quarter_turns
+
+_NONE, _HALF = quarter_turns(0), quarter_turns(2)
+
+
+@dataclass(slots=True)
+class _Row:
+    """What leads from a frame to the next one: ``phi`` turns the frame before about its own z beforehand.
+    ``slide`` [m] is how far the row's own origin stands along its axis from where the chain has it."""
+
+    phi: Angle
+    alpha: Angle
+    a: Fraction
+    b: Fraction
+    d: Fraction
+    theta: Angle
+    slide: Fraction = ZERO
+
+
+def description_of(chain: Chain, snap: float = 0.0) -> Robot:
+    """The description of ``chain``; angles of axes within ``snap`` [rad] of a multiple of pi/2 become it.
+
+    Links have the names of their joints. No offset is longer than twice the sum of the distances between the
+    chain's frames.
+    """
+    within = max(snap, QUARTER_TURN)
+    steps = aligned(chain.joints)
+    tip = applied(steps[-1].into, vector(chain.tool.xyz))
+    size = sum(math.hypot(*step.offset) for step in steps[1:]) + math.hypot(*tip) or 1.0
+    turn, origin, first = _base(steps[0], within)
+    table = [first]
+    for step in steps[1:]:
+        table.append(_row(step, table[-1].theta, size, within))
+    _slide(table, size)
+    # How each frame is turned about its own z, for the row after it.
+    ends = [row.phi for row in table[1:]] + [_undone(table[-1].theta)]
+    if turn != SAME:  # the base frame is free: the first row leads nowhere
+        origin = _plus(origin, applied(turn, (ZERO, ZERO, first.d)))
+        first.d = ZERO
+        if ends[0].quarter is not None:
+            turn, first.theta = product(turn, about_z(ends[0])), -ends[0]
+    links = [_link(*parts, size) for parts in zip(chain.joints, steps, table, ends, strict=True)]
+    ground = rows(chain.base.rotation)
+    base = _plus(vector(chain.base.xyz), applied(ground, origin))
+    last = about_z(-ends[-1])
+    tool = product(last, product(steps[-1].into, rows(chain.tool.rotation)))
+    x, y, z = applied(last, tip)
+    return Robot(
+        chain.name,
+        tuple(links),
+        chain.title,
+        chain.source,
+        gravity=vector(chain.gravity),
+        base=placement(product(ground, turn), base, size, within),
+        tool=placement(tool, (x, y, z - table[-1].slide), size, within),
+    )
+
+
+def _base(step: Step, within: float) -> tuple[Rows, Exact, _Row]:
+    """The base frame in that of the chain, and the row from it to the first joint. It is only shifted where
+    the first axis is parallel to its z axis, and else is the first joint's own."""
+    twist = twist_of(step.rotation, within)
+    if not twist.parallel:
+        return step.rotation, step.offset, _Row(_NONE, _NONE, ZERO, ZERO, ZERO, _NONE)
+    x, y, z = step.offset
+    way = twist.alpha.cos
+    return SAME, (x, y, ZERO), _Row(_NONE, twist.alpha, ZERO, ZERO, way * z, twist.theta)
+
+
+def _row(step: Step, before: Angle, size: float, within: float) -> _Row:
+    """The row of a joint; ``before`` is the angle theta of the row before so far.
+
+    Turning x the other way exchanges the signs of alpha and a: what leaves the smaller theta is taken.
+    """
+    twist = twist_of(step.rotation, within)
+    phi, alpha, theta = twist.phi, twist.alpha, twist.theta
+    if twist.parallel:
+        x, y = (ZERO if abs(e) <= NOTHING * size else e for e in step.offset[:2])
+        phi = direction(x, y, QUARTER_TURN) if x or y else _undone(before)
+        theta = summed(theta, -phi if alpha.cos > 0 else phi)
+    other = summed(phi, _HALF)
+    if abs(summed(before, other).radians) < abs(summed(before, phi).radians):
+        phi, alpha, theta = other, alpha if twist.parallel else -alpha, summed(theta, _HALF)
+    a, b, d = applied(about_x(-alpha), applied(about_z(-phi), step.offset))
+    return _Row(phi, alpha, a, ZERO if twist.parallel else b, d, theta)
+
+
+def _slide(table: Sequence[_Row], size: float) -> None:
+    """Origins slid along their axes: to the common normal with the next axis where that is near, else so that
+    the next offset ``d`` vanishes; the last one so that its own does."""
+    for i in reversed(range(1, len(table))):
+        row, before = table[i], table[i - 1]
+        c, s = row.alpha.cos, row.alpha.sin
+        normal = row.b / s if s else None
+        if normal is not None and (abs(s) >= STEEP or abs(normal) <= SLIDE * size):
+            before.slide, row.b = normal, ZERO
+            if i == len(table) - 1:
+                row.slide = normal * c - row.d
+        else:
+            before.slide = (row.d + row.slide) / c
+            row.b -= before.slide * s
+        row.d += row.slide - before.slide * c
+    table[0].d += table[0].slide
+
+
+def _link(joint: ChainJoint, step: Step, row: _Row, end: Angle, size: float) -> Link:
+    """The link of ``joint``, whose frame is turned by ``end`` about its z axis in the end."""
+    body, turn = joint.body, product(about_z(-end), step.into)
+    com = applied(turn, vector(body.com))
+    trace = math.fsum(map(abs, body.inertia[:3]))
+    entries = [tidy(e, trace) for e in turned_tensor(turn, tuple(map(shortest, body.inertia)))]
+    if body.mass or any(com):  # a link without mass has no centre: do not invent one
+        com = (com[0], com[1], com[2] - row.slide)
+    x, y, z = (tidy(e, size) for e in com)
+    a, b, d = (tidy(e, size) for e in (row.a, row.b, row.d))
+    frame = Joint(
+        joint.kind,
+        row.alpha,
+        a,
+        d,
+        summed(row.theta, end),
+        shortest(joint.motor_inertia),
+        shortest(joint.viscous),
+        shortest(joint.coulomb),
+        joint.limits,
+        joint.gear,
+        b,
+    )
+    return Link(joint.name, frame, shortest(body.mass), (x, y, z), Inertia(*entries))
+
+
+def _undone(turn: Angle) -> Angle:
+    """What takes a turn by quarters back; nothing where it is another, since it would cost digits."""
+    return -turn if turn.quarter is not None else _NONE
+
+
+def _plus(u: Exact, v: Exact) -> Exact:
+    return u[0] + v[0], u[1] + v[1], u[2] + v[2]

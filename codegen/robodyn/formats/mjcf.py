@@ -1,0 +1,224 @@
+"""MJCF to a tree through the package mujoco, which knows its defaults, angles and inertias of shapes."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Final
+
+from robodyn.errors import InputError, Place, ToolError
+from robodyn.formats.chain import Body, Pose, Vector
+from robodyn.formats.elements import Document
+from robodyn.formats.limits import NAMES_SHOWN, PLACEHOLDER, SAME_INERTIA
+from robodyn.formats.mjcf_drives import with_couplings, with_drives
+from robodyn.formats.mjcf_text import MESH, Handed, handed
+from robodyn.formats.quantities import body_of, unit
+from robodyn.formats.rigid import composed, tidy
+from robodyn.formats.tree import JointLimits, Kind, Leftovers, Tree, TreeJoint, TreeLink, checked, names
+
+WORLD: Final = "world"
+_KINDS: Final[tuple[Kind, ...]] = ("floating", "ball", "prismatic", "revolute")
+
+
+def read_tree(document: Document, path: Path | None) -> Tree:
+    """The tree of a document whose root is ``<mujoco>`` and that lies at ``path``.
+
+    A body with several joints becomes several links, all but the last without mass. Sites become links that
+    are fixed to their bodies, so that they can be tips.
+
+    Raises
+    ------
+    InputError: MuJoCo refuses the file, or a file that it includes cannot be read.
+    ToolError: the package is not installed.
+    """
+    try:
+        import mujoco
+    except ImportError:
+        raise ToolError(
+            "MJCF is read by the package mujoco, which is not installed",
+            where=Place(document.file),
+            remedy="install it: pip install 'robodyn[mujoco]'",
+        ) from None
+    leftovers = Leftovers(document.file)
+    text = handed(document, path, leftovers)
+    try:
+        with (
+            warnings.catch_warnings()
+        ):  # of a mass matrix that is near to singular: dynamics are not asked for
+            warnings.simplefilter("ignore")
+            spec = mujoco.MjSpec.from_string(text.text)
+            bare = _without_meshes(mujoco, spec)
+            model = spec.compile()
+    except (ValueError, mujoco.FatalError) as error:
+        message = " ".join(str(error).split())
+        raise InputError(
+            "MuJoCo refuses the file",
+            where=text.place(message, document.file),
+            found=message[:300],
+        ) from None
+    tree = _Model(mujoco, spec, model, text, document.file, bare).tree(document, leftovers)
+    return checked(replace(tree, unused=leftovers.unused()))
+
+
+def _without_meshes(mujoco: Any, spec: Any) -> set[str]:
+    """Delete the geoms that stand for meshes; the names of bodies whose inertia would have come from them."""
+    lowest, highest = spec.compiler.inertiagrouprange
+    always = int(spec.compiler.inertiafromgeom) == int(mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE)
+    bare = set()
+    for body in spec.bodies:
+        heavy = False
+        for geom in list(body.geoms):
+            if geom.name.startswith(MESH):
+                weightless = geom.mass == 0 or (math.isnan(geom.mass) and geom.density == 0)
+                heavy = heavy or (not weightless and lowest <= geom.group <= highest)
+                spec.delete(geom)
+        if heavy and (always or not body.explicitinertial) and body.name != WORLD:
+            bare.add(body.name)
+            body.mass, body.inertia, body.explicitinertial = PLACEHOLDER, [PLACEHOLDER] * 3, True
+            body.ipos, body.fullinertia = [0, 0, 0], [math.nan] * 6
+            for geom in list(body.geoms):
+                spec.delete(geom)
+    return bare
+
+
+@dataclass(frozen=True, slots=True)
+class _Model:
+    """A compiled model and what it was made of."""
+
+    mujoco: Any
+    spec: Any
+    model: Any
+    text: Handed
+    file: str
+    bare: set[str]
+
+    def tree(self, document: Document, leftovers: Leftovers) -> Tree:
+        links, joints = [], []
+        for index in range(self.model.nbody):
+            body = self.model.body(index)
+            parts = self.joints(body, leftovers) if index else []
+            links += [TreeLink(joint.child, joint.where) for joint in parts[:-1]]
+            links.append(self.link(body))
+            joints += parts
+        bodies = {link.name for link in links}
+        for index in range(self.model.nsite):
+            site = self.model.site(index)
+            name = site.name if site.name not in bodies else f"{site.name} (site)"
+            links.append(TreeLink(name, self.place("site", site.name)))
+            joints.append(
+                TreeJoint(
+                    f"{site.name} (site)",
+                    "fixed",
+                    self.model.body(int(site.bodyid[0])).name,
+                    name,
+                    self.place("site", site.name),
+                    pose(site.pos, site.quat),
+                )
+            )
+        with_motors = with_drives(self.mujoco, self.model, joints, leftovers)
+        coupled, loops = with_couplings(self.mujoco, self.model, with_motors, self.text, leftovers)
+        return Tree(
+            document.root.attributes.get("model", ""),
+            "MJCF",
+            self.file,
+            tuple(links),
+            tuple(coupled),
+            vector(self.model.opt.gravity),
+            loops,
+            remarks=self.remarks(),
+        )
+
+    def remarks(self) -> tuple[str, ...]:
+        """Whose inertia is not stated."""
+        always = int(self.spec.compiler.inertiafromgeom) == 1
+        bodies = [body for body in self.spec.bodies if body.name not in {WORLD, *self.bare}]
+        inferred = [body.name for body in bodies if always or not body.explicitinertial]
+        shapes = [name for name in inferred if self.model.body(name).mass[0]]
+        if not shapes:
+            return ()
+        return (f"inertia from shapes, as MuJoCo computes it: {names(shapes, NAMES_SHOWN)}",)
+
+    def place(self, tag: str, name: str) -> Place:
+        return self.text.places.get((tag, name), Place(self.file))
+
+    def joints(self, body: Any, leftovers: Leftovers) -> list[TreeJoint]:
+        """The joints between a body and its parent: a fixed one, or one or several that move."""
+        parent, where = self.model.body(int(body.parentid[0])).name, self.place("body", body.name)
+        origin = pose(body.pos, body.quat)
+        first, count = int(body.jntadr[0]), int(body.jntnum[0])
+        if not count:
+            return [TreeJoint(f"{body.name} (fixed)", "fixed", parent, body.name, where, origin)]
+        joints = []
+        for index in range(first, first + count):
+            name = self.model.joint(index).name
+            child = body.name if index == first + count - 1 else f"{body.name} before {name}"
+            joints.append(self.joint(index, parent, child, origin, leftovers))
+            parent, origin = child, Pose()
+        return joints
+
+    def joint(self, index: int, parent: str, child: str, origin: Pose, leftovers: Leftovers) -> TreeJoint:
+        model = self.model
+        name, kind = model.joint(index).name, _KINDS[int(model.jnt_type[index])]
+        where, dof = self.place("joint", name), int(model.jnt_dofadr[index])
+        if kind not in ("revolute", "prismatic"):
+            return TreeJoint(name, kind, parent, child, where, origin)
+        if model.jnt_stiffness[index]:
+            what = f"the spring of the joint {name}: {float(model.jnt_stiffness[index]):g}"
+            leftovers.add(what, where.line, where.file)
+        if model.dof_damping.ndim > 1 or getattr(model, "dof_dampingpoly", model.dof_damping[:0]).any():
+            leftovers.add(f"damping of the joint {name} that is not linear", where.line, where.file)
+        anchor = vector(model.jnt_pos[index])
+        lower, upper = map(float, model.jnt_range[index])
+        limited = bool(model.jnt_limited[index])
+        effort = float(abs(model.jnt_actfrcrange[index]).max()) if model.jnt_actfrclimited[index] else None
+        x, y, z = anchor
+        return TreeJoint(
+            name,
+            kind,
+            parent,
+            child,
+            where,
+            composed(origin, Pose(anchor)),
+            Pose((-x, -y, -z)),
+            unit(vector(model.jnt_axis[index])),
+            float(model.qpos0[model.jnt_qposadr[index]]),
+            JointLimits(lower, upper, effort=effort) if limited else JointLimits(effort=effort),
+            damping=float(model.dof_damping[dof]),
+            friction=float(model.dof_frictionloss[dof]),
+            armature=float(model.dof_armature[dof]),
+        )
+
+    def link(self, body: Any) -> TreeLink:
+        where = self.place("body", body.name)
+        if body.name in self.bare or not body.id:
+            return TreeLink(body.name, where, shape=body.name in self.bare)
+        stated = self.spec.body(body.name)
+        if not body.mass[0] and not body.inertia.any():
+            return TreeLink(body.name, where, shape=bool(body.geomnum[0]))
+        frame = pose(body.ipos, body.iquat)
+        xx, yy, zz = map(float, body.inertia)
+        solid = body_of(float(body.mass[0]), frame, (xx, yy, zz, 0.0, 0.0, 0.0))
+        return TreeLink(body.name, where, _as_stated(solid, [float(x) for x in stated.fullinertia]), True)
+
+
+def _as_stated(body: Body, stated: list[float]) -> Body:
+    """``body`` with the entries of its tensor as the file states them, where they are the same: MuJoCo turns
+    tensors into principal axes, which costs the last digits."""
+    scale = max(map(abs, body.inertia))
+    if all(abs(a - b) <= SAME_INERTIA * scale for a, b in zip(body.inertia, stated, strict=True)):
+        xx, yy, zz, xy, xz, yz = stated
+        return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
+    return body
+
+
+def pose(xyz: Any, wxyz: Any) -> Pose:
+    """A position [m] and a quaternion of a compiled model."""
+    return tidy(Pose.from_quaternion(vector(xyz), [float(x) for x in wxyz]))
+
+
+def vector(numbers: Any) -> Vector:
+    """Three numbers of a compiled model."""
+    x, y, z = (float(entry) for entry in numbers)
+    return (x, y, z)

@@ -1,0 +1,66 @@
+"""Transmissions of URDF: the reduction of a gear, the rotor behind it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+from robodyn.formats.elements import Element, tag_shown
+from robodyn.formats.quantities import Quantities, negative
+from robodyn.formats.tree import Leftovers, TreeJoint
+
+_SIMPLE: Final = "SimpleTransmission"
+_REDUCTION: Final = "mechanicalReduction"
+_RATIO, _ROTOR = "drake:gear_ratio", "drake:rotor_inertia"
+
+
+class Transmissions:
+    """Collects what transmissions say of joints: those between one motor and one joint."""
+
+    def __init__(self, reader: Quantities, leftovers: Leftovers) -> None:
+        self._reader, self._leftovers = reader, leftovers
+        self._ratios: dict[str, float] = {}
+        self._armatures: dict[str, float] = {}
+
+    def read(self, element: Element) -> None:
+        """Take what one ``<transmission>`` says."""
+        joints = [joint.attributes.get("name", "") for joint in element.all("joint")]
+        actuators = list(element.all("actuator"))
+        kind = element.first("type")
+        word = element.attributes.get("type", "") if kind is None else kind.text
+        if len(joints) != 1 or len(actuators) > 1 or (word and not word.endswith(_SIMPLE)):
+            self._leftovers.add("transmissions of more than one motor and one joint", element.line)
+            return
+        (joint,) = joints
+        for part in element.walk():
+            if part.tag == _REDUCTION:
+                self._ratio(part, joint, part.text, "")
+            elif part.tag == _RATIO:
+                self._ratio(part, joint, part.attributes.get("value", ""), "value")
+            elif part.tag == _ROTOR:
+                rotor = self._reader.number(part, "value", f"joint '{joint}'", bad=negative)
+                self._armatures[joint] = rotor
+            elif part.tag not in ("transmission", "type", "joint", "actuator"):
+                self._leftovers.add(f"{tag_shown(part)} of transmissions", part.line)
+
+    def _ratio(self, part: Element, joint: str, text: str, attribute: str) -> None:
+        what = f"joint '{joint}': {tag_shown(part)}"
+        (ratio,) = self._reader.numbers(text, 1, part, attribute, what)
+        if ratio in (0.0, 1.0):
+            self._leftovers.add(f"reductions of {ratio:g}", part.line)
+            return
+        if ratio < 0:
+            self._leftovers.add("signs of reductions", part.line)
+        self._ratios[joint] = abs(ratio)
+
+    def applied(self, joints: tuple[TreeJoint, ...]) -> tuple[TreeJoint, ...]:
+        """The joints with their ratios, and rotor inertias reflected through them."""
+        return tuple(self._with_transmission(joint) for joint in joints)
+
+    def _with_transmission(self, joint: TreeJoint) -> TreeJoint:
+        ratio, rotor = self._ratios.get(joint.name), self._armatures.get(joint.name)
+        if ratio is not None:
+            joint = replace(joint, ratio=ratio)
+        if rotor is not None:
+            joint = replace(joint, armature=joint.armature + rotor * (ratio or 1.0) ** 2)
+        return joint

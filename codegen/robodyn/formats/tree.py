@@ -1,0 +1,212 @@
+"""A mechanism as other formats state it: links, joints of every kind, and what the file says beyond them.
+
+SI units; numbers are floats whose shortest text is that of the file. Nothing is left out or decided here:
+:mod:`robodyn.formats.serial` takes a serial chain out of a tree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Final, Literal
+
+from robodyn.errors import InputError, Place
+from robodyn.formats.chain import Body, Pose, Vector
+from robodyn.formats.limits import LINES_SHOWN, LINKS, NAMES_SHOWN
+from robodyn.robot.names import TEXT_LENGTH, shown
+
+Kind = Literal[
+    "revolute",
+    "continuous",
+    "prismatic",
+    "fixed",
+    "floating",
+    "planar",
+    "ball",
+    "universal",
+    "screw",
+    "other",
+]
+#: Kinds that a chain's joint can be.
+TURNING: Final = frozenset({"revolute", "continuous"})
+MOVING: Final = TURNING | {"prismatic"}
+
+
+@dataclass(frozen=True, slots=True)
+class JointLimits:
+    """Limits of a joint as written, None where nothing is stated: positions [rad or m], velocity and
+    acceleration [per s, per s^2], ``effort`` [N m or N]."""
+
+    lower: float | None = None
+    upper: float | None = None
+    velocity: float | None = None
+    acceleration: float | None = None
+    effort: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Mimic:
+    """A joint that follows another: ``q = multiplier * q_leader + offset``."""
+
+    leader: str
+    multiplier: float = 1.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class TreeLink:
+    """A link. ``body``: in the link's frame, None where the file states no inertia; ``shape``: whether it has
+    geometry, and so is more than a frame."""
+
+    name: str
+    where: Place
+    body: Body | None = None
+    shape: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class TreeJoint:
+    """A joint between two links.
+
+    The child's frame is ``origin * motion(axis, q - reference) * child_pose`` in the parent's frame;
+    ``axis`` is a unit vector in the joint's frame. ``damping`` [N m s/rad or N s/m], ``friction`` [N m or N],
+    ``armature``: rotor inertia reflected to the joint [kg m^2 or kg]; ``ratio`` of the gear and
+    ``torque_constant`` [N m/A] where stated.
+    """
+
+    name: str
+    kind: Kind
+    parent: str
+    child: str
+    where: Place
+    origin: Pose = field(default_factory=Pose)
+    child_pose: Pose = field(default_factory=Pose)
+    axis: Vector = (0.0, 0.0, 1.0)
+    reference: float = 0.0
+    limits: JointLimits = field(default_factory=JointLimits)
+    damping: float = 0.0
+    friction: float = 0.0
+    armature: float = 0.0
+    ratio: float | None = None
+    torque_constant: float | None = None
+    mimic: Mimic | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """Something that ties two links together beside the joints of the tree, and so closes a loop."""
+
+    what: str
+    links: tuple[str, str]
+    where: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Unused:
+    """Something that a file says and that is not used; ``lines`` where it says so, ascending."""
+
+    what: str
+    file: str
+    lines: tuple[int, ...] = ()
+
+    def text(self, file: str = "") -> str:
+        """On one line, with the first few places; without the name of the file where that is ``file``."""
+        name = "" if self.file == file else self.file
+        if not self.lines:
+            return f"{self.what} ({name})" if name else self.what
+        shown = ", ".join(map(str, self.lines[:LINES_SHOWN]))
+        more = len(self.lines) - LINES_SHOWN
+        rest = f" and {more} more" if more > 0 else ""
+        word = "line" if len(self.lines) == 1 else "lines"
+        return f"{self.what} ({name + ': ' if name else ''}{word} {shown}{rest})"
+
+
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """A mechanism. ``joints`` name their links; the world, where the format has one, is a link of it.
+
+    ``gravity`` [m/s^2] is in the root's frame. ``unused`` is what the file says and nothing here holds;
+    ``remarks``: what was understood in one of several ways.
+    """
+
+    name: str
+    format: str
+    file: str
+    links: tuple[TreeLink, ...]
+    joints: tuple[TreeJoint, ...]
+    gravity: Vector = (0.0, 0.0, -9.81)
+    loops: tuple[Loop, ...] = ()
+    unused: tuple[Unused, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+
+class Leftovers:
+    """Collects what a file says and a reader does not use, each thing with all its lines."""
+
+    def __init__(self, file: str) -> None:
+        self._file = file
+        self._lines: dict[tuple[str, str], set[int]] = {}
+
+    def add(self, what: str, line: int | None, file: str = "") -> None:
+        """Note ``what`` at ``line``."""
+        self._lines.setdefault((what, file or self._file), set()).update([line] if line else [])
+
+    def unused(self) -> tuple[Unused, ...]:
+        """All of it, in the order in which it was first noted."""
+        return tuple(Unused(what, file, tuple(sorted(lines))) for (what, file), lines in self._lines.items())
+
+
+def names(words: Iterable[str], most: int) -> str:
+    """``a, b, c`` and how many more, for a message."""
+    listed = [shown(word, TEXT_LENGTH)[1:-1] for word in words]
+    more = len(listed) - most
+    return ", ".join(listed[:most]) + (f" and {more} more" if more > 0 else "")
+
+
+def checked(tree: Tree) -> Tree:
+    """``tree`` itself: its names are unique, and joints name links that are there.
+
+    Raises
+    ------
+    InputError: they are not, or there are too many.
+    """
+    if max(len(tree.links), len(tree.joints)) > LINKS:
+        raise InputError("too many links or joints", where=Place(tree.file), found=f"more than {LINKS}")
+    _unique("link", tree.links)
+    _unique("joint", tree.joints)
+    links = {link.name for link in tree.links}
+    for joint in tree.joints:
+        for role, link in (("parent", joint.parent), ("child", joint.child)):
+            if link not in links:
+                raise InputError(
+                    f"joint {shown(joint.name)}: there is no link of the name of its {role}",
+                    where=joint.where,
+                    found=shown(link),
+                    expected=near(link, links, "link"),
+                )
+    return tree
+
+
+def _unique(what: str, items: Sequence[TreeLink] | Sequence[TreeJoint]) -> None:
+    seen: dict[str, Place] = {}
+    for item in items:
+        if item.name in seen:
+            raise InputError(
+                f"two {what}s have the same name",
+                where=item.where,
+                found=shown(item.name),
+                expected="another name",
+                remedy=f"the first is in line {seen[item.name].line}",
+            )
+        seen[item.name] = item.where
+
+
+def near(word: str, words: Iterable[str], what: str) -> str:
+    """What was probably meant by ``word``, or what there is, for the "expected" of a message."""
+    import difflib
+
+    words = list(words)
+    close = difflib.get_close_matches(word[:TEXT_LENGTH], words, 3)
+    if close:
+        return f"did you mean {' or '.join(map(shown, close))}?"
+    return f"one of the {what}s {names(words, NAMES_SHOWN)}" if words else f"a {what}, and there is none"

@@ -1,0 +1,183 @@
+"""URDF to a tree, as http://wiki.ros.org/urdf/XML and urdfdom read it; meshes are not opened."""
+
+from __future__ import annotations
+
+from typing import Final, get_args
+
+from robodyn.formats.chain import Body, Pose
+from robodyn.formats.elements import Document, Element, tag_shown
+from robodyn.formats.quantities import Quantities, body_of, negative, used, what_of
+from robodyn.formats.transmissions import Transmissions
+from robodyn.formats.tree import JointLimits, Kind, Leftovers, Mimic, Tree, TreeJoint, TreeLink, checked
+from robodyn.robot.names import shown
+
+_KINDS: Final = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+#: What is known of each element: attributes and children that are used.
+_USED: Final = {
+    "link": used("name", "inertial"),
+    "inertial": used("", "origin mass inertia"),
+    "joint": used("name type", "origin parent child axis limit dynamics mimic"),
+    "origin": used("xyz rpy quat_xyzw"),
+    "mass": used("value"),
+    "inertia": used("ixx iyy izz ixy ixz iyz"),
+    "parent": used("link"),
+    "child": used("link"),
+    "axis": used("xyz"),
+    "limit": used("lower upper effort velocity acceleration"),
+    "dynamics": used("damping friction armature"),
+    "mimic": used("joint multiplier offset"),
+}
+_WORDS: Final = {
+    "visual": "visual geometry",
+    "collision": "collision geometry",
+    "material": "materials",
+    "gazebo": "settings of Gazebo",
+    "safety_controller": "safety controllers",
+    "calibration": "calibration of joints",
+    "sensor": "sensors",
+    "ros2_control": "ros2_control",
+    "mujoco": "settings of MuJoCo",
+}
+
+
+def read_tree(document: Document) -> Tree:
+    """The tree of a document whose root is ``<robot>``.
+
+    Raises
+    ------
+    InputError: something is missing, is no number, stands there twice, or names what is not there.
+    """
+    leftovers = Leftovers(document.file)
+    reader = _Reader(document, leftovers)
+    root = document.root
+    transmissions = Transmissions(reader, leftovers)
+    links, joints = [], []
+    for element in root.children:
+        if element.tag == "link":
+            links.append(reader.link(element))
+        elif element.tag == "joint":
+            joints.append(reader.joint(element))
+        elif element.tag == "transmission":
+            transmissions.read(element)
+        else:
+            leftovers.add(what_of(element, root, _WORDS), element.line)
+    if not links:
+        macros = any(element.tag.startswith("xacro:") for element in root.walk())
+        raise reader.fail(
+            root,
+            "the robot has no links",
+            expected='elements <link name="..."> and <joint name="..." type="...">',
+            remedy="this is a xacro file: name it .xacro" if macros else None,
+        )
+    return checked(
+        Tree(
+            root.attributes.get("name", ""),
+            "URDF",
+            document.file,
+            tuple(links),
+            transmissions.applied(tuple(joints)),
+            unused=leftovers.unused(),
+        )
+    )
+
+
+class _Reader(Quantities):
+    def one(self, element: Element, tag: str, of: str) -> Element | None:
+        child = super().one(element, tag, of)
+        if child is not None:
+            self.note_unused(child, _USED, _WORDS)
+        return child
+
+    def must(self, element: Element, tag: str, of: str) -> Element:
+        child = self.one(element, tag, of)
+        if child is None:
+            raise self.fail(element, f"{of}: {tag_shown(element)} has no <{tag}>")
+        return child
+
+    def origin(self, element: Element, of: str) -> Pose:
+        origin = self.one(element, "origin", of)
+        if origin is None:
+            return Pose()
+        zero = (0.0, 0.0, 0.0)
+        xyz = self.vector(origin, "xyz", of, zero)
+        if "quat_xyzw" in origin.attributes:
+            text = origin.attributes["quat_xyzw"]
+            x, y, z, w = self.numbers(text, 4, origin, "quat_xyzw", f"{of}: quat_xyzw of <origin>")
+            try:
+                return Pose.from_quaternion(xyz, (w, x, y, z))
+            except ValueError:
+                raise self.fail(
+                    origin, f"{of}: the quaternion is zero", attribute="quat_xyzw", found=shown(text)
+                ) from None
+        return Pose.from_rpy(xyz, self.vector(origin, "rpy", of, zero))
+
+    def link(self, element: Element) -> TreeLink:
+        name = self.name(element, "a link")
+        of = f"link {shown(name)}"
+        self.note_unused(element, _USED, _WORDS)
+        shape = element.first("visual") is not None or element.first("collision") is not None
+        inertial = self.one(element, "inertial", of)
+        return TreeLink(name, self.place(element), self.body(inertial, of) if inertial else None, shape)
+
+    def body(self, inertial: Element, of: str) -> Body:
+        mass = self.number(self.must(inertial, "mass", of), "value", of, bad=negative)
+        tensor = self.must(inertial, "inertia", of)
+        xx, yy, zz = (self.number(tensor, key, of) for key in ("ixx", "iyy", "izz"))
+        xy, xz, yz = (self.number(tensor, key, of, 0.0) for key in ("ixy", "ixz", "iyz"))
+        return body_of(mass, self.origin(inertial, of), (xx, yy, zz, xy, xz, yz))
+
+    def joint(self, element: Element) -> TreeJoint:
+        name = self.name(element, "a joint")
+        of = f"joint {shown(name)}"
+        self.note_unused(element, _USED, _WORDS)
+        word = self.required(element, "type", of)
+        if word not in _KINDS:
+            raise self.fail(
+                element,
+                f"{of}: the type is unknown",
+                attribute="type",
+                found=shown(word),
+                expected=", ".join(_KINDS),
+            )
+        kind: Kind = next(kind for kind in get_args(Kind) if kind == word)
+        parent = self.name(self.must(element, "parent", of), f"the parent of {of}", "link")
+        child = self.name(self.must(element, "child", of), f"the child of {of}", "link")
+        axis = self.one(element, "axis", of)
+        direction = (1.0, 0.0, 0.0)
+        if axis is not None and kind not in ("fixed", "floating"):
+            direction = self.axis(axis, self.vector(axis, "xyz", of, direction), "xyz", of)
+        dynamics, mimic = self.one(element, "dynamics", of), self.one(element, "mimic", of)
+        return TreeJoint(
+            name,
+            kind,
+            parent,
+            child,
+            self.place(element),
+            origin=self.origin(element, of),
+            axis=direction,
+            limits=self.limits(element, kind, of),
+            damping=self.number(dynamics, "damping", of, 0.0, negative) if dynamics else 0.0,
+            friction=self.number(dynamics, "friction", of, 0.0, negative) if dynamics else 0.0,
+            armature=self.number(dynamics, "armature", of, 0.0, negative) if dynamics else 0.0,
+            mimic=self.mimic(mimic, of) if mimic else None,
+        )
+
+    def limits(self, element: Element, kind: Kind, of: str) -> JointLimits:
+        limit = self.one(element, "limit", of)
+        if limit is None:
+            return JointLimits()
+        velocity, acceleration, effort = (
+            self.limit(limit, key, of) for key in ("velocity", "acceleration", "effort")
+        )
+        if kind not in ("revolute", "prismatic"):
+            return JointLimits(None, None, velocity, acceleration, effort)
+        lower = self.limit(limit, "lower", of) if "lower" in limit.attributes else 0.0
+        upper = self.limit(limit, "upper", of) if "upper" in limit.attributes else 0.0
+        return JointLimits(lower, upper, velocity, acceleration, effort)
+
+    def mimic(self, mimic: Element, of: str) -> Mimic:
+        return Mimic(
+            self.name(mimic, f"the joint that {of} follows", "joint"),
+            self.number(mimic, "multiplier", of, 1.0),
+            self.number(mimic, "offset", of, 0.0),
+        )

@@ -1,0 +1,284 @@
+"""Chains of axes in any direction as descriptions: torques, poses and lengths are those of the chain."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+import robodyn
+from robodyn import Options, load, program
+from robodyn.counts import count
+from robodyn.formats.chain import Body, Chain, ChainJoint, Pose, about_axis
+from robodyn.formats.frames import description_of
+from robodyn.formats.snapping import near_right_angles
+from robodyn.robot import Robot, read_text, to_yaml
+from robodyn.robot.model import Placement
+from robodyn.simulate.kinematics import Kinematics
+from robodyn.verify import Reference
+from robodyn_testing import require_module, sampled
+from robodyn_testing.random_chains import pinocchio_model, random_chain, tip_poses
+
+Z = (0.0, 0.0, 1.0)
+NAMES = ["ur10", "panda", "iiwa", "puma560_full", "puma560", "stanford_full", "rx90", "tx40"]
+#: The corrections of a factory's calibration, as such arms have them: yaw, pitch, roll [rad], shifts [m].
+DRIFT = 1e-4, 1e-3
+
+
+def states(n: int, seed: int) -> tuple[Any, Any, Any]:
+    rng = np.random.default_rng(seed)
+    q, qd, qdd = (rng.uniform(-3, 3, (4, n)) for _ in range(3))
+    q[0] = 0
+    return q, qd, qdd
+
+
+def tool_pose(robot: Robot, q: Any) -> Any:
+    """Pose [N, 4, 4] of the tool's frame in the world."""
+    place, turn = Kinematics(robot).pose(q)
+    T = np.tile(np.eye(4), (len(q), 1, 1))
+    T[:, :3, :3], T[:, :3, 3] = turn, place
+    return T @ _matrix(robot.tool)
+
+
+def _matrix(frame: Placement | None) -> Any:
+    T = np.eye(4)
+    if frame is not None:
+        T[:3, :3] = [[float(x) for x in row] for row in frame.rotation]
+        T[:3, 3] = [float(x) for x in frame.xyz]
+    return T
+
+
+def longest(robot: Robot) -> float:
+    """The longest offset [m] of a joint."""
+    joints = [link.joint for link in robot.links]
+    return max(abs(float(x)) for j in joints for x in (j.a, j.b, j.d))  # type: ignore[arg-type]
+
+
+def compare(chain: Chain, dynamics: Any, robot: Robot, seed: int = 0, tolerance: float = 1e-10) -> None:
+    """Inverse dynamics, mass matrix and forward dynamics of ``dynamics`` beside Pinocchio's, and the tip."""
+    pin = require_module("pinocchio")
+    model = pinocchio_model(chain)
+    data = model.createData()
+    q, qd, qdd = states(len(chain.joints), seed)
+    tau = np.array([pin.rnea(model, data, *x) for x in zip(q, qd, qdd, strict=True)])
+    largest = np.abs(tau).max()
+    np.testing.assert_allclose(dynamics.inverse_dynamics(q, qd, qdd), tau, rtol=0, atol=tolerance * largest)
+    matrices = dynamics.mass_matrix(q)
+    accelerations = dynamics.forward_dynamics(q, qd, tau)
+    for k in range(len(q)):
+        M = pin.crba(model, data, q[k])
+        M = np.triu(M) + np.triu(M, 1).T
+        np.testing.assert_allclose(matrices[k], M, rtol=0, atol=tolerance * np.abs(M).max())
+        # What is left of the torques: where the matrix is ill conditioned, accelerations mean little.
+        left = M @ (accelerations[k] - qdd[k])
+        np.testing.assert_allclose(left, 0, rtol=0, atol=tolerance * (largest + np.abs(M @ qdd[k]).max()))
+    np.testing.assert_allclose(tool_pose(robot, q), tip_poses(chain, q), rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("seed", sampled(range(500), every=20))
+def test_random_chains_are_what_pinocchio_makes_of_them(seed: int) -> None:
+    chain = random_chain(seed)
+    robot = description_of(chain)
+    reach = sum(math.hypot(*joint.pose.xyz) for joint in chain.joints) + math.hypot(*chain.tool.xyz)
+    assert longest(robot) <= 2 * reach
+    compare(chain, Reference(robot), robot, seed)
+    assert read_text(to_yaml(robot), warn=lambda _: None) == robot
+
+
+@pytest.mark.parametrize("seed", [3, pytest.param(8, marks=pytest.mark.thorough)])
+def test_kernels_of_chains(seed: int) -> None:
+    chain = random_chain(seed, 6)
+    robot = description_of(chain)
+    compare(chain, robodyn.compile(robot, optimize="fast"), robot, seed)
+
+
+# --- the same arm in other frames -------------------------------------------------------------------------
+
+
+def chain_of(robot: Robot, reframed: Callable[[int], Pose] = lambda i: Pose()) -> Chain:
+    """The arm as a file would have it: frame i is ``reframed(i)`` in the description's."""
+
+    def real(value: Any) -> float:
+        return float(value)
+
+    joints, before = [], Pose()
+    for i, link in enumerate(robot.links, 1):
+        j, t = link.joint, link.inertia
+        twist = about_axis((1.0, 0.0, 0.0), j.alpha.radians)
+        place = Pose(rotation=twist).compose(
+            Pose((real(j.a), real(j.b), real(j.d)), about_axis(Z, j.theta.radians))
+        )
+        own = reframed(i)
+        back = own.inverse()
+        tensor = [[t.xx, t.xy, t.xz], [t.xy, t.yy, t.yz], [t.xz, t.yz, t.zz]]
+        R = np.array(back.rotation)
+        turned = R @ np.array([[real(x) for x in row] for row in tensor]) @ R.T
+        x, y, z = map(real, link.com)
+        body = Body(
+            real(link.mass),
+            back.compose(Pose((x, y, z))).xyz,
+            tuple(float(turned[a]) for a in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))),  # type: ignore[arg-type]
+        )
+        joints.append(
+            ChainJoint(
+                link.name,
+                link.name,
+                j.kind,
+                before.inverse().compose(place).compose(own),
+                tuple(row[2] for row in zip(*own.rotation, strict=True)),  # type: ignore[arg-type]
+                body,
+                viscous=real(j.viscous),
+                coulomb=real(j.coulomb),
+                motor_inertia=real(j.motor_inertia),
+            )
+        )
+        before = own
+    gx, gy, gz = map(float, robot.gravity)
+    return Chain(robot.name, tuple(joints), gravity=(gx, gy, gz))
+
+
+def _awry(i: int) -> Pose:
+    """A frame with its axes exchanged, and slid along the joint's axis."""
+    turns = (0.0, math.pi / 2, -math.pi / 2, math.pi)
+    return Pose.from_rpy((0, 0, 0.125 * i), (turns[i % 4], turns[(i + 1) % 3], turns[(i + 2) % 4]))
+
+
+@pytest.mark.parametrize(
+    "name", ["ur10", "panda", "iiwa", "puma560_full", "puma560", "stanford_full", "rx90", "tx40"]
+)
+def test_operation_counts_are_those_of_the_hand_written_description(name: str) -> None:
+    by_hand = load(name, warn=lambda _: None)
+    by_hand = replace(by_hand, effects=(), rest_velocity=None, torque_side="motor")
+    imported = description_of(chain_of(by_hand, _awry))
+    fast = Options(optimize="fast")
+    counts = [count(program(robot, "inverse_dynamics", fast)).total for robot in (imported, by_hand)]
+    assert counts[0] <= counts[1]
+
+
+def test_decimals_and_zeros_survive() -> None:
+    """Axes along y, origins where a file happened to put them: rows as one would write them by hand."""
+    y = (0.0, 1.0, 0.0)
+    right = math.pi / 2
+    chain = Chain(
+        "arm",
+        (
+            ChainJoint("pan", "a", "revolute", Pose((0.0, 0.0, 0.1273))),
+            ChainJoint("lift", "b", "revolute", Pose.from_rpy((0, 0.220941, 0), (0, right, 0)), y),
+            ChainJoint(
+                "elbow", "c", "revolute", Pose((0.0, -0.1719, 0.612)), y, Body(12.93, (0.0, 0.0, 0.28615))
+            ),
+            ChainJoint("wrist", "d", "revolute", Pose.from_rpy((0, 0.1149, 0.5723), (0, 1.57079632679, 0))),
+        ),
+        tool=Pose((0.0, 0.0, 0.0922)),
+    )
+    robot = description_of(chain)
+    rows = [[getattr(link.joint, key) for key in ("a", "b", "d")] for link in robot.links]
+    assert rows == [
+        [0, 0, Fraction("0.1273")],
+        [0, 0, Fraction("0.163941")],
+        [Fraction("0.612"), 0, 0],
+        [Fraction("0.5723"), 0, 0],
+    ]
+    assert [link.joint.alpha.quarter for link in robot.links] == [0, -1, 0, -1]
+    assert [link.joint.theta.quarter for link in robot.links] == [0, 0, 0, 0]
+    assert [link.name for link in robot.links] == ["pan", "lift", "elbow", "wrist"]
+    elbow = robot.links[2]
+    assert [elbow.mass, *elbow.com] == [Fraction("12.93"), Fraction("0.28615"), 0, Fraction("-0.1149")]
+    assert robot.base is None
+    assert robot.tool is not None
+    assert list(robot.tool.xyz) == [0, 0, Fraction("0.0922")]
+
+
+def test_a_base_that_is_turned() -> None:
+    """A first axis that is not upright is the z axis of a base frame of its own."""
+    chain = Chain("rail", (ChainJoint("slide", "a", "prismatic", Pose((0.0, 0.0, 1.5)), (1.0, 0.0, 0.0)),))
+    robot = description_of(chain)
+    (link,) = robot.links
+    assert [link.joint.alpha.quarter, link.joint.a, link.joint.d] == [0, 0, 0]
+    assert robot.base is not None
+    assert list(robot.base.xyz) == [0, 0, Fraction("1.5")]
+    assert [row[2] for row in robot.base.rotation] == [1, 0, 0]
+    assert list(robot.gravity) == [0, 0, Fraction("-9.81")]
+    assert robot.base_gravity[2] == 0
+
+
+# --- nearly parallel axes ---------------------------------------------------------------------------------
+
+
+def calibrated(seed: int) -> Chain:
+    """A UR5e by its published numbers, each joint off by a calibration's 1e-4 to 1e-3 rad and 0.1 mm."""
+    rng = np.random.default_rng(seed)
+    right = math.pi / 2
+    nominal = [
+        ((0, 0, 0.1625), (0, 0, 0), 3.761, (0, -0.02561, 0.00193)),
+        ((0, 0, 0), (right, 0, 0), 8.058, (-0.2125, 0, 0.11336)),
+        ((-0.425, 0, 0), (0, 0, 0), 2.846, (-0.24225, 0, 0.0265)),
+        ((-0.3922, 0, 0.1333), (0, 0, 0), 1.37, (0, -0.01634, -0.0018)),
+        ((0, -0.0997, 0), (right, 0, 0), 1.3, (0, 0.01634, -0.0018)),
+        ((0, 0.0996, 0), (-right, 0, 0), 0.365, (0, 0, -0.001159)),
+    ]
+    joints = []
+    for i, (xyz, rpy, mass, com) in enumerate(nominal, 1):
+        drift = rng.choice((-1, 1), 3) * 10 ** rng.uniform(math.log10(DRIFT[0]), math.log10(DRIFT[1]), 3)
+        place = Pose.from_rpy((xyz + rng.normal(0, 1e-4, 3)).tolist(), (rpy + drift).tolist())
+        body = Body(mass, com, (0.01, 0.02, 0.02, 0.0, 0.0, 0.0))
+        joints.append(ChainJoint(f"joint_{i}", f"link_{i}", "revolute", place, body=body))
+    return Chain("ur5e_calibrated", tuple(joints))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_no_frame_of_a_calibrated_arm_is_far_away(seed: int) -> None:
+    chain = calibrated(seed)
+    robot = description_of(chain)
+    assert longest(robot) < 0.5
+    assert any(link.joint.b for link in robot.links)
+    compare(chain, Reference(robot), robot)
+
+
+def test_float_kernels_of_a_calibrated_arm() -> None:
+    pin = require_module("pinocchio")
+    chain = calibrated(0)
+    robot = description_of(chain)
+    kernel = robodyn.compile(robot, functions=["inverse_dynamics"], scalar="float", optimize="fast")
+    q, qd, qdd = (x.astype(np.float32).astype(float) for x in states(6, 1))
+    model = pinocchio_model(chain)
+    data = model.createData()
+    tau = np.array([pin.rnea(model, data, *x) for x in zip(q, qd, qdd, strict=True)])
+    np.testing.assert_allclose(
+        kernel.inverse_dynamics(q, qd, qdd), tau, rtol=0, atol=1e-5 * np.abs(tau).max()
+    )
+
+
+# --- right angles in few digits ---------------------------------------------------------------------------
+
+
+def test_right_angles_in_few_digits_are_listed_and_snapped() -> None:
+    joints = [
+        replace(
+            joint, pose=replace(joint.pose, rotation=Pose.from_rpy((0, 0, 0), (way * 1.5708, 0, 0)).rotation)
+        )
+        for joint, way in zip(random_chain(12, 4).joints, (0, -1, 1, 1), strict=True)
+    ]
+    chain = Chain("arm", tuple(replace(j, kind="revolute", axis=Z) for j in joints))
+    robot = description_of(chain)
+    near = near_right_angles(robot)
+    assert {(one.where, one.quarter) for one in near} >= {
+        ("joint_2: alpha", -1),
+        ("joint_3: alpha", 1),
+        ("joint_4: alpha", 1),
+    }
+    assert all(3e-6 < abs(one.error) < 1e-4 for one in near)
+    snapped = description_of(chain, snap=1e-4)
+    assert near_right_angles(snapped) == ()
+    assert [link.joint.alpha.quarter for link in snapped.links] == [0, -1, 1, 1]
+    assert near_right_angles(description_of(chain), 1e-6) == ()
+    fast = Options(optimize="fast")
+    counts = [count(program(arm, "inverse_dynamics", fast)).total for arm in (snapped, robot)]
+    assert counts[0] < counts[1]
+    q = states(4, 2)[0]
+    np.testing.assert_allclose(tool_pose(snapped, q), tip_poses(chain, q), rtol=0, atol=1e-4)

@@ -1,0 +1,225 @@
+"""MJCF through MuJoCo: the same chains as MuJoCo computes itself, and what is not handed to it."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from robodyn.errors import InputError
+from robodyn.formats.elements import parse
+from robodyn.formats.mjcf import read_tree
+from robodyn.formats.serial import Serial, serial_chain
+from robodyn.formats.tree import Tree
+from robodyn_testing import require_module, sampled
+from robodyn_testing.chains import WorldDynamics
+from robodyn_testing.random_mjcf import random_mjcf
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+@pytest.fixture(autouse=True)
+def mujoco() -> Any:
+    return require_module("mujoco")
+
+
+def tree(text: str, path: Path | None = None) -> Tree:
+    return read_tree(parse(text.encode(), "arm.xml"), path)
+
+
+def chain(text: str, **options: Any) -> Serial:
+    return serial_chain(tree(text), "arm", **options)
+
+
+def check_against_mujoco(
+    mujoco: Any, text: str, serial: Serial, tip: str, positions: dict[str, float]
+) -> None:
+    """Torques, mass matrix and tip of the chain; joints beside it are at ``positions``."""
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    own: Any = WorldDynamics(serial.chain)
+    draw = np.random.default_rng(1)
+    joints = [model.joint(joint.name) for joint in serial.chain.joints]
+    columns = [int(joint.dofadr[0]) for joint in joints]
+    for _ in range(3):
+        q, qd, qdd = draw.uniform(-2, 2, (3, len(joints)))
+        data.qpos[:] = model.qpos0
+        data.qvel[:] = data.qacc[:] = 0
+        for name, value in positions.items():
+            data.qpos[model.joint(name).qposadr[0]] = value
+        for joint, values in zip(joints, zip(q, qd, qdd, strict=True), strict=True):
+            data.qpos[joint.qposadr[0]] = values[0]
+            data.qvel[joint.dofadr[0]], data.qacc[joint.dofadr[0]] = values[1:]
+        for step in (mujoco.mj_kinematics, mujoco.mj_comPos, mujoco.mj_makeM, mujoco.mj_comVel):
+            step(model, data)  # and no more: a mass matrix near to singular is not to be factored
+        torques = np.zeros(model.nv)
+        mujoco.mj_rne(model, data, 1, torques)
+        torques += model.dof_armature * data.qacc
+        scale = abs(torques[columns]).max()
+        assert own.torques(q, qd, qdd) == pytest.approx(torques[columns], rel=0, abs=1e-12 * scale)
+        whole = np.zeros((model.nv, model.nv))
+        mujoco.mj_fullM(model, data, whole)
+        expected = whole[np.ix_(columns, columns)]
+        assert own.mass_matrix(q) == pytest.approx(expected, rel=0, abs=1e-12 * abs(expected).max())
+        body = data.body(tip)
+        assert own.tip(q)[:3, 3] == pytest.approx(body.xpos, rel=0, abs=1e-13)
+        assert np.ravel(own.tip(q)[:3, :3]) == pytest.approx(body.xmat, rel=0, abs=1e-13)
+
+
+@pytest.mark.parametrize("seed", sampled(range(300), every=25))
+def test_a_chain_is_what_mujoco_computes(seed: int, mujoco: Any) -> None:
+    text = random_mjcf(seed)
+    serial = serial_chain(tree(text), "tree", tip="tip")
+    assert serial.chain.gravity == (1.0, 2.0, -9.5)
+    assert serial.chain.joints[-1].gear is not None
+    sides = [joint.name for joint in tree(text).joints if joint.name.startswith("s")]
+    check_against_mujoco(mujoco, text, serial, "tip", dict.fromkeys(sides, 0.0))
+
+
+def mjcf(inside: str, head: str = "", tail: str = "") -> str:
+    return f'<mujoco model="arm">{head}\n<worldbody>\n{inside}\n</worldbody>{tail}</mujoco>'
+
+
+SOLID = '<inertial pos="0.1 0 0" mass="2" diaginertia="0.01 0.02 0.02"/>'
+TWO = mjcf(
+    f'<body name="a"><joint name="i"/>{SOLID}\n'
+    f'<body name="b" pos="1 0 0"><joint name="j"/>{SOLID}</body></body>'
+)
+
+
+def test_a_mesh_is_never_opened_and_its_inertia_is_missing() -> None:
+    text = mjcf(
+        f'<body name="a"><joint name="i"/><geom mesh="m"/><geom type="box" size="1 1 1"/>'
+        f'<body name="b"><joint name="j"/>{SOLID}<geom class="shown" mesh="m"/></body></body>',
+        '<default><geom type="mesh"/><default class="shown"><geom density="0"/></default></default>'
+        '<asset><mesh name="m" file="/dev/zero"/><texture name="t" file="missing.png"/></asset>',
+    )
+    serial = chain(text)
+    assert serial.remarks == (
+        "links without inertia, and so without mass: a",
+        "joints that carry no mass: i",
+    )
+    assert serial.chain.joints[0].body.mass == 0
+    assert serial.chain.joints[1].body.mass == 2
+    assert [part.what for part in tree(text).unused] == ["meshes, textures and materials"]
+
+
+def test_inertias_of_shapes_are_mujocos_and_remarked(mujoco: Any) -> None:
+    text = mjcf('<body name="a"><joint name="i"/><geom type="box" size="0.1 0.2 0.3" mass="3"/></body>')
+    serial = chain(text)
+    assert serial.remarks == ("inertia from shapes, as MuJoCo computes it: a",)
+    assert serial.chain.joints[0].body.inertia[:3] == pytest.approx((0.13, 0.1, 0.05))
+
+
+def test_a_tensor_is_that_of_the_file_to_the_digit() -> None:
+    stated = SOLID.replace("diaginertia", "fullinertia").replace(
+        "0.02 0.02", "0.021 0.022 0.001 0.002 -0.003"
+    )
+    serial = chain(TWO.replace(SOLID, stated, 1))
+    assert serial.chain.joints[0].body.inertia == (0.01, 0.021, 0.022, 0.001, 0.002, -0.003)
+
+
+def test_actuators_are_gears_and_limits_of_torque() -> None:
+    actuators = (
+        '<actuator><motor joint="i" gear="100" ctrlrange="-2 2" armature="0.001"/>'
+        '<motor joint="j" gear="40" ctrlrange="-1 1"/><motor site="s"/></actuator>'
+    )
+    first, second = chain(TWO.replace("</mujoco>", actuators + "</mujoco>")).chain.joints
+    assert first.gear is not None
+    assert (first.gear.ratio, first.limits.torque) == (Fraction(100), Fraction(200))
+    assert first.motor_inertia == 10
+    assert second.gear is None
+    assert second.limits.torque == 40
+
+
+def test_joints_that_follow_and_loops() -> None:
+    coupled = '<equality><joint name="e" joint1="j" joint2="i" polycoef="0.5 2 0 0 0"/></equality></mujoco>'
+    follows = TWO.replace("</mujoco>", coupled)
+    (mimic,) = [joint.mimic for joint in tree(follows).joints if joint.mimic]
+    assert (mimic.leader, mimic.multiplier, mimic.offset) == ("i", 2, 0.5)
+    with pytest.raises(InputError, match="'j' of the chain follows the joint 'i'"):
+        chain(follows)
+    tied = TWO.replace("</mujoco>", '<equality>\n<weld name="w" body1="b"/></equality></mujoco>')
+    with pytest.raises(InputError, match=r"arm\.xml:6:1: the constraint w closes a loop through the chain"):
+        chain(tied)
+    between = TWO.replace("</mujoco>", '<equality><weld name="w" body1="b" body2="a"/></equality></mujoco>')
+    assert len(chain(between, locks={"j": 0.5}).chain.joints) == 1
+
+
+def test_a_free_base_is_held_and_sites_are_tips() -> None:
+    text = TWO.replace('<joint name="i"/>', '<freejoint name="f"/><site name="s" pos="0 0 1"/>')
+    serial = chain(text)
+    assert [joint.name for joint in serial.chain.joints] == ["j"]
+    assert "the base is fixed: f is a floating joint at the root" in serial.remarks
+    assert chain(
+        TWO.replace("</body></body>", '<site name="s" pos="0 0 1"/></body></body>')
+    ).chain.tool.xyz == (0, 0, 1)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        (
+            '<joint name="j"/>',
+            '<joint name="j" type="knee"/>',
+            "arm.xml:4:28: MuJoCo refuses the file; found XML Er",
+        ),
+        ('mass="2"', 'mass="-2"', "MuJoCo refuses the file"),
+        (SOLID, "", "MuJoCo refuses the file; found Error: mass and inertia of moving bodies must be larger"),
+        (
+            '<body name="b"',
+            '<replicate count="1000000000"/><body name="b"',
+            "arm.xml:4:1: <replicate> makes bodies",
+        ),
+        (
+            '<body name="b"',
+            '<include file="/etc/passwd"/><body name="b"',
+            "outside of the folder|is no file cannot",
+        ),
+        ("<worldbody>", '<size memory="900G"/><worldbody>', ""),
+        ("<worldbody>", '<extension><plugin plugin="x"/></extension><worldbody>', ""),
+    ],
+)
+def test_what_mujoco_refuses_has_its_place(old: str, new: str, words: str) -> None:
+    text = TWO.replace(old, new, 1)
+    if not words:
+        assert len(chain(text).chain.joints) == 2
+        return
+    with pytest.raises(InputError) as caught:
+        tree(text)
+    assert any(word in str(caught.value) for word in words.split("|")), str(caught.value)
+
+
+def test_files_are_included_from_the_folder_and_below_only(tmp_path: Path) -> None:
+    folder = tmp_path / "arm"
+    (folder / "parts").mkdir(parents=True)
+    body = f'<body name="a"><joint name="i"/>{SOLID}<light/></body>'
+    (folder / "parts" / "a.xml").write_text(f"<mujocoinclude>\n{body}</mujocoinclude>")
+    (tmp_path / "outside.xml").write_text(f"<mujocoinclude>{body}</mujocoinclude>")
+    (folder / "link.xml").symlink_to(tmp_path / "outside.xml")
+    (folder / "again.xml").write_text('<mujocoinclude><include file="again.xml"/></mujocoinclude>')
+    path = folder / "arm.xml"
+    read = tree(mjcf('<include file="parts/a.xml"/>'), path)
+    assert [link.name for link in read.links] == ["world", "a"]
+    assert (read.links[1].where.file, read.links[1].where.line) == ("parts/a.xml", 2)
+    assert [part.text("arm.xml") for part in read.unused] == ["lights (parts/a.xml: line 2)"]
+    for name, words in (
+        ("../outside.xml", "outside of the folder; found '../outside.xml'"),
+        (str(tmp_path / "outside.xml"), "outside of the folder"),
+        ("link.xml", "outside of the folder"),
+        ("again.xml", "again.xml:1:25: the file is included twice"),
+        ("none.xml", "arm.xml:3:10: the file that is included is not there"),
+        ("", "outside of the folder"),
+    ):
+        with pytest.raises(InputError) as caught:
+            tree(mjcf(f'<include file="{name}"/>'), path)
+        assert words in str(caught.value)
+
+
+def test_nothing_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    tree(random_mjcf(250))  # whose mass matrix is near to singular
+    assert list(tmp_path.iterdir()) == []
