@@ -82,6 +82,9 @@ MOTION_OVER_NOISE: Final = 30.0
 MOTION_ABOVE: Final = 2.0
 """[-] a filter that cuts off at so many times the highest of these frequencies leaves it as it is."""
 
+MOTION_WIDER: Final = 3.0
+"""[cutoffs] Motion is kept up to so many times the cutoff of what is compared at most."""
+
 FILTER_ORDER: Final = 4
 """[-] Order of that filter (Butterworth, forth and back)."""
 

@@ -81,7 +81,7 @@ def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> 
     period = float((t[-1] - t[0]) / (len(t) - 1))
     rate = 1 / period
     chosen = cutoff or knee(log.q, rate)
-    motion = min(max(chosen, MOTION_ABOVE * highest_motion(log.q, rate)), wider * chosen)
+    motion = motion_cutoff(log.q, rate, chosen, wider)
     smooth = smoothed_motion(log.q, rate, motion)
     qd = np.gradient(smooth, period, axis=0)
     qdd = np.gradient(qd, period, axis=0)
@@ -135,6 +135,12 @@ def _sections(rate: float, cutoff: float) -> Floats:
     from scipy.signal import butter
 
     return np.asarray(butter(FILTER_ORDER, cutoff, fs=rate, output="sos"))
+
+
+def motion_cutoff(q: Floats, rate: float, cutoff: float, wider: float) -> float:
+    """The cutoff [Hz] that leaves positions [K, n] what stands out of the noise: from ``cutoff`` to ``wider``
+    times that."""
+    return min(max(cutoff, MOTION_ABOVE * highest_motion(q, rate)), wider * cutoff)
 
 
 def highest_motion(q: Floats, rate: float) -> float:

@@ -330,9 +330,6 @@ UNSTATED: Final = (0.3, 1.0)
 """[shares] Where nothing is said of inertial numbers, they may be wrong by so much instead of a tenth, if the
 evidence is better by as much as TIGHT_EVIDENCE; 1: they are a guess."""
 
-MOTION_WIDER: Final = 3.0
-"""[cutoffs] Motion is kept up to so many times the cutoff of what is compared."""
-
 SHORTEST_PIECE: Final = 6.0
 """[periods of the cutoff] Shorter pieces of a log are left out."""
 

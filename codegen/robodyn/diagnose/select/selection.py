@@ -42,7 +42,6 @@ from robodyn.diagnose.select.library.matched import matched
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import (
     DIVERGED,
-    MOTION_WIDER,
     OF_ENCODER_NOISE,
     OF_NOISE,
     OF_TORQUE,
@@ -55,6 +54,7 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.identify.rigid import Model
+from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot

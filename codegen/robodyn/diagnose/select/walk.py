@@ -73,6 +73,7 @@ def _settled(fit: LocalFit, x: Floats, held: int | None) -> tuple[float, Floats]
     """The misfit, and values [P], all but the one ``held`` refitted from ``x`` by Gauss and Newton, the arm's
     own numbers eliminated."""
     free = np.array([i for i in range(len(x)) if i != held])
+    sizes = fit.freed.sizes[free] if len(free) else free
     outcome = fit.misfit_at(x)
     least = np.inf if outcome is None else outcome[0]
     for _ in range(WALK_ROUNDS):
@@ -89,7 +90,8 @@ def _settled(fit: LocalFit, x: Floats, held: int | None) -> tuple[float, Floats]
         before = least
         for share in (1.0, 0.3, 0.1):
             tried = x.copy()
-            tried[free] *= np.exp(np.clip(-share * step / x[free], -WALK_FARTHEST, WALK_FARTHEST))
+            factors = np.exp(np.clip(-share * step / x[free], -WALK_FARTHEST, WALK_FARTHEST))
+            tried[free] = np.where(sizes, x[free] * factors, x[free] - share * step)
             outcome = fit.misfit_at(tried)
             if outcome is not None and outcome[0] < least:
                 least, x = outcome[0], tried
