@@ -201,3 +201,9 @@ UNSEEN_SHARE: Final = 0.9
 
 POOR_CONDITION: Final = 100.0
 """[-] A base regressor with a larger condition number is poorly excited (Gautier and Khalil 1992)."""
+
+STRENGTH_SPREAD: Final = 2.0
+"""[-] The factor of an effect's number is 1 to about so much."""
+
+STRENGTH_STEP: Final = 1e-3
+"""[share] Torques by a number of an effect are differences over such a step."""

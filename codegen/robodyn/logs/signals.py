@@ -59,7 +59,12 @@ class Signals:
 
     def thinned(self, x: Floats) -> Floats:
         """Of ``x`` [K, ...], filtered, as many samples as its band needs, without the filter's ends."""
-        return x[self.edge : len(x) - self.edge : self.every]
+        return x[self.used]
+
+    @property
+    def used(self) -> slice:
+        """The samples of a filtered signal that are used."""
+        return slice(self.edge, len(self.t) - self.edge, self.every)
 
     def coarse(self) -> Signals:
         """The same at a rate that still carries what the filter passes: for columns that are smooth."""

@@ -339,3 +339,10 @@ degrees of freedom)."""
 
 DIVERGED: Final = 30.0
 """[-] So many times larger in the fit of all than alone, a coefficient has diverged."""
+
+REST_WEIGHT: Final = 0.3
+"""[-] What a row of a joint that rests counts, as a factor: stiction holds it with any torque within its
+level,"""
+
+LEAST_MOVING: Final = 0.1
+"""[share] if the joint moves for more than this: else there is nothing better to go by."""

@@ -90,7 +90,7 @@ class Freed:
         except InputError:
             return None
         rows = np.concatenate([_rest(model, c) for c in self.contexts]) / self.start.sigma
-        left = rows.reshape(-1) * np.repeat(self.start.counted, self.start.n)
+        left = (rows * self.start.weight).reshape(-1)
         return left if np.isfinite(left).all() else None
 
     def slopes(self, x: Floats, left: Floats) -> Floats:
@@ -148,11 +148,11 @@ def costs(
     """What ``robot`` with all of each of the ``models`` leaves of the logs, in units of log-likelihood;
     bursts, by the measure of the first model, count by their size (Huber 1964)."""
     nuisance, prior = own_numbers(start)
-    kept = np.any(start.rest != 0, axis=1)[:, None]
     usual: Floats | None = None
     residuals = []
     for model in models:
-        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts]) / start.sigma * kept
+        left = np.concatenate([_rest(amended(robot, model), c) for c in contexts])
+        left *= start.weight / start.sigma
         weight, usual = weights(left, nuisance, prior, usual)
         least = _least(weight * left.reshape(-1), weight[:, None] * nuisance, prior)[0]
         residuals.append(least / 2 / start.thin)

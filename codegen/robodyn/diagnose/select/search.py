@@ -59,10 +59,11 @@ def search(
     """What ``robot`` lacks in ``scope`` to explain logs that have passed their ``gates``; windows of contacts
     are not in them."""
     pieces = [_piece(gate.log, part) for gate in gates for part in gate.segments]
+    resting = [gate.resting[part] for gate in gates for part in gate.segments]
 
     def look(model: Robot, known: Iterable[Key], unstated: float | None) -> Selection:
         return select(
-            model, pieces, known=frozenset(known), unstated=unstated, scope=scope,
+            model, pieces, known=frozenset(known), unstated=unstated, scope=scope, resting=resting,
             progress=lambda name: tell(f"found {name}"),
         )  # fmt: skip
 

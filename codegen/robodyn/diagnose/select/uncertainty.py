@@ -249,10 +249,10 @@ def _errors(start: Problem, B: Floats, left: Floats, prior: Floats) -> Floats:
     bread = _inverse(B.T @ B + held)[:, :own]
     by_joint, influence = left.reshape(-1, n), (B @ bread).reshape(-1, n, own)
     of_prior = start.thin * bread.T @ held @ bread
-    counted = max(float(start.counted.mean()), 1e-9)
+    counted = np.maximum(np.mean(start.weight**2, axis=0), 1e-9)
     plain = of_prior.copy()
     for j in range(n):
-        square = float(np.mean(by_joint[:, j] ** 2)) / counted
+        square = float(np.mean(by_joint[:, j] ** 2) / counted[j])
         U = influence[:, j]
         for lag, share in enumerate(correlations(by_joint[:, j])):
             together = U[: len(U) - lag].T @ U[lag:]
