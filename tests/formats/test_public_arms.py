@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -48,16 +49,20 @@ def chains(tree: Tree) -> Iterator[tuple[str, Serial]]:
 
 
 def tip_pose(robot: Robot, q: Any) -> Any:
+    """Of the tool's frame in the world [4, 4]."""
+    last, tool = np.eye(4), np.eye(4)
     place, turn = Kinematics(robot).pose(q)
-    pose = np.eye(4)
-    pose[:3, :3], pose[:3, 3] = turn, place
-    for frame, left in ((robot.base, True), (robot.tool, False)):
-        if frame is not None:
-            matrix = np.eye(4)
-            matrix[:3, :3] = [[float(x) for x in row] for row in frame.rotation]
-            matrix[:3, 3] = [float(x) for x in frame.xyz]
-            pose = matrix @ pose if left else pose @ matrix
-    return pose
+    last[:3, :3], last[:3, 3] = turn, place
+    if robot.tool is not None:
+        tool[:3, :3] = [[float(x) for x in row] for row in robot.tool.rotation]
+        tool[:3, 3] = [float(x) for x in robot.tool.xyz]
+    return last @ tool
+
+
+def friction(robot: Robot) -> Any:
+    """Viscous [N m s/rad, N s/m] and Coulomb friction [N m, N] of the joints."""
+    joints = [link.joint for link in robot.links]
+    return np.array([[float(Fraction(str(x))) for x in (j.viscous, j.coulomb)] for j in joints]).T
 
 
 @pytest.mark.parametrize(("package", "file"), representative(ARMS, *QUICK))
@@ -88,8 +93,8 @@ def compare(robot: Robot, read_back: Robot, peer: PinocchioArm, tip: str, first:
     q, qd, qdd = draw.uniform(-2, 2, (3, 3, robot.n))
     torques = np.array([peer.torques(*state) for state in zip(q, qd, qdd, strict=True)])
     largest = abs(torques).max()
-    friction = np.array([[float(str(x)) for x in (l.joint.viscous, l.joint.coulomb)] for l in robot.links])
-    dry = friction[:, 0] * qd + friction[:, 1] * np.sign(qd)
+    viscous, coulomb = friction(robot)
+    dry = viscous * qd + coulomb * np.sign(qd)
     ours = reference.inverse_dynamics(q, qd, qdd)
     assert ours - dry == pytest.approx(torques, rel=0, abs=1e-10 * largest + 1e-14)
     for k, state in enumerate(q):
