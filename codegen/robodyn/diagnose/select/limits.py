@@ -259,6 +259,32 @@ BETTER_FIT: Final = 0.5
 PROFILE_RESTARTS: Final = 2
 """[times] at most."""
 
+# --- walk --------------------
+
+WALK_STEP: Final = 1.3
+"""[-] A stiffness is varied by this factor,"""
+
+WALK_DOWN: Final = 12
+"""[steps] down at most,"""
+
+WALK_UP: Final = 5
+"""[steps] and up: a grid ends too stiff more often than too soft;"""
+
+WALK_LOST: Final = 4.0
+"""[-] no farther than to so many times the least misfit."""
+
+WALK_ROUNDS: Final = 3
+"""[rounds] of Gauss and Newton at each step,"""
+
+WALK_WORTH: Final = 1e-3
+"""[share of the misfit] as long as each gains so much,"""
+
+WALK_FARTHEST: Final = 0.7
+"""[logarithm] none farther than this,"""
+
+WALK_DAMPED: Final = 1e-6
+"""[-] with this on the diagonal of columns of size 1."""
+
 # --- search --------------------
 
 PASSES: Final = 10

@@ -66,6 +66,15 @@ class Freed:
         """The values [P] of the amendments as they are."""
         return np.array([float(self.amendments[k].parameters[name]) for k, name in self.places])
 
+    @property
+    def sizes(self) -> NDArray[np.bool_]:
+        """Which of the values [P] keep their sign, and are varied by factors."""
+        kinds = [
+            next(p.sign for p in effect(self.amendments[k].effect).parameters if p.name == name)
+            for k, name in self.places
+        ]
+        return np.array([kind != "any" for kind in kinds], dtype=bool)
+
     def changed(self, x: Floats) -> list[Amendment]:
         """The amendments with values ``x`` [P]."""
         values = [dict(one.parameters) for one in self.amendments]
@@ -104,7 +113,7 @@ def refined(
     if not freed.places:
         return list(amendments)
     nuisance, prior = own_numbers(start)
-    x = freed.x
+    x, sizes = freed.x, freed.sizes
     begun, now = x, freed.missed(x)
     if now is None:
         return list(amendments)
@@ -116,7 +125,7 @@ def refined(
         _, step = _least(weight * now, all_of_it, prior, free=len(x))
         for share in (1.0, 0.3, 0.1):
             tried = x - share * step[: len(x)]
-            within = np.all(tried * x > 0) and np.all(np.abs(tried) < REFINE_FARTHEST * np.abs(begun))
+            within = np.all(((tried / x > 0) & (np.abs(tried) < REFINE_FARTHEST * np.abs(begun)))[sizes])
             other = freed.missed(tried) if within else None
             if other is None:
                 continue

@@ -56,6 +56,7 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.identify.rigid import Model
+from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
@@ -184,12 +185,12 @@ def select(
     pieces = [logs] if isinstance(logs, Log) else list(logs)
     still = list(resting) or [np.zeros(log.q.shape, dtype=np.bool_) for log in pieces]
     order = sorted(range(len(pieces)), key=lambda k: -pieces[k].samples)
-    longest = signals_of(pieces[order[0]], cutoff=cutoff)
+    longest = signals_of(pieces[order[0]], cutoff=cutoff, wider=MOTION_WIDER)
     context = context_of(Model(robot), longest)
     contexts, rests = [context], [still[order[0]][longest.used]]
     for k in order[1:]:
         if pieces[k].samples * longest.period > SHORTEST_PIECE / longest.cutoff:
-            more = signals_of(pieces[k], cutoff=longest.cutoff)
+            more = signals_of(pieces[k], cutoff=longest.cutoff, wider=MOTION_WIDER)
             contexts.append(context_of(context.model, more, context.hints))
             rests.append(still[k][more.used])
     weight = weight_of(np.concatenate(rests))
