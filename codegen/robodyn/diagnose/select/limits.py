@@ -111,6 +111,11 @@ COMMON_PARTS: Final = 0.8
 FILTERED_AT_ONCE: Final = 1_000_000
 """[samples] About so many of candidates' columns are filtered in one pass, or those of one candidate."""
 
+# --- beside --------------------
+
+TRIED_AT_ONCE: Final = 100
+"""[candidates] So many are tried at once: their columns are copied for it."""
+
 # --- forward --------------------
 
 SURE: Final = 0.95
